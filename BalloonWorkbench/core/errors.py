@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The errors a user can meet. Each text says what happened and what to do."""
+
+
+class BalloonError(Exception):
+    """Base of every failure that a user can cause or repair."""
+
+
+class InputError(BalloonError):
+    """The input file, sketch or value cannot be used as it is."""
+
+
+class PictureError(InputError):
+    """No shape can be found in the picture."""
+
+
+class OutlineError(InputError):
+    """The outline is open, crosses itself, is empty or too thin."""
+
+
+class MeshError(BalloonError):
+    """The outline cannot be triangulated at the wanted size."""
+
+
+class SolverError(BalloonError):
+    """The simulation cannot go on, not even with its last good state."""
+
+
+class ExportError(BalloonError):
+    """A file cannot be written."""
+
+
+class MissingPackageError(BalloonError):
+    """A package that this step needs is not installed."""
+
+
+class Cancelled(BalloonError):
+    """The user stopped the work; nothing was changed."""

@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The film: what the sheet is made of."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Film:
+    """An isotropic elastic film; SI units."""
+
+    name: str
+    young_modulus: float  # E [Pa]
+    poisson_ratio: float  # nu
+    thickness: float  # t [m]
+    areal_density: float  # [kg/m2]
+    seal_width: float = 5e-3  # [m]
+    max_stress: float | None = None  # tensile strength [Pa], if known
+
+    @property
+    def membrane_stiffness(self) -> float:
+        """E t [N/m]."""
+        return self.young_modulus * self.thickness
+
+    @property
+    def flexural_rigidity(self) -> float:
+        """D = E t^3 / (12 (1 - nu^2)) [N m]."""
+        return self.young_modulus * self.thickness**3 / (12.0 * (1.0 - self.poisson_ratio**2))

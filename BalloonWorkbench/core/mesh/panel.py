@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The panel: the flat, triangulated piece of film that is cut twice and sealed."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from BalloonWorkbench.core.types import Floats, Ints
+
+
+@dataclass(frozen=True)
+class Panel:
+    """A triangulated flat panel.
+
+    rest_positions  (n, 2) m, the film before inflation
+    triangles       (m, 3) vertex indices, counter-clockwise
+    seams           vertex indices of each boundary loop in order: the outer loop first
+                    (counter-clockwise), then the holes (clockwise)
+    """
+
+    rest_positions: Floats
+    triangles: Ints
+    seams: tuple[Ints, ...]

@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The inflated balloon: the result of the simulation."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from BalloonWorkbench.core.mesh.panel import Panel
+from BalloonWorkbench.core.types import Floats
+
+
+@dataclass(frozen=True)
+class SolveReport:
+    """How the solve went."""
+
+    backend: str  # "native" or "numpy"
+    newton_steps: int
+    factorisations: int
+    seconds: float
+    converged: bool
+    stiffness_k: float  # E t / (p L), L the larger dimension of the panel
+    bending_floor: float  # flexural rigidity used [N m]; the film's own where that is larger
+
+
+@dataclass(frozen=True)
+class Inflation:
+    """The upper half of an inflated balloon; the lower half is its mirror image in z = 0.
+
+    positions  (n, 3) m, one per vertex of the panel; the seams lie in z = 0
+    directors  (n, 3) unit normals of the film at the vertices
+    tensions   (m, 2) N/m, larger and smaller principal membrane tension of each triangle
+    volume     m3, of the whole balloon
+    """
+
+    panel: Panel
+    positions: Floats
+    directors: Floats
+    tensions: Floats
+    volume: float
+    report: SolveReport

@@ -1,0 +1,21 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Array types and the progress callback shared by all rooms of the core."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int32]
+Bools = NDArray[np.bool_]
+
+#: Called as progress(fraction 0..1, what is being done); returning False asks to stop.
+Progress = Callable[[float, str], bool]
+
+
+def no_progress(fraction: float, text: str) -> bool:
+    """Ignore progress and never ask to stop."""
+    return True
