@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Makes .venv: Debian's Python with its packages, those of requirements.txt, and FreeCAD importable.
+# Does nothing when .venv was made from the same requirements, Python and FreeCAD.
+set -euo pipefail
+cd "$(dirname "$(realpath "$0")")/.."
+
+python=/usr/bin/python3 # the one that FreeCAD and the distribution's packages belong to
+
+# FreeCAD's library, and the folders of the modules that its Part, Mesh and Sketcher import from.
+# They come last in sys.path, so nothing of theirs can hide a module of Python or of ours.
+freecad_paths() {
+    local library module
+    for library in /usr/lib/freecad-python3/lib /usr/lib/freecad/lib; do
+        [ -e "$library/FreeCAD.so" ] || continue
+        echo "$library"
+        for module in Part Mesh Sketcher; do
+            [ ! -d "/usr/share/freecad/Mod/$module" ] || echo "/usr/share/freecad/Mod/$module"
+        done
+        return
+    done
+}
+
+paths=$(freecad_paths)
+wanted=$({ "$python" --version && cat requirements.txt "$0" && echo "$PWD $paths"; } | sha256sum)
+[ "$(cat .venv/made-from 2>/dev/null)" != "$wanted" ] || exit 0
+
+echo "Making the Python environment in .venv"
+.venv/bin/python -c 'import pip' 2>/dev/null || "$python" -m venv --clear --system-site-packages .venv
+.venv/bin/python -m pip install --quiet --disable-pip-version-check --requirement requirements.txt
+site=$(.venv/bin/python -c 'import sysconfig; print(sysconfig.get_path("purelib"))')
+echo "$paths" >"$site/freecad.pth"
+[ -n "$paths" ] || echo "FreeCAD was not found: documents cannot be saved from the command line" >&2
+echo "$wanted" >.venv/made-from
