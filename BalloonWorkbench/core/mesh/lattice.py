@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Interior vertices to start with: hexagonal lattices of the wanted sizes, kept off the seam."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from BalloonWorkbench.core.mesh.sizing import SizeField, kd_tree
+from BalloonWorkbench.core.types import Bools, Floats, Ints
+
+_ROW = np.sqrt(3.0) / 2.0
+#: Lattice points closer to the seam than this share of the local size are left out.
+_CLEARANCE = 0.62
+
+
+def lattice(seams: tuple[Floats, ...], field: SizeField) -> Floats:
+    """Points (k, 2) inside the seams, spaced like the field: one lattice for each octave half of the sizes."""
+    low, high = seams[0].min(axis=0), seams[0].max(axis=0)
+    boundary = np.concatenate([subdivided(seam, 4) for seam in seams])
+    tree = kd_tree()(boundary)
+    levels = int(np.ceil(2.0 * np.log2(field.size / field.smallest) - 1e-6)) if field.groups else 0
+    cells = np.ceil((high - low) / field.size).astype(int) + 1
+    if levels:
+        index = np.stack(np.meshgrid(*(np.arange(n) for n in cells), indexing="ij"), axis=-1).reshape(-1, 2)
+        in_cell = field.at(low + (index + 0.5) * field.size)
+    kept = []
+    for level in range(levels + 1):
+        size = field.size * 2.0 ** (-0.5 * level)
+        points, row = _hexagons(low, high, size)
+        upper = np.inf if level == 0 else size * 2.0**0.25
+        lower = 0.0 if level == levels else size * 2.0**-0.25
+        if levels:  # a coarse look first: the field changes slowly
+            cell = ((points - low) / field.size).astype(int).clip(0, cells - 1)
+            near = in_cell[cell[:, 0] * cells[1] + cell[:, 1]]
+            wanted = (near < upper + 0.2 * field.size) & (near >= lower - 0.2 * field.size)
+            points, row = points[wanted], row[wanted]
+            local = field.at(points)
+            wanted = (local < upper) & (local >= lower)
+            points, row = points[wanted], row[wanted]
+        if len(points):
+            points = points[_inside(points, row, seams)]
+        if len(points):
+            distance, _ = tree.query(points)
+            kept.append(points[distance > _CLEARANCE * field.at(points)])
+    return np.concatenate(kept) if kept else np.empty((0, 2))
+
+
+def _hexagons(low: Floats, high: Floats, size: float) -> tuple[Floats, Ints]:
+    """Lattice points (n, 2) over a box and the row (n,) of each."""
+    columns, rows = np.ceil((high - low) / (size * np.array([1.0, _ROW]))).astype(int) + 1
+    row, column = np.divmod(np.arange(columns * rows), columns)
+    # Centred in the box, so that a symmetric outline has a symmetric start.
+    start = 0.5 * (low + high - size * np.array([columns - 0.5, (rows - 1) * _ROW]))
+    points = np.stack([start[0] + size * (column + 0.5 * (row % 2)), start[1] + size * _ROW * row], axis=1)
+    return points, row.astype(np.int32)
+
+
+def _inside(points: Floats, row: Ints, loops: tuple[Floats, ...]) -> Bools:
+    """Which points (n, 2) lie inside the loops; points of one row have the same y."""
+    rows, first = np.unique(row, return_index=True)
+    heights = points[first, 1]
+    starts = np.concatenate(loops)
+    ends = np.concatenate([np.roll(loop, -1, axis=0) for loop in loops])
+    line, edge = np.nonzero((starts[:, 1] > heights[:, None]) != (ends[:, 1] > heights[:, None]))
+    share = (heights[line] - starts[edge, 1]) / (ends[edge, 1] - starts[edge, 1])
+    crossing = starts[edge, 0] + share * (ends[edge, 0] - starts[edge, 0])
+    # One sorted list for all rows: each row lives in its own interval.
+    left = min(float(points[:, 0].min()), float(starts[:, 0].min()))
+    width = 2.0 * (max(float(points[:, 0].max()), float(starts[:, 0].max())) - left)
+    keys = np.sort(line * width + (crossing - left))
+    own = np.searchsorted(rows, row)
+    before = np.searchsorted(keys, own * width + (points[:, 0] - left)) - np.searchsorted(keys, own * width - 0.1 * width)
+    odd: Bools = before % 2 == 1
+    return odd
+
+
+def subdivided(loop: Floats, parts: int) -> Floats:
+    """The loop with each edge divided into equal parts."""
+    share = (np.arange(parts) / parts)[None, :, None]
+    points: Floats = (loop[:, None] * (1.0 - share) + np.roll(loop, -1, axis=0)[:, None] * share).reshape(-1, 2)
+    return points
