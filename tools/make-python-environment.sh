@@ -8,7 +8,7 @@ cd "$(dirname "$(realpath "$0")")/.."
 python=/usr/bin/python3 # the one that FreeCAD and the distribution's packages belong to
 
 # FreeCAD's library, and the folders of the modules that its Part, Mesh and Sketcher import from.
-# They come last in sys.path, so nothing of theirs can hide a module of Python or of ours.
+# They come after .venv's own packages and share no name with a module of Python, Debian or ours.
 freecad_paths() {
     local library module
     for library in /usr/lib/freecad-python3/lib /usr/lib/freecad/lib; do
@@ -26,7 +26,8 @@ wanted=$({ "$python" --version && cat requirements.txt "$0" && echo "$PWD $paths
 [ "$(cat .venv/made-from 2>/dev/null)" != "$wanted" ] || exit 0
 
 echo "Making the Python environment in .venv"
-.venv/bin/python -c 'import pip' 2>/dev/null || "$python" -m venv --clear --system-site-packages .venv
+# pip's script names its interpreter by its full path: it fails when the folder was moved
+.venv/bin/pip --version >/dev/null 2>&1 || "$python" -m venv --clear --system-site-packages .venv
 .venv/bin/python -m pip install --quiet --disable-pip-version-check --requirement requirements.txt
 site=$(.venv/bin/python -c 'import sysconfig; print(sysconfig.get_path("purelib"))')
 echo "$paths" >"$site/freecad.pth"

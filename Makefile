@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Everything here may be run again at any time: what is already there is skipped.
+SHELL := /bin/bash
+.SHELLFLAGS := -euo pipefail -c
+.DEFAULT_GOAL := help
+PYTHON := .venv/bin/python
+
+.PHONY: help setup native demo test test-core test-app test-gui lint format freecad clean
+
+help: ## List these targets
+	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' $(MAKEFILE_LIST) | expand -t 12
+
+setup: ## Install missing Debian packages, make the Python environment in .venv
+	@tools/install-debian-packages.sh
+	@tools/make-python-environment.sh
+
+native: setup ## Build the native solver
+	@cmake --log-level=WARNING -S BalloonWorkbench/native -B build/native -G Ninja -DCMAKE_BUILD_TYPE=Release
+	@cmake --build build/native
+
+demo: native ## Design a balloon from an example picture
+	@$(PYTHON) -m BalloonWorkbench design resources/examples/pictures/fish.png --width 300mm --out out/demo
+	@echo "The files are in $(CURDIR)/out/demo:" && ls -lh out/demo | tail -n +2
+
+test: native ## Check the code, run all tests; logs go to build/logs
+	@tools/test.sh lint core app gui
+
+# One part of the tests. BALLOON_TESTS replaces its folder by other arguments of pytest:
+# BALLOON_TESTS="tests/gui/test_window_starts.py -x" make test-gui
+test-core test-app test-gui: test-%: native
+	@tools/test.sh $*
+
+lint: setup ## Check style, types and formatting
+	@tools/test.sh lint
+
+format: setup ## Format Python and C++, repair what can be repaired
+	@.venv/bin/ruff check --fix --exit-zero --quiet .
+	@.venv/bin/ruff format .
+	@find BalloonWorkbench/native \( -name '*.cpp' -o -name '*.h' \) -print0 | xargs -0r .venv/bin/clang-format -i
+
+freecad: native ## Open FreeCAD with the workbench, in a user folder of its own under build
+	@tools/in-freecad.sh build/freecad freecad
+
+clean: ## Remove what was built and written; .venv stays
+	rm -rf build out BalloonWorkbench/native/lib
+	find . -name __pycache__ -not -path './.venv/*' -prune -exec rm -rf {} +

@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Run pytest inside FreeCAD and end the process with pytest's exit code.
+
+Give this file to freecadcmd (runs tests/app) or freecad (runs tests/gui), from the root of the repository.
+The environment variable BALLOON_TESTS replaces these folders by other arguments of pytest.
+
+FreeCAD imports a script, runs it again after an exception and still exits with 0; leaving through the
+event loop loses the exit code. So the process ends here, with os._exit after a flush.
+"""
+
+import os
+import shlex
+import sys
+import traceback
+
+import FreeCAD
+
+
+def run() -> None:
+    """Run the tests and end the process."""
+    # FreeCAD's own streams have no file number; without line buffering a crash would swallow the last lines
+    sys.stdout = os.fdopen(os.dup(1), "w", buffering=1)
+    sys.stderr = os.fdopen(os.dup(2), "w", buffering=1)
+    # the versions of .venv, not those that Debian may have beside them
+    sys.path.insert(0, os.path.join(FreeCAD.getUserAppDataDir(), "AdditionalPythonPackages"))
+    folder = "tests/gui" if FreeCAD.GuiUp else "tests/app"
+    code = 99
+    try:
+        import pytest
+
+        # tee-sys: what FreeCAD and its Python print while a test runs also reaches the log
+        code = int(pytest.main(["--capture=tee-sys", *shlex.split(os.environ.get("BALLOON_TESTS", folder))]))
+    finally:
+        if code == 99:
+            traceback.print_exc()
+        sys.stdout.flush()
+        sys.stderr.flush()
+        os._exit(code)
+
+
+if FreeCAD.GuiUp:
+    from PySide import QtCore
+
+    QtCore.QTimer.singleShot(0, run)  # once the window stands and the event loop runs
+else:
+    run()

@@ -1,0 +1,68 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# test.sh STEP...   steps: lint core app gui
+# Runs every step, also after one has failed. Each leaves build/logs/STEP.log.
+set -uo pipefail
+cd "$(dirname "$(realpath "$0")")/.." || exit 1
+logs=build/logs
+mkdir -p "$logs"
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+
+lint() {
+    local failed=0
+    .venv/bin/ruff check . || failed=1
+    .venv/bin/ruff format --check --quiet . || { echo "Not formatted: run 'make format'." && failed=1; }
+    .venv/bin/mypy || failed=1
+    find BalloonWorkbench/native \( -name '*.cpp' -o -name '*.h' \) -print0 |
+        xargs -0r .venv/bin/clang-format --dry-run --Werror || failed=1
+    return $failed
+}
+
+core() {
+    # an empty user folder: the user's own addons have no part in the tests
+    mkdir -p "$scratch/core"
+    # shellcheck disable=SC2086
+    FREECAD_USER_HOME=$scratch/core .venv/bin/python -m pytest ${BALLOON_TESTS:-tests/core}
+}
+
+app() {
+    timeout --kill-after=30 1200 tools/in-freecad.sh "$scratch/app" freecadcmd tests/freecad_pytest.py
+}
+
+gui() {
+    env -u WAYLAND_DISPLAY QT_QPA_PLATFORM=xcb LIBGL_ALWAYS_SOFTWARE=1 XDG_RUNTIME_DIR= \
+        timeout --kill-after=30 1200 \
+        xvfb-run --auto-servernum --server-args="-screen 0 1920x1080x24 -noreset" \
+        tools/in-freecad.sh "$scratch/gui" freecad tests/freecad_pytest.py
+}
+
+# FreeCAD reports an exception in its log and goes on; a test that looked elsewhere would not notice.
+freecad_log_is_clean() {
+    if ! grep -qE '[0-9]+ passed' "$1"; then
+        echo "FreeCAD ended before pytest did."
+        return 1
+    fi
+    if grep -nE 'Traceback|During initialization the error|Exception while processing|blocked import' "$1"; then
+        echo "FreeCAD reported the errors above (see $1)."
+        return 1
+    fi
+}
+
+result=0
+summary=()
+for step in "$@"; do
+    echo "== $step"
+    started=$SECONDS
+    log=$logs/$step.log
+    "$step" </dev/null 2>&1 | tee "$log"
+    status=${PIPESTATUS[0]}
+    case $step in app | gui) freecad_log_is_clean "$log" || status=1 ;; esac
+    counts=$(grep -aoE '[0-9]+ (passed|failed|errors?|skipped|deselected)' "$log" | tail -n 4 | paste -sd, | sed 's/,/, /g')
+    if [ "$status" -eq 0 ]; then word=ok; else word="FAILED ($status)" result=1; fi
+    summary+=("$(printf '%-5s %-12s %4d s  %s' "$step" "$word" $((SECONDS - started)) "$counts")")
+done
+
+echo "== summary (logs in $logs)"
+printf '%s\n' "${summary[@]}"
+exit $result
