@@ -35,5 +35,4 @@ def triangulate_points(points: Floats, loops: tuple[Ints, ...]) -> Ints:
             "The outline crosses or touches itself and cannot be meshed: separate the parts that meet."
         ) from error
     mesh.erase_outer_triangles_and_holes()
-    triangles: Ints = mesh.triangles_array()["vertices"].astype(np.int32)
-    return triangles
+    return mesh.triangles_array()["vertices"].astype(np.int32)

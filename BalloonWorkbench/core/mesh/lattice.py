@@ -5,7 +5,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from BalloonWorkbench.core.mesh.sizing import SizeField, kd_tree
+from BalloonWorkbench.core.mesh.sizing import SizeField
+from BalloonWorkbench.core.mesh.thickness import kd_tree
 from BalloonWorkbench.core.types import Bools, Floats, Ints
 
 _ROW = np.sqrt(3.0) / 2.0
@@ -14,10 +15,10 @@ _CLEARANCE = 0.62
 
 
 def lattice(seams: tuple[Floats, ...], field: SizeField) -> Floats:
-    """Points (k, 2) inside the seams, spaced like the field: one lattice for each octave half of the sizes."""
+    """Points (k, 2) inside the seams, spaced like the field: one lattice per half octave of size."""
     low, high = seams[0].min(axis=0), seams[0].max(axis=0)
     boundary = np.concatenate([subdivided(seam, 4) for seam in seams])
-    tree = kd_tree()(boundary)
+    tree = kd_tree(boundary)
     levels = int(np.ceil(2.0 * np.log2(field.size / field.smallest) - 1e-6)) if field.groups else 0
     cells = np.ceil((high - low) / field.size).astype(int) + 1
     if levels:
@@ -69,13 +70,12 @@ def _inside(points: Floats, row: Ints, loops: tuple[Floats, ...]) -> Bools:
     width = 2.0 * (max(float(points[:, 0].max()), float(starts[:, 0].max())) - left)
     keys = np.sort(line * width + (crossing - left))
     own = np.searchsorted(rows, row)
-    before = np.searchsorted(keys, own * width + (points[:, 0] - left)) - np.searchsorted(keys, own * width - 0.1 * width)
-    odd: Bools = before % 2 == 1
-    return odd
+    here = np.searchsorted(keys, own * width + (points[:, 0] - left))
+    return (here - np.searchsorted(keys, own * width)) % 2 == 1
 
 
 def subdivided(loop: Floats, parts: int) -> Floats:
     """The loop with each edge divided into equal parts."""
-    share = (np.arange(parts) / parts)[None, :, None]
-    points: Floats = (loop[:, None] * (1.0 - share) + np.roll(loop, -1, axis=0)[:, None] * share).reshape(-1, 2)
-    return points
+    share: Floats = np.linspace(0.0, 1.0, parts, endpoint=False)[None, :, None]
+    following = np.roll(loop, -1, axis=0)
+    return (loop[:, None] * (1.0 - share) + following[:, None] * share).reshape(-1, 2)

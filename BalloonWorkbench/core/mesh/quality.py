@@ -38,14 +38,12 @@ def corner_angles(points: Floats, triangles: Ints) -> Floats:
         ],
         axis=1,
     )
-    angles: Floats = np.arccos(np.clip(cosines, -1.0, 1.0))
-    return angles
+    return np.arccos(np.clip(cosines, -1.0, 1.0))
 
 
 def min_angles(panel: Panel) -> Floats:
     """Smallest angle (m,) of each triangle [rad]."""
-    smallest: Floats = corner_angles(panel.rest_positions, panel.triangles).min(axis=1)
-    return smallest
+    return corner_angles(panel.rest_positions, panel.triangles).min(axis=1)
 
 
 def flipped(panel: Panel) -> Bools:
@@ -58,16 +56,14 @@ def worn(panel: Panel) -> Bools:
     edges = edge_lengths(panel.rest_positions, panel.triangles)
     areas = np.abs(signed_areas(panel.rest_positions, panel.triangles))
     inscribed = 2.0 * areas / edges.sum(axis=1)
-    result: Bools = WORN_RATIO * inscribed < edges.max(axis=1)
-    return result
+    return WORN_RATIO * inscribed < edges.max(axis=1)
 
 
 def locked(panel: Panel) -> Bools:
     """Which triangles (m,) have all three vertices on a seam: pressure cannot lift them."""
     on_seam = np.zeros(len(panel.rest_positions), dtype=bool)
     on_seam[np.concatenate(panel.seams)] = True
-    result: Bools = on_seam[panel.triangles].all(axis=1)
-    return result
+    return on_seam[panel.triangles].all(axis=1)
 
 
 def interior_edges(triangles: Ints) -> tuple[Ints, Ints]:

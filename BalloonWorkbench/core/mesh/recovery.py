@@ -22,7 +22,9 @@ def recovered_delaunay(points: Floats, segments: Ints) -> Ints:
     try:
         from scipy.spatial import Delaunay
     except ImportError as error:
-        raise MissingPackageError("Meshing needs pythoncdt or scipy: install one of them with pip.") from error
+        raise MissingPackageError(
+            "Meshing needs pythoncdt or scipy: install one of them with pip."
+        ) from error
     # A wide frame keeps the boundary off the convex hull, where Qhull may drop collinear points.
     low, high = points.min(axis=0), points.max(axis=0)
     middle, reach = 0.5 * (low + high), 2.0 * float(np.max(high - low))
@@ -160,7 +162,12 @@ class _Swapper:
         s = self._opposite(second, p, q)
         if self._side(r, s, p) >= 0.0 or self._side(r, s, q) <= 0.0:
             return None
-        side = {frozenset((q, r)): first, frozenset((r, p)): first, frozenset((p, s)): second, frozenset((s, q)): second}
+        side = {
+            frozenset((q, r)): first,
+            frozenset((r, p)): first,
+            frozenset((p, s)): second,
+            frozenset((s, q)): second,
+        }
         outer = {}
         for edge, index in side.items():
             row = self.triangles[index]

@@ -7,7 +7,8 @@ import numpy as np
 
 from BalloonWorkbench.core.mesh.delaunay import triangulate_points
 from BalloonWorkbench.core.mesh.quality import corner_angles, edge_lengths, signed_areas
-from BalloonWorkbench.core.mesh.sizing import SizeField, kd_tree
+from BalloonWorkbench.core.mesh.sizing import SizeField
+from BalloonWorkbench.core.mesh.thickness import kd_tree
 from BalloonWorkbench.core.types import Bools, Floats, Ints
 
 #: A corner of the seam below this angle is a sharp tip: it keeps one triangle with all vertices on the seam.
@@ -123,7 +124,7 @@ def _spread(points: Floats, field: SizeField) -> Floats:
         return points
     kept = np.ones(len(points), dtype=bool)
     sizes = field.at(points)
-    for i, j in sorted(kd_tree()(points).query_pairs(0.5 * field.size)):
+    for i, j in sorted(kd_tree(points).query_pairs(0.5 * field.size)):
         if kept[i] and kept[j] and np.linalg.norm(points[i] - points[j]) < 0.2 * sizes[j]:
             kept[j] = False
     return points[kept]
@@ -172,7 +173,10 @@ def _ring_scores(points: Floats, ring: Ints, vertex: int, trials: Floats) -> Flo
     u, v, w = p - trials[:, None], q - trials[:, None], np.broadcast_to(q - p, (len(trials), *p.shape))
     cross = u[..., 0] * v[..., 1] - u[..., 1] * v[..., 0]
     angles = np.stack(
-        [np.arctan2(cross, (u * v).sum(-1)), np.arctan2(cross, -(u * w).sum(-1)), np.arctan2(cross, (v * w).sum(-1))]
+        [
+            np.arctan2(cross, (u * v).sum(-1)),
+            np.arctan2(cross, -(u * w).sum(-1)),
+            np.arctan2(cross, (v * w).sum(-1)),
+        ]
     )
-    smallest: Floats = angles.min(axis=(0, 2))
-    return smallest
+    return angles.min(axis=(0, 2))

@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Moving a panel's rim without meshing anew, as long as the triangles stay good."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from BalloonWorkbench.core.errors import MissingPackageError
+from BalloonWorkbench.core.mesh.panel import Panel
+from BalloonWorkbench.core.mesh.quality import corner_angles, delaunay_loss, flipped, min_angles, worn
+from BalloonWorkbench.core.types import Floats, Ints
+
+#: A triangle may not become sharper than this unless it was about as sharp before [rad].
+_SHARPEST = np.radians(15.0)
+_SHARPENING = 0.7
+#: Share of the interior edges that may stop being Delaunay.
+_DELAUNAY_LOSS = 0.03
+
+
+def move_rim(panel: Panel, seam_positions: Sequence[Floats]) -> Panel | None:
+    """The panel with its seams at new positions (k, 2) [m], in the order of `panel.seams`.
+
+    Same connectivity; the interior follows by a harmonic displacement (cotangent weights of the old mesh), so
+    a uniform stretch stays uniform. None when triangles turn over, get thin (15 R < L) or lose the Delaunay
+    property: then the caller has to mesh anew.
+    """
+    seam = np.concatenate(panel.seams)
+    moved = panel.rest_positions.copy()
+    moved[seam] = np.concatenate([np.asarray(positions, dtype=np.float64) for positions in seam_positions])
+    free = np.setdiff1d(np.arange(len(moved)), seam)
+    if len(free):
+        shift = moved[seam] - panel.rest_positions[seam]
+        moved[free] += _harmonic(panel, seam, free, shift)
+    result = Panel(moved, panel.triangles, panel.seams)
+    if flipped(result).any() or (worn(result) & ~worn(panel)).any():
+        return None
+    before, after = min_angles(panel), min_angles(result)
+    if ((after < _SHARPEST) & (after < _SHARPENING * before)).any():
+        return None
+    if delaunay_loss(result) > delaunay_loss(panel) + _DELAUNAY_LOSS:
+        return None
+    return result
+
+
+def _harmonic(panel: Panel, seam: Ints, free: Ints, shift: Floats) -> Floats:
+    """Displacements of the free vertices for given ones (k, 2) of the seam."""
+    try:
+        from scipy.sparse import coo_matrix
+        from scipy.sparse.linalg import splu
+    except ImportError as error:
+        raise MissingPackageError("Mesh reuse needs scipy: install it with pip install scipy.") from error
+    triangles = panel.triangles
+    half_cotangents = 0.5 / np.tan(corner_angles(panel.rest_positions, triangles))
+    p, q = np.roll(triangles, -1, axis=1).ravel(), np.roll(triangles, -2, axis=1).ravel()
+    weights = half_cotangents.ravel()
+    count = len(panel.rest_positions)
+    laplacian = coo_matrix(
+        (
+            np.concatenate([weights, weights, -weights, -weights]),
+            (np.concatenate([p, q, p, q]), np.concatenate([p, q, q, p])),
+        ),
+        shape=(count, count),
+    ).tocsc()
+    inner = laplacian[free]
+    return splu(inner[:, free].tocsc()).solve(-(inner[:, seam] @ shift))

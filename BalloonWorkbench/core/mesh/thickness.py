@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How thick an outline is: the distance between walls that face each other."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from BalloonWorkbench.core.errors import MissingPackageError
+from BalloonWorkbench.core.outline.outline import Outline, signed_area
+from BalloonWorkbench.core.outline.sampling import arc_lengths, point_at
+from BalloonWorkbench.core.types import Bools, Floats, Ints
+
+#: Walls face each other where a ball that touches both sees them this far apart [rad].
+_FACING = np.radians(150.0)
+#: Seen under a smaller angle, a wall is a bump beside the sample and not the other side [rad].
+_BUMP = np.radians(60.0)
+
+
+@dataclass(frozen=True)
+class Thickness:
+    """Thickness at samples of the boundary.
+
+    points   (n, 2) m, on the boundary
+    across   (n,) m, to the opposite wall; infinite where none faces the sample within reach
+    channel  (n,) the walls run side by side there: not a tip that tapers off
+    """
+
+    points: Floats
+    across: Floats
+    channel: Bools
+
+    @property
+    def thinnest(self) -> tuple[float, Floats]:
+        """Smallest thickness of the channels (infinite without any) and a point (2,) of the wall [m]."""
+        narrow = np.where(self.channel, self.across, np.inf)
+        worst = int(np.argmin(narrow))
+        return float(narrow[worst]), self.points[worst]
+
+
+def kd_tree(points: Floats) -> Any:
+    """scipy's k-d tree of points (n, 2)."""
+    try:
+        from scipy.spatial import cKDTree
+    except ImportError as error:
+        raise MissingPackageError("Meshing needs scipy: install it with pip install scipy.") from error
+    return cKDTree(points)
+
+
+def sampled(loop: Floats, spacing: float) -> Floats:
+    """Points (k, 2) along a closed loop at even distances of at most `spacing`, twelve at least."""
+    lengths = arc_lengths(loop)
+    count = max(12, int(np.ceil(lengths[-1] / spacing)))
+    return point_at(loop, lengths, np.arange(count) * (lengths[-1] / count))
+
+
+def thickness(outline: Outline, reach: float, spacing: float) -> Thickness:
+    """Thickness of an outline where it is below `reach` [m], at boundary samples `spacing` [m] apart.
+
+    By shrinking tangent balls (Ma, Bae & Choi, The Visual Computer 28 (2012) 7-19).
+    """
+    loops = [sampled(loop, spacing) for loop in outline.loops]
+    points = np.concatenate(loops)
+    normals = np.concatenate([_inward(loop) for loop in loops])
+    tree = kd_tree(points)
+    radius = np.full(len(points), 0.5 * reach)
+    partner = np.full(len(points), -1)
+    active = np.arange(len(points))
+    for _ in range(30):
+        distance, nearest = tree.query(points[active] + radius[active, None] * normals[active])
+        shrinks = distance < radius[active] * (1.0 - 1e-6)
+        active, nearest = active[shrinks], nearest[shrinks]
+        gap = points[nearest] - points[active]
+        ahead = (gap * normals[active]).sum(axis=1)
+        smaller = (gap**2).sum(axis=1) / np.maximum(2.0 * ahead, np.finfo(float).tiny)
+        centre = points[active] + smaller[:, None] * normals[active]
+        wall = (ahead > 0.0) & (_seen_apart(points[active], points[nearest], centre) > _BUMP)
+        active = active[wall]
+        radius[active], partner[active] = smaller[wall], nearest[wall]
+        if not len(active):
+            break
+    found = np.flatnonzero(partner >= 0)
+    centre = points[found] + radius[found, None] * normals[found]
+    found = found[_seen_apart(points[found], points[partner[found]], centre) > _FACING]
+    across = np.full(len(points), np.inf)
+    across[found] = 2.0 * radius[found]
+    channel = np.zeros(len(points), dtype=bool)
+    channel[found] = ~_tapers(loops, found, partner[found], across[found])
+    return Thickness(points, across, channel)
+
+
+def _inward(loop: Floats) -> Floats:
+    tangent = np.roll(loop, -1, axis=0) - np.roll(loop, 1, axis=0)
+    normal = np.stack([-tangent[:, 1], tangent[:, 0]], axis=1)
+    length = np.linalg.norm(normal, axis=1, keepdims=True)
+    return normal / np.maximum(length, np.finfo(float).tiny)
+
+
+def _seen_apart(p: Floats, q: Floats, centre: Floats) -> Floats:
+    """Angle (n,) between p and q seen from a centre."""
+    u, v = p - centre, q - centre
+    product = np.linalg.norm(u, axis=1) * np.linalg.norm(v, axis=1)
+    cosine = (u * v).sum(axis=1) / np.maximum(product, np.finfo(float).tiny)
+    return np.arccos(np.clip(cosine, -1.0, 1.0))
+
+
+def _tapers(loops: list[Floats], first: Ints, second: Ints, across: Floats) -> Bools:
+    """Whether the piece cut off between two samples of one loop is a tip rather than a strip.
+
+    A strip of length l holds l times its width, a tip that tapers off half as much.
+    """
+    starts = np.cumsum([0, *(len(loop) for loop in loops)])
+    owner = np.searchsorted(starts, first, side="right") - 1
+    tapers = np.zeros(len(first), dtype=bool)
+    for index, loop in enumerate(loops):
+        mine = np.flatnonzero((owner == index) & (second >= starts[index]) & (second < starts[index + 1]))
+        i, j = np.sort([first[mine], second[mine]], axis=0) - starts[index]
+        following = np.roll(loop, -1, axis=0)
+        swept = np.cumsum(np.append(0.0, loop[:, 0] * following[:, 1] - loop[:, 1] * following[:, 0]))
+        closing = loop[j, 0] * loop[i, 1] - loop[j, 1] * loop[i, 0]
+        piece = 0.5 * np.abs(swept[j] - swept[i] + closing)
+        lengths = arc_lengths(loop)
+        arc = lengths[j] - lengths[i]
+        longer = 2.0 * arc > lengths[-1]
+        piece = np.where(longer, np.abs(signed_area(loop)) - piece, piece)
+        arc = np.where(longer, lengths[-1] - arc, arc)
+        tapers[mine] = piece < 0.75 * across[mine] * 0.5 * arc
+    return tapers
