@@ -37,12 +37,12 @@ gui() {
         tools/in-freecad.sh "$scratch/gui" freecad tests/freecad_pytest.py
 }
 
+pytest_has_ended() {
+    grep -qE '[0-9]+ passed' "$1" || { echo "The process ended before pytest did." && return 1; }
+}
+
 # FreeCAD reports an exception in its log and goes on; a test that looked elsewhere would not notice.
 freecad_log_is_clean() {
-    if ! grep -qE '[0-9]+ passed' "$1"; then
-        echo "FreeCAD ended before pytest did."
-        return 1
-    fi
     if grep -nE 'Traceback|During initialization the error|Exception while processing|blocked import' "$1"; then
         echo "FreeCAD reported the errors above (see $1)."
         return 1
@@ -57,6 +57,7 @@ for step in "$@"; do
     log=$logs/$step.log
     "$step" </dev/null 2>&1 | tee "$log"
     status=${PIPESTATUS[0]}
+    [ "$step" = lint ] || [ "$status" -ne 0 ] || pytest_has_ended "$log" || status=1
     case $step in app | gui) freecad_log_is_clean "$log" || status=1 ;; esac
     counts=$(grep -aoE '[0-9]+ (passed|failed|errors?|skipped|deselected)' "$log" | tail -n 4 | paste -sd, | sed 's/,/, /g')
     if [ "$status" -eq 0 ]; then word=ok; else word="FAILED ($status)" result=1; fi

@@ -8,7 +8,11 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Film:
-    """An isotropic elastic film; SI units."""
+    """An isotropic elastic film; SI units.
+
+    name   the word by which it is chosen, such as "mylar"
+    title  what people read; note and sources tell where it fits and where its numbers come from
+    """
 
     name: str
     young_modulus: float  # E [Pa]
@@ -17,6 +21,9 @@ class Film:
     areal_density: float  # [kg/m2]
     seal_width: float = 5e-3  # [m]
     max_stress: float | None = None  # tensile strength [Pa], if known
+    title: str = ""
+    note: str = ""
+    sources: tuple[str, ...] = ()
 
     @property
     def membrane_stiffness(self) -> float:

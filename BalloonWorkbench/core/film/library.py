@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The films we know, read from resources/films, and films of the user's own."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.film.film import Film
+
+FOLDER = Path(__file__).resolve().parents[3] / "resources" / "films"
+DEFAULT_FILM = "mylar"
+
+_TYPICAL_DENSITY = 1200.0  # kg/m3; polymer films lie between 900 and 1400
+
+
+def films() -> dict[str, Film]:
+    """All films of the library by name, in alphabetical order.
+
+    Raises InputError when a data file is broken.
+    """
+    return dict(_library())
+
+
+def film(name: str) -> Film:
+    """The film of this name; capitals and spaces do not matter.
+
+    Raises InputError with the known names when there is none.
+    """
+    known = _library()
+    found = known.get("-".join(name.lower().split()))
+    if found is None:
+        raise InputError(f'There is no film "{name}": choose one of {", ".join(known)}.')
+    return found
+
+
+def custom_film(young: float, poisson: float, thickness: float, areal_density: float | None = None) -> Film:
+    """A film of the user's own: Young's modulus [Pa], Poisson's ratio, thickness [m], areal density [kg/m2].
+
+    Without an areal density that of a typical polymer (1200 kg/m3) is assumed.
+    Raises InputError when a value is outside what any film can have.
+    """
+    if areal_density is None:
+        areal_density = _TYPICAL_DENSITY * _thickness(thickness)
+    return Film(
+        name="custom",
+        young_modulus=_within(young, 1e5, 1e12, "Young's modulus", "Pa", "3e9"),
+        poisson_ratio=_poisson(poisson),
+        thickness=_thickness(thickness),
+        areal_density=_within(areal_density, 1e-4, 20.0, "areal density", "kg/m2", "0.035"),
+        title="Film of your own",
+    )
+
+
+@cache
+def _library() -> dict[str, Film]:
+    return {path.stem: read_film(path) for path in sorted(FOLDER.glob("*.json"))}
+
+
+def read_film(path: Path) -> Film:
+    """The film described by a data file, checked; its keys carry their units.
+
+    Raises InputError that names the file when something is missing, mistyped or out of range.
+    """
+    try:
+        found = _film_of(json.loads(path.read_text(encoding="utf-8")))
+    except KeyError as error:
+        raise InputError(f"The film file {path.name} lacks {error}: add it.") from error
+    except (OSError, ValueError, TypeError, InputError) as error:
+        raise InputError(f"The film file {path.name} is of no use: {error}") from error
+    if found.name != path.stem:
+        raise InputError(f'The film file {path.name} calls itself "{found.name}": give both the same name.')
+    return found
+
+
+def _film_of(data: dict[str, Any]) -> Film:
+    own = custom_film(
+        float(data["young_modulus_Pa"]),
+        float(data["poisson_ratio"]),
+        float(data["thickness_m"]),
+        float(data["areal_density_kg_m2"]),
+    )
+    low, high = map(float, data["young_modulus_range_Pa"])
+    _within(own.young_modulus, low, high, "Young's modulus", "Pa, its own range", f"{low:g}")
+    return replace(
+        own,
+        name=str(data["name"]),
+        seal_width=_within(float(data["seal_width_m"]), 0.0, 0.1, "seal width", "m", "0.005"),
+        max_stress=_within(float(data["max_stress_Pa"]), 1e4, 1e11, "strength", "Pa", "100e6"),
+        title=str(data["title"]),
+        note=str(data["note"]),
+        sources=tuple(str(source) for source in data["sources"]),
+    )
+
+
+def _thickness(value: float) -> float:
+    return _within(value, 1e-6, 5e-3, "thickness", "m", "25e-6")
+
+
+def _poisson(value: float) -> float:
+    if not 0.0 <= value < 0.5:
+        raise InputError(f"The Poisson's ratio {value:g} is not between 0 and 0.5: give one such as 0.38.")
+    return float(value)
+
+
+def _within(value: float, low: float, high: float, what: str, unit: str, example: str) -> float:
+    if not low <= value <= high:  # NaN fails too
+        raise InputError(
+            f"The {what} {value:g} is not between {low:g} and {high:g} {unit}: give one such as {example}."
+        )
+    return float(value)

@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The film library: complete, plausible, and clear about what is wrong."""
+
+import json
+import math
+from pathlib import Path
+
+import pytest
+
+from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.film.film import Film
+from BalloonWorkbench.core.film.library import DEFAULT_FILM, FOLDER, custom_film, film, films, read_film
+
+#: Density of the bulk materials [kg/m3], from general tables: lower and upper end.
+DENSITIES = {
+    "mylar": (1370, 1410),
+    "bopp-foil": (890, 950),
+    "nylon-foil": (1000, 1100),
+    "pe": (910, 940),
+    "pvc": (1100, 1450),
+    "tracing-paper": (1000, 1300),
+    "kraft-paper": (480, 860),
+    "tpu-nylon": (700, 1200),
+}
+
+
+def test_every_material_of_the_trade_is_there() -> None:
+    assert set(films()) == set(DENSITIES)
+    assert film(DEFAULT_FILM).name == DEFAULT_FILM
+
+
+@pytest.mark.parametrize("name", DENSITIES)
+def test_weight_and_thickness_belong_to_the_same_material(name: str) -> None:
+    low, high = DENSITIES[name]
+    assert low <= film(name).areal_density / film(name).thickness <= high
+
+
+@pytest.mark.parametrize("name", DENSITIES)
+def test_numbers_have_sources_and_a_note(name: str) -> None:
+    found = film(name)
+    assert found.title
+    assert found.note
+    assert len(found.sources) >= 2
+    assert all(len(source) > 20 for source in found.sources)
+
+
+def test_party_balloon_film_weighs_what_the_trade_says() -> None:
+    assert 0.031 <= film("nylon-foil").areal_density <= 0.032
+
+
+def test_who_chooses_pvc_is_warned_of_the_laser() -> None:
+    assert "laser" in film("pvc").note
+
+
+def test_film_that_does_not_stretch_hardly_does() -> None:
+    """Strain of about p L / (E t) at 2 kPa and 300 mm: below 2 % for foils and papers."""
+    for name in ("mylar", "bopp-foil", "nylon-foil", "tracing-paper", "kraft-paper", "tpu-nylon"):
+        assert 2e3 * 0.3 / film(name).membrane_stiffness < 0.02
+
+
+def test_stiffnesses() -> None:
+    """E t and E t^3 / (12 (1 - nu^2)) with round numbers: 3 GPa, 0.3, 25 um."""
+    own = custom_film(3e9, 0.3, 25e-6)
+    assert own.membrane_stiffness == pytest.approx(75e3)
+    assert own.flexural_rigidity == pytest.approx(4.2926e-6, rel=1e-4)
+
+
+@pytest.mark.parametrize("name", ["Mylar", " MYLAR ", "mylar"])
+def test_name_is_found_in_any_case(name: str) -> None:
+    assert film(name).name == "mylar"
+
+
+def test_unknown_name_lists_the_known_ones() -> None:
+    with pytest.raises(InputError, match="steel") as caught:
+        film("steel")
+    assert all(name in str(caught.value) for name in DENSITIES)
+
+
+def test_callers_cannot_change_the_library() -> None:
+    films().clear()
+    assert set(films()) == set(DENSITIES)
+
+
+def test_custom_film_assumes_the_weight_of_a_polymer() -> None:
+    assert custom_film(3e9, 0.3, 25e-6).areal_density == pytest.approx(0.03)
+    assert custom_film(3e9, 0.3, 25e-6, 0.05).areal_density == pytest.approx(0.05)
+
+
+@pytest.mark.parametrize(
+    ("values", "word"),
+    [
+        ((9e4, 0.3, 25e-6), "Young"),
+        ((2e12, 0.3, 25e-6), "Young"),
+        ((-3e9, 0.3, 25e-6), "Young"),
+        ((math.nan, 0.3, 25e-6), "Young"),
+        ((math.inf, 0.3, 25e-6), "Young"),
+        ((3e9, -0.1, 25e-6), "Poisson"),
+        ((3e9, 0.5, 25e-6), "Poisson"),
+        ((3e9, math.nan, 25e-6), "Poisson"),
+        ((3e9, 0.3, 0.0), "thickness"),
+        ((3e9, 0.3, 25.0), "thickness"),
+        ((3e9, 0.3, math.nan), "thickness"),
+        ((3e9, 0.3, 25e-6, 0.0), "areal density"),
+        ((3e9, 0.3, 25e-6, math.nan), "areal density"),
+    ],
+)
+def test_impossible_values_are_refused(values: tuple[float, ...], word: str) -> None:
+    with pytest.raises(InputError, match=word):
+        custom_film(*values)
+
+
+@pytest.mark.parametrize("values", [(1e5, 0.0, 1e-6), (1e12, 0.499, 5e-3)])
+def test_ends_of_the_ranges_are_allowed(values: tuple[float, float, float]) -> None:
+    assert isinstance(custom_film(*values), Film)
+
+
+def changed(folder: Path, **changes: object) -> Path:
+    """A copy of a good film file with some values replaced; None removes one."""
+    data = json.loads((FOLDER / "mylar.json").read_text(encoding="utf-8")) | changes
+    path = folder / "mylar.json"
+    path.write_text(json.dumps({key: value for key, value in data.items() if value is not None}))
+    return path
+
+
+@pytest.mark.parametrize(
+    ("changes", "word"),
+    [
+        ({"thickness_m": None}, "thickness_m"),
+        ({"sources": None}, "sources"),
+        ({"thickness_m": "thick"}, "thick"),
+        ({"thickness_m": 25}, "thickness"),
+        ({"poisson_ratio": math.nan}, "Poisson"),
+        ({"young_modulus_Pa": 6e9}, "own range"),
+        ({"young_modulus_range_Pa": 5}, "mylar.json"),
+        ({"max_stress_Pa": -1}, "strength"),
+        ({"name": "foil"}, "foil"),
+    ],
+)
+def test_broken_file_is_named(tmp_path: Path, changes: dict[str, object], word: str) -> None:
+    with pytest.raises(InputError, match=word) as caught:
+        read_film(changed(tmp_path, **changes))
+    assert "mylar.json" in str(caught.value)
+
+
+def test_file_that_is_not_json_is_named(tmp_path: Path) -> None:
+    path = tmp_path / "mylar.json"
+    path.write_text("E = 3 GPa")
+    with pytest.raises(InputError, match=r"mylar\.json"):
+        read_film(path)
