@@ -1,0 +1,173 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The rules of the house: which layer may use which, and what every source file looks like."""
+
+import ast
+import re
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+
+import BalloonWorkbench
+
+ROOT = Path(__file__).resolve().parents[2]
+PACKAGE = ROOT / "BalloonWorkbench"
+
+#: Modules of FreeCAD that need no window, those that do, and Qt under its names.
+FREECAD = {
+    "FreeCAD",
+    "App",
+    "Part",
+    "Mesh",
+    "MeshPart",
+    "Sketcher",
+    "Draft",
+    "Import",
+    "importDXF",
+    "freecad",
+}
+WINDOW = {"FreeCADGui", "Gui", "PartGui", "MeshGui", "SketcherGui", "pivy"}
+QT = {"PySide", "PySide2", "PySide6", "PyQt5", "PyQt6", "shiboken2", "shiboken6"}
+
+#: The rooms of the core in the order of the data; a room uses only those before it.
+ROOMS = ["outline", "mesh", "film", "solver", "design", "pattern", "export"]
+
+OPTIONAL = ["cv2", "scipy", "ezdxf", "shapely", "pythoncdt", "matplotlib", "PIL"]
+
+
+def sources(*suffixes: str) -> list[Path]:
+    """Our own files: not what was built, installed or written."""
+    skipped = {".venv", ".git", "build", "out", "lib", "__pycache__"}
+    return sorted(
+        path
+        for path in ROOT.rglob("*")
+        if path.suffix in suffixes and not skipped.intersection(path.relative_to(ROOT).parts)
+    )
+
+
+def layer(*parts: str) -> list[Path]:
+    return sorted(PACKAGE.joinpath(*parts).rglob("*.py"))
+
+
+def named(path: Path) -> str:
+    return str(path.relative_to(ROOT))
+
+
+def imports(path: Path) -> Iterator[str]:
+    """Every module that a file imports, wherever in the file, with the names taken from it."""
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Import):
+            yield from (alias.name for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            assert node.level == 0, f"{named(path)}:{node.lineno} imports relatively: write the full name"
+            yield from (f"{node.module}.{alias.name}" for alias in node.names)
+
+
+def taken_from(path: Path, *forbidden: str) -> list[str]:
+    """Imports of a file that are, or lie in, a forbidden module."""
+    return [
+        f"{named(path)}: {module}"
+        for module in imports(path)
+        if any(module == name or module.startswith(f"{name}.") for name in forbidden)
+    ]
+
+
+def broken(paths: list[Path], *forbidden: str) -> list[str]:
+    assert paths
+    return [line for path in paths for line in taken_from(path, *forbidden)]
+
+
+def test_core_knows_neither_freecad_nor_qt() -> None:
+    outside = (*FREECAD, *WINDOW, *QT, "BalloonWorkbench.app", "BalloonWorkbench.gui", "BalloonWorkbench.cli")
+    assert not broken(layer("core"), *outside)
+
+
+def test_app_knows_no_window() -> None:
+    assert not broken(layer("app"), *WINDOW, "BalloonWorkbench.gui", "BalloonWorkbench.cli")
+
+
+def test_only_the_host_of_the_app_sees_qt() -> None:
+    """Nothing but app/host.py knows which Qt there is; document objects get on without widgets."""
+    host = PACKAGE / "app" / "host.py"
+    assert not broken([path for path in layer("app") if path != host], *QT)
+
+
+def test_gui_goes_through_the_host_for_qt() -> None:
+    """What differs between Qt 5 and 6 is handled in one place."""
+    assert not broken(layer("gui"), "PySide2", "PySide6", "PyQt5", "PyQt6")
+
+
+@pytest.mark.parametrize("room", ROOMS)
+def test_rooms_of_the_core_follow_the_data(room: str) -> None:
+    later = ROOMS[ROOMS.index(room) + 1 :]
+    outside = (*later, "job", "report")
+    assert not broken(layer("core", room), *(f"BalloonWorkbench.core.{name}" for name in outside))
+
+
+def test_core_imports_with_numpy_alone() -> None:
+    """Optional packages and FreeCAD are hidden; every module of the core must still import."""
+    program = f"""
+import importlib, pkgutil, sys
+hidden = {sorted({*OPTIONAL, *FREECAD, *WINDOW, *QT})!r}
+class Hide:
+    def find_spec(self, name, path=None, target=None):
+        if name.partition(".")[0] in hidden:
+            raise ModuleNotFoundError(f"{{name}} is hidden", name=name)
+sys.meta_path.insert(0, Hide())
+import BalloonWorkbench.core
+for module in pkgutil.walk_packages(BalloonWorkbench.core.__path__, "BalloonWorkbench.core."):
+    importlib.import_module(module.name)
+"""
+    ended = subprocess.run(
+        [sys.executable, "-c", program], cwd=ROOT, capture_output=True, text=True, check=False
+    )
+    assert ended.returncode == 0, ended.stderr
+
+
+@pytest.mark.parametrize("path", sources(".py", ".cpp", ".h", ".hpp", ".sh", ".toml"), ids=named)
+def test_file_names_its_licence(path: Path) -> None:
+    head = path.read_text(encoding="utf-8").splitlines()[:3]
+    assert any("SPDX-License-Identifier: LGPL-2.1-or-later" in line for line in head)
+
+
+@pytest.mark.parametrize("path", sources(".py", ".cpp", ".h", ".hpp", ".sh"), ids=named)
+def test_file_is_one_idea(path: Path) -> None:
+    assert len(path.read_text(encoding="utf-8").splitlines()) <= 400, "split it: a file holds one idea"
+
+
+@pytest.mark.parametrize("path", sources(".py"), ids=named)
+def test_no_failure_is_swallowed(path: Path) -> None:
+    """No bare or broad except, unless it only tidies up and raises again."""
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.ExceptHandler) and ast.unparse(node.body[-1]) != "raise":
+            caught = ast.unparse(node.type) if node.type else "Exception"
+            assert not re.search(r"\b(Base)?Exception\b", caught), f"{named(path)}:{node.lineno}"
+
+
+def test_one_version_everywhere() -> None:
+    project = (ROOT / "pyproject.toml").read_text(encoding="utf-8")
+    manifest = ElementTree.parse(ROOT / "package.xml").getroot()
+    written = re.search(r'^version = "(.+)"$', project, re.MULTILINE)
+    assert written
+    assert written[1] == manifest.findtext("{*}version") == BalloonWorkbench.__version__
+    assert f"\n## {BalloonWorkbench.__version__} " in (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
+
+
+def test_manifest_names_what_is_there() -> None:
+    manifest = ElementTree.parse(ROOT / "package.xml").getroot()
+    files = [element.get("file") for element in manifest.findall("{*}license")]
+    files += [element.text for element in manifest.findall(".//{*}icon")]
+    assert files
+    assert all((ROOT / str(file)).is_file() for file in files), files
+    classname = manifest.findtext(".//{*}classname")
+    assert f"class {classname}(" in (ROOT / "InitGui.py").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("folder", [".", "tests", "resources"])
+def test_folder_is_no_package(folder: str) -> None:
+    """FreeCAD puts our root on sys.path: these names would be taken from every other addon."""
+    assert not list((ROOT / folder).glob("__init__.py"))
+    assert folder == "." or not list((ROOT / folder).rglob("__init__.py"))
