@@ -63,12 +63,13 @@ def size_field(outline: Outline, size: float) -> SizeField:
     _check_proportion(outline, size)
     walls = thickness(outline, 1.1 * _ACROSS * size, size / _SAMPLES_PER_SIZE)
     thinnest, place = walls.thinnest
-    if thinnest < _FEWEST_ACROSS * _CHANNEL_SHARE * size:
+    coarsest = thinnest / (_FEWEST_ACROSS * _CHANNEL_SHARE)
+    if size > coarsest:
         x, y = to_mm(place)
         raise MeshError(
-            f"The shape is only {mm_text(thinnest)} thick near ({x:.1f}, {y:.1f}) mm, too thin for a mesh of"
-            f" {mm_text(size)}: make it thicker there, or use a mesh size of at most"
-            f" {mm_text(0.95 * thinnest / (_FEWEST_ACROSS * _CHANNEL_SHARE))}."
+            f"The shape is only {to_mm(thinnest):.2g} mm thick near ({x:.1f}, {y:.1f}) mm, too thin for a"
+            f" mesh of {mm_text(size)}: make it thicker there, or use a mesh size of at most"
+            f" {to_mm(0.9 * coarsest):.2g} mm."
         )
     share = np.where(walls.channel, _CHANNEL_SHARE, _TIP_SHARE)
     field = SizeField(size).limited(walls.points, np.maximum(walls.across / _ACROSS, share * size))

@@ -13,8 +13,10 @@ from BalloonWorkbench.core.outline.outline import Outline, signed_area
 from BalloonWorkbench.core.outline.sampling import arc_lengths, point_at
 from BalloonWorkbench.core.types import Bools, Floats, Ints
 
-#: Walls face each other where a ball that touches both sees them this far apart [rad].
+#: Walls face each other where their normals, or their directions from between them, differ by more [rad].
 _FACING = np.radians(150.0)
+#: Samples where the wall turns by more are corners and have no side to look from [rad].
+_CORNER = np.radians(30.0)
 #: Seen under a smaller angle, a wall is a bump beside the sample and not the other side [rad].
 _BUMP = np.radians(60.0)
 
@@ -63,11 +65,11 @@ def thickness(outline: Outline, reach: float, spacing: float) -> Thickness:
     """
     loops = [sampled(loop, spacing) for loop in outline.loops]
     points = np.concatenate(loops)
-    normals = np.concatenate([_inward(loop) for loop in loops])
+    normals, turn = (np.concatenate(parts) for parts in zip(*(_inward(loop) for loop in loops)))
     tree = kd_tree(points)
     radius = np.full(len(points), 0.5 * reach)
     partner = np.full(len(points), -1)
-    active = np.arange(len(points))
+    active = np.flatnonzero(np.abs(turn) < _CORNER)
     for _ in range(30):
         distance, nearest = tree.query(points[active] + radius[active, None] * normals[active])
         shrinks = distance < radius[active] * (1.0 - 1e-6)
@@ -82,8 +84,11 @@ def thickness(outline: Outline, reach: float, spacing: float) -> Thickness:
         if not len(active):
             break
     found = np.flatnonzero(partner >= 0)
+    other = partner[found]
     centre = points[found] + radius[found, None] * normals[found]
-    found = found[_seen_apart(points[found], points[partner[found]], centre) > _FACING]
+    opposed = (normals[found] * normals[other]).sum(axis=1) < np.cos(_FACING)
+    across_corner = (turn[other] < -_CORNER) & (_seen_apart(points[found], points[other], centre) > _FACING)
+    found = found[np.where(np.abs(turn[other]) < _CORNER, opposed, across_corner)]
     across = np.full(len(points), np.inf)
     across[found] = 2.0 * radius[found]
     channel = np.zeros(len(points), dtype=bool)
@@ -91,11 +96,14 @@ def thickness(outline: Outline, reach: float, spacing: float) -> Thickness:
     return Thickness(points, across, channel)
 
 
-def _inward(loop: Floats) -> Floats:
-    tangent = np.roll(loop, -1, axis=0) - np.roll(loop, 1, axis=0)
+def _inward(loop: Floats) -> tuple[Floats, Floats]:
+    """Unit normals (n, 2) to the left of a loop, and how it turns (n,) at each sample, inward corners < 0."""
+    before, after = loop - np.roll(loop, 1, axis=0), np.roll(loop, -1, axis=0) - loop
+    tangent = before + after
     normal = np.stack([-tangent[:, 1], tangent[:, 0]], axis=1)
     length = np.linalg.norm(normal, axis=1, keepdims=True)
-    return normal / np.maximum(length, np.finfo(float).tiny)
+    turn = np.arctan2(before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0], (before * after).sum(axis=1))
+    return normal / np.maximum(length, np.finfo(float).tiny), turn
 
 
 def _seen_apart(p: Floats, q: Floats, centre: Floats) -> Floats:
