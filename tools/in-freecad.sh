@@ -6,8 +6,8 @@
 set -euo pipefail
 
 root=$(dirname "$(dirname "$(realpath "$0")")")
-mkdir -p "$1/Mod" "$1/home"
-mkdir -p -m 700 "$1/run"
+mkdir -p "$1/Mod" "$1/home" "$1/run"
+chmod 700 "$1/run"
 user=$(realpath "$1")
 shift
 

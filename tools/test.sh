@@ -16,13 +16,13 @@ lint() {
     .venv/bin/mypy || failed=1
     find BalloonWorkbench/native \( -name '*.cpp' -o -name '*.h' \) -print0 |
         xargs -0r .venv/bin/clang-format --dry-run --Werror || failed=1
-    return $failed
+    return "$failed"
 }
 
 core() {
     # an empty user folder: the user's own addons have no part in the tests
     mkdir -p "$scratch/core"
-    # shellcheck disable=SC2086
+    # shellcheck disable=SC2086  # several arguments
     FREECAD_USER_HOME=$scratch/core .venv/bin/python -m pytest ${BALLOON_TESTS:-tests/core}
 }
 
