@@ -1,0 +1,158 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The Balloon object: the inflated balloon as a mesh, both panels, with its measures."""
+
+from __future__ import annotations
+
+from BalloonWorkbench.app import film, migrate, status
+from BalloonWorkbench.app.properties import Property, add_missing
+
+FIT, INFLATE = "Fit to drawing", "Inflate as drawn"
+BACKENDS = {"Automatic": None, "Native": "native", "NumPy": "numpy"}
+DEFAULT_PRESSURE = 2.0  # kPa
+
+PROPERTIES = (
+    Property("Link", "Outline", "Inflation", "The outline of the drawing"),
+    Property(
+        "Enumeration",
+        "Mode",
+        "Inflation",
+        "Correct the pattern until the balloon looks like the drawing, or not",
+    ),
+    Property("Pressure", "Pressure", "Inflation", "Pressure inside, above that outside", DEFAULT_PRESSURE),
+    Property("Length", "MeshSize", "Inflation", "Size of the triangles; 0 is automatic"),
+    Property("Enumeration", "Backend", "Inflation", "Solver: compiled, NumPy, or the best there is"),
+    *film.PROPERTIES,
+    Property("Length", "InflatedWidth", "Result", "Width of the inflated balloon", result=True),
+    Property("Length", "InflatedHeight", "Result", "Height of the inflated balloon", result=True),
+    Property("Length", "InflatedThickness", "Result", "Thickness of the inflated balloon", result=True),
+    Property("Volume", "Volume", "Result", "Volume of the inflated balloon", result=True),
+    Property("Area", "FilmArea", "Result", "Area of film inside the welds, both panels", result=True),
+    Property("Float", "MaxTension", "Result", "Largest membrane tension in N/m", result=True),
+    Property("Length", "ResidualMean", "Result", "Mean distance between drawing and silhouette", result=True),
+    Property("Length", "ResidualP95", "Result", "Distance that 95 % of the silhouette keep to", result=True),
+    Property(
+        "Length", "ResidualMax", "Result", "Largest distance between drawing and silhouette", result=True
+    ),
+    Property(
+        "Bool", "Reached", "Result", "The silhouette is within the tolerance of the drawing", result=True
+    ),
+    Property("Bool", "Converged", "Result", "The mesh shown is an equilibrium", result=True),
+    Property("Integer", "Passes", "Result", "Corrections of the pattern", result=True),
+    Property("Integer", "NewtonSteps", "Result", "Steps of the solver in the last inflation", result=True),
+    Property("String", "ActiveBackend", "Result", "Solver that was used", result=True),
+    Property("StringList", "Warnings", "Result", "Remarks made during the design", result=True),
+    Property("String", "Status", "Result", "Up to date, or what is wrong", result=True),
+    Property("String", "Report", "Result", "The whole report as JSON", result=True, hidden=True),
+    Property("VectorList", "SeamPoints", "Result", "Corners of the pattern's seam", result=True, hidden=True),
+    Property(
+        "IntegerList", "SeamCounts", "Result", "Number of corners of each seam", result=True, hidden=True
+    ),
+    Property(
+        "String", "SolvedFor", "Result", "Label of the values the mesh belongs to", result=True, hidden=True
+    ),
+)
+
+
+class BalloonProxy:
+    """Behaviour of the Balloon object (Mesh::FeaturePython)."""
+
+    def __init__(self, obj):
+        add_missing(obj, (migrate.VERSION, *PROPERTIES))
+        obj.Mode = [FIT, INFLATE]
+        obj.Backend = list(BACKENDS)
+        obj.Proxy = self
+        film.set_choices(obj)
+
+    def onDocumentRestored(self, obj):
+        from BalloonWorkbench.app import hooks
+
+        migrate.bring_up_to_date(obj, PROPERTIES)
+        film.protect(obj)
+        hooks.dress(obj)
+
+    def onChanged(self, obj, name):
+        from BalloonWorkbench.app.host import is_replaying
+
+        if name == "Film" and not is_replaying(obj.Document):
+            film.follow_choice(obj)
+
+    def execute(self, obj):
+        from BalloonWorkbench.app import hooks
+
+        if status.waits_for(obj, obj.Outline, bool(obj.SolvedFor), "Choose the outline to inflate."):
+            return
+        with status.reported(obj, bool(obj.SolvedFor)):
+            wanted = request(obj)
+            if wanted.key() != obj.SolvedFor:
+                with hooks.progress(f"Inflating {obj.Label}") as progress:
+                    show(obj, wanted, wanted.solve(progress))
+            status.set_status(obj, _verdict(obj))
+        if obj.Placement != obj.Outline.Placement:
+            obj.Placement = obj.Outline.Placement
+
+    def dumps(self):
+        return None
+
+    def loads(self, state):
+        return None
+
+    # FreeCAD 0.20 asks for these names
+    __getstate__ = dumps
+    __setstate__ = loads
+
+
+def request(obj):
+    """What the object's values ask of the engine; InputError when they make no sense."""
+    from BalloonWorkbench.app import shapes
+    from BalloonWorkbench.app.quantities import metres, pascals
+    from BalloonWorkbench.app.solve import Request
+
+    return Request(
+        outline=shapes.stored(obj.Outline, "Loop"),
+        film=film.read(obj),
+        pressure=pascals(obj.Pressure),
+        mesh_size=metres(obj.MeshSize) or None,
+        backend=BACKENDS[obj.Backend],
+        correct=obj.Mode == FIT,
+    )
+
+
+def show(obj, wanted, design) -> None:
+    """Write a design into the object; the next recompute finds it and does not solve again."""
+    from BalloonWorkbench.app import shapes
+    from BalloonWorkbench.app.host import mesh_from_arrays
+    from BalloonWorkbench.core.export.stl import balloon_mesh
+    from BalloonWorkbench.core.units import to_mm
+
+    positions, triangles = balloon_mesh(design.inflation)
+    obj.Mesh = mesh_from_arrays(to_mm(positions), triangles)
+    shapes.store(obj, "Seam", design.pattern)
+    _show_measures(obj, design)
+    obj.SolvedFor = wanted.key()
+
+
+def _verdict(obj) -> str:
+    if obj.Converged:
+        return status.READY
+    return status.UNSURE + "what is shown is the last good state. Lower the pressure or change the mesh size."
+
+
+def _show_measures(obj, design) -> None:
+    import numpy as np
+
+    from BalloonWorkbench.core.units import to_mm
+
+    inflation, solved = design.inflation, design.inflation.report
+    width, height = design.silhouette.size
+    obj.InflatedWidth, obj.InflatedHeight = to_mm(width), to_mm(height)
+    obj.InflatedThickness = to_mm(2.0 * float(np.max(inflation.positions[:, 2])))
+    obj.Volume = inflation.volume * 1e9
+    obj.FilmArea = 2.0 * design.pattern.area * 1e6
+    obj.MaxTension = float(np.max(inflation.tensions))
+    obj.ResidualMean = to_mm(design.residual.mean)
+    obj.ResidualP95 = to_mm(design.residual.p95)
+    obj.ResidualMax = to_mm(design.residual.max)
+    obj.Reached, obj.Converged = bool(design.reached), bool(solved.converged)
+    obj.Passes, obj.NewtonSteps = int(design.passes), int(solved.newton_steps)
+    obj.ActiveBackend = solved.backend
+    obj.Warnings = list(design.warnings)

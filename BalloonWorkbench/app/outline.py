@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The Outline object: what the user wants to see inflated, from a drawing or from a sketch."""
+
+from __future__ import annotations
+
+from BalloonWorkbench.app import migrate, status
+from BalloonWorkbench.app.properties import Property, add_missing, show_in_editor
+
+PROPERTIES = (
+    Property(
+        "FileIncluded", "Drawing", "Drawing", "Picture, SVG, DXF or JSON file; a copy travels in the document"
+    ),
+    Property(
+        "LinkSubGlobal",
+        "Source",
+        "Drawing",
+        "Sketch, wire or face that the outline follows instead of a file",
+    ),
+    Property("Length", "Width", "Drawing", "Width of the drawing; 0 follows from the height", 300.0),
+    Property("Length", "Height", "Drawing", "Height of the drawing; 0 follows from the width"),
+    Property(
+        "Bool", "KeepAspect", "Drawing", "Fit inside width and height instead of stretching to both", True
+    ),
+    Property("String", "Kind", "Outline", "What the outline was read from", result=True),
+    Property("Length", "SizeX", "Outline", "Width of the outline", result=True),
+    Property("Length", "SizeY", "Outline", "Height of the outline", result=True),
+    Property("Integer", "HoleCount", "Outline", "Number of holes", result=True),
+    Property("StringList", "Notes", "Outline", "Remarks made while the outline was found", result=True),
+    Property("String", "Status", "Outline", "Up to date, or what is wrong", result=True),
+    Property("VectorList", "LoopPoints", "Outline", "Corners of all loops", result=True, hidden=True),
+    Property(
+        "IntegerList", "LoopCounts", "Outline", "Number of corners of each loop", result=True, hidden=True
+    ),
+)
+
+
+class OutlineProxy:
+    """Behaviour of the Outline object (Part::Part2DObjectPython)."""
+
+    def __init__(self, obj):
+        add_missing(obj, (migrate.VERSION, *PROPERTIES))
+        obj.Proxy = self
+        self.follow_source(obj)
+
+    def onDocumentRestored(self, obj):
+        from BalloonWorkbench.app import hooks
+
+        migrate.bring_up_to_date(obj, PROPERTIES)
+        hooks.dress(obj)
+
+    def onChanged(self, obj, name):
+        if name == "Source" and "Status" in obj.PropertiesList:
+            self.follow_source(obj)
+
+    def follow_source(self, obj):
+        """A sketch brings its own size: hide the wanted one."""
+        mode = "hide" if obj.Source else "edit"
+        show_in_editor(obj, Drawing=mode, Width=mode, Height=mode, KeepAspect=mode)
+
+    def execute(self, obj):
+        has_result = bool(obj.LoopCounts)
+        if not obj.Source and not obj.Drawing:
+            status.set_problem(obj, has_result, "Choose a picture or a sketch.")
+            return
+        with status.reported(obj, has_result):
+            outline, kind, placement = read(obj)
+            show(obj, outline, kind)
+            if placement is not None:
+                obj.Placement = placement
+            status.set_status(obj, status.READY)
+        obj.positionBySupport()
+
+    def dumps(self):
+        return None
+
+    def loads(self, state):
+        return None
+
+    # FreeCAD 0.20 asks for these names
+    __getstate__ = dumps
+    __setstate__ = loads
+
+
+def set_drawing(obj, path) -> None:
+    """Copy a file into the document as the drawing, keeping its name; OSError if it cannot be read."""
+    import os
+
+    obj.Drawing = (os.fspath(path), os.path.basename(path))
+
+
+def read(obj):
+    """The outline, what it was read from, and the placement of a linked source (None for a drawing)."""
+    if obj.Source:
+        return _read_source(*obj.Source)
+    from BalloonWorkbench.app.drawing import read_drawing
+
+    outline, kind = read_drawing(obj.Drawing, obj.Width, obj.Height, obj.KeepAspect)
+    return outline, kind, None
+
+
+def _read_source(source, elements):
+    from BalloonWorkbench.app import sketch
+    from BalloonWorkbench.app.nesting import from_loops
+    from BalloonWorkbench.core.units import from_mm
+
+    loops, placement = sketch.loops_of(source, tuple(elements))
+    return from_loops([from_mm(loop) for loop in loops]), "sketch", placement
+
+
+def show(obj, outline, kind: str) -> None:
+    """Write an outline into the object."""
+    from BalloonWorkbench.app import shapes
+    from BalloonWorkbench.core.units import to_mm
+
+    shapes.store(obj, "Loop", outline)
+    width, height = outline.size
+    obj.Shape = shapes.face(outline)
+    obj.Kind = kind
+    obj.SizeX, obj.SizeY = to_mm(width), to_mm(height)
+    obj.HoleCount = len(outline.holes)
+    obj.Notes = list(outline.notes)

@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The Pattern object: the flat piece to cut and seal, made from the seam of a balloon."""
+
+from __future__ import annotations
+
+from BalloonWorkbench.app import migrate, status
+from BalloonWorkbench.app.properties import Property, add_missing, show_in_editor
+
+PROPERTIES = (
+    Property("Link", "Balloon", "Pattern", "The balloon that is cut from this pattern"),
+    Property("Length", "SealWidth", "Pattern", "Width of the weld; 0 takes the film's"),
+    Property("Length", "Allowance", "Pattern", "Film left outside the weld", 2.0),
+    Property("Bool", "Intake", "Intake", "Add a neck through which the balloon is filled", True),
+    Property("Length", "IntakeWidth", "Intake", "Inner width of the neck", 10.0),
+    Property("Length", "IntakeLength", "Intake", "Length of the neck from the seam outward; 0 is automatic"),
+    Property("Bool", "IntakeAuto", "Intake", "Point the neck from the centre to the farthest point", True),
+    Property("Angle", "IntakeAngle", "Intake", "Direction of the neck, counter-clockwise from the x axis"),
+    Property("Length", "SeamLength", "Result", "Length of the weld", result=True),
+    Property("Length", "PatternWidth", "Result", "Width of the piece of film", result=True),
+    Property("Length", "PatternHeight", "Result", "Height of the piece of film", result=True),
+    Property("StringList", "Roles", "Result", "What to do along each wire of the shape", result=True),
+    Property("String", "Status", "Result", "Up to date, or what is wrong", result=True),
+)
+
+
+class PatternProxy:
+    """Behaviour of the Pattern object (Part::Part2DObjectPython)."""
+
+    def __init__(self, obj):
+        add_missing(obj, (migrate.VERSION, *PROPERTIES))
+        obj.Proxy = self
+        self.follow_intake(obj)
+
+    def onDocumentRestored(self, obj):
+        from BalloonWorkbench.app import hooks
+
+        migrate.bring_up_to_date(obj, PROPERTIES)
+        hooks.dress(obj)
+
+    def onChanged(self, obj, name):
+        if name in ("Intake", "IntakeAuto") and "Status" in obj.PropertiesList:
+            self.follow_intake(obj)
+
+    def follow_intake(self, obj):
+        """Offer only what has an effect."""
+        show_in_editor(
+            obj,
+            **dict.fromkeys(("IntakeWidth", "IntakeLength", "IntakeAuto"), "edit" if obj.Intake else "hide"),
+            IntakeAngle="hide" if not obj.Intake else "show" if obj.IntakeAuto else "edit",
+        )
+
+    def execute(self, obj):
+        has_result = bool(obj.Roles)
+        if status.waits_for(obj, obj.Balloon, has_result, "Choose the balloon that it belongs to."):
+            return
+        with status.reported(obj, has_result):
+            show(obj, build(obj))
+            status.set_status(obj, status.READY)
+        obj.positionBySupport()
+
+    def dumps(self):
+        return None
+
+    def loads(self, state):
+        return None
+
+    # FreeCAD 0.20 asks for these names
+    __getstate__ = dumps
+    __setstate__ = loads
+
+
+def build(obj):
+    """The pattern in full precision, from the balloon's seam and the object's own values."""
+    from BalloonWorkbench.app import shapes
+    from BalloonWorkbench.app.quantities import metres, radians
+    from BalloonWorkbench.core.pattern.build import build_pattern
+
+    return build_pattern(
+        shapes.stored(obj.Balloon, "Seam"),
+        metres(obj.SealWidth) or metres(obj.Balloon.SealWidth),
+        allowance=metres(obj.Allowance),
+        intake=obj.Intake,
+        intake_width=metres(obj.IntakeWidth),
+        intake_length=metres(obj.IntakeLength) or None,
+        intake_angle=None if obj.IntakeAuto else radians(obj.IntakeAngle),
+    )
+
+
+def show(obj, pattern) -> None:
+    """Write a pattern into the object: the sheet to cut out first, then the welds."""
+    import math
+
+    import numpy as np
+    import Part
+
+    from BalloonWorkbench.app import shapes
+    from BalloonWorkbench.core.pattern.pattern import Role
+    from BalloonWorkbench.core.units import to_mm
+
+    outer = [contour for contour in pattern.contours if contour.role is Role.CUT]
+    inner = [contour for contour in pattern.contours if contour.role is Role.CUT_INNER]
+    welds = [contour for contour in pattern.contours if contour.role is Role.SEAL]
+    sheet = Part.Face([shapes.wire(contour.points) for contour in (*outer, *inner)])
+    obj.Shape = Part.makeCompound([sheet, *(shapes.wire(weld.points, weld.closed) for weld in welds)])
+    obj.Roles = [contour.role.value for contour in (*outer, *inner, *welds)]
+    obj.SeamLength = to_mm(pattern.seam_length)
+    width, height = np.ptp(np.concatenate([contour.points for contour in outer]), axis=0)
+    obj.PatternWidth, obj.PatternHeight = to_mm(float(width)), to_mm(float(height))
+    if pattern.intake is not None and obj.IntakeAuto:
+        obj.IntakeAngle = math.degrees(pattern.intake.angle)

@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Between FreeCAD's units and those of the engine.
+
+FreeCAD counts in mm, kg and s: lengths in mm, pressures in kg/(mm s2) = kPa. The engine counts in SI.
+"""
+
+from __future__ import annotations
+
+import math
+
+from BalloonWorkbench.core import units
+
+_KILO = 1000.0  # Pa per kPa
+
+
+def number(value) -> float:
+    """A property's value or a plain number, in FreeCAD's own units."""
+    return float(getattr(value, "Value", value))
+
+
+def metres(value) -> float:
+    """A length property, quantity or number of mm, in m."""
+    return units.from_mm(number(value))
+
+
+def pascals(value) -> float:
+    """A pressure property, quantity or number of kPa, in Pa."""
+    return number(value) * _KILO
+
+
+def kilopascals(pressure: float) -> float:
+    """Pa to the kPa that FreeCAD's pressure properties take."""
+    return float(pressure) / _KILO
+
+
+def length(value) -> float:
+    """mm from a number of mm, a quantity, or text such as "12 in"; InputError for other text."""
+    return units.to_mm(units.parse_length(value)) if isinstance(value, str) else number(value)
+
+
+def pressure(value) -> float:
+    """kPa from a number of kPa, a quantity, or text such as "20 mbar"; InputError for other text."""
+    return kilopascals(units.parse_pressure(value)) if isinstance(value, str) else number(value)
+
+
+def radians(value) -> float:
+    """An angle property or number of degrees, in rad."""
+    return math.radians(number(value))

@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The commands of the workbench, in the order of the work."""
+
+from __future__ import annotations
+
+import FreeCADGui as Gui
+
+from BalloonWorkbench.gui.commands.export_pattern import ExportPattern
+from BalloonWorkbench.gui.commands.from_picture import FromPicture
+from BalloonWorkbench.gui.commands.from_sketch import FromSketch
+
+_COMMANDS = {
+    "BalloonWorkbench_FromPicture": FromPicture,
+    "BalloonWorkbench_FromSketch": FromSketch,
+    "BalloonWorkbench_ExportPattern": ExportPattern,
+}
+
+
+def register() -> list[str]:
+    """Make the commands known to FreeCAD; returns their names."""
+    for name, command in _COMMANDS.items():
+        Gui.addCommand(name, command())
+    return list(_COMMANDS)

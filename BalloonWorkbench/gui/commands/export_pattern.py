@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Export of a pattern for a cutter."""
+
+from __future__ import annotations
+
+import FreeCAD as App
+import FreeCADGui as Gui
+
+from BalloonWorkbench.app.properties import QT_TRANSLATE_NOOP
+from BalloonWorkbench.gui.qt import icon
+
+
+class ExportPattern:
+    """Opens the export panel on the selected pattern."""
+
+    def GetResources(self):
+        return {
+            "Pixmap": icon("export_pattern"),
+            "MenuText": QT_TRANSLATE_NOOP("BalloonWorkbench_ExportPattern", "Export pattern"),
+            "ToolTip": QT_TRANSLATE_NOOP(
+                "BalloonWorkbench_ExportPattern",
+                "Write the flat pattern of a balloon as DXF or SVG for a cutter",
+            ),
+        }
+
+    def IsActive(self):
+        from BalloonWorkbench.gui.parts import patterns
+
+        doc = App.ActiveDocument
+        return doc is not None and not Gui.Control.activeDialog() and bool(patterns(doc))
+
+    def Activated(self):
+        from BalloonWorkbench.gui.panels.export import ExportPanel
+        from BalloonWorkbench.gui.parts import parts_of, patterns
+
+        doc = App.ActiveDocument
+        chosen = [parts.pattern for parts in map(parts_of, Gui.Selection.getSelection()) if parts]
+        Gui.Control.showDialog(ExportPanel(patterns(doc), chosen[0] if chosen else None))

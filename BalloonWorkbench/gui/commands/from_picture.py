@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""New balloon from a picture or another drawing file."""
+
+from __future__ import annotations
+
+import FreeCAD as App
+import FreeCADGui as Gui
+
+from BalloonWorkbench.app.properties import QT_TRANSLATE_NOOP
+from BalloonWorkbench.gui.qt import icon, translate
+
+
+class FromPicture:
+    """Makes the objects of a balloon and opens their panel on a file."""
+
+    def GetResources(self):
+        return {
+            "Pixmap": icon("from_picture"),
+            "MenuText": QT_TRANSLATE_NOOP("BalloonWorkbench_FromPicture", "New balloon from picture"),
+            "ToolTip": QT_TRANSLATE_NOOP(
+                "BalloonWorkbench_FromPicture",
+                "Trace a picture, SVG, DXF or JSON file and design the balloon that looks like it",
+            ),
+        }
+
+    def IsActive(self):
+        return not Gui.Control.activeDialog()
+
+    def Activated(self):
+        from BalloonWorkbench.app.create import make
+        from BalloonWorkbench.gui.panels.balloon import BalloonPanel
+
+        doc = App.ActiveDocument
+        fresh = doc is None
+        if fresh:
+            doc = App.newDocument("Balloon")
+        doc.openTransaction(translate("New balloon from picture"))
+        Gui.Control.showDialog(BalloonPanel(make(doc), new_document=fresh))

@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""New balloon that follows a sketch, a wire or a face."""
+
+from __future__ import annotations
+
+import FreeCAD as App
+import FreeCADGui as Gui
+
+from BalloonWorkbench.app.properties import QT_TRANSLATE_NOOP
+from BalloonWorkbench.gui.qt import icon, translate
+
+
+class FromSketch:
+    """Makes the objects of a balloon, links the selected sketch and opens their panel."""
+
+    def GetResources(self):
+        return {
+            "Pixmap": icon("from_sketch"),
+            "MenuText": QT_TRANSLATE_NOOP("BalloonWorkbench_FromSketch", "New balloon from sketch"),
+            "ToolTip": QT_TRANSLATE_NOOP(
+                "BalloonWorkbench_FromSketch",
+                "Design the balloon that looks like the selected sketch, wire or face and follows it",
+            ),
+        }
+
+    def IsActive(self):
+        return App.ActiveDocument is not None and not Gui.Control.activeDialog()
+
+    def Activated(self):
+        from BalloonWorkbench.app.create import make
+        from BalloonWorkbench.gui.panels.balloon import BalloonPanel
+        from BalloonWorkbench.gui.selection import selected_source
+
+        source = selected_source()
+        doc = App.ActiveDocument
+        doc.openTransaction(translate("New balloon from sketch"))
+        parts = make(doc)
+        if source is not None:
+            parts.outline.Source = source
+            parts.balloon.getParentGroup().Label = f"{source[0].Label} balloon"
+        Gui.Control.showDialog(BalloonPanel(parts, sketch=True))

@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Task panels. Messages appear in them, not in front of them."""
+
+from __future__ import annotations
+
+import FreeCADGui as Gui
+
+from BalloonWorkbench.gui.qt import translate
+
+
+def edit(obj) -> None:
+    """Open the panel of the balloon that an object belongs to, in one undo step."""
+    from BalloonWorkbench.gui.panels.balloon import BalloonPanel
+    from BalloonWorkbench.gui.parts import parts_of
+
+    parts = parts_of(obj)
+    if parts is None or not is_free():
+        return
+    obj.Document.openTransaction(translate("Edit balloon"))
+    Gui.Control.showDialog(BalloonPanel(parts))
+
+
+def is_free() -> bool:
+    """No other panel is open; says so in the status bar when one is."""
+    if Gui.Control.activeDialog():
+        Gui.getMainWindow().statusBar().showMessage(translate("Close the open task panel first."), 5000)
+        return False
+    return True

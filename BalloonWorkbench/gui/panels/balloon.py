@@ -1,0 +1,185 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The task panel of a balloon: drawing, film and pressure, pattern, result.
+
+The objects exist while the panel is open, inside one undo step: OK keeps it, Cancel takes it back.
+The engine works in a thread; the document is touched in the main thread alone.
+"""
+
+from __future__ import annotations
+
+import FreeCAD as App
+import FreeCADGui as Gui
+
+from BalloonWorkbench.app import balloon as balloon_object
+from BalloonWorkbench.app import create, host, status
+from BalloonWorkbench.app.create import Parts
+from BalloonWorkbench.core.errors import BalloonError, Cancelled
+from BalloonWorkbench.gui.panels.file_box import FileBox
+from BalloonWorkbench.gui.panels.film_box import FilmBox
+from BalloonWorkbench.gui.panels.pattern_box import PatternBox
+from BalloonWorkbench.gui.panels.result_box import ResultBox
+from BalloonWorkbench.gui.panels.sketch_box import SketchBox
+from BalloonWorkbench.gui.panels.watch import Watch
+from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
+from BalloonWorkbench.gui.worker import Worker
+
+
+class BalloonPanel:
+    """Edits one balloon.
+
+    sketch        the outline follows a sketch, not a file
+    new_document  the document was made for this balloon and goes with it on Cancel
+    """
+
+    def __init__(self, parts: Parts, *, sketch: bool = False, new_document: bool = False):
+        self.parts = parts
+        self.doc = parts.balloon.Document
+        self.new_document = new_document
+        self.is_new = not parts.balloon.SolvedFor
+        self.worker: Worker | None = None
+        self.closing = False
+        self.drawing = (SketchBox if sketch or parts.outline.Source else FileBox)(parts.outline)
+        self.film = FilmBox(parts.balloon)
+        self.pattern = PatternBox(parts.pattern)
+        self.result = ResultBox()
+        self.form = [self.drawing, self.film, self.pattern, self.result]
+        self.drawing.changed.connect(self.trace)
+        self.drawing.refused.connect(lambda text: self.result.show_message(text, warning=True))
+        self.film.changed.connect(self.values_changed)
+        self.pattern.changed.connect(self.pattern_changed)
+        self.result.stopped.connect(self.stop)
+        self.watch = Watch(parts, self.abandon)
+        self.show_state()
+        if parts.outline.Source and self.is_new:
+            QtCore.QTimer.singleShot(0, self.apply)
+
+    # the dialog
+
+    def getStandardButtons(self):
+        box = QtWidgets.QDialogButtonBox
+        return host.button_flags(box.Ok | box.Apply | box.Cancel)
+
+    def clicked(self, button):
+        if button == host.button_flags(QtWidgets.QDialogButtonBox.Apply):
+            self.apply()
+
+    def accept(self):
+        """Compute what is not up to date yet, then keep everything and close."""
+        self.closing = True
+        if self.apply():
+            self.close(keep=True)
+        return False  # `close` does it, now or when the worker is done
+
+    def reject(self):
+        self.close(keep=False)
+        return False
+
+    def close(self, keep: bool):
+        """End the undo step and the panel."""
+        self.watch.remove()
+        self.drawing.release()
+        if self.worker is not None:
+            self.worker.finished.disconnect()
+            self.worker.stop()
+            self.worker.wait()
+            self.worker = None
+        Gui.Control.closeDialog()
+        if keep:
+            self.doc.commitTransaction()
+        else:
+            self.doc.abortTransaction()
+            if self.new_document:
+                App.closeDocument(self.doc.Name)
+            else:
+                self.doc.recompute()
+
+    def abandon(self):
+        """The document or the objects are gone: go too, without touching them."""
+        if self.worker is not None:
+            self.worker.finished.disconnect()
+            self.worker.stop()
+            self.worker.wait()
+            self.worker = None
+        self.watch.remove()
+        self.drawing.release()
+        Gui.Control.closeDialog()
+
+    # the work
+
+    def trace(self) -> bool:
+        """Find the outline anew; True when there is one."""
+        self.parts.outline.recompute()
+        self.show_state()
+        return status.is_ready(self.parts.outline)
+
+    def values_changed(self):
+        self.show_state()
+
+    def pattern_changed(self):
+        if status.is_ready(self.parts.balloon):
+            self.parts.pattern.recompute()
+        self.show_state()
+
+    def apply(self) -> bool:
+        """Bring everything up to date; True when that is done, False when it takes a while or fails."""
+        if self.worker is not None:
+            return False
+        for box in (self.drawing, self.film, self.pattern):
+            box.finish_typing()
+        if not self.trace():
+            self.closing = False
+            return False
+        try:
+            wanted = balloon_object.request(self.parts.balloon)
+        except BalloonError as error:
+            self.fail(error)
+            return False
+        if wanted.key() == self.parts.balloon.SolvedFor:
+            return self.settle()
+        self.worker = Worker(wanted, self.result)
+        self.worker.progressed.connect(self.result.show_progress)
+        self.worker.finished.connect(self.work_done)
+        self.result.start()
+        self.worker.start()
+        return False
+
+    def stop(self):
+        """Stop the engine; what was shown stays."""
+        self.closing = False
+        if self.worker is not None:
+            self.worker.stop()
+
+    def work_done(self):
+        """The worker is finished: take over its design or tell why there is none."""
+        worker, self.worker = self.worker, None
+        self.result.finish()
+        if worker.design is None:
+            self.fail(worker.error or Cancelled(translate("The solver stopped; the report view tells why.")))
+            return
+        balloon_object.show(self.parts.balloon, worker.request, worker.design)
+        if self.settle() and self.closing:
+            self.close(keep=True)
+
+    def settle(self) -> bool:
+        """Let the document follow the new values; True when the pattern is there."""
+        self.doc.recompute()
+        if self.is_new and status.is_ready(self.parts.pattern):
+            create.place_beside(self.parts)
+            self.doc.recompute()
+            self.is_new = False
+            Gui.SendMsgToActiveView("ViewFit")
+        self.show_state()
+        done = status.is_ready(self.parts.pattern)
+        self.closing = self.closing and done
+        return done
+
+    def fail(self, error: BalloonError):
+        self.closing = False
+        self.show_state()
+        self.result.show_message(str(error), warning=True)
+
+    def show_state(self):
+        """Show what the objects say."""
+        for box in (self.drawing, self.film, self.pattern):
+            box.refresh()
+        self.result.show_result(self.parts)

@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The task panel that writes a pattern to a file."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import FreeCADGui as Gui
+
+from BalloonWorkbench.app.export import FORMATS, export_pattern
+from BalloonWorkbench.core.errors import BalloonError
+from BalloonWorkbench.gui.panels.watch import Watch
+from BalloonWorkbench.gui.qt import QtWidgets, translate
+
+
+class ExportPanel:
+    """Chooses a pattern, a format and a file."""
+
+    def __init__(self, patterns, chosen=None):
+        self.patterns = patterns
+        self.form = QtWidgets.QWidget()
+        self.form.setWindowTitle(translate("Export pattern"))
+        self.choice = QtWidgets.QComboBox()
+        self.choice.setObjectName("Pattern")
+        self.choice.addItems([_name(pattern) for pattern in patterns])
+        self.format = QtWidgets.QComboBox()
+        self.format.setObjectName("Format")
+        self.format.addItems([ending.upper() for ending in FORMATS])
+        self.path = QtWidgets.QLineEdit()
+        self.path.setObjectName("File")
+        browse = QtWidgets.QToolButton()
+        browse.setText("…")
+        row = QtWidgets.QHBoxLayout()
+        row.addWidget(self.path)
+        row.addWidget(browse)
+        self.size = QtWidgets.QLabel()
+        self.size.setObjectName("Size")
+        self.message = QtWidgets.QLabel()
+        self.message.setObjectName("Message")
+        self.message.setWordWrap(True)
+        form = QtWidgets.QFormLayout(self.form)
+        form.addRow(translate("Pattern"), self.choice)
+        form.addRow(translate("Format"), self.format)
+        form.addRow(translate("File"), row)
+        form.addRow(translate("Size"), self.size)
+        form.addRow(self.message)
+        self.choice.currentIndexChanged.connect(self.show_pattern)
+        self.format.currentIndexChanged.connect(self.follow_format)
+        browse.clicked.connect(self.browse)
+        self.choice.setCurrentIndex(patterns.index(chosen) if chosen in patterns else 0)
+        self.show_pattern()
+        self.path.setText(str(self.suggestion()))
+        self.watch = Watch(patterns, self.close)
+
+    def pattern(self):
+        """The chosen pattern object."""
+        return self.patterns[self.choice.currentIndex()]
+
+    def suggestion(self) -> Path:
+        """A file beside the document, or in the home folder while that is not saved."""
+        document = self.pattern().Document.FileName
+        folder = Path(document).parent if document else Path.home()
+        return folder / f"pattern.{self.format.currentText().lower()}"
+
+    def show_pattern(self, _index: int = 0) -> None:
+        pattern = self.pattern()
+        self.size.setText(
+            translate("{:.1f} x {:.1f} mm, weld {:.0f} mm").format(
+                pattern.PatternWidth.Value, pattern.PatternHeight.Value, pattern.SeamLength.Value
+            )
+        )
+
+    def follow_format(self, _index: int = 0) -> None:
+        """Give the file the ending of the format."""
+        if self.path.text().strip():
+            self.path.setText(
+                str(Path(self.path.text()).with_suffix("." + self.format.currentText().lower()))
+            )
+
+    def browse(self, _checked: bool = False) -> None:
+        ending = self.format.currentText().lower()
+        path, _ = QtWidgets.QFileDialog.getSaveFileName(
+            self.form, translate("Export pattern"), self.path.text(), f"{ending.upper()} (*.{ending})"
+        )
+        if path:
+            self.path.setText(path)
+
+    def accept(self):
+        """Write the file; the panel stays with the reason when that fails."""
+        path = self.path.text().strip() or str(self.suggestion())
+        if not path.lower().endswith(FORMATS):
+            path += "." + self.format.currentText().lower()
+        try:
+            written = export_pattern(self.pattern(), path)
+        except BalloonError as error:
+            self.message.setText(str(error))
+            return False
+        self.close()
+        Gui.getMainWindow().statusBar().showMessage(translate("Pattern written to {}").format(written), 8000)
+        return True
+
+    def reject(self):
+        self.close()
+        return True
+
+    def close(self) -> None:
+        self.watch.remove()
+        Gui.Control.closeDialog()
+
+
+def _name(pattern) -> str:
+    """The pattern with the group it is in: several balloons have patterns of the same name."""
+    group = pattern.getParentGroup()
+    return f"{group.Label}: {pattern.Label}" if group else pattern.Label

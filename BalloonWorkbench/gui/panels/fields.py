@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Widgets tied to properties: they show the value, write it back and take expressions."""
+
+from __future__ import annotations
+
+import FreeCADGui as Gui
+
+from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
+
+
+class Fields(QtCore.QObject):
+    """The fields of one object. `changed` carries the name of a property that the user has edited."""
+
+    changed = QtCore.Signal(str)
+
+    def __init__(self, obj, parent=None):
+        super().__init__(parent)
+        self.obj = obj
+        self._widgets: dict[str, tuple] = {}
+
+    def quantity(self, name: str, unit: str, step: float = 1.0):
+        """A spin box for a quantity property; `unit` is the one for plain numbers."""
+        widget = Gui.UiLoader().createWidget("Gui::QuantitySpinBox")
+        widget.setProperty("unit", unit)
+        widget.setProperty("singleStep", step)
+        Gui.ExpressionBinding(widget).bind(self.obj, name)
+        widget.setKeyboardTracking(False)
+        self._add(name, widget, lambda value: widget.setProperty("rawValue", value.Value))
+        QtCore.QObject.connect(
+            widget, QtCore.SIGNAL("valueChanged(double)"), lambda value: self._write(name, value)
+        )
+        return widget
+
+    def number(self, name: str, step: float, decimals: int):
+        """A spin box for a plain number."""
+        widget = QtWidgets.QDoubleSpinBox()
+        widget.setDecimals(decimals)
+        widget.setSingleStep(step)
+        widget.setMaximum(0.49)
+        widget.setKeyboardTracking(False)
+        self._add(name, widget, widget.setValue)
+        widget.valueChanged.connect(lambda value: self._write(name, value))
+        return widget
+
+    def check(self, name: str, text: str):
+        """A check box for a Boolean."""
+        widget = QtWidgets.QCheckBox(text)
+        self._add(name, widget, widget.setChecked)
+        widget.toggled.connect(lambda value: self._write(name, value))
+        return widget
+
+    def choice(self, name: str):
+        """A combo box for an enumeration."""
+        widget = QtWidgets.QComboBox()
+        widget.addItems(self.obj.getEnumerationsOfProperty(name))
+        self._add(name, widget, lambda value: widget.setCurrentIndex(widget.findText(value)))
+        widget.activated.connect(lambda index: self._write(name, widget.itemText(index)))
+        return widget
+
+    def widget(self, name: str):
+        """The field of a property."""
+        return self._widgets[name][0]
+
+    def refresh(self) -> None:
+        """Show the present values, and which of them can be edited."""
+        driven = {path for path, _ in self.obj.ExpressionEngine}
+        for name, (widget, show) in self._widgets.items():
+            blocked = widget.blockSignals(True)
+            show(getattr(self.obj, name))
+            widget.blockSignals(blocked)
+            widget.setEnabled("ReadOnly" not in self.obj.getEditorMode(name) and name not in driven)
+
+    def finish_typing(self) -> None:
+        """Take over a number that is still being typed."""
+        for widget, _ in self._widgets.values():
+            if isinstance(widget, QtWidgets.QAbstractSpinBox):
+                widget.interpretText()
+
+    def _add(self, name: str, widget, show) -> None:
+        widget.setObjectName(name)
+        widget.setToolTip(translate(self.obj.getDocumentationOfProperty(name)))
+        self._widgets[name] = widget, show
+
+    def _write(self, name: str, value) -> None:
+        present = getattr(self.obj, name)
+        if getattr(present, "Value", present) != value:
+            setattr(self.obj, name, value)
+            self.changed.emit(name)

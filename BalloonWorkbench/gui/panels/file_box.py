@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The part of the panel about a drawing in a file: which one, how large, what was found in it."""
+
+from __future__ import annotations
+
+import os
+
+from BalloonWorkbench.app.outline import set_drawing
+from BalloonWorkbench.gui.panels.fields import Fields
+from BalloonWorkbench.gui.panels.preview import Preview, notes_of
+from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
+
+_ENDINGS = "*.png *.jpg *.jpeg *.bmp *.svg *.dxf *.json"
+
+
+class FileBox(QtWidgets.QWidget):
+    """Chooses the drawing of an outline. `changed` follows each edit, `refused` carries a message."""
+
+    changed = QtCore.Signal()
+    refused = QtCore.Signal(str)
+
+    def __init__(self, outline):
+        super().__init__()
+        self.outline = outline
+        self.setWindowTitle(translate("Drawing"))
+        self.path = QtWidgets.QLineEdit(os.path.basename(outline.Drawing))
+        self.path.setObjectName("Drawing")
+        self.path.setPlaceholderText(translate("Picture, SVG, DXF or JSON"))
+        self.path.setToolTip(translate("The drawing; a copy of it travels in the document"))
+        browse = QtWidgets.QToolButton()
+        browse.setText("…")
+        browse.setToolTip(translate("Choose a file"))
+        row = QtWidgets.QHBoxLayout()
+        row.addWidget(self.path)
+        row.addWidget(browse)
+        self.fields = Fields(outline, self)
+        self.preview = Preview()
+        self.notes = QtWidgets.QLabel()
+        self.notes.setWordWrap(True)
+        form = QtWidgets.QFormLayout(self)
+        form.addRow(translate("File"), row)
+        form.addRow(translate("Width"), self.fields.quantity("Width", "mm", 10.0))
+        form.addRow(translate("Height"), self.fields.quantity("Height", "mm", 10.0))
+        form.addRow(self.fields.check("KeepAspect", translate("Keep the proportions")))
+        form.addRow(self.preview)
+        form.addRow(self.notes)
+        browse.clicked.connect(self._browse)
+        self.path.editingFinished.connect(self._take_path)
+        self.fields.changed.connect(lambda name: self.changed.emit())
+
+    def choose(self, path: str) -> None:
+        """Take a file as the drawing."""
+        try:
+            set_drawing(self.outline, path)
+        except OSError:
+            self.refused.emit(translate("There is no file {}: check the name and the folder.").format(path))
+            return
+        self.path.setText(os.path.basename(path))
+        self.path.setModified(False)
+        self.changed.emit()
+
+    def finish_typing(self) -> None:
+        self.fields.finish_typing()
+        self._take_path()
+
+    def refresh(self) -> None:
+        self.fields.refresh()
+        self.preview.show(self.outline)
+        self.notes.setText(notes_of(self.outline))
+
+    def release(self) -> None:
+        """Nothing is held outside the panel."""
+
+    def _browse(self) -> None:
+        path, _ = QtWidgets.QFileDialog.getOpenFileName(
+            self, translate("Choose a drawing"), "", translate("Drawings") + f" ({_ENDINGS})"
+        )
+        if path:
+            self.choose(path)
+
+    def _take_path(self) -> None:
+        if self.path.isModified() and self.path.text().strip():
+            self.path.setModified(False)
+            self.choose(self.path.text().strip())

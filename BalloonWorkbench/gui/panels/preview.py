@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A small picture of the drawing with the outline that was found in it."""
+
+from __future__ import annotations
+
+from BalloonWorkbench.app import shapes, status
+from BalloonWorkbench.core.units import to_mm
+from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, translate
+
+_MARGIN = 6
+
+
+def notes_of(outline) -> str:
+    """What there is to say about an outline: its size, its holes and the remarks made while it was found."""
+    if not outline.LoopCounts or not status.is_ready(outline):
+        return ""
+    lines = [
+        translate("Outline {} x {}, {} holes").format(
+            outline.SizeX.UserString, outline.SizeY.UserString, outline.HoleCount
+        )
+    ]
+    return "\n".join([*lines, *outline.Notes])
+
+
+class Preview(QtWidgets.QWidget):
+    """Shows a picture, if there is one, and the outline over it."""
+
+    def __init__(self, parent=None):
+        super().__init__(parent)
+        self.setObjectName("Preview")
+        self.setMinimumHeight(150)
+        self._picture = QtGui.QPixmap()
+        self._picture_box = QtCore.QRectF()
+        self._path = QtGui.QPainterPath()
+
+    def show(self, outline) -> None:
+        """Draw an outline object, over its picture where it has one."""
+        self._path = QtGui.QPainterPath()
+        if outline.LoopCounts and status.is_ready(outline):
+            for loop in shapes.stored(outline, "Loop").loops:
+                self._path.addPolygon(
+                    QtGui.QPolygonF([QtCore.QPointF(x, -y) for x, y in to_mm(loop).tolist()])
+                )
+                self._path.closeSubpath()
+        self._picture = (
+            QtGui.QPixmap(outline.Drawing) if outline.Drawing and not outline.Source else QtGui.QPixmap()
+        )
+        self._picture_box = self._path.boundingRect()
+        self.update()
+
+    def paintEvent(self, event):
+        painter = QtGui.QPainter(self)
+        painter.setRenderHint(QtGui.QPainter.Antialiasing)
+        painter.setRenderHint(QtGui.QPainter.SmoothPixmapTransform)
+        painter.fillRect(self.rect(), self.palette().base())
+        whole = self._path.boundingRect()
+        if not self._picture.isNull():
+            whole = whole.united(self._picture_box)
+        if whole.width() <= 0 or whole.height() <= 0:
+            return
+        room = self.rect().adjusted(_MARGIN, _MARGIN, -_MARGIN, -_MARGIN)
+        scale = min(room.width() / whole.width(), room.height() / whole.height())
+        painter.translate(QtCore.QPointF(room.center()))
+        painter.scale(scale, scale)
+        painter.translate(-whole.center())
+        if not self._picture.isNull():
+            painter.drawPixmap(self._picture_box, self._picture, QtCore.QRectF(self._picture.rect()))
+        line = QtGui.QPen(self.palette().highlight().color(), 2)
+        line.setCosmetic(True)
+        painter.setPen(line)
+        if self._picture.isNull():
+            painter.setBrush(self.palette().alternateBase())
+        painter.drawPath(self._path)

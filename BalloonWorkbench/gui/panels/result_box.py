@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The part of the panel that tells: progress while it works, measures afterwards, messages."""
+
+from __future__ import annotations
+
+from BalloonWorkbench.app import status
+from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
+
+_ICON = 16
+
+
+class ResultBox(QtWidgets.QWidget):
+    """Shows progress with a button that stops the work (`stopped`), the balloon's measures and a message."""
+
+    stopped = QtCore.Signal()
+
+    def __init__(self):
+        super().__init__()
+        self.setWindowTitle(translate("Result"))
+        self._bar = QtWidgets.QProgressBar()
+        self._bar.setObjectName("Progress")
+        self._bar.setRange(0, 1000)
+        self._step = QtWidgets.QLabel()
+        self._stop = QtWidgets.QPushButton(translate("Stop"))
+        self._stop.setObjectName("Stop")
+        self._stop.clicked.connect(lambda _checked=False: self.stopped.emit())
+        self._working = QtWidgets.QWidget()
+        working = QtWidgets.QGridLayout(self._working)
+        working.setContentsMargins(0, 0, 0, 0)
+        working.addWidget(self._bar, 0, 0)
+        working.addWidget(self._stop, 0, 1)
+        working.addWidget(self._step, 1, 0, 1, 2)
+        self._sign = QtWidgets.QLabel()
+        self._sign.setAlignment(QtCore.Qt.AlignTop)
+        self._message = QtWidgets.QLabel()
+        self._message.setObjectName("Message")
+        self._message.setWordWrap(True)
+        self._message.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
+        told = QtWidgets.QHBoxLayout()
+        told.addWidget(self._sign)
+        told.addWidget(self._message, 1)
+        self._measures = QtWidgets.QFormLayout()
+        column = QtWidgets.QVBoxLayout(self)
+        column.addWidget(self._working)
+        column.addLayout(told)
+        column.addLayout(self._measures)
+        self.finish()
+
+    def start(self) -> None:
+        """The work begins."""
+        self._bar.setValue(0)
+        self._step.setText("")
+        self._working.show()
+        self.show_message("")
+
+    def show_progress(self, fraction: float, text: str) -> None:
+        self._bar.setValue(round(1000 * fraction))
+        self._step.setText(text)
+
+    def finish(self) -> None:
+        """The work is over."""
+        self._working.hide()
+
+    def show_message(self, text: str, warning: bool = False) -> None:
+        """One or two sentences; a warning has a sign beside it."""
+        style = self.style()
+        kind = style.SP_MessageBoxWarning if warning else style.SP_MessageBoxInformation
+        self._sign.setPixmap(style.standardIcon(kind).pixmap(_ICON, _ICON))
+        self._sign.setVisible(bool(text))
+        self._message.setText(text)
+        self._message.setVisible(bool(text))
+
+    def message(self) -> str:
+        """The text that is shown."""
+        return self._message.text()
+
+    def show_result(self, parts) -> None:
+        """The measures of the balloon, and what its objects have to say."""
+        while self._measures.rowCount():
+            self._measures.removeRow(0)
+        outline, balloon, pattern = parts
+        for obj in parts:
+            if obj.Status and not status.is_ready(obj):
+                self.show_message(
+                    status.problem(obj), warning=bool(status.problem(outline)) and _has_source(outline)
+                )
+                break
+        else:
+            remarks = list(balloon.Warnings)
+            if balloon.Status != status.READY:
+                remarks.insert(0, balloon.Status)
+            self.show_message("\n".join(remarks), warning=True)
+        if not balloon.SolvedFor:
+            return
+        for name, text in measures(balloon, pattern):
+            value = QtWidgets.QLabel(text)
+            value.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
+            self._measures.addRow(name, value)
+
+
+def _has_source(outline) -> bool:
+    return bool(outline.Source or outline.Drawing)
+
+
+def measures(balloon, pattern) -> list[tuple[str, str]]:
+    """Names and values of what a user wants to know about a balloon."""
+    litres = balloon.Volume.getValueAs("l").Value
+    return [
+        (translate("Size"), f"{balloon.InflatedWidth.UserString} x {balloon.InflatedHeight.UserString}"),
+        (translate("Thickness"), balloon.InflatedThickness.UserString),
+        (translate("Volume"), f"{litres:.3g} l"),
+        (
+            translate("Off the drawing"),
+            f"{balloon.ResidualMean.UserString}, at most {balloon.ResidualMax.UserString}",
+        ),
+        (translate("Pattern"), f"{pattern.PatternWidth.UserString} x {pattern.PatternHeight.UserString}"),
+        (translate("Solved by"), balloon.ActiveBackend),
+    ]

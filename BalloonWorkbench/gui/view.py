@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How the objects look in the tree and in the 3D view."""
+
+from __future__ import annotations
+
+import FreeCAD as App
+
+from BalloonWorkbench.gui.qt import icon
+
+_CUT, _SEAL = (0.86, 0.08, 0.08), (0.78, 0.0, 0.70)
+_FOIL = {
+    "DiffuseColor": (0.80, 0.16, 0.30),
+    "AmbientColor": (0.30, 0.06, 0.11),
+    "SpecularColor": (0.95, 0.80, 0.84),
+    "Shininess": 0.75,
+}
+
+
+class _View:
+    """What the three view providers have in common."""
+
+    icon = ""
+
+    def __init__(self, vobj):
+        vobj.Proxy = self
+        self.style(vobj)
+
+    def style(self, vobj):
+        """The first look; from then on it is the user's."""
+
+    def attach(self, vobj):
+        self.Object = vobj.Object
+
+    def getIcon(self):
+        from BalloonWorkbench.app import status
+
+        calm = getattr(self.Object, "Status", "") in ("", status.READY)
+        return icon(self.icon if calm else f"{self.icon}_warning")
+
+    def updateData(self, obj, name):
+        if name == "Status":
+            obj.ViewObject.signalChangeIcon()
+
+    def doubleClicked(self, vobj):
+        from BalloonWorkbench.gui.panels import edit
+
+        edit(vobj.Object)
+        return True
+
+    def dumps(self):
+        return None
+
+    def loads(self, state):
+        return None
+
+    # FreeCAD 0.20 asks for these names
+    __getstate__ = dumps
+    __setstate__ = loads
+
+
+class OutlineView(_View):
+    """A thin line."""
+
+    icon = "outline"
+
+    def style(self, vobj):
+        vobj.DisplayMode = "Wireframe"
+        vobj.LineWidth = 2.0
+
+
+class BalloonView(_View):
+    """Shiny film."""
+
+    icon = "balloon"
+
+    def style(self, vobj):
+        vobj.DisplayMode = "Shaded"
+        vobj.CreaseAngle = 40.0  # smooth panels, a sharp seam
+        material = App.Material()
+        for name, value in _FOIL.items():
+            setattr(material, name, value)
+        vobj.ShapeMaterial = material
+
+
+class PatternView(_View):
+    """A sheet with lines in the colours of the cutter's layers."""
+
+    icon = "pattern"
+
+    def style(self, vobj):
+        vobj.DisplayMode = "Flat Lines"
+        vobj.ShapeColor = (0.85, 0.88, 0.92)
+        vobj.Transparency = 40
+        vobj.PointSize = 1.0
+
+    def updateData(self, obj, name):
+        super().updateData(obj, name)
+        if name == "Roles":
+            colour = {"SEAL": _SEAL}
+            wires = obj.Shape.Wires
+            if len(wires) == len(obj.Roles):
+                obj.ViewObject.LineColorArray = [
+                    colour.get(role, _CUT) for role, wire in zip(obj.Roles, wires) for _ in wire.Edges
+                ]
+
+
+_VIEWS = {"OutlineProxy": OutlineView, "BalloonProxy": BalloonView, "PatternProxy": PatternView}
+
+
+def dress(obj) -> None:
+    """Give an object its view provider unless it has one, as after loading a file saved without a window."""
+    vobj = obj.ViewObject
+    if vobj is not None and not isinstance(vobj.Proxy, _View):
+        _VIEWS[type(obj.Proxy).__name__](vobj)

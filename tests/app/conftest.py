@@ -1,0 +1,15 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A document for each test."""
+
+import FreeCAD as App
+import pytest
+
+
+@pytest.fixture
+def doc():
+    """An empty document that remembers undo steps."""
+    document = App.newDocument("Test")
+    document.UndoMode = 1
+    yield document
+    if document.Name in App.listDocuments():
+        App.closeDocument(document.Name)
