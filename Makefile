@@ -15,8 +15,8 @@ setup: ## Install missing Debian packages, make the Python environment in .venv
 	@tools/make-python-environment.sh
 
 native: setup ## Build the native solver
-	@cmake --log-level=WARNING -S BalloonWorkbench/native -B build/native -G Ninja -DCMAKE_BUILD_TYPE=Release
-	@cmake --build build/native
+	@cmake -S BalloonWorkbench/native -B build/native -G Ninja -DCMAKE_BUILD_TYPE=Release >/dev/null
+	@cmake --build build/native -- --quiet
 
 demo: native ## Design a balloon from an example picture
 	@$(PYTHON) -m BalloonWorkbench design resources/examples/pictures/fish.png --width 300mm --out out/demo

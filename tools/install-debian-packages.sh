@@ -29,7 +29,8 @@ if [ "$(id -u)" -ne 0 ]; then
     as_root=(sudo)
 fi
 
-apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q -y -o DPkg::Lock::Timeout=600)
+apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -qq -y
+    -o DPkg::Lock::Timeout=600 -o Dpkg::Use-Pty=0)
 echo "Installing ${#missing[@]} Debian packages: ${missing[*]}"
 "${apt[@]}" update
 "${apt[@]}" install --no-install-recommends "${missing[@]}"
