@@ -6,6 +6,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import Enum
 
+import numpy as np
+
 from BalloonWorkbench.core.types import Floats
 
 
@@ -48,9 +50,34 @@ class Pattern:
 
     contours      inner ones (holes) first, the outer CUT last
     seam_length   m, length of the weld of all loops, intake mouth excluded
+    warnings      one sentence each, for the user
     """
 
     contours: tuple[Contour, ...]
     intake: Intake | None
     seal_width: float
     seam_length: float
+    warnings: tuple[str, ...] = ()
+
+    @property
+    def bounds(self) -> tuple[Floats, Floats]:
+        """Lower left and upper right corner (2,) of everything to be cut [m]."""
+        points = np.concatenate([contour.points for contour in self.contours])
+        return points.min(axis=0), points.max(axis=0)
+
+    @property
+    def size(self) -> tuple[float, float]:
+        """Width and height, intake included [m]."""
+        low, high = self.bounds
+        width, height = high - low
+        return float(width), float(height)
+
+    @property
+    def roles(self) -> tuple[Role, ...]:
+        """The roles that occur, in the order in which a machine takes them."""
+        present = {contour.role for contour in self.contours}
+        return tuple(role for role in (Role.SEAL, Role.CUT_INNER, Role.CUT) if role in present)
+
+    def of(self, role: Role) -> tuple[Contour, ...]:
+        """The contours of one role."""
+        return tuple(contour for contour in self.contours if contour.role is role)

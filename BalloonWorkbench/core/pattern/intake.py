@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The air intake: where it sits, and the film that it adds."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.pattern.pattern import Intake
+from BalloonWorkbench.core.pattern.shapes import shapely
+from BalloonWorkbench.core.types import Floats
+from BalloonWorkbench.core.units import from_mm, mm_text
+
+#: Farthest points within this share of each other count as equally far; the lowest is taken.
+_EQUALLY_FAR = 1e-3
+
+
+@dataclass(frozen=True)
+class Neck:
+    """An intake as areas of shapely.
+
+    area   the film between the welds, from within the balloon to beyond the mouth
+    beyond everything past the mouth
+    narrow the balloon is narrower than the intake where they meet
+    """
+
+    intake: Intake
+    area: Any
+    beyond: Any
+    narrow: bool
+
+
+def place_neck(film: Any, margin: float, width: float, length: float | None, angle: float | None) -> Neck:
+    """The neck of a balloon whose film is a polygon (holes included).
+
+    margin  from the seam to the cut [m]
+    width   between the welds [m]
+    length  from the seam outward [m]; by default 30 mm and three widths at least, and always past the cut
+    angle   direction [rad]; by default from the centre of area to the farthest point of the outline
+    """
+    least = margin + 0.5 * width
+    if length is None:
+        length = max(from_mm(30.0), 3.0 * width, least)
+    if not (np.isfinite(width) and width > 0.0 and np.isfinite(length)):
+        raise InputError("The intake's width and length must be above 0.")
+    if length < least:
+        raise InputError(
+            f"An intake of {mm_text(length)} does not reach past the cut: give it at least {mm_text(least)}."
+        )
+    rim = np.asarray(film.exterior.coords, dtype=np.float64)[:-1]
+    centre = np.asarray(film.centroid.coords[0])
+    at, direction = _farthest(rim, centre) if angle is None else _hit(film, centre, angle)
+    inside, narrow = _reach(film, at, direction, width, float(np.linalg.norm(at - centre)))
+    past, wide = length + 2.0 * margin, width + 4.0 * margin
+    beyond = _rectangle(at, direction, length, past + 2.0 * margin, wide)
+    _check_free(film, _rectangle(at, direction, 0.0, past, wide), _line(at, direction, wide), beyond)
+    turn = float(np.arctan2(direction[1], direction[0]))
+    return Neck(
+        Intake(at, turn, width, length), _rectangle(at, direction, -inside, past, width), beyond, narrow
+    )
+
+
+def _farthest(rim: Floats, centre: Floats) -> tuple[Floats, Floats]:
+    away = np.linalg.norm(rim - centre, axis=1)
+    far = np.flatnonzero(away > (1.0 - _EQUALLY_FAR) * away.max())
+    lowest = np.lexsort((rim[far, 0], np.round(rim[far, 1] / away.max(), 6)))[0]
+    at = rim[far[lowest]]
+    return at, (at - centre) / away[far[lowest]]
+
+
+def _hit(film: Any, centre: Floats, angle: float) -> tuple[Floats, Floats]:
+    if not np.isfinite(angle):
+        raise InputError("The intake's angle must be a number.")
+    direction = np.array([np.cos(angle), np.sin(angle)])
+    low_x, low_y, high_x, high_y = film.bounds
+    reach = 2.0 * float(np.hypot(high_x - low_x, high_y - low_y))
+    met = shapely().LineString([centre, centre + reach * direction]).intersection(film.exterior)
+    points = shapely().get_coordinates(met)
+    if not len(points):
+        raise InputError(
+            f"There is no outline at {np.degrees(angle):.0f} degrees from the centre:"
+            " choose another intake angle."
+        )
+    return points[np.argmax((points - centre) @ direction)], direction
+
+
+def _reach(film: Any, at: Floats, direction: Floats, width: float, most: float) -> tuple[float, bool]:
+    """How far inward the balloon is as wide as the intake, and whether it nowhere is."""
+    package = shapely()
+    package.prepare(film)
+    depths = np.linspace(0.0, max(most, width), 400)
+    across = [_line(at - depth * direction, direction, width) for depth in depths]
+    wide = np.flatnonzero(package.contains(film, across))
+    if not len(wide):
+        return width, True
+    return float(depths[wide[0]]) + 0.1 * width, False
+
+
+def _check_free(film: Any, strip: Any, root: Any, beyond: Any) -> None:
+    """The neck, welds included, may meet the film at its root only."""
+    pieces = shapely().get_parts(film.intersection(strip))
+    stray = any(piece.distance(root) > 1e-9 and piece.area > 1e-9 * strip.area for piece in pieces)
+    if stray or film.intersects(beyond):
+        raise InputError(
+            "The intake would run into another part of the balloon: choose another angle or a shorter intake."
+        )
+
+
+def _line(middle: Floats, direction: Floats, width: float) -> Any:
+    side = 0.5 * width * np.array([-direction[1], direction[0]])
+    return shapely().LineString([middle - side, middle + side])
+
+
+def _rectangle(at: Floats, direction: Floats, start: float, end: float, width: float) -> Any:
+    side = 0.5 * width * np.array([-direction[1], direction[0]])
+    near, far = at + start * direction, at + end * direction
+    return shapely().Polygon([near - side, far - side, far + side, near + side])

@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Polygons of shapely from and to loops."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from BalloonWorkbench.core.errors import MissingPackageError, OutlineError
+from BalloonWorkbench.core.types import Floats
+from BalloonWorkbench.core.units import from_mm, to_mm
+
+#: Corners blunter than 60 degrees stay corners when a contour is offset; sharper ones are cut off there.
+_MITRE = 2.0
+#: How far simplifying may move a contour, and the shortest segment that is left [m].
+TOLERANCE = from_mm(0.005)
+SHORTEST = from_mm(0.05)
+_CORNER = np.radians(25.0)
+
+
+def shapely() -> Any:
+    """The package, or advice on how to get it."""
+    try:
+        import shapely as package
+    except ImportError as error:
+        raise MissingPackageError("Patterns need shapely: install it with pip install shapely.") from error
+    return package
+
+
+def polygon(loop: Floats) -> Any:
+    """The area inside a loop (n, 2); OutlineError where the loop crosses itself."""
+    package = shapely()
+    area = package.Polygon(loop)
+    if not area.is_valid:
+        reason = package.is_valid_reason(area)
+        where = reason[reason.find("[") + 1 : reason.find("]")].split()
+        x, y = to_mm(np.array(where, dtype=np.float64)) if len(where) == 2 else to_mm(loop[0])
+        raise OutlineError(
+            f"The pattern crosses itself near ({x:.1f}, {y:.1f}) mm: simplify the drawing there."
+        )
+    return area
+
+
+def offset(area: Any, distance: float) -> Any:
+    """The area grown by a distance (shrunk by a negative one), corners kept."""
+    return area.buffer(distance, join_style="mitre", mitre_limit=_MITRE)
+
+
+def parts(area: Any) -> list[Any]:
+    """The polygons that an area consists of, the largest first."""
+    pieces = [piece for piece in shapely().get_parts(area) if piece.geom_type == "Polygon"]
+    return sorted((piece for piece in pieces if not piece.is_empty), key=lambda piece: -piece.area)
+
+
+def closed_loop(ring: Any, counter_clockwise: bool) -> Floats:
+    """Points (n, 2) of a ring without needless ones, started amid its longest smooth stretch."""
+    points = np.asarray(ring.simplify(TOLERANCE).coords, dtype=np.float64)[:-1]
+    points = _merged(points, closed=True)
+    following = np.roll(points, -1, axis=0)
+    area = (points[:, 0] * following[:, 1] - points[:, 1] * following[:, 0]).sum()
+    if (area > 0.0) != counter_clockwise:
+        points = points[::-1]
+    return _begun_smoothly(points)
+
+
+def open_line(line: Any) -> Floats:
+    """Points (n, 2) of a line without needless ones."""
+    return _merged(np.asarray(line.simplify(TOLERANCE).coords, dtype=np.float64), closed=False)
+
+
+def _merged(points: Floats, closed: bool) -> Floats:
+    """Without segments that are too short: their ends become one point between them."""
+    while len(points) > 3:
+        steps = np.linalg.norm(np.roll(points, -1, axis=0) - points, axis=1)[: None if closed else -1]
+        short = int(np.argmin(steps))
+        if steps[short] >= SHORTEST:
+            break
+        following = (short + 1) % len(points)
+        points = points.copy()
+        if closed or 0 < short < len(points) - 2:
+            points[short] = 0.5 * (points[short] + points[following])
+        elif short:  # the ends of an open line stay
+            points[short] = points[following]
+        points = np.delete(points, following, axis=0)
+    return points
+
+
+def _begun_smoothly(points: Floats) -> Floats:
+    """The loop started far from its corners, where a machine may begin a cut without leaving a mark."""
+    ahead = np.roll(points, -1, axis=0) - points
+    back = np.roll(ahead, 1, axis=0)
+    turn = np.abs(np.arctan2(back[:, 0] * ahead[:, 1] - back[:, 1] * ahead[:, 0], (back * ahead).sum(axis=1)))
+    steps = np.linalg.norm(ahead, axis=1)
+    along = np.append(0.0, np.cumsum(steps))
+    corners = np.flatnonzero(turn > _CORNER)
+    if not len(corners):
+        return points
+    stretches = np.diff(np.append(along[corners], along[corners[0]] + along[-1]))
+    longest = int(np.argmax(np.round(stretches, 9)))
+    middle = (along[corners[longest]] + 0.5 * stretches[longest]) % along[-1]
+    segment = int(np.searchsorted(along, middle, side="right")) - 1
+    share = (middle - along[segment]) / steps[segment]
+    after = np.roll(points, -(segment + 1), axis=0)
+    if min(share, 1.0 - share) * steps[segment] < SHORTEST:
+        return after if share > 0.5 else np.roll(points, -segment, axis=0)
+    return np.concatenate([(points[segment] + share * ahead[segment])[None], after])
