@@ -23,7 +23,7 @@ core() {
     # an empty user folder: the user's own addons have no part in the tests
     mkdir -p "$scratch/core"
     # shellcheck disable=SC2086  # several arguments
-    FREECAD_USER_HOME=$scratch/core .venv/bin/python -m pytest ${BALLOON_TESTS:-tests/core}
+    FREECAD_USER_HOME=$scratch/core .venv/bin/python -m pytest ${BALLOON_TESTS:-}
 }
 
 app() {
