@@ -59,7 +59,7 @@ for step in "$@"; do
     status=${PIPESTATUS[0]}
     [ "$step" = lint ] || [ "$status" -ne 0 ] || pytest_has_ended "$log" || status=1
     case $step in app | gui) freecad_log_is_clean "$log" || status=1 ;; esac
-    counts=$(grep -aoE '[0-9]+ (passed|failed|errors?|skipped|deselected)' "$log" | tail -n 4 | paste -sd, | sed 's/,/, /g')
+    counts=$(grep -aoE '[0-9]+ (passed|failed|skipped|errors?)\b.* in [0-9.]+s' "$log" | tail -n 1)
     if [ "$status" -eq 0 ]; then word=ok; else word="FAILED ($status)" result=1; fi
     summary+=("$(printf '%-5s %-12s %4d s  %s' "$step" "$word" $((SECONDS - started)) "$counts")")
 done
