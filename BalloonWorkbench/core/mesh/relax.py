@@ -33,32 +33,44 @@ def relax(points: Floats, loops: tuple[Ints, ...], field: SizeField) -> tuple[Fl
             kept = _uncrowded(points, fixed, triangles, field)
             points = np.concatenate([points[kept], _missing(points, loops, triangles, field)])
         triangles = triangulate_points(points, loops)
-    for _ in range(6):
+    points, triangles = _repaired(*_unlocked(points, loops, triangles, field), loops)
+    return _unlocked(points, loops, triangles, field)
+
+
+def chord_middles(points: Floats, loops: tuple[Ints, ...], triangles: Ints) -> Floats:
+    """Where to add vertices (k, 2) so that no inner edge joins two vertices of the seam, sharp tips excepted.
+
+    Such an edge is held down at both ends and pinches the balloon, a triangle of three of them cannot rise.
+    """
+    fixed = sum(len(loop) for loop in loops)
+    following = np.empty(fixed, dtype=np.int32)
+    for loop in loops:
+        following[loop] = np.roll(loop, -1)
+    near = triangles[(triangles < fixed).sum(axis=1) >= 2]
+    starts, ends = np.roll(near, -1, axis=1), np.roll(near, -2, axis=1)  # the edge opposite to each corner
+    joins = (starts < fixed) & (ends < fixed)
+    on_seam = joins & (following[np.where(joins, starts, 0)] == ends)
+    length = np.where(joins & ~on_seam, edge_lengths(points, near), 0.0)
+    longest, row = length.argmax(axis=1), np.arange(len(near))
+    tip = (on_seam.sum(axis=1) == 2) & (corner_angles(points, near)[row, longest] < SHARP)
+    chord = np.sort(np.stack([starts[row, longest], ends[row, longest]], axis=1), axis=1)
+    # Each chord belongs to two triangles, and one of a tip may stay.
+    allowed = set(map(tuple, chord[tip].tolist()))
+    wanted = sorted(set(map(tuple, chord[length.max(axis=1, initial=0.0) > 0.0].tolist())) - allowed)
+    return points[np.array(wanted, dtype=np.int32).reshape(-1, 2)].mean(axis=1)
+
+
+def _unlocked(
+    points: Floats, loops: tuple[Ints, ...], triangles: Ints, field: SizeField
+) -> tuple[Floats, Ints]:
+    """With vertices added on the chords of the seam until there are none."""
+    for _ in range(8):
         middles = _spread(chord_middles(points, loops, triangles), field)
         if not len(middles):
             break
         points = np.concatenate([points, middles])
         triangles = triangulate_points(points, loops)
-    return _repaired(points, loops, triangles)
-
-
-def chord_middles(points: Floats, loops: tuple[Ints, ...], triangles: Ints) -> Floats:
-    """Where to add vertices (k, 2) so that no triangle has all three on the seam, sharp tips excepted."""
-    fixed = sum(len(loop) for loop in loops)
-    following = np.empty(fixed, dtype=np.int32)
-    for loop in loops:
-        following[loop] = np.roll(loop, -1)
-    locked = triangles[(triangles < fixed).all(axis=1)]
-    if not len(locked):
-        return np.empty((0, 2))
-    starts, ends = np.roll(locked, -1, axis=1), np.roll(locked, -2, axis=1)  # edge opposite to each corner
-    on_seam = following[starts] == ends
-    inner = np.where(on_seam, -1.0, edge_lengths(points, locked))
-    apex = inner.argmax(axis=1)
-    row = np.arange(len(locked))
-    tip = (on_seam.sum(axis=1) == 2) & (corner_angles(points, locked)[row, apex] < SHARP)
-    row, apex = row[~tip], apex[~tip]
-    return np.unique(0.5 * (points[starts[row, apex]] + points[ends[row, apex]]), axis=0)
+    return points, triangles
 
 
 def _smoothed(points: Floats, fixed: int, triangles: Ints, field: SizeField) -> Floats:
@@ -130,7 +142,7 @@ def _spread(points: Floats, field: SizeField) -> Floats:
     return points[kept]
 
 
-def _repaired(points: Floats, loops: tuple[Ints, ...], triangles: Ints) -> tuple[Floats, Ints]:
+def _repaired(points: Floats, triangles: Ints, loops: tuple[Ints, ...]) -> tuple[Floats, Ints]:
     """Move the vertices of the worst triangles, one by one, to where their smallest angle grows."""
     fixed = sum(len(loop) for loop in loops)
     directions = np.radians(np.arange(0.0, 360.0, 30.0))
