@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Valid outlines: loops cleaned, oriented and checked, and brought to a size."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from BalloonWorkbench.core.errors import InputError, OutlineError
+from BalloonWorkbench.core.outline.crossings import contains, first_crossing
+from BalloonWorkbench.core.outline.outline import Outline, signed_area
+from BalloonWorkbench.core.outline.sampling import CORNER_ANGLE, corners, resample, simplify, smooth
+from BalloonWorkbench.core.outline.thickness import min_width
+from BalloonWorkbench.core.types import Floats
+from BalloonWorkbench.core.units import mm_text, to_mm
+
+__all__ = [
+    "CORNER_ANGLE",
+    "LARGEST",
+    "SMALLEST",
+    "check",
+    "clean",
+    "corners",
+    "min_width",
+    "resample",
+    "scale_to",
+    "simplify",
+    "smooth",
+]
+
+SMALLEST = 1e-3
+"""Smallest width or height of an outline [m]."""
+LARGEST = 100.0
+"""Largest width or height of an outline [m]."""
+
+# Points nearer than this, relative to the size of the outline, are one point: 0.3 um on a balloon of 300 mm.
+_SAME_POINT = 1e-6
+# Area of a loop, relative to the square of its length, below which it encloses nothing (0.08 for a circle).
+_NO_AREA = 1e-9
+
+
+def check(outline: Outline) -> Outline:
+    """The outline with repeated points and spikes removed, outer loop counter-clockwise, holes clockwise.
+
+    OutlineError where a loop is empty, not finite, without area, crosses or touches itself or another one,
+    or where a hole is not inside the outer loop; the text gives the place in millimetres.
+    """
+    if not all(np.isfinite(loop).all() for loop in outline.loops):
+        raise OutlineError("The outline has a coordinate that is not a number; correct it in the drawing.")
+    tolerance = _SAME_POINT * float(np.max(np.ptp(outline.outer, axis=0))) if len(outline.outer) else 0.0
+    outer = _valid_loop(outline.outer, tolerance, 1, "outline")
+    holes = tuple(_valid_loop(hole, tolerance, -1, "hole") for hole in outline.holes)
+    meeting = first_crossing([outer, *holes]) if holes else None
+    if meeting is not None:
+        raise OutlineError(
+            f"A hole meets the outline or another hole at {_place(meeting)}; leave some film between them."
+        )
+    for number, hole in enumerate(holes):
+        if not contains(outer, hole[:1])[0]:
+            raise OutlineError(
+                f"The hole at {_place(hole.mean(axis=0))} lies outside the outline; move it inside."
+            )
+        if any(contains(other, hole[:1])[0] for k, other in enumerate(holes) if k != number):
+            raise OutlineError(
+                f"The hole at {_place(hole.mean(axis=0))} lies in another hole; remove one of them."
+            )
+    return Outline(outer, holes, outline.notes)
+
+
+def clean(loop: Floats, tolerance: float) -> Floats:
+    """The closed loop (n, 2) without repeated points and without spikes that run out and back on one line.
+
+    tolerance  distance at which two points following each other are one [unit of the loop]
+    """
+    loop = _distinct(np.asarray(loop, dtype=np.float64).reshape(-1, 2), tolerance)
+    while len(loop) > 2:
+        before = loop - np.roll(loop, 1, axis=0)
+        after = np.roll(loop, -1, axis=0) - loop
+        longer = np.maximum(np.linalg.norm(before, axis=1), np.linalg.norm(after, axis=1))
+        turn = np.abs(before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0])
+        spike = (np.einsum("ij,ij->i", before, after) < 0) & (turn <= tolerance * longer)
+        if not spike.any():
+            break
+        # One at a time: without its tip, the feet of a spike may be the same point.
+        loop = _distinct(np.delete(loop, int(np.argmax(spike)), axis=0), tolerance)
+    return loop
+
+
+def _distinct(loop: Floats, tolerance: float) -> Floats:
+    steps = np.linalg.norm(np.roll(loop, -1, axis=0) - loop, axis=1)
+    if (steps > tolerance).all():
+        return loop
+    kept = [0]
+    for k in range(1, len(loop)):
+        if np.linalg.norm(loop[k] - loop[kept[-1]]) > tolerance:
+            kept.append(k)
+    while len(kept) > 1 and np.linalg.norm(loop[kept[-1]] - loop[0]) <= tolerance:
+        kept.pop()
+    return np.asarray(loop[kept])
+
+
+def _valid_loop(loop: Floats, tolerance: float, sign: int, what: str) -> Floats:
+    """The loop cleaned, simple, with an area of the given sign."""
+    loop = clean(loop, tolerance)
+    crossing = first_crossing([loop]) if len(loop) > 2 else None
+    if crossing is not None:
+        raise OutlineError(
+            f"The {what} crosses or touches itself at {_place(crossing)}; part the lines there."
+        )
+    area = signed_area(loop) if len(loop) > 2 else 0.0
+    if abs(area) <= _NO_AREA * float(np.linalg.norm(np.roll(loop, -1, axis=0) - loop, axis=1).sum()) ** 2:
+        raise OutlineError(f"The {what} encloses no area; draw a closed shape with at least three corners.")
+    return loop if area * sign > 0 else np.ascontiguousarray(loop[::-1])
+
+
+def _place(point: Floats) -> str:
+    return f"({to_mm(float(point[0])):.4g}, {to_mm(float(point[1])):.4g}) mm"
+
+
+def scale_to(outline: Outline, width: float | None, height: float | None) -> Outline:
+    """The outline scaled about the origin to a width or height [m]; inside both where both are given.
+
+    InputError for sizes that are not numbers or outside SMALLEST to LARGEST, also those the outline has
+    brought along.
+    """
+    for name, wanted in (("width", width), ("height", height)):
+        if wanted is not None:
+            _check_size(f"A {name} of", wanted, "choose a")
+    own = outline.size
+    if min(own) <= 0:
+        raise OutlineError("The outline encloses no area; draw a closed shape with at least three corners.")
+    factors = [wanted / have for wanted, have in zip((width, height), own) if wanted is not None]
+    factor = min(factors, default=1.0)
+    for name, have in zip(("width", "height"), own):
+        _check_size(f"The outline's {name} of", have * factor, "bring it to a")
+    return outline if factor == 1.0 else outline.map(lambda loop: loop * factor)
+
+
+def _check_size(what: str, size: float, advice: str) -> None:
+    if not (math.isfinite(size) and SMALLEST * (1 - 1e-9) <= size <= LARGEST * (1 + 1e-9)):
+        shown = mm_text(size) if math.isfinite(size) else str(size)
+        raise InputError(f"{what} {shown} cannot be made; {advice} size between 1 mm and 100 m.")

@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Picture to silhouette: the drawn part, pen drawings filled from outside in."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from BalloonWorkbench.core.errors import PictureError
+from BalloonWorkbench.core.outline.background import coverage
+from BalloonWorkbench.core.outline.pen import Strokes, close_gaps, draw_line, join_near, strokes
+from BalloonWorkbench.core.outline.raster import Pixels, label, neighbours
+from BalloonWorkbench.core.types import Bools, Floats
+
+# Of the rim of a hole, this part must be thin lines for the hole to be the inside of a drawn line.
+_DRAWN_ROUND = 0.5
+
+
+def segment(rgba: NDArray[np.uint8]) -> tuple[Pixels, list[str]]:
+    """Coverage (h, w), 0 to 1, of the silhouette in a picture (h, w, 4), and remarks for the user.
+
+    Holes that are left are meant: the inside of lines is filled. PictureError where no shape is found.
+    """
+    silhouette = coverage(rgba)
+    drawn = silhouette > 0.5
+    if not drawn.any():
+        raise PictureError(
+            "No shape stands out in the picture. Use stronger colours or a plainer background."
+        )
+    notes: list[str] = []
+    lines = strokes(drawn)
+    if lines.pen:
+        silhouette = _without_dots(silhouette, lines)
+        silhouette, notes = _close(silhouette, lines)
+        drawn = silhouette > 0.5
+    filled = _inside_of_lines(drawn, lines)
+    if filled.any():
+        silhouette = np.where(neighbours(filled) & (drawn | filled), 1, silhouette).astype(np.float32)
+    if lines.pen:
+        silhouette, joined = _draw(silhouette, join_near(silhouette > 0.5, lines), lines)
+        if joined:
+            notes.append(f"{joined} loose ends of lines were joined to the drawing.")
+        notes.append(
+            "The picture was read as a pen drawing: the inside of its lines is filled."
+            if filled.any()
+            else "The lines of the drawing do not close around anything: the outline follows the lines."
+        )
+    return silhouette, notes
+
+
+def _without_dots(silhouette: Pixels, lines: Strokes) -> Pixels:
+    """The silhouette without spots much smaller than its lines are wide: they would pass for line ends."""
+    labels, count = label(silhouette > 0.5)
+    dots = np.bincount(labels.ravel(), minlength=count + 1) < 0.5 * lines.width**2
+    dots[0] = False
+    return np.where(neighbours(dots[labels]), 0, silhouette).astype(np.float32)
+
+
+def _close(silhouette: Pixels, lines: Strokes) -> tuple[Pixels, list[str]]:
+    """The silhouette with the gaps in its lines closed, and what to say about it."""
+    bridges = close_gaps(silhouette > 0.5, lines)
+    closed, count = _draw(silhouette, bridges, lines)
+    if not count:
+        return closed, []
+    width = np.ptp(np.flatnonzero((closed > 0.5).any(axis=0))) + 1
+    widest = 100 * max(float(np.linalg.norm(other - one)) for one, other in bridges) / width
+    return closed, [
+        f"{count} gap{'s' * (count > 1)} between the lines closed, "
+        f"the widest {widest:.0f} % of the drawing's width."
+    ]
+
+
+def _draw(silhouette: Pixels, bridges: list[tuple[Floats, Floats]], lines: Strokes) -> tuple[Pixels, int]:
+    silhouette = silhouette.copy()
+    for one, other in bridges:
+        draw_line(silhouette, one, other, lines.width)
+    return silhouette, len(bridges)
+
+
+def _inside_of_lines(drawn: Bools, lines: Strokes) -> Bools:
+    """Enclosed regions that are to be filled: all in a pen drawing, else those with thin lines around."""
+    labels, count = label(np.pad(~drawn, 1, constant_values=True))
+    inside = np.ones(count + 1, dtype=np.bool_)
+    inside[[0, labels[0, 0]]] = False
+    if not lines.pen:
+        thin = np.pad(lines.thin, 1)
+        around = np.zeros((2, count + 1))
+        for axis in (0, 1):
+            for step in (-1, 1):
+                beside = np.roll(labels, step, axis=axis)
+                rim = (labels == 0) & (beside > 0)
+                around[0] += np.bincount(beside[rim], minlength=count + 1)
+                around[1] += np.bincount(beside[rim & thin], minlength=count + 1)
+        inside &= around[1] > _DRAWN_ROUND * around[0]
+    return np.asarray(inside[labels][1:-1, 1:-1])

@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Lengths and pressures as people write them, and the way between millimetres and metres.
+
+The core works in SI units; this is the one place where other units are turned into them and back.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from typing import TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from BalloonWorkbench.core.errors import InputError
+
+MILLIMETRE = 1e-3
+INCH = 25.4e-3
+
+LENGTH_UNITS = {
+    "um": 1e-6,
+    "µm": 1e-6,
+    "mm": MILLIMETRE,
+    "cm": 1e-2,
+    "dm": 1e-1,
+    "m": 1.0,
+    "in": INCH,
+    "inch": INCH,
+    "inches": INCH,
+    '"': INCH,
+    "ft": 12 * INCH,
+}
+
+PRESSURE_UNITS = {
+    "pa": 1.0,
+    "hpa": 100.0,
+    "kpa": 1e3,
+    "mbar": 100.0,
+    "bar": 1e5,
+    "psi": 0.45359237 * 9.80665 / INCH**2,
+}
+
+_QUANTITY = re.compile(r"([+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?)\s*(.*)", re.IGNORECASE | re.DOTALL)
+
+Number = TypeVar("Number", float, NDArray[np.float64])
+
+
+def to_mm(metres: Number) -> Number:
+    """Metres to millimetres; a number or an array."""
+    return metres / MILLIMETRE
+
+
+def from_mm(millimetres: Number) -> Number:
+    """Millimetres to metres; a number or an array."""
+    return millimetres * MILLIMETRE
+
+
+def mm_text(metres: float) -> str:
+    """A length for messages: three to four figures, in millimetres."""
+    value = to_mm(metres)
+    return f"{value:.0f} mm" if abs(value) >= 1000 else f"{value:.4g} mm"
+
+
+def parse_length(text: str | float) -> float:
+    """'300mm', '30 cm', '12in', or a plain number in metres -> m. InputError where it makes no sense."""
+    return _parse(text, LENGTH_UNITS, "length", "300mm, 30cm, 0.3m or 12in")
+
+
+def parse_pressure(text: str | float) -> float:
+    """'2kPa', '20 mbar', '5 psi', or a plain number in pascals -> Pa. InputError where it makes no sense."""
+    return _parse(text, PRESSURE_UNITS, "pressure", "2kPa, 20mbar or 0.3psi")
+
+
+def _parse(text: str | float, units: dict[str, float], what: str, examples: str) -> float:
+    match = _QUANTITY.fullmatch(str(text).strip())
+    # "MPa" and "mPa" differ by nine powers of ten, so neither is guessed from the other: both are refused.
+    factor = units.get(match[2].strip().lower()) if match and match[2].strip() else 1.0
+    value = float(match[1]) * factor if match and factor is not None else math.nan
+    if not math.isfinite(value):
+        raise InputError(f"'{text}' is not a {what}; write it as {examples}.")
+    return value

@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+import numpy as np
+import pytest
+
+from BalloonWorkbench.core import units
+from BalloonWorkbench.core.errors import InputError
+
+
+@pytest.mark.parametrize(
+    ("text", "metres"),
+    [
+        ("300mm", 0.3),
+        ("30 cm", 0.3),
+        ("12in", 0.3048),
+        ('12"', 0.3048),
+        ("1ft", 0.3048),
+        ("0.3", 0.3),
+        ("3e-1 m", 0.3),
+        (" .3m ", 0.3),
+        ("25um", 25e-6),
+        ("25 µm", 25e-6),
+        ("2 INCH", 0.0508),
+        (0.25, 0.25),
+        ("-5mm", -0.005),
+        ("0", 0.0),
+    ],
+)
+def test_lengths(text, metres):
+    assert units.parse_length(text) == pytest.approx(metres, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("text", "pascals"),
+    [("2kPa", 2000), ("20 mbar", 2000), ("1bar", 1e5), ("5 psi", 34473.786), ("1500", 1500), ("3 hPa", 300), (2e3, 2e3)],
+)
+def test_pressures(text, pascals):
+    assert units.parse_pressure(text) == pytest.approx(pascals, rel=1e-7)
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["", "mm", "3 apples", "3 kPa", "nan", "inf", "1e999", "1,5 mm", "3 mm 4", "--3mm", "0x10", "3e", "3 m m"],
+)
+def test_nonsense_lengths_are_refused_with_an_example(text):
+    with pytest.raises(InputError, match="300mm"):
+        units.parse_length(text)
+
+
+@pytest.mark.parametrize("text", ["", "kPa", "2 mm", "2 mPa", "2 MPa", "nan", "-"])
+def test_nonsense_pressures_are_refused_with_an_example(text):
+    with pytest.raises(InputError, match="2kPa"):
+        units.parse_pressure(text)
+
+
+def test_millimetres_and_back():
+    assert units.to_mm(0.3) == pytest.approx(300)
+    values = np.array([[0.001, 2.0]])
+    assert np.allclose(units.from_mm(units.to_mm(values)), values)
+    assert units.mm_text(0.0123456) == "12.35 mm"
+    assert units.mm_text(1e5) == "100000000 mm"
