@@ -29,7 +29,7 @@ class Inflation:
     positions  (n, 3) m, one per vertex of the panel; the seams lie in z = 0
     directors  (n, 3) unit normals of the film at the vertices
     tensions   (m, 2) N/m, larger and smaller principal membrane tension of each triangle
-    volume     m3, of the whole balloon
+    volume     m3, of the whole balloon; a little more than its facets enclose (kinematics.film_volume)
     """
 
     panel: Panel

@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The choice of solver, made once: native when its library loads, NumPy otherwise."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Protocol
+
+from BalloonWorkbench.core.errors import InputError, MissingPackageError
+from BalloonWorkbench.core.solver import native
+from BalloonWorkbench.core.solver.problem import Equilibrium, FilmProblem, NewtonSettings
+from BalloonWorkbench.core.types import Floats, Progress
+
+
+class Solve(Protocol):
+    """Signature of a solver; see newton.solve."""
+
+    def __call__(
+        self,
+        problem: FilmProblem,
+        positions: Floats,
+        directors: Floats,
+        levels: Sequence[float],
+        settings: NewtonSettings,
+        progress: Progress,
+    ) -> Equilibrium: ...
+
+
+@dataclass(frozen=True)
+class Backend:
+    """A solver and its name in reports."""
+
+    name: str
+    solve: Solve
+
+
+@functools.cache
+def available() -> tuple[Backend, ...]:
+    """The solvers that work here, best first."""
+    found = []
+    if native.problem_with_library() is None:
+        found.append(Backend("native", native.solve))
+    try:
+        from BalloonWorkbench.core.solver import newton  # needs scipy, which some FreeCADs lack
+    except ImportError:
+        pass
+    else:
+        found.append(Backend("numpy", newton.solve))
+    if not found:
+        raise MissingPackageError(
+            f"No solver works here: {native.problem_with_library()} Build it, or install the Python package scipy."
+        )
+    return tuple(found)
+
+
+def active_backend() -> str:
+    """Name of the solver used when none is asked for. Raises MissingPackageError when there is none."""
+    return available()[0].name
+
+
+def backend_named(name: str | None) -> Backend:
+    """The named solver, or the best one for None. Raises InputError when it is not available."""
+    if name is None:
+        return available()[0]
+    for backend in available():
+        if backend.name == name:
+            return backend
+    if name == "native":
+        raise InputError(f"The native solver is not available: {native.problem_with_library()} Use the NumPy solver.")
+    if name == "numpy":
+        raise InputError("The NumPy solver needs the Python package scipy. Install it or use the native solver.")
+    raise InputError(f"There is no solver named '{name}'. Use 'native' or 'numpy'.")

@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The native solver, loaded through its C ABI (native/include/film_solver.h).
+
+A ctypes call releases the interpreter, so a window stays alive while the library works.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import functools
+import sys
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+
+import numpy as np
+
+from BalloonWorkbench.core.errors import Cancelled, SolverError
+from BalloonWorkbench.core.solver.problem import Energies, Equilibrium, FilmProblem, NewtonSettings
+from BalloonWorkbench.core.solver.seam_band import seam_hinges
+from BalloonWorkbench.core.types import Floats, Progress, no_progress
+
+ABI_VERSION = 1
+_CANCELLED = 3
+_FOLDER = Path(__file__).resolve().parents[2] / "native" / "lib"
+_NAMES = {"win32": "film_solver.dll", "darwin": "libfilm_solver.dylib"}
+
+
+class _Material(ctypes.Structure):
+    _fields_ = [
+        (name, ctypes.c_double)
+        for name in ("membrane_stiffness", "poisson_ratio", "flexural_rigidity", "pressure", "seam_rigidity")
+    ]
+
+
+class _Newton(ctypes.Structure):
+    _fields_ = [("tolerance", ctypes.c_double), ("max_steps", ctypes.c_int32)]
+
+
+class _Result(ctypes.Structure):
+    _fields_ = [(name, ctypes.c_int32) for name in ("steps", "factorisations", "converged")]
+
+
+_ProgressCallback = ctypes.CFUNCTYPE(ctypes.c_int32, ctypes.c_double, ctypes.c_void_p)
+
+
+@functools.cache
+def _load() -> tuple[ctypes.CDLL | None, str | None]:
+    """The library, or why there is none."""
+    path = _FOLDER / _NAMES.get(sys.platform, "libfilm_solver.so")
+    if not path.is_file():
+        return None, f"{path.name} has not been built."
+    try:
+        library = ctypes.CDLL(str(path))
+        version = library.film_abi_version()
+    except (OSError, AttributeError) as error:
+        return None, f"{path.name} cannot be loaded ({error})."
+    if version != ABI_VERSION:
+        return None, f"{path.name} has interface {version}, but {ABI_VERSION} is needed."
+    library.film_last_error.restype = ctypes.c_char_p
+    library.film_destroy.argtypes = [ctypes.c_void_p]
+    library.film_destroy.restype = None
+    return library, None
+
+
+def problem_with_library() -> str | None:
+    """Why the native solver cannot be used, or None when it can."""
+    return _load()[1]
+
+
+def _library() -> ctypes.CDLL:
+    library, why = _load()
+    if library is None:
+        raise SolverError(f"The native solver is not available: {why} Use the NumPy solver.")
+    return library
+
+
+def _pointer(array: np.ndarray | None) -> ctypes.c_void_p | None:  # type: ignore[type-arg]
+    return None if array is None else array.ctypes.data_as(ctypes.c_void_p)
+
+
+@contextmanager
+def _solver(problem: FilmProblem) -> Iterator[tuple[ctypes.CDLL, ctypes.c_void_p]]:
+    library = _library()
+    rest = np.ascontiguousarray(problem.rest_positions, dtype=np.float64)
+    triangles = np.ascontiguousarray(problem.triangles, dtype=np.int32)
+    fixed = np.ascontiguousarray(problem.fixed, dtype=np.uint8)
+    loads = None if problem.loads is None else np.ascontiguousarray(problem.loads, dtype=np.float64)
+    hinges = np.zeros((0, 3), dtype=np.int32)
+    if problem.seams:
+        hinges = np.ascontiguousarray(seam_hinges(problem.seams))
+    material = _Material(
+        problem.membrane_stiffness,
+        problem.poisson_ratio,
+        problem.flexural_rigidity,
+        problem.pressure,
+        problem.seam_rigidity,
+    )
+    handle = ctypes.c_void_p()
+    _check(
+        library,
+        library.film_create(
+            ctypes.c_int32(len(rest)),
+            _pointer(rest),
+            ctypes.c_int32(len(triangles)),
+            _pointer(triangles),
+            _pointer(fixed),
+            _pointer(loads),
+            ctypes.c_int32(len(hinges)),
+            _pointer(hinges),
+            ctypes.byref(material),
+            ctypes.byref(handle),
+        ),
+    )
+    try:
+        yield library, handle
+    finally:
+        library.film_destroy(handle)
+
+
+def _check(library: ctypes.CDLL, status: int) -> None:
+    if status == 0:
+        return
+    if status == _CANCELLED:
+        raise Cancelled("The simulation was stopped.")
+    text = library.film_last_error().decode()
+    raise SolverError(f"The simulation failed: {text}. Check the outline for degenerate parts.")
+
+
+def solve(
+    problem: FilmProblem,
+    positions: Floats,
+    directors: Floats,
+    levels: Sequence[float],
+    settings: NewtonSettings,
+    progress: Progress = no_progress,
+) -> Equilibrium:
+    """Bring the film to rest; the same contract and the same steps as newton.solve."""
+    positions = np.array(positions, dtype=np.float64, order="C")
+    directors = np.array(directors, dtype=np.float64, order="C")
+    stiffnesses = np.array(levels, dtype=np.float64)
+    result = _Result()
+    callback = _ProgressCallback(lambda fraction, _: int(progress(fraction, "inflating")))
+    with _solver(problem) as (library, handle):
+        status = library.film_solve(
+            handle,
+            _pointer(positions),
+            _pointer(directors),
+            ctypes.c_int32(len(stiffnesses)),
+            _pointer(stiffnesses),
+            ctypes.byref(_Newton(settings.tolerance, settings.max_steps)),
+            callback,
+            None,
+            ctypes.byref(result),
+        )
+        _check(library, status)
+    return Equilibrium(positions, directors, result.steps, result.factorisations, bool(result.converged))
+
+
+def energies(problem: FilmProblem, positions: Floats, directors: Floats) -> Energies:
+    """Parts of the energy of a state."""
+    parts = np.zeros(5)
+    positions = np.ascontiguousarray(positions, dtype=np.float64)
+    directors = np.ascontiguousarray(directors, dtype=np.float64)
+    with _solver(problem) as (library, handle):
+        _check(library, library.film_energies(handle, _pointer(positions), _pointer(directors), _pointer(parts)))
+    return Energies(*(float(part) for part in parts))

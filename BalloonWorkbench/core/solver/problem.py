@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What both solvers are given and what they give back.
+
+The numbers are dimensionless: lengths in units of the panel's size L, the pressure (where there is one)
+is 1, energies are in units of p L^3. The material is then k = E t / (p L), D / (p L^3) and, for the sealed
+band, E I / (p L^4).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from BalloonWorkbench.core.types import Bools, Floats, Ints
+
+
+@dataclass(frozen=True)
+class FilmProblem:
+    """A film with its supports and loads.
+
+    rest_positions (n, 2), triangles (m, 3); fixed (n, 5) True where x, y, z or one of the two turns of the
+    director is held; loads (n, 3) or None; seams: vertex loops that carry a sealed band.
+    """
+
+    rest_positions: Floats
+    triangles: Ints
+    fixed: Bools
+    membrane_stiffness: float
+    poisson_ratio: float
+    flexural_rigidity: float
+    pressure: float = 1.0
+    loads: Floats | None = None
+    seams: tuple[Ints, ...] = ()
+    seam_rigidity: float = 0.0
+
+
+@dataclass(frozen=True)
+class Energies:
+    """Parts of the total energy."""
+
+    membrane: float
+    bending: float
+    pressure: float  # -p V
+    load: float
+    seam: float
+
+    @property
+    def total(self) -> float:
+        """What the film minimises."""
+        return self.membrane + self.bending + self.pressure + self.load + self.seam
+
+
+@dataclass(frozen=True)
+class NewtonSettings:
+    """When Newton's method stops.
+
+    tolerance   converged when a step would lower the energy by less than this part of it
+    max_steps   over all stiffness levels; the best state is kept when they are used up
+    """
+
+    tolerance: float = 1e-5
+    max_steps: int = 150
+
+
+@dataclass(frozen=True)
+class Equilibrium:
+    """Where the solver came to rest: positions (n, 3), directors (n, 3)."""
+
+    positions: Floats
+    directors: Floats
+    steps: int
+    factorisations: int
+    converged: bool

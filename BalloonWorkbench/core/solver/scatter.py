@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Assembly of element vectors and matrices into the global ones, with the pattern found once."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from scipy import sparse
+
+from BalloonWorkbench.core.types import Floats, Ints
+
+
+class Scatter:
+    """The map from elements to free unknowns.
+
+    elements: arrays (m, k) of unknown numbers, one array for each kind of element; -1 is a held unknown.
+    """
+
+    def __init__(self, elements: Sequence[Ints], count: int) -> None:
+        self.count = count
+        self._elements = elements
+        self._free = [element >= 0 for element in elements]
+        self._pairs = [free[:, :, None] & free[:, None, :] for free in self._free]
+        keys = []
+        for element, pairs in zip(elements, self._pairs, strict=True):
+            wide = element.astype(np.int64)
+            keys.append((wide[:, :, None] * count + wide[:, None, :])[pairs])
+        unique, slot = np.unique(np.concatenate(keys), return_inverse=True)
+        self._slots = np.split(slot, np.cumsum([len(key) for key in keys])[:-1])
+        rows, self._columns = np.divmod(unique, count)
+        self._starts = np.searchsorted(rows, np.arange(count + 1))
+        self._diagonal = np.flatnonzero(rows == self._columns)
+
+    def vector(self, forces: Sequence[Floats]) -> Floats:
+        """Sum of element vectors, each (m, k): (count,)."""
+        total = np.zeros(self.count)
+        for element, free, force in zip(self._elements, self._free, forces, strict=True):
+            total += np.bincount(element[free], force[free], self.count)
+        return total
+
+    def matrix(self, stiffnesses: Sequence[Floats]) -> sparse.csc_matrix:
+        """Sum of symmetric element matrices, each (m, k, k): (count, count)."""
+        data = np.zeros(len(self._columns))
+        for slot, pairs, stiffness in zip(self._slots, self._pairs, stiffnesses, strict=True):
+            data += np.bincount(slot, stiffness[pairs], len(data))
+        return sparse.csc_matrix((data, self._columns, self._starts), shape=(self.count, self.count))
+
+    def shifted(self, matrix: sparse.csc_matrix, shift: Floats) -> sparse.csc_matrix:
+        """A copy of a matrix with shift (count,) added to its diagonal."""
+        copy = matrix.copy()
+        copy.data[self._diagonal] += shift
+        return copy

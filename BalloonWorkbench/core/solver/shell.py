@@ -1,0 +1,170 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The discrete film: energy, gradient and Hessian of a triangulated shell under pressure.
+
+Unknowns are the positions x_i and a unit director d_i at each vertex. With F = dx/dX (3 x 2) of a triangle,
+the rotations at its corner i are beta_i = (d_i . F e_X, d_i . F e_Y); the bending energy is the DKT energy of
+these six numbers, bilinear in positions and directors, so that it is right at large rotations.
+
+    energy = sum A W(E) + sum beta^T K beta / 2 + energy of the sealed band - p V(x) - loads . x
+
+W is the tension field (membrane.py), V the volume between the film and the plane z = 0. The Hessian is
+exact but for the second derivatives of beta, whose omission (Gauss-Newton) keeps the bending part positive
+semi-definite.
+"""
+
+from __future__ import annotations
+
+
+import numpy as np
+from scipy import sparse
+
+from BalloonWorkbench.core.solver import dkt
+from BalloonWorkbench.core.solver.kinematics import deformation_gradients, facet_volume, green_strains
+from BalloonWorkbench.core.solver.membrane import tension_field
+from BalloonWorkbench.core.solver.problem import Energies, FilmProblem
+from BalloonWorkbench.core.solver.scatter import Scatter
+from BalloonWorkbench.core.solver.seam_band import SeamBand
+from BalloonWorkbench.core.types import Floats
+
+
+def tangent_frames(directors: Floats) -> Floats:
+    """Two unit vectors across each director, as columns: (n, 3, 2)."""
+    smallest = np.argmin(np.abs(directors), axis=1)
+    first = np.cross(directors, np.eye(3)[smallest])
+    first /= np.linalg.norm(first, axis=1)[:, None]
+    return np.stack([first, np.cross(directors, first)], axis=2)
+
+
+def turned(directors: Floats, frames: Floats, turn: Floats) -> Floats:
+    """Directors moved by turn (n, 2) in their tangent frames and put back on the sphere."""
+    moved = directors + np.einsum("nij,nj->ni", frames, turn)
+    return np.asarray(moved / np.linalg.norm(moved, axis=1)[:, None])
+
+
+class Shell:
+    """A film problem made ready for evaluation."""
+
+    def __init__(self, problem: FilmProblem) -> None:
+        rest_positions, triangles, fixed = problem.rest_positions, problem.triangles, problem.fixed
+        corners = rest_positions[triangles]
+        self.triangles = triangles
+        self.fixed = fixed
+        self.membrane_stiffness = problem.membrane_stiffness
+        self.poisson_ratio = problem.poisson_ratio
+        self.flexural_rigidity = problem.flexural_rigidity
+        self.pressure = problem.pressure
+        self.loads = np.zeros((len(rest_positions), 3)) if problem.loads is None else problem.loads
+        self._shape, self.areas = dkt.gradients(corners)  # (m, 3, 2), (m,)
+        self._rotation_stiffness = dkt.rotation_stiffness(corners, problem.poisson_ratio)
+        self.vertex_areas = np.bincount(triangles.ravel(), np.repeat(self.areas / 3.0, 3), len(rest_positions))
+        self._band: SeamBand | None = None
+        if problem.seam_rigidity > 0.0:
+            self._band = SeamBand(rest_positions, problem.seams, problem.seam_rigidity)
+
+        self.number = np.full(fixed.shape, -1, dtype=np.int32)
+        self.number[~fixed] = np.arange(np.count_nonzero(~fixed))
+        self.count = int(np.count_nonzero(~fixed))
+        at_corners = self.number[triangles]  # (m, 3, 5)
+        elements = [np.concatenate([at_corners[:, :, :3].reshape(-1, 9), at_corners[:, :, 3:].reshape(-1, 6)], 1)]
+        if self._band is not None:
+            elements.append(self.number[self._band.hinges][:, :, :2].reshape(-1, 6))
+        self.scatter = Scatter(elements, self.count)
+
+    def energies(self, positions: Floats, directors: Floats) -> Energies:
+        """The parts of the energy at positions (n, 3) and directors (n, 3)."""
+        gradient = deformation_gradients(positions, self.triangles, self._shape)
+        membrane = self.membrane_stiffness * float(
+            self.areas @ tension_field(green_strains(gradient), self.poisson_ratio).energy
+        )
+        rotation = _rotations(gradient, directors[self.triangles])
+        bending = 0.5 * self.flexural_rigidity * float(
+            np.einsum("mi,mij,mj->", rotation, self._rotation_stiffness, rotation)
+        )
+        return Energies(
+            membrane,
+            bending,
+            -self.pressure * facet_volume(positions, self.triangles),
+            -float(np.einsum("ij,ij->", self.loads, positions)),
+            0.0 if self._band is None else self._band.energy(positions),
+        )
+
+    def derivatives(self, positions: Floats, directors: Floats, frames: Floats) -> tuple[Floats, sparse.csc_matrix]:
+        """Gradient (count,) and Hessian (count, count) in the free unknowns."""
+        corners = positions[self.triangles]
+        d = directors[self.triangles]
+        gradient = deformation_gradients(positions, self.triangles, self._shape)
+        membrane = tension_field(green_strains(gradient), self.poisson_ratio)
+        scale = self.membrane_stiffness * self.areas
+
+        strain_operator = _strain_operator(gradient, self._shape)  # (m, 3, 9)
+        force = np.zeros((len(corners), 15))
+        force[:, :9] = np.einsum("mik,mi->mk", strain_operator, membrane.stress * scale[:, None])
+        stiffness = np.zeros((len(corners), 15, 15))
+        stiffness[:, :9, :9] = np.matmul(
+            np.swapaxes(strain_operator, 1, 2), np.matmul(membrane.tangent * scale[:, None, None], strain_operator)
+        )
+        s11, s22, s12 = (membrane.stress * scale[:, None]).T
+        stress = np.stack([np.stack([s11, s12], 1), np.stack([s12, s22], 1)], 1)
+        geometric = self._shape @ stress @ np.swapaxes(self._shape, 1, 2)
+        blocks = stiffness[:, :9, :9].reshape(-1, 3, 3, 3, 3)
+        for axis in range(3):
+            blocks[:, :, axis, :, axis] += geometric
+
+        rotation = _rotations(gradient, d)
+        jacobian = _rotation_operator(gradient, d, self._shape, frames[self.triangles])  # (m, 6, 15)
+        bending = self.flexural_rigidity * self._rotation_stiffness
+        weighted = np.matmul(bending, jacobian)
+        force += np.einsum("mik,mi->mk", weighted, rotation)
+        stiffness += np.matmul(np.swapaxes(jacobian, 1, 2), weighted)
+
+        nodal = self.pressure / 6.0
+        for a in range(3):
+            b, c = (a + 1) % 3, (a + 2) % 3
+            force[:, 3 * a : 3 * a + 3] -= nodal * np.cross(corners[:, b], corners[:, c])
+            stiffness[:, 3 * a : 3 * a + 3, 3 * b : 3 * b + 3] += nodal * _cross_matrix(corners[:, c])
+            stiffness[:, 3 * a : 3 * a + 3, 3 * c : 3 * c + 3] -= nodal * _cross_matrix(corners[:, b])
+
+        forces, stiffnesses = [force], [stiffness]
+        if self._band is not None:
+            band_force, band_stiffness = self._band.derivatives(positions)
+            forces.append(band_force)
+            stiffnesses.append(band_stiffness)
+        total = self.scatter.vector(forces)
+        free = ~self.fixed[:, :3]
+        total[self.number[:, :3][free]] -= self.loads[free]
+        return total, self.scatter.matrix(stiffnesses)
+
+    def spread(self, step: Floats) -> tuple[Floats, Floats]:
+        """Displacements (n, 3) and director turns (n, 2) from a vector of the free unknowns."""
+        full = np.where(self.number >= 0, step[self.number], 0.0)
+        return full[:, :3], full[:, 3:]
+
+
+def _strain_operator(gradient: Floats, shape: Floats) -> Floats:
+    f1, f2 = gradient[:, None, :, 0], gradient[:, None, :, 1]
+    g1, g2 = shape[:, :, None, 0], shape[:, :, None, 1]
+    rows = np.stack([g1 * f1, g2 * f2, g1 * f2 + g2 * f1], axis=1)  # (m, 3, corner, axis)
+    return rows.reshape(-1, 3, 9)
+
+
+def _rotations(gradient: Floats, corner_directors: Floats) -> Floats:
+    return np.matmul(corner_directors, gradient).reshape(-1, 6)
+
+
+def _rotation_operator(gradient: Floats, corner_directors: Floats, shape: Floats, frames: Floats) -> Floats:
+    count = len(gradient)
+    operator = np.zeros((count, 3, 2, 15))
+    # with respect to positions: d(beta_i)_k = d_i . dx_a g_a,k
+    operator[:, :, :, :9] = (
+        shape.transpose(0, 2, 1)[:, None, :, :, None] * corner_directors[:, :, None, None, :]
+    ).reshape(count, 3, 2, 9)
+    turning = np.einsum("mik,mcij->mckj", gradient, frames)
+    for corner in range(3):
+        operator[:, corner, :, 9 + 2 * corner : 11 + 2 * corner] = turning[:, corner]
+    return operator.reshape(count, 6, 15)
+
+
+def _cross_matrix(vectors: Floats) -> Floats:
+    x, y, z = vectors.T
+    o = np.zeros_like(x)
+    return np.stack([np.stack([o, -z, y], 1), np.stack([z, o, -x], 1), np.stack([-y, x, o], 1)], 1)

@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Start shapes: a flat film is singular under pressure, so the simulation begins from a dome."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from BalloonWorkbench.core.mesh.panel import Panel
+from BalloonWorkbench.core.solver.dkt import gradients
+from BalloonWorkbench.core.types import Floats
+
+# z = DOME sqrt(u) has the height of a long pillow, w/pi, over a strip of width w (u = w^2/8 at the middle)
+DOME = 2.0 * np.sqrt(2.0) / np.pi
+
+
+def dome(panel: Panel) -> Floats:
+    """Positions (n, 3) over the flat panel: z = DOME sqrt(u), -Laplace(u) = 1, u = 0 on the seams."""
+    count = len(panel.rest_positions)
+    shape, areas = gradients(panel.rest_positions[panel.triangles])
+    stiffness = np.einsum("mai,mbi->mab", shape, shape) * areas[:, None, None]
+    load = np.bincount(panel.triangles.ravel(), np.repeat(areas / 3.0, 3), count)
+    held = np.concatenate(panel.seams)
+    load[held] = 0.0
+
+    def laplace(values: Floats) -> Floats:
+        result = np.bincount(
+            panel.triangles.ravel(), np.einsum("mab,mb->ma", stiffness, values[panel.triangles]).ravel(), count
+        )
+        result[held] = 0.0
+        return result
+
+    diagonal = np.bincount(panel.triangles.ravel(), np.einsum("maa->ma", stiffness).ravel(), count)
+    height = _conjugate_gradients(laplace, load, diagonal)
+    return np.column_stack([panel.rest_positions, DOME * np.sqrt(np.maximum(height, 0.0))])
+
+
+def _conjugate_gradients(
+    matrix: Callable[[Floats], Floats], load: Floats, diagonal: Floats, tolerance: float = 1e-6
+) -> Floats:
+    """Solve a positive definite system with a diagonal preconditioner; enough for a start shape."""
+    solution = np.zeros_like(load)
+    residual = load.copy()
+    scaled = residual / diagonal
+    direction = scaled.copy()
+    size = first = float(residual @ scaled)
+    while size > tolerance**2 * first:
+        image = matrix(direction)
+        length = size / float(direction @ image)
+        solution += length * direction
+        residual -= length * image
+        scaled = residual / diagonal
+        previous, size = size, float(residual @ scaled)
+        direction = scaled + size / previous * direction
+    return solution
+
+
+def vertex_normals(positions: Floats, panel: Panel) -> Floats:
+    """Area-weighted unit normals (n, 3)."""
+    a, b, c = np.moveaxis(positions[panel.triangles], 1, 0)
+    area_vectors = np.cross(b - a, c - a)
+    normals = np.zeros_like(positions)
+    for corner in range(3):
+        np.add.at(normals, panel.triangles[:, corner], area_vectors)
+    return np.asarray(normals / np.linalg.norm(normals, axis=1)[:, None])
