@@ -5,6 +5,8 @@ from __future__ import annotations
 
 from BalloonWorkbench.app.quantities import metres
 
+_LONGEST_SIDE = 1600  # px; as fine as the engine looks
+
 
 def read_drawing(path: str, width, height, keep_aspect: bool = True):
     """The outline in a file and its kind; width and height are length properties or mm, 0 when free.
@@ -30,3 +32,26 @@ def _decoder():
 
         return decode
     return None
+
+
+def place_in_picture(path: str) -> tuple[float, float, float, float] | None:
+    """Where the shape lies in a picture: left, bottom, right and top in parts of its width and height.
+
+    For showing the outline over the picture; None where there is no picture or no shape.
+    """
+    from pathlib import Path
+
+    from BalloonWorkbench.core.errors import BalloonError
+    from BalloonWorkbench.core.outline.contour import contours
+    from BalloonWorkbench.core.outline.decode import decode, picture_size
+    from BalloonWorkbench.core.outline.segment import segment
+
+    try:
+        step = -(-max(picture_size(Path(path))) // _LONGEST_SIDE)
+        silhouette, _ = segment((_decoder() or decode)(Path(path))[::step, ::step])
+    except BalloonError:
+        return None
+    loop, _ = max(contours(silhouette), key=lambda item: item[1])
+    height, width = silhouette.shape
+    (left, low), (right, high) = loop.min(axis=0), loop.max(axis=0)
+    return left / width, low / height, right / width, high / height

@@ -50,8 +50,3 @@ def mesh_from_arrays(positions, triangles):
     mesh = Mesh.Mesh()
     mesh.read(Stream=stream, Format="PLY")
     return mesh
-
-
-def button_flags(buttons):
-    """Standard buttons of a task panel as the integer that every FreeCAD takes."""
-    return buttons.value if hasattr(buttons, "value") else int(buttons)

@@ -19,6 +19,7 @@ PROPERTIES = (
     Property("Length", "PatternWidth", "Result", "Width of the piece of film", result=True),
     Property("Length", "PatternHeight", "Result", "Height of the piece of film", result=True),
     Property("StringList", "Roles", "Result", "What to do along each wire of the shape", result=True),
+    Property("StringList", "Warnings", "Result", "Remarks made while the pattern was drawn", result=True),
     Property("String", "Status", "Result", "Up to date, or what is wrong", result=True),
 )
 
@@ -90,21 +91,18 @@ def show(obj, pattern) -> None:
     """Write a pattern into the object: the sheet to cut out first, then the welds."""
     import math
 
-    import numpy as np
     import Part
 
     from BalloonWorkbench.app import shapes
     from BalloonWorkbench.core.pattern.pattern import Role
     from BalloonWorkbench.core.units import to_mm
 
-    outer = [contour for contour in pattern.contours if contour.role is Role.CUT]
-    inner = [contour for contour in pattern.contours if contour.role is Role.CUT_INNER]
-    welds = [contour for contour in pattern.contours if contour.role is Role.SEAL]
+    outer, inner, welds = (pattern.of(role) for role in (Role.CUT, Role.CUT_INNER, Role.SEAL))
     sheet = Part.Face([shapes.wire(contour.points) for contour in (*outer, *inner)])
     obj.Shape = Part.makeCompound([sheet, *(shapes.wire(weld.points, weld.closed) for weld in welds)])
     obj.Roles = [contour.role.value for contour in (*outer, *inner, *welds)]
     obj.SeamLength = to_mm(pattern.seam_length)
-    width, height = np.ptp(np.concatenate([contour.points for contour in outer]), axis=0)
-    obj.PatternWidth, obj.PatternHeight = to_mm(float(width)), to_mm(float(height))
+    obj.PatternWidth, obj.PatternHeight = (to_mm(length) for length in pattern.size)
+    obj.Warnings = list(pattern.warnings)
     if pattern.intake is not None and obj.IntakeAuto:
         obj.IntakeAngle = math.degrees(pattern.intake.angle)

@@ -7,7 +7,6 @@ import FreeCAD as App
 
 from BalloonWorkbench.gui.qt import icon
 
-_CUT, _SEAL = (0.86, 0.08, 0.08), (0.78, 0.0, 0.70)
 _FOIL = {
     "DiffuseColor": (0.80, 0.16, 0.30),
     "AmbientColor": (0.30, 0.06, 0.11),
@@ -96,12 +95,18 @@ class PatternView(_View):
     def updateData(self, obj, name):
         super().updateData(obj, name)
         if name == "Roles":
-            colour = {"SEAL": _SEAL}
-            wires = obj.Shape.Wires
-            if len(wires) == len(obj.Roles):
-                obj.ViewObject.LineColorArray = [
-                    colour.get(role, _CUT) for role, wire in zip(obj.Roles, wires) for _ in wire.Edges
-                ]
+            obj.ViewObject.LineColorArray = [
+                _layer_colour(role) for role, wire in zip(obj.Roles, obj.Shape.Wires) for _ in wire.Edges
+            ]
+
+
+def _layer_colour(role: str) -> tuple[float, ...]:
+    """The colour of the layer in the files, from 0 to 1."""
+    from BalloonWorkbench.core.export.sheet import LAYERS
+    from BalloonWorkbench.core.pattern.pattern import Role
+
+    rgb = LAYERS[Role(role)].rgb
+    return tuple(int(rgb[i : i + 2], 16) / 255 for i in (1, 3, 5))
 
 
 _VIEWS = {"OutlineProxy": OutlineView, "BalloonProxy": BalloonView, "PatternProxy": PatternView}

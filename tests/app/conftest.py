@@ -10,6 +10,7 @@ def doc():
     """An empty document that remembers undo steps."""
     document = App.newDocument("Test")
     document.UndoMode = 1
+    name = document.Name
     yield document
-    if document.Name in App.listDocuments():
-        App.closeDocument(document.Name)
+    if name in App.listDocuments():
+        App.closeDocument(name)

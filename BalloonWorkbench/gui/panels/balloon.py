@@ -11,7 +11,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 
 from BalloonWorkbench.app import balloon as balloon_object
-from BalloonWorkbench.app import create, host, status
+from BalloonWorkbench.app import create, status
 from BalloonWorkbench.app.create import Parts
 from BalloonWorkbench.core.errors import BalloonError, Cancelled
 from BalloonWorkbench.gui.panels.file_box import FileBox
@@ -20,7 +20,7 @@ from BalloonWorkbench.gui.panels.pattern_box import PatternBox
 from BalloonWorkbench.gui.panels.result_box import ResultBox
 from BalloonWorkbench.gui.panels.sketch_box import SketchBox
 from BalloonWorkbench.gui.panels.watch import Watch
-from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
+from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, icon, translate
 from BalloonWorkbench.gui.worker import Worker
 
 
@@ -42,11 +42,12 @@ class BalloonPanel:
         self.film = FilmBox(parts.balloon)
         self.pattern = PatternBox(parts.pattern)
         self.result = ResultBox()
-        self.form = [self.drawing, self.film, self.pattern, self.result]
+        self.form = [_tabs(self.drawing, self.film, self.pattern), self.result]
         self.drawing.changed.connect(self.trace)
         self.drawing.refused.connect(lambda text: self.result.show_message(text, warning=True))
         self.film.changed.connect(self.values_changed)
         self.pattern.changed.connect(self.pattern_changed)
+        self.result.wanted.connect(self.apply)
         self.result.stopped.connect(self.stop)
         self.watch = Watch(parts, self.abandon)
         self.show_state()
@@ -54,14 +55,6 @@ class BalloonPanel:
             QtCore.QTimer.singleShot(0, self.apply)
 
     # the dialog
-
-    def getStandardButtons(self):
-        box = QtWidgets.QDialogButtonBox
-        return host.button_flags(box.Ok | box.Apply | box.Cancel)
-
-    def clicked(self, button):
-        if button == host.button_flags(QtWidgets.QDialogButtonBox.Apply):
-            self.apply()
 
     def accept(self):
         """Compute what is not up to date yet, then keep everything and close."""
@@ -183,3 +176,13 @@ class BalloonPanel:
         for box in (self.drawing, self.film, self.pattern):
             box.refresh()
         self.result.show_result(self.parts)
+
+
+def _tabs(*boxes):
+    """The boxes behind one another: a task panel is narrow and low."""
+    tabs = QtWidgets.QTabWidget()
+    tabs.setWindowTitle(translate("Balloon"))
+    tabs.setWindowIcon(QtGui.QIcon(icon("balloon")))
+    for box in boxes:
+        tabs.addTab(box, box.windowTitle())
+    return tabs

@@ -10,7 +10,7 @@ import FreeCADGui as Gui
 from BalloonWorkbench.app.export import FORMATS, export_pattern
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.gui.panels.watch import Watch
-from BalloonWorkbench.gui.qt import QtWidgets, translate
+from BalloonWorkbench.gui.qt import QtGui, QtWidgets, icon, translate
 
 
 class ExportPanel:
@@ -20,6 +20,7 @@ class ExportPanel:
         self.patterns = patterns
         self.form = QtWidgets.QWidget()
         self.form.setWindowTitle(translate("Export pattern"))
+        self.form.setWindowIcon(QtGui.QIcon(icon("export_pattern")))
         self.choice = QtWidgets.QComboBox()
         self.choice.setObjectName("Pattern")
         self.choice.addItems([_name(pattern) for pattern in patterns])
@@ -27,6 +28,7 @@ class ExportPanel:
         self.format.setObjectName("Format")
         self.format.addItems([ending.upper() for ending in FORMATS])
         self.path = QtWidgets.QLineEdit()
+        self.path.setMinimumWidth(60)
         self.path.setObjectName("File")
         browse = QtWidgets.QToolButton()
         browse.setText("…")
@@ -35,6 +37,7 @@ class ExportPanel:
         row.addWidget(browse)
         self.size = QtWidgets.QLabel()
         self.size.setObjectName("Size")
+        self.size.setWordWrap(True)
         self.message = QtWidgets.QLabel()
         self.message.setObjectName("Message")
         self.message.setWordWrap(True)

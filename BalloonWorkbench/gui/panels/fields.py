@@ -78,6 +78,7 @@ class Fields(QtCore.QObject):
 
     def _add(self, name: str, widget, show) -> None:
         widget.setObjectName(name)
+        widget.setMinimumWidth(60)
         widget.setToolTip(translate(self.obj.getDocumentationOfProperty(name)))
         self._widgets[name] = widget, show
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import os
 
+from BalloonWorkbench.app.drawing import place_in_picture
 from BalloonWorkbench.app.outline import set_drawing
 from BalloonWorkbench.gui.panels.fields import Fields
 from BalloonWorkbench.gui.panels.preview import Preview, notes_of
@@ -22,9 +23,12 @@ class FileBox(QtWidgets.QWidget):
     def __init__(self, outline):
         super().__init__()
         self.outline = outline
+        self._placed = ""  # the drawing for which _place holds
+        self._place = None
         self.setWindowTitle(translate("Drawing"))
         self.path = QtWidgets.QLineEdit(os.path.basename(outline.Drawing))
         self.path.setObjectName("Drawing")
+        self.path.setMinimumWidth(60)
         self.path.setPlaceholderText(translate("Picture, SVG, DXF or JSON"))
         self.path.setToolTip(translate("The drawing; a copy of it travels in the document"))
         browse = QtWidgets.QToolButton()
@@ -65,7 +69,10 @@ class FileBox(QtWidgets.QWidget):
 
     def refresh(self) -> None:
         self.fields.refresh()
-        self.preview.show(self.outline)
+        if self.outline.Drawing != self._placed:
+            self._placed = self.outline.Drawing
+            self._place = place_in_picture(self._placed) if self._placed else None
+        self.preview.show(self.outline, self._place)
         self.notes.setText(notes_of(self.outline))
 
     def release(self) -> None:

@@ -14,7 +14,7 @@ class FilmBox(QtWidgets.QWidget):
 
     def __init__(self, balloon):
         super().__init__()
-        self.setWindowTitle(translate("Film and pressure"))
+        self.setWindowTitle(translate("Film"))
         self.fields = Fields(balloon, self)
         film = self.fields.choice("Film")
         _describe(film)

@@ -33,8 +33,11 @@ class Preview(QtWidgets.QWidget):
         self._picture_box = QtCore.QRectF()
         self._path = QtGui.QPainterPath()
 
-    def show(self, outline) -> None:
-        """Draw an outline object, over its picture where it has one."""
+    def show(self, outline, place=None) -> None:
+        """Draw an outline object; over its picture when the place of the shape in that is given.
+
+        place  left, bottom, right and top of the shape in parts of the picture's width and height
+        """
         self._path = QtGui.QPainterPath()
         if outline.LoopCounts and status.is_ready(outline):
             for loop in shapes.stored(outline, "Loop").loops:
@@ -42,10 +45,15 @@ class Preview(QtWidgets.QWidget):
                     QtGui.QPolygonF([QtCore.QPointF(x, -y) for x, y in to_mm(loop).tolist()])
                 )
                 self._path.closeSubpath()
-        self._picture = (
-            QtGui.QPixmap(outline.Drawing) if outline.Drawing and not outline.Source else QtGui.QPixmap()
-        )
+        self._picture = QtGui.QPixmap(outline.Drawing) if place else QtGui.QPixmap()
         self._picture_box = self._path.boundingRect()
+        if place and not self._picture_box.isEmpty():
+            left, bottom, right, top = place
+            shape = self._picture_box
+            width, height = shape.width() / (right - left), shape.height() / (top - bottom)
+            self._picture_box = QtCore.QRectF(
+                shape.left() - left * width, shape.top() - (1.0 - top) * height, width, height
+            )
         self.update()
 
     def paintEvent(self, event):

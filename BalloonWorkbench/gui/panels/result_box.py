@@ -4,19 +4,25 @@
 from __future__ import annotations
 
 from BalloonWorkbench.app import status
-from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
+from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, icon, translate
 
 _ICON = 16
 
 
 class ResultBox(QtWidgets.QWidget):
-    """Shows progress with a button that stops the work (`stopped`), the balloon's measures and a message."""
+    """A button that starts the work (`wanted`), one that stops it (`stopped`), and what comes of it."""
 
+    wanted = QtCore.Signal()
     stopped = QtCore.Signal()
 
     def __init__(self):
         super().__init__()
         self.setWindowTitle(translate("Result"))
+        self.setWindowIcon(QtGui.QIcon(icon("pattern")))
+        self._apply = QtWidgets.QPushButton(translate("Apply"))
+        self._apply.setObjectName("Apply")
+        self._apply.setToolTip(translate("Inflate with these values and show the balloon"))
+        self._apply.clicked.connect(lambda _checked=False: self.wanted.emit())
         self._bar = QtWidgets.QProgressBar()
         self._bar.setObjectName("Progress")
         self._bar.setRange(0, 1000)
@@ -41,6 +47,7 @@ class ResultBox(QtWidgets.QWidget):
         told.addWidget(self._message, 1)
         self._measures = QtWidgets.QFormLayout()
         column = QtWidgets.QVBoxLayout(self)
+        column.addWidget(self._apply)
         column.addWidget(self._working)
         column.addLayout(told)
         column.addLayout(self._measures)
@@ -50,6 +57,7 @@ class ResultBox(QtWidgets.QWidget):
         """The work begins."""
         self._bar.setValue(0)
         self._step.setText("")
+        self._apply.hide()
         self._working.show()
         self.show_message("")
 
@@ -60,6 +68,7 @@ class ResultBox(QtWidgets.QWidget):
     def finish(self) -> None:
         """The work is over."""
         self._working.hide()
+        self._apply.show()
 
     def show_message(self, text: str, warning: bool = False) -> None:
         """One or two sentences; a warning has a sign beside it."""
@@ -86,7 +95,7 @@ class ResultBox(QtWidgets.QWidget):
                 )
                 break
         else:
-            remarks = list(balloon.Warnings)
+            remarks = [*balloon.Warnings, *pattern.Warnings]
             if balloon.Status != status.READY:
                 remarks.insert(0, balloon.Status)
             self.show_message("\n".join(remarks), warning=True)
@@ -94,6 +103,7 @@ class ResultBox(QtWidgets.QWidget):
             return
         for name, text in measures(balloon, pattern):
             value = QtWidgets.QLabel(text)
+            value.setWordWrap(True)
             value.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
             self._measures.addRow(name, value)
 
@@ -104,15 +114,13 @@ def _has_source(outline) -> bool:
 
 def measures(balloon, pattern) -> list[tuple[str, str]]:
     """Names and values of what a user wants to know about a balloon."""
-    litres = balloon.Volume.getValueAs("l").Value
+    width, height = balloon.InflatedWidth.Value, balloon.InflatedHeight.Value
+    mean, largest = balloon.ResidualMean.Value, balloon.ResidualMax.Value
     return [
-        (translate("Size"), f"{balloon.InflatedWidth.UserString} x {balloon.InflatedHeight.UserString}"),
-        (translate("Thickness"), balloon.InflatedThickness.UserString),
-        (translate("Volume"), f"{litres:.3g} l"),
-        (
-            translate("Off the drawing"),
-            f"{balloon.ResidualMean.UserString}, at most {balloon.ResidualMax.UserString}",
-        ),
-        (translate("Pattern"), f"{pattern.PatternWidth.UserString} x {pattern.PatternHeight.UserString}"),
-        (translate("Solved by"), balloon.ActiveBackend),
+        (translate("Size"), f"{width:.1f} x {height:.1f} mm"),
+        (translate("Thickness"), f"{balloon.InflatedThickness.Value:.1f} mm"),
+        (translate("Volume"), f"{balloon.Volume.Value * 1e-6:.3g} l"),
+        (translate("Off the drawing"), translate("{:.2f} mm, at most {:.2f} mm").format(mean, largest)),
+        (translate("Pattern"), f"{pattern.PatternWidth.Value:.1f} x {pattern.PatternHeight.Value:.1f} mm"),
+        (translate("Solver"), balloon.ActiveBackend),
     ]

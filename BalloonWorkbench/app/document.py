@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A FreeCAD document of a balloon that was designed outside FreeCAD."""
+
+from __future__ import annotations
+
+import tempfile
+from pathlib import Path
+
+import FreeCAD as App
+
+from BalloonWorkbench.app import balloon, create
+from BalloonWorkbench.app.outline import set_drawing
+from BalloonWorkbench.app.quantities import kilopascals
+from BalloonWorkbench.core.export.files import write_files
+from BalloonWorkbench.core.units import to_mm
+
+
+def save_fcstd(path, drawing, settings, design, *, width=None, height=None, correct: bool = True) -> None:
+    """Write a document with the live objects of a balloon; see `fcstd_bytes`.
+
+    Raises ExportError when the file cannot be written.
+    """
+    target = Path(path)
+    content = fcstd_bytes(
+        drawing, settings, design, label=target.stem, width=width, height=height, correct=correct
+    )
+    write_files(target.parent, {target.name: content})
+
+
+def fcstd_bytes(
+    drawing, settings, design, *, label: str = "balloon", width=None, height=None, correct: bool = True
+) -> bytes:
+    """A document with the live objects of a balloon: they can be edited and recomputed in FreeCAD.
+
+    drawing        the file the outline was read from; a copy goes into the document
+    settings       the job's settings: film, pressure [Pa], mesh_size [m] or None, backend or None, intake
+    design         the core's result for them; it is taken over, not solved again
+    label          name of the document
+    width, height  of the drawing [m], as they were asked for; None where they were left open
+    correct        the pattern was fitted to the drawing
+
+    Raises BalloonError when the drawing cannot be read.
+    """
+    doc = App.newDocument("Balloon", hidden=True, temp=True)
+    try:
+        parts = create.make(doc, Path(drawing).stem)
+        set_drawing(parts.outline, drawing)
+        parts.outline.Width = 0.0 if width is None else to_mm(width)
+        parts.outline.Height = 0.0 if height is None else to_mm(height)
+        create.configure(
+            parts,
+            material=settings.film,
+            pressure=kilopascals(settings.pressure),
+            mesh_size=None if settings.mesh_size is None else to_mm(settings.mesh_size),
+            correct=correct,
+            backend=settings.backend,
+            intake=settings.intake,
+        )
+        parts.outline.recompute()
+        if parts.outline.LoopCounts:
+            balloon.show(parts.balloon, balloon.request(parts.balloon), design)
+        create.compute(parts)
+        with tempfile.TemporaryDirectory() as folder:
+            written = Path(folder) / f"{label}.FCStd"  # FreeCAD labels a document by its file
+            doc.saveAs(str(written))
+            return written.read_bytes()
+    finally:
+        App.closeDocument(doc.Name)

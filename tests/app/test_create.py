@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Making balloons from scripts: values, texts with units, and a document left alone when it fails."""
+
+from pathlib import Path
+
+import pytest
+import sketches
+
+from BalloonWorkbench.app import create, status
+from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.film.film import Film
+from BalloonWorkbench.core.film.library import film
+
+HEART = Path("resources/examples/pictures/heart.png")
+
+
+def test_picture_to_pattern(doc):
+    parts = create.balloon_from_picture(doc, HEART, width="12 cm", mesh_size="14 mm")
+    assert [obj.Status for obj in parts] == [status.READY] * 3
+    assert parts.outline.SizeX.Value == pytest.approx(120)
+    group = parts.balloon.getParentGroup()
+    assert group.Label == "heart"
+    assert group.Group == list(parts)
+    # the pattern lies to the right of the balloon, in the same plane
+    assert parts.pattern.Shape.BoundBox.XMin > parts.balloon.Mesh.BoundBox.XMax
+    assert parts.pattern.Shape.BoundBox.ZLength == pytest.approx(0, abs=1e-9)
+
+
+def test_options(doc):
+    stiff = Film("mine", 1.5e9, 0.4, 40e-6, 0.05, seal_width=8e-3)
+    parts = create.balloon_from_sketch(
+        doc,
+        sketches.rectangle(doc, 60, 60),
+        material=stiff,
+        pressure="30 mbar",
+        mesh_size=10,
+        correct=False,
+        backend="numpy",
+        intake=False,
+    )
+    balloon = parts.balloon
+    assert balloon.Film == "Custom"
+    assert balloon.YoungModulus.getValueAs("MPa").Value == pytest.approx(1500)
+    assert balloon.Thickness.Value == pytest.approx(0.04)
+    assert balloon.SealWidth.Value == pytest.approx(8)
+    assert balloon.Pressure.Value == pytest.approx(3)
+    assert balloon.ActiveBackend == "numpy"
+    assert (balloon.Mode, balloon.Passes) == ("Inflate as drawn", 0)
+    assert all(wire.isClosed() for wire in parts.pattern.Shape.Wires)
+
+
+def test_film_of_the_library_keeps_its_name(doc):
+    parts = create.make(doc)
+    create.configure(parts, material=film("pe"))
+    assert parts.balloon.Film == "pe"
+    create.configure(parts, material="Kraft paper")
+    assert parts.balloon.Film == "kraft-paper"
+
+
+def test_several_shapes(doc):
+    """Ring, L and S have their own names and do not disturb each other."""
+    for make in (sketches.ring, sketches.rounded_l, sketches.letter_s):
+        parts = create.balloon_from_sketch(doc, make(doc), mesh_size=12)
+        assert parts.balloon.Mesh.isSolid()
+        assert parts.balloon.ResidualMean.Value < 0.015 * parts.outline.SizeX.Value
+    assert len({obj.Name for obj in doc.Objects}) == len(doc.Objects) == 3 * 5
+
+
+def failing(doc, words, make):
+    before = [obj.Name for obj in doc.Objects]
+    with pytest.raises(InputError, match=words):
+        make()
+    assert [obj.Name for obj in doc.Objects] == before
+
+
+@pytest.mark.parametrize("width", [0, -5, "0 mm", "-3 cm", float("nan")])
+def test_senseless_width(doc, width):
+    failing(doc, "width", lambda: create.balloon_from_picture(doc, HEART, width=width))
+
+
+def test_no_size(doc):
+    failing(doc, "size", lambda: create.balloon_from_picture(doc, HEART))
+
+
+def test_width_of_a_hundred_kilometres(doc):
+    failing(doc, "width", lambda: create.balloon_from_picture(doc, HEART, width="100000 m"))
+
+
+def test_text_that_is_no_length(doc):
+    failing(doc, "length", lambda: create.balloon_from_picture(doc, HEART, width="wide"))
+
+
+def test_no_such_file(doc):
+    failing(doc, "no file", lambda: create.balloon_from_picture(doc, "nowhere/bear.png", width=100))
+
+
+def test_no_picture(doc, tmp_path):
+    path = tmp_path / "picture.png"
+    path.write_bytes(b"no picture")
+    failing(doc, "picture", lambda: create.balloon_from_picture(doc, path, width=100))
+
+
+def test_unknown_material(doc):
+    rectangle = sketches.rectangle(doc)
+    failing(doc, "mylar", lambda: create.balloon_from_sketch(doc, rectangle, material="unobtainium"))
+
+
+def test_unknown_backend(doc):
+    rectangle = sketches.rectangle(doc)
+    failing(doc, "backend", lambda: create.balloon_from_sketch(doc, rectangle, backend="abacus"))
+
+
+@pytest.mark.parametrize("pressure", [0, -2, "0 kPa"])
+def test_senseless_pressure(doc, pressure):
+    rectangle = sketches.rectangle(doc)
+    failing(doc, "pressure", lambda: create.balloon_from_sketch(doc, rectangle, pressure=pressure))
+
+
+def test_open_sketch(doc):
+    line = sketches.sketch(doc, sketches.line((0, 0), (50, 0)), name="Line")
+    failing(doc, "Line is open", lambda: create.balloon_from_sketch(doc, line))
