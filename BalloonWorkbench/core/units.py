@@ -62,6 +62,11 @@ def mm_text(metres: float) -> str:
     return f"{value:.0f} mm" if abs(value) >= 1000 else f"{value:.4g} mm"
 
 
+def place_text(point: NDArray[np.float64]) -> str:
+    """A point (2,) m for messages, in millimetres."""
+    return f"({to_mm(float(point[0])):.4g}, {to_mm(float(point[1])):.4g}) mm"
+
+
 def parse_length(text: str | float) -> float:
     """'300mm', '30 cm', '12in', or a plain number in metres -> m. InputError where it makes no sense."""
     return _parse(text, LENGTH_UNITS, "length", "300mm, 30cm, 0.3m or 12in")

@@ -13,7 +13,7 @@ from BalloonWorkbench.core.outline.outline import Outline, signed_area
 from BalloonWorkbench.core.outline.sampling import CORNER_ANGLE, corners, resample, simplify, smooth
 from BalloonWorkbench.core.outline.thickness import min_width
 from BalloonWorkbench.core.types import Floats
-from BalloonWorkbench.core.units import mm_text, to_mm
+from BalloonWorkbench.core.units import mm_text, place_text
 
 __all__ = [
     "CORNER_ANGLE",
@@ -54,17 +54,13 @@ def check(outline: Outline) -> Outline:
     meeting = first_crossing([outer, *holes]) if holes else None
     if meeting is not None:
         raise OutlineError(
-            f"A hole meets the outline or another hole at {_place(meeting)}; leave some film between them."
+            f"A hole meets the outline or another hole at {place_text(meeting)}; keep some film between them."
         )
     for number, hole in enumerate(holes):
         if not contains(outer, hole[:1])[0]:
-            raise OutlineError(
-                f"The hole at {_place(hole.mean(axis=0))} lies outside the outline; move it inside."
-            )
+            raise OutlineError(f"The hole at {place_text(hole[0])} lies outside the outline; move it inside.")
         if any(contains(other, hole[:1])[0] for k, other in enumerate(holes) if k != number):
-            raise OutlineError(
-                f"The hole at {_place(hole.mean(axis=0))} lies in another hole; remove one of them."
-            )
+            raise OutlineError(f"The hole at {place_text(hole[0])} lies in another hole; remove one of them.")
     return Outline(outer, holes, outline.notes)
 
 
@@ -106,16 +102,12 @@ def _valid_loop(loop: Floats, tolerance: float, sign: int, what: str) -> Floats:
     crossing = first_crossing([loop]) if len(loop) > 2 else None
     if crossing is not None:
         raise OutlineError(
-            f"The {what} crosses or touches itself at {_place(crossing)}; part the lines there."
+            f"The {what} crosses or touches itself at {place_text(crossing)}; part the lines there."
         )
     area = signed_area(loop) if len(loop) > 2 else 0.0
     if abs(area) <= _NO_AREA * float(np.linalg.norm(np.roll(loop, -1, axis=0) - loop, axis=1).sum()) ** 2:
         raise OutlineError(f"The {what} encloses no area; draw a closed shape with at least three corners.")
     return loop if area * sign > 0 else np.ascontiguousarray(loop[::-1])
-
-
-def _place(point: Floats) -> str:
-    return f"({to_mm(float(point[0])):.4g}, {to_mm(float(point[1])):.4g}) mm"
 
 
 def scale_to(outline: Outline, width: float | None, height: float | None) -> Outline:

@@ -1,0 +1,155 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Loose lines joined end to end into closed loops, and loops told apart into outline and holes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from BalloonWorkbench.core.errors import OutlineError
+from BalloonWorkbench.core.outline.crossings import contains
+from BalloonWorkbench.core.outline.loops import clean
+from BalloonWorkbench.core.outline.outline import Outline, signed_area
+from BalloonWorkbench.core.types import Floats
+from BalloonWorkbench.core.units import from_mm, mm_text, place_text
+
+#: Ends this close to each other are one point, as exactly as curves are flattened.
+SAME_END = from_mm(0.02)
+#: Ends this close were meant to meet; closing them is worth a remark.
+NEAR_END = from_mm(0.5)
+
+
+def outline_from(
+    pieces: Sequence[Floats], notes: Sequence[str] = (), filled: Sequence[Floats] = ()
+) -> Outline:
+    """An outline of the lines of a drawing: the loop with the largest area, and as holes those inside it.
+
+    pieces  polylines (n, 2) m, joined where their ends meet
+    filled  those of the pieces that enclose an area even where they stay open, by a straight line
+    OutlineError where the lines close around nothing. The result is not checked for crossings.
+    """
+    remarks = list(notes)
+    loops, rest = join(pieces, SAME_END)
+    more, rest = join(rest, NEAR_END)
+    if more:
+        remarks.append(f"Gaps of up to {mm_text(NEAR_END)} between lines were closed ({len(more)} loops).")
+    closable = [any(np.array_equal(line, piece) for piece in filled) for line in rest]
+    loops += more + [line for line, close in zip(rest, closable) if close]
+    rest = [line for line, close in zip(rest, closable) if not close]
+    loops = [loop for loop in loops if len(clean(loop, SAME_END)) > 2]
+    if not loops:
+        if rest:
+            first, last = max(rest, key=_length)[[0, -1]]
+            gap = float(np.linalg.norm(last - first))
+            raise OutlineError(
+                f"The drawing is open: a line starts at {place_text(first)} and ends {mm_text(gap)} "
+                f"away at {place_text(last)}. Close it."
+            )
+        raise OutlineError("The drawing has no closed line. Draw one, and turn texts and groups into paths.")
+    if rest:
+        remarks.append(f"{len(rest)} open line{'s were' if len(rest) > 1 else ' was'} left out.")
+    outer, holes, left_out = _arrange(loops)
+    if left_out:
+        remarks.append(
+            f"{left_out} loop{'s' * (left_out > 1)} outside the largest or inside a hole left out."
+        )
+    return Outline(outer, holes, tuple(remarks))
+
+
+def join(pieces: Sequence[Floats], tolerance: float) -> tuple[list[Floats], list[Floats]]:
+    """Closed loops (n, 2), and open lines, of polylines whose ends meet within `tolerance`."""
+    ends = _Ends(pieces, tolerance)
+    loops: list[Floats] = []
+    rest: list[Floats] = []
+    for first in range(len(pieces)):
+        if not ends.take(first):
+            continue
+        chain = [pieces[first]]
+        while not (closed := _closed(chain, tolerance)):
+            if (found := ends.nearest(chain[-1][-1])) is not None:
+                number, at_end = found
+                chain.append(pieces[number][::-1] if at_end else pieces[number])
+            elif (found := ends.nearest(chain[0][0])) is not None:
+                number, at_end = found
+                chain.insert(0, pieces[number] if at_end else pieces[number][::-1])
+            else:
+                break
+        line = np.concatenate(chain)
+        (loops if closed else rest).append(line[:-1] if closed else line)
+    return loops, rest
+
+
+class _Ends:
+    """Ends of polylines, found by place."""
+
+    def __init__(self, pieces: Sequence[Floats], tolerance: float) -> None:
+        self.tolerance = tolerance
+        self.free = np.ones(len(pieces), dtype=np.bool_)
+        self.points = np.array([piece[[0, -1]] for piece in pieces], dtype=np.float64).reshape(-1, 2, 2)
+        self.cells: dict[tuple[int, int], list[tuple[int, int]]] = {}
+        for number, ends in enumerate(self.points):
+            for end, point in enumerate(ends):
+                self.cells.setdefault(self._cell(point), []).append((number, end))
+
+    def _cell(self, point: Floats) -> tuple[int, int]:
+        return int(point[0] // self.tolerance), int(point[1] // self.tolerance)
+
+    def take(self, number: int) -> bool:
+        """Claim a polyline; False where it is taken already."""
+        free = bool(self.free[number])
+        self.free[number] = False
+        return free
+
+    def nearest(self, point: Floats) -> tuple[int, int] | None:
+        """Claim the free polyline that ends nearest to the point: its number, and 1 if by its last end."""
+        x, y = self._cell(point)
+        near = [
+            (float(np.linalg.norm(self.points[number, end] - point)), number, end)
+            for column in (x - 1, x, x + 1)
+            for row in (y - 1, y, y + 1)
+            for number, end in self.cells.get((column, row), ())
+            if self.free[number]
+        ]
+        away, number, end = min(near, default=(np.inf, 0, 0))
+        if away > self.tolerance:
+            return None
+        self.free[number] = False
+        return number, end
+
+
+def _closed(chain: list[Floats], tolerance: float) -> bool:
+    if sum(len(piece) for piece in chain) < 4:
+        return False
+    gap = float(np.linalg.norm(chain[-1][-1] - chain[0][0]))
+    # A short line is not a loop merely because its ends are near each other.
+    return gap <= tolerance and sum(_length(piece) for piece in chain) > 4 * gap
+
+
+def _length(line: Floats) -> float:
+    return float(np.linalg.norm(np.diff(line, axis=0), axis=1).sum())
+
+
+def _arrange(loops: list[Floats]) -> tuple[Floats, tuple[Floats, ...], int]:
+    """The loop with the largest area, the loops inside it, and how many others there are."""
+    loops = _without_twins(sorted(loops, key=lambda loop: -abs(signed_area(loop))))
+    outer, others = loops[0], loops[1:]
+    holes: list[Floats] = []
+    for loop in others:
+        # A loop that crosses another one is kept: the check for crossings tells the user where.
+        in_hole = any(contains(hole, loop).all() for hole in holes)
+        if not in_hole and contains(outer, loop).any():
+            holes.append(loop)
+    return outer, tuple(holes), len(others) - len(holes)
+
+
+def _without_twins(loops: list[Floats]) -> list[Floats]:
+    """The loops without those drawn twice, which is common where a shape has a fill and a line."""
+    kept: list[Floats] = []
+    marks: list[Floats] = []
+    for loop in loops:
+        mark = np.array([*loop.min(axis=0), *loop.max(axis=0), np.sqrt(abs(signed_area(loop)))])
+        if not any(np.abs(mark - other).max() <= SAME_END for other in marks):
+            kept.append(loop)
+            marks.append(mark)
+    return kept

@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Lines of a DXF file, curves flattened."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from BalloonWorkbench.core.errors import InputError, MissingPackageError
+from BalloonWorkbench.core.types import Floats
+from BalloonWorkbench.core.units import INCH, MILLIMETRE
+
+_LINES = {"LINE", "ARC", "CIRCLE", "ELLIPSE", "SPLINE", "LWPOLYLINE", "POLYLINE"}
+_MOST_POINTS = 500_000
+# Metres in the units that $INSUNITS numbers.
+_UNITS = {
+    1: INCH,
+    2: 12 * INCH,
+    4: MILLIMETRE,
+    5: 1e-2,
+    6: 1.0,
+    7: 1e3,
+    8: 1e-6 * INCH,
+    9: 1e-3 * INCH,
+    10: 36 * INCH,
+    13: 1e-6,
+    14: 1e-1,
+}
+
+
+def read_dxf(path: Path, tolerance: float) -> tuple[list[Floats], list[str]]:
+    """Lines (n, 2) m of the model space of a DXF file, closed ones with their first point repeated; remarks.
+
+    Blocks are taken apart; layers that are off or frozen are left out.
+
+    tolerance  largest distance between a curve and its polyline [m]
+    InputError for a file that is no DXF, MissingPackageError without ezdxf.
+    """
+    try:
+        import ezdxf
+        from ezdxf import recover
+    except ImportError:
+        raise MissingPackageError(
+            "DXF files need the Python package ezdxf. Install it with 'pip install ezdxf', "
+            "or save the drawing as SVG."
+        ) from None
+    try:
+        try:
+            document = ezdxf.readfile(path)  # type: ignore[attr-defined]
+        except ezdxf.DXFError:  # type: ignore[attr-defined]
+            document, _ = recover.readfile(path)
+        unit, notes = _unit(document)
+        lines = [line * unit for line in _lines(document, tolerance / unit)]
+    except (ezdxf.DXFError, OSError, ValueError, TypeError, LookupError, StopIteration):  # type: ignore[attr-defined]
+        raise InputError(f"'{path.name}' is damaged or not a DXF file. Save it once more.") from None
+    return lines, notes
+
+
+def _unit(document: Any) -> tuple[float, list[str]]:
+    """Metres in a unit of the drawing."""
+    code = int(document.header.get("$INSUNITS", 0))
+    if code in _UNITS:
+        return _UNITS[code], []
+    named = f"names the unit {code}, which is not a usual one" if code else "does not name its unit"
+    return MILLIMETRE, [f"The DXF file {named}; millimetres are assumed."]
+
+
+def _lines(document: Any, tolerance: float) -> Iterator[Floats]:
+    from ezdxf import disassemble
+
+    shown = {layer.dxf.name.lower(): layer.is_on() and not layer.is_frozen() for layer in document.layers}
+    total = 0
+    for entity in disassemble.recursive_decompose(document.modelspace()):
+        if entity.dxftype() not in _LINES or not shown.get(entity.dxf.layer.lower(), True):
+            continue
+        for points in _flatten(entity, tolerance):
+            line = np.array([(point[0], point[1]) for point in points], dtype=np.float64)
+            total += len(line)
+            if total > _MOST_POINTS:
+                raise InputError(
+                    "The DXF file has too many lines. Leave only the outline and its holes in it."
+                )
+            if len(line) > 1 and np.isfinite(line).all():
+                yield line
+
+
+def _flatten(entity: Any, tolerance: float) -> Iterator[Iterable[Any]]:
+    """Points of an entity, or of each straight line and arc that it is made of."""
+    kind = entity.dxftype()
+    if kind == "LINE":
+        yield entity.dxf.start, entity.dxf.end
+    elif kind in {"LWPOLYLINE", "POLYLINE"}:
+        if kind == "POLYLINE" and not (entity.is_2d_polyline or entity.is_3d_polyline):
+            return
+        for part in entity.virtual_entities():
+            yield from _flatten(part, tolerance)
+    elif kind in {"ARC", "CIRCLE"}:
+        if entity.dxf.radius > 0:
+            yield entity.flattening(min(tolerance, entity.dxf.radius))
+    else:
+        yield entity.flattening(tolerance)

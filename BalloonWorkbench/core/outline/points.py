@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Outlines written out as JSON: {"unit": "mm", "outer": [[x, y], ...], "holes": [[[x, y], ...], ...]}."""
+
+from __future__ import annotations
+
+import json
+import math
+from typing import Any, NoReturn
+
+import numpy as np
+
+from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.types import Floats
+from BalloonWorkbench.core.units import LENGTH_UNITS
+
+_UNITS = ("mm", "cm", "m", "in")
+_EXAMPLE = 'Write {"unit": "mm", "outer": [[0, 0], [300, 0], [150, 200]]}.'
+
+
+def read_points(data: bytes) -> Outline:
+    """The outline in a JSON text, as it is written: neither cleaned nor checked for crossings. InputError."""
+    try:
+        text = json.loads(data, parse_constant=_refuse)
+    except (ValueError, RecursionError) as error:
+        raise InputError(f"The JSON file cannot be read ({error}). {_EXAMPLE}") from None
+    if not isinstance(text, dict) or "outer" not in text:
+        raise InputError(f"The JSON file has no 'outer' loop. {_EXAMPLE}")
+    notes = () if "unit" in text else ("The JSON file does not name its unit; millimetres are assumed.",)
+    unit = text.get("unit", "mm")
+    if unit not in _UNITS:
+        raise InputError(f"The JSON file has the unknown unit {unit!r}. Use one of {', '.join(_UNITS)}.")
+    holes = text.get("holes", [])
+    if not isinstance(holes, list):
+        raise InputError(f"The 'holes' of the JSON file are not a list of loops. {_EXAMPLE}")
+    factor = LENGTH_UNITS[unit]
+    return Outline(
+        _loop(text["outer"], "'outer'") * factor,
+        tuple(_loop(hole, f"hole {number}") * factor for number, hole in enumerate(holes, start=1)),
+        notes,
+    )
+
+
+def _refuse(constant: str) -> NoReturn:
+    raise ValueError(f"{constant} is not a coordinate")
+
+
+def _loop(points: Any, what: str) -> Floats:
+    if not isinstance(points, list) or len(points) < 3:
+        raise InputError(f"The JSON file's {what} needs at least three points. {_EXAMPLE}")
+    for number, point in enumerate(points, start=1):
+        if not (isinstance(point, list) and len(point) == 2 and all(map(_is_number, point))):
+            raise InputError(f"Point {number} of the JSON file's {what} is not a pair of numbers. {_EXAMPLE}")
+    return np.array(points, dtype=np.float64)
+
+
+def _is_number(value: Any) -> bool:
+    return isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value)

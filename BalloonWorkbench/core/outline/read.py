@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Any drawing file as an outline."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.outline.decode import is_picture
+from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.outline.picture import Decode, read_picture
+from BalloonWorkbench.core.outline.vector import read_vector, vector_kind
+
+_PICTURE_SUFFIXES = {".png", ".jpg", ".jpeg", ".bmp", ".webp"}
+
+
+def read_outline(
+    path: str | Path, width: float | None = None, height: float | None = None, decode: Decode | None = None
+) -> tuple[Outline, str]:
+    """The outline in a file, in metres, and what the file is: 'picture', 'svg', 'dxf' or 'json'.
+
+    The kind is told by the content, and by the name only where that says nothing. A picture needs a width or
+    a height [m]; the others have their own size, which these override. With both, the outline fits inside.
+
+    decode  reads pictures instead of OpenCV, see `read_picture`
+    Errors: InputError and its kinds (no such file, not a drawing, no shape, size), MissingPackageError
+    """
+    path = Path(path)
+    try:
+        with path.open("rb") as file:
+            head = file.read(4096)
+    except FileNotFoundError:
+        raise InputError(f"There is no file '{path}'. Check the name and the folder.") from None
+    except OSError as error:
+        raise InputError(
+            f"'{path}' cannot be read ({error.strerror}). Check the name and its access."
+        ) from None
+    if not head:
+        raise InputError(f"'{path.name}' is empty. Choose another file.")
+    kind = None if is_picture(head) else vector_kind(path, head)
+    if kind:
+        return read_vector(path, width, height), kind
+    if is_picture(head) or path.suffix.lower() in _PICTURE_SUFFIXES:
+        return read_picture(path, width, height, decode), "picture"
+    raise InputError(
+        f"'{path.name}' is not a drawing that can be read. Use PNG, JPEG, BMP, SVG, DXF or JSON."
+    )

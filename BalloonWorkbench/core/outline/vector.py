@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Outlines from SVG, DXF and JSON files, at their own size."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.outline.chains import outline_from
+from BalloonWorkbench.core.outline.dxf import read_dxf
+from BalloonWorkbench.core.outline.loops import check, scale_to
+from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.outline.points import read_points
+from BalloonWorkbench.core.outline.svg import read_svg
+from BalloonWorkbench.core.units import from_mm
+
+#: Largest distance between a curve of the file and the outline [m].
+FLATNESS = from_mm(0.02)
+_MOST_BYTES = 64 << 20
+
+
+def read_vector(path: str | Path, width: float | None = None, height: float | None = None) -> Outline:
+    """The closed lines of a drawing: the largest as outline, those inside it as holes; checked.
+
+    At its own size, or scaled to `width` or `height` [m]; inside both where both are given.
+    Errors: InputError (file, size), OutlineError (open, crossing, empty), MissingPackageError.
+    """
+    path = Path(path)
+    data = read_bytes(path)
+    kind = vector_kind(path, data[:4096])
+    if kind == "json":
+        outline = read_points(data)
+    elif kind == "svg":
+        lines, filled, notes = read_svg(data, FLATNESS)
+        outline = outline_from(lines, notes, filled)
+    elif kind == "dxf":
+        lines, notes = read_dxf(path, FLATNESS)
+        outline = outline_from(lines, notes)
+    else:
+        raise InputError(f"'{path.name}' is neither SVG, DXF nor JSON. Save the drawing as one of these.")
+    return check(scale_to(check(outline), width, height))
+
+
+def vector_kind(path: Path, head: bytes) -> str | None:
+    """'svg', 'dxf' or 'json' by how the file starts, else by its name; None for any other."""
+    text = head.lstrip(b"\xef\xbb\xbf").lstrip()
+    if text.startswith(b"{"):
+        return "json"
+    if text.startswith(b"<"):
+        return "svg"
+    if head.startswith(b"AutoCAD Binary DXF") or (text[:1] == b"0" and b"SECTION" in text[:64]):
+        return "dxf"
+    suffix = path.suffix.lower().lstrip(".")
+    return suffix if suffix in {"svg", "dxf", "json"} else None
+
+
+def read_bytes(path: Path) -> bytes:
+    """The content of a drawing; InputError where it cannot be read, is empty or too large."""
+    try:
+        if path.stat().st_size > _MOST_BYTES:
+            raise InputError(f"'{path.name}' is larger than {_MOST_BYTES >> 20} MB. Simplify the drawing.")
+        data = path.read_bytes()
+    except FileNotFoundError:
+        raise InputError(f"There is no file '{path}'. Check the name and the folder.") from None
+    except OSError as error:
+        raise InputError(
+            f"'{path}' cannot be read ({error.strerror}). Check the name and its access."
+        ) from None
+    if not data:
+        raise InputError(f"'{path.name}' is empty. Choose another file.")
+    return data
