@@ -1,0 +1,208 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""One picture of the whole job: drawing, inflated silhouette, pattern and the balloon itself."""
+
+from __future__ import annotations
+
+import io
+from typing import Any
+
+import numpy as np
+
+from BalloonWorkbench.core.design.design import Design
+from BalloonWorkbench.core.errors import MissingPackageError
+from BalloonWorkbench.core.export.render import balloon_picture
+from BalloonWorkbench.core.export.sheet import LAYERS, Sheet, lay_out
+from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.pattern.pattern import Pattern, Role
+from BalloonWorkbench.core.types import Floats
+from BalloonWorkbench.core.units import to_mm
+
+_WIDTH, _HEIGHT, _DPI = 1800, 1000, 100
+_PAPER, _CARD, _EDGE = "#eef0f4", "#ffffff", "#d5d9e1"
+_INK, _SOFT = "#232a36", "#6b7484"
+_DRAWING, _BALLOON = "#39424f", "#d81e3f"
+# Cards in pixels from the lower left: x, y, width, height.
+_MARGIN, _GAP = 26, 20
+_LEFT, _MIDDLE = 480, 540
+_NAMES = {Role.CUT: "cut", Role.CUT_INNER: "cut inside", Role.SEAL: "weld"}
+
+
+def preview_png(design: Design, pattern: Pattern) -> bytes:
+    """A PNG of 1800 x 1000 pixels; same bytes for same input. MissingPackageError without matplotlib."""
+    try:
+        from matplotlib.backends.backend_agg import FigureCanvasAgg
+        from matplotlib.figure import Figure
+    except ImportError as error:
+        raise MissingPackageError(
+            "The preview picture needs matplotlib: install it with pip install matplotlib."
+        ) from error
+    figure = Figure(figsize=(_WIDTH / _DPI, _HEIGHT / _DPI), dpi=_DPI, facecolor=_PAPER)
+    canvas = FigureCanvasAgg(figure)
+    half = (_HEIGHT - 2 * _MARGIN - _GAP) // 2
+    tall = _HEIGHT - 2 * _MARGIN
+    second = _MARGIN + _LEFT + _GAP
+    third = second + _MIDDLE + _GAP
+    _drawing(_card(figure, _MARGIN, _MARGIN + half + _GAP, _LEFT, half, "Drawing"), design)
+    _silhouette(_card(figure, _MARGIN, _MARGIN, _LEFT, half, "Inflated over the drawing"), design)
+    _pattern(_card(figure, second, _MARGIN, _MIDDLE, tall, "Pattern, cut two"), lay_out(pattern), pattern)
+    _balloon(_card(figure, third, _MARGIN, _WIDTH - _MARGIN - third, tall, "Balloon"), design, pattern)
+    stream = io.BytesIO()
+    canvas.print_png(stream, metadata={"Software": None})
+    return stream.getvalue()
+
+
+def _card(figure: Any, x: int, y: int, width: int, height: int, title: str) -> Any:
+    """Axes that fill a card with the title on it; one unit is one pixel."""
+    from matplotlib.patches import FancyBboxPatch
+
+    axes = figure.add_axes((x / _WIDTH, y / _HEIGHT, width / _WIDTH, height / _HEIGHT))
+    axes.set_xlim(0, width)
+    axes.set_ylim(0, height)
+    axes.axis("off")
+    card = FancyBboxPatch(
+        (7, 7), width - 14, height - 14, boxstyle="round,pad=6,rounding_size=14", fc=_CARD, ec=_EDGE, lw=1.0
+    )
+    axes.add_patch(card)
+    axes.text(24, height - 36, title, color=_INK, fontsize=14, fontweight="bold", va="center")
+    return axes
+
+
+def _caption(axes: Any, text: str, color: str = _SOFT) -> None:
+    axes.text(24, 30, text, color=color, fontsize=11, va="center")
+
+
+class _Frame:
+    """Millimetres to pixels: a box of the drawing fitted into a box of the card."""
+
+    def __init__(self, low: Floats, high: Floats, box: tuple[float, float, float, float]) -> None:
+        left, bottom, right, top = box
+        self.scale = float(min((right - left) / (high[0] - low[0]), (top - bottom) / (high[1] - low[1])))
+        self.shift = np.array([0.5 * (left + right), 0.5 * (bottom + top)]) - 0.5 * self.scale * (low + high)
+
+    def __call__(self, points: Floats) -> Floats:
+        return points * self.scale + self.shift
+
+
+def _area(axes: Any, outline: Outline, frame: _Frame, **style: Any) -> None:
+    """An outline with its holes as one filled shape."""
+    from matplotlib.patches import PathPatch
+    from matplotlib.path import Path
+
+    loops = [frame(to_mm(loop)) for loop in outline.loops]
+    points = np.concatenate([np.concatenate([loop, loop[:1]]) for loop in loops])
+    codes = np.concatenate(
+        [[Path.MOVETO, *[Path.LINETO] * (len(loop) - 1), Path.CLOSEPOLY] for loop in loops]
+    )
+    axes.add_patch(PathPatch(Path(points, codes), joinstyle="round", **style))
+
+
+def _common_frame(axes: Any, design: Design) -> _Frame:
+    """The same scale for the drawing and for what is laid over it."""
+    points = to_mm(np.concatenate([design.target.outer, design.silhouette.outer]))
+    return _Frame(points.min(axis=0), points.max(axis=0), _box(axes, 34, 62, 34, 66))
+
+
+def _box(
+    axes: Any, left: float, bottom: float, right: float, top: float
+) -> tuple[float, float, float, float]:
+    return left, bottom, axes.get_xlim()[1] - right, axes.get_ylim()[1] - top
+
+
+def _drawing(axes: Any, design: Design) -> None:
+    _area(axes, design.target, _common_frame(axes, design), fc=_DRAWING, ec="none")
+    width, height = to_mm(np.array(design.target.size))
+    holes = len(design.target.holes)
+    inside = "" if not holes else ", 1 hole" if holes == 1 else f", {holes} holes"
+    _caption(axes, f"{width:.0f} × {height:.0f} mm{inside}")
+
+
+def _silhouette(axes: Any, design: Design) -> None:
+    frame = _common_frame(axes, design)
+    _area(axes, design.silhouette, frame, fc=_BALLOON, ec="none", alpha=0.30)
+    _area(axes, design.silhouette, frame, fc="none", ec=_BALLOON, lw=1.6)
+    _area(axes, design.target, frame, fc="none", ec=_DRAWING, lw=1.2, ls=(0, (4, 2.5)))
+    off = design.residual
+    mean, p95, most = (to_mm(value) for value in (off.mean, off.p95, off.max))
+    share = 100.0 * off.mean / max(design.target.size[0], 1e-12)
+    _caption(
+        axes,
+        f"error: mean {mean:.2g} mm ({share:.2g} %), 95 % {p95:.2g} mm, max {most:.2g} mm",
+        _SOFT if design.reached else "#b3541e",
+    )
+
+
+def _pattern(axes: Any, sheet: Sheet, pattern: Pattern) -> None:
+    frame = _Frame(np.zeros(2), np.array([sheet.width, sheet.height]), _box(axes, 74, 150, 40, 84))
+    for path in sheet.paths:
+        x, y = frame(np.concatenate([path.points, path.points[:1]]) if path.closed else path.points).T
+        if path.role is Role.CUT:
+            axes.fill(x, y, color="#fbeef0")
+        if path.role is Role.CUT_INNER:
+            axes.fill(x, y, color=_CARD)
+    for path in sheet.paths:
+        x, y = frame(np.concatenate([path.points, path.points[:1]]) if path.closed else path.points).T
+        style: dict[str, Any] = {"lw": 1.5} if path.role is not Role.SEAL else {"lw": 1.0, "ls": (0, (5, 2))}
+        axes.plot(x, y, color=LAYERS[path.role].rgb, solid_joinstyle="round", **style)
+    low, high = frame(np.zeros(2)), frame(np.array([sheet.width, sheet.height]))
+    _dimension(axes, (low[0], low[1] - 26), (high[0], low[1] - 26), f"{sheet.width:.0f} mm")
+    _dimension(axes, (low[0] - 26, low[1]), (low[0] - 26, high[1]), f"{sheet.height:.0f} mm", rotation=90)
+    _scale_bar(axes, frame.scale)
+    left = 24
+    for role in pattern.roles:
+        axes.plot([left, left + 24], [62, 62], color=LAYERS[role].rgb, lw=2.0)
+        axes.text(left + 32, 62, _NAMES[role], color=_SOFT, fontsize=11, va="center")
+        left += 60 + 8 * len(_NAMES[role])
+    neck = "no intake"
+    if pattern.intake is not None:
+        neck = f"intake {to_mm(pattern.intake.width):.0f} mm wide inside"
+    _caption(
+        axes,
+        f"weld {to_mm(pattern.seal_width):.2g} mm wide, {to_mm(pattern.seam_length):.0f} mm long, {neck}",
+    )
+
+
+def _dimension(
+    axes: Any, start: tuple[float, float], end: tuple[float, float], text: str, rotation: float = 0.0
+) -> None:
+    axes.annotate(
+        "",
+        xy=end,
+        xytext=start,
+        arrowprops={"arrowstyle": "<|-|>", "color": _SOFT, "lw": 0.8, "shrinkA": 0, "shrinkB": 0},
+    )
+    middle = 0.5 * (np.array(start) + np.array(end))
+    axes.text(
+        *middle, text, color=_INK, fontsize=11, ha="center", va="center", rotation=rotation,
+        bbox={"fc": _CARD, "ec": "none", "pad": 2.0},
+    )  # fmt: skip
+
+
+def _scale_bar(axes: Any, scale: float) -> None:
+    """100 mm where that fits, else the nearest power of ten."""
+    length = 100.0
+    while length * scale > 240.0:
+        length /= 10.0
+    while length * scale < 24.0:
+        length *= 10.0
+    right, y = axes.get_xlim()[1] - 30, 62
+    left = right - length * scale
+    axes.plot([left, left, left, right, right, right], [y - 6, y + 6, y, y, y - 6, y + 6], color=_INK, lw=1.4)
+    axes.text(
+        0.5 * (left + right), y + 16, f"{length:g} mm", color=_INK, fontsize=10, ha="center", va="center"
+    )
+
+
+def _balloon(axes: Any, design: Design, pattern: Pattern) -> None:
+    width, height = axes.get_xlim()[1], axes.get_ylim()[1]
+    box = (14, 56, width - 14, height - 64)
+    picture = balloon_picture(
+        design.inflation, pattern.seal_width, int(box[2] - box[0]), int(box[3] - box[1])
+    )
+    axes.imshow(picture, extent=(box[0], box[2], box[1], box[3]), interpolation="nearest", zorder=2)
+    axes.set_xlim(0, width)
+    axes.set_ylim(0, height)
+    positions = design.inflation.positions
+    across, up, _ = to_mm(np.ptp(positions, axis=0))
+    thick = to_mm(2.0 * float(positions[:, 2].max()))
+    litres = 1e3 * design.inflation.volume
+    _caption(axes, f"{across:.0f} × {up:.0f} × {thick:.0f} mm, {litres:.3g} litres")

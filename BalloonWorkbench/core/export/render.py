@@ -1,0 +1,215 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A shaded picture of the balloon: metallic film under studio lights, drawn with NumPy alone."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from BalloonWorkbench.core.solver.inflation import Inflation
+from BalloonWorkbench.core.types import Bools, Floats, Ints
+
+_YAW, _PITCH = np.radians(-28.0), np.radians(14.0)
+#: Distance of the eye in sizes of the balloon.
+_EYE = 3.6
+_OVERSAMPLING = 2
+_FILM = np.array([0.86, 0.12, 0.22])
+_WELD = np.array([0.78, 0.10, 0.19])
+
+
+def balloon_picture(inflation: Inflation, seal_width: float, width: int, height: int) -> Floats:
+    """RGBA (height, width, 4), values 0..1: the balloon upright, with its weld, over a soft shadow."""
+    size = np.array([width, height]) * _OVERSAMPLING
+    positions, triangles, normals, colours = _surface(inflation, seal_width)
+    middle = 0.5 * (positions.min(axis=0) + positions.max(axis=0))
+    reach = float(np.linalg.norm(np.ptp(positions, axis=0)))
+    turn = _rotation()
+    seen = (positions - middle) @ turn.T / reach
+    # The shadow falls on a floor below the lowest point of the upright balloon.
+    floor = positions[:, 1].min() - 0.04 * reach
+    fallen = (
+        np.stack([positions[:, 0], np.full(len(positions), floor), positions[:, 2]], axis=1) - middle
+    ) @ turn.T
+    fallen /= reach
+    flat, flat_shadow = _projected(seen), _projected(fallen)
+    everything = np.concatenate([flat, flat_shadow])
+    low, high = everything.min(axis=0), everything.max(axis=0)
+    scale = 0.86 * float(np.min(size / (high - low)))
+    shift = 0.5 * size - 0.5 * scale * (low + high)
+
+    def to_pixels(points: Floats) -> Floats:
+        pixels = points * scale + shift
+        return np.stack([pixels[:, 0], size[1] - pixels[:, 1]], axis=1)
+
+    image = np.zeros((size[1], size[0], 4))
+    shade = _rasterised(
+        to_pixels(flat_shadow), fallen[:, 2], triangles, np.ones((len(positions), 1)), image.shape
+    )
+    image[..., 3] = 0.34 * _blurred(shade[..., 0], max(2, int(0.018 * scale)))
+    attributes = np.concatenate([normals @ turn.T, colours, seen], axis=1)
+    facing = _facing_viewer(to_pixels(flat), triangles)
+    drawn = _rasterised(to_pixels(flat), seen[:, 2], triangles[facing], attributes, image.shape)
+    hit = np.abs(drawn[..., :3]).sum(axis=-1) > 0.0
+    image[hit, :3] = _lit(drawn[hit])
+    image[hit, 3] = 1.0
+    return _reduced(image)
+
+
+def _surface(inflation: Inflation, seal_width: float) -> tuple[Floats, Ints, Floats, Floats]:
+    """Positions, triangles, vertex normals and colours of both halves and of the weld around them."""
+    panel = inflation.panel
+    upper, top = panel.triangles, inflation.positions
+    up = _vertex_normals(top, upper)
+    mirror = np.array([1.0, 1.0, -1.0])
+    count = len(top)
+    parts = [(top, upper, up, _FILM), (top * mirror, upper[:, ::-1] + count, up * mirror, _FILM)]
+    for seam in panel.seams:
+        start = sum(len(part[0]) for part in parts)
+        parts.append(_weld(top[seam, :2], seal_width, start, mirror[2]))
+        parts.append(_weld(top[seam, :2], seal_width, start + 2 * len(seam), 1.0))
+    return (
+        np.concatenate([part[0] for part in parts]),
+        np.concatenate([part[1] for part in parts]),
+        np.concatenate([part[2] for part in parts]),
+        np.concatenate([np.broadcast_to(part[3], part[0].shape) for part in parts]),
+    )
+
+
+def _weld(rim: Floats, width: float, start: int, side: float) -> tuple[Floats, Ints, Floats, Floats]:
+    """The flat band outside a rim (k, 2), seen from the front (side 1) or from the back (-1)."""
+    ahead = np.roll(rim, -1, axis=0) - np.roll(rim, 1, axis=0)
+    for _ in range(2):
+        ahead = np.roll(ahead, -1, axis=0) + 2.0 * ahead + np.roll(ahead, 1, axis=0)
+    outward = np.stack([ahead[:, 1], -ahead[:, 0]], axis=1)
+    outward /= np.maximum(np.linalg.norm(outward, axis=1, keepdims=True), 1e-300)
+    points = np.zeros((2 * len(rim), 3))
+    points[:, :2] = np.concatenate([rim, rim + width * outward])
+    inner = np.arange(len(rim))
+    following = np.roll(inner, -1)
+    outer, outer_following = inner + len(rim), following + len(rim)
+    quads = np.concatenate(
+        [
+            np.stack([inner, outer, outer_following], axis=1),
+            np.stack([inner, outer_following, following], axis=1),
+        ]
+    )
+    if side < 0.0:
+        quads = quads[:, ::-1]
+    return points, (quads + start).astype(np.int32), np.tile([0.0, 0.0, side], (2 * len(rim), 1)), _WELD
+
+
+def _vertex_normals(positions: Floats, triangles: Ints) -> Floats:
+    a, b, c = (positions[triangles[:, k]] for k in range(3))
+    weighted = np.cross(b - a, c - a)
+    normals = np.stack(
+        [np.bincount(triangles.ravel(), np.repeat(weighted[:, k], 3), len(positions)) for k in range(3)],
+        axis=1,
+    )
+    return normals / np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-300)
+
+
+def _rotation() -> Floats:
+    cy, sy, cp, sp = np.cos(_YAW), np.sin(_YAW), np.cos(_PITCH), np.sin(_PITCH)
+    about_y = np.array([[cy, 0.0, sy], [0.0, 1.0, 0.0], [-sy, 0.0, cy]])
+    about_x = np.array([[1.0, 0.0, 0.0], [0.0, cp, -sp], [0.0, sp, cp]])
+    return about_x @ about_y
+
+
+def _projected(points: Floats) -> Floats:
+    return points[:, :2] * (_EYE / (_EYE - points[:, 2]))[:, None]
+
+
+def _facing_viewer(pixels: Floats, triangles: Ints) -> Bools:
+    u, v = (
+        pixels[triangles[:, 1]] - pixels[triangles[:, 0]],
+        pixels[triangles[:, 2]] - pixels[triangles[:, 0]],
+    )
+    return u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0] < 0.0  # rows of a picture run downward
+
+
+def _rasterised(
+    pixels: Floats, depth: Floats, triangles: Ints, attributes: Floats, shape: tuple[int, ...]
+) -> Floats:
+    """Attributes (h, w, k) of the nearest triangle in each pixel, 0 where there is none."""
+    height, width = shape[:2]
+    drawn = np.zeros((height, width, attributes.shape[1]))
+    nearest = np.full((height, width), -np.inf)
+    corners = pixels[triangles]
+    low = np.floor(corners.min(axis=1)).astype(int).clip(0)
+    high = np.ceil(corners.max(axis=1)).astype(int) + 1
+    for triangle, (x, y), (left, top), (right, bottom) in zip(triangles, corners.swapaxes(1, 2), low, high):
+        area = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0])
+        if area == 0.0:
+            continue
+        columns = np.arange(left, min(right, width)) + 0.5
+        rows = (np.arange(top, min(bottom, height)) + 0.5)[:, None]
+        second = ((columns - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (rows - y[0])) / area
+        third = ((x[1] - x[0]) * (rows - y[0]) - (columns - x[0]) * (y[1] - y[0])) / area
+        first = 1.0 - second - third
+        away = first * depth[triangle[0]] + second * depth[triangle[1]] + third * depth[triangle[2]]
+        window = nearest[top : top + len(rows), left : left + len(columns)]
+        # A hair wider than the triangle, so that no background shows between neighbours.
+        covers = (first >= -1e-9) & (second >= -1e-9) & (third >= -1e-9) & (away > window)
+        window[covers] = away[covers]
+        shares = np.stack([first[covers], second[covers], third[covers]], axis=1)
+        drawn[top : top + len(rows), left : left + len(columns)][covers] = shares @ attributes[triangle]
+    return drawn
+
+
+def _lit(drawn: Floats) -> Floats:
+    """Colours (n, 3) of metallic film from normals, film colours and places as the eye sees them."""
+    normal = drawn[:, :3] / np.linalg.norm(drawn[:, :3], axis=1, keepdims=True)
+    film, place = drawn[:, 3:6], drawn[:, 6:9]
+    view = np.array([0.0, 0.0, _EYE]) - place
+    view /= np.linalg.norm(view, axis=1, keepdims=True)
+    facing = np.clip((normal * view).sum(axis=1, keepdims=True), 0.0, 1.0)
+    mirrored = 2.0 * (normal * view).sum(axis=1, keepdims=True) * normal - view
+    key = _unit(-0.45, 0.8, 0.65)
+    bounce = 0.5 - 0.5 * normal[:, 1:2]  # light from the floor
+    diffuse = 0.34 + 0.66 * np.clip(normal @ key, 0.0, None)[:, None] + 0.22 * bounce
+    edge = (1.0 - facing) ** 4
+    tint = film + (1.0 - film) * edge
+    colour = film * (0.6 * diffuse) + tint * (0.75 * _studio(mirrored))[:, None]
+    glint = np.clip(mirrored @ key, 0.0, None)[:, None]
+    colour += 0.55 * glint**60 + 0.12 * glint**12
+    return np.clip(colour, 0.0, 1.0) ** (1.0 / 1.15)
+
+
+def _studio(direction: Floats) -> Floats:
+    """Brightness of the surroundings: dark floor, bright sky, a wide lamp above and a strip at the right."""
+    x, y, z = direction.T
+    sky = 0.22 + 0.42 * _step(y, -0.3, 0.9) + 0.16 * _step(-y, 0.3, 1.0)
+    lamp = _step(y, 0.3, 0.65) * (1.0 - _step(y, 0.85, 1.0)) * (1.0 - _step(np.abs(x + 0.15), 0.4, 0.8))
+    strip = _step(x, 0.5, 0.8) * (1.0 - _step(x, 0.85, 1.0)) * _step(z, -0.5, 0.2)
+    return sky + 0.5 * lamp + 0.3 * strip
+
+
+def _step(value: Floats, start: float, end: float) -> Floats:
+    share = np.clip((value - start) / (end - start), 0.0, 1.0)
+    return share * share * (3.0 - 2.0 * share)
+
+
+def _unit(x: float, y: float, z: float) -> Floats:
+    return np.array([x, y, z]) / np.sqrt(x * x + y * y + z * z)
+
+
+def _blurred(image: Floats, radius: int) -> Floats:
+    """Three box filters in each direction: nearly a Gaussian."""
+    for axis in (0, 1):
+        for _ in range(3):
+            padding = [(radius + 1, radius) if k == axis else (0, 0) for k in range(2)]
+            total = np.cumsum(np.pad(image, padding), axis=axis)
+            length = image.shape[axis]
+            image = (
+                np.take(total, np.arange(length) + 2 * radius + 1, axis=axis)
+                - np.take(total, np.arange(length), axis=axis)
+            ) / (2 * radius + 1)
+    return image
+
+
+def _reduced(image: Floats) -> Floats:
+    """Averages of blocks of pixels, colours weighted by their opacity."""
+    step = _OVERSAMPLING
+    blocks = image.reshape(image.shape[0] // step, step, image.shape[1] // step, step, 4)
+    opacity = blocks[..., 3].mean(axis=(1, 3))
+    colour = (blocks[..., :3] * blocks[..., 3:]).mean(axis=(1, 3)) / np.maximum(opacity, 1e-9)[..., None]
+    return np.concatenate([np.clip(colour, 0.0, 1.0), opacity[..., None].clip(0.0, 1.0)], axis=-1)

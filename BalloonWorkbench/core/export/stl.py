@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The inflated balloon as one closed mesh, and as a binary STL file."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from BalloonWorkbench.core.mesh.quality import locked
+from BalloonWorkbench.core.solver.inflation import Inflation
+from BalloonWorkbench.core.types import Floats, Ints
+from BalloonWorkbench.core.units import to_mm
+
+_HEADER = b"Inflated film balloon, both panels, millimetres"
+_FACET = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
+
+
+def balloon_mesh(inflation: Inflation) -> tuple[Floats, Ints]:
+    """Positions (N, 3) [m] and triangles (M, 3) of both halves, joined at the seam, outward orientation.
+
+    Every edge belongs to two triangles. Triangles with all vertices on the seam (at sharp tips) lie flat in
+    both halves, enclose nothing and are left out.
+    """
+    panel = inflation.panel
+    upper = panel.triangles[~locked(panel)]
+    seam = np.concatenate(panel.seams)
+    count = len(inflation.positions)
+    mirror = np.arange(count, 2 * count)
+    mirror[seam] = seam
+    positions = np.concatenate([inflation.positions, inflation.positions * np.array([1.0, 1.0, -1.0])])
+    positions[seam, 2] = 0.0
+    triangles = np.concatenate([upper, mirror[upper][:, ::-1]])
+    used, renumbered = np.unique(triangles, return_inverse=True)
+    return positions[used], renumbered.reshape(-1, 3).astype(np.int32)
+
+
+def enclosed_volume(positions: Floats, triangles: Ints) -> float:
+    """Volume inside a closed mesh, positive when it is oriented outward."""
+    a, b, c = (positions[triangles[:, k]] for k in range(3))
+    return float(np.einsum("ij,ij->", a, np.cross(b, c))) / 6.0
+
+
+def stl_bytes(inflation: Inflation) -> bytes:
+    """A binary STL file of the closed balloon in millimetres."""
+    positions, triangles = balloon_mesh(inflation)
+    facets = np.zeros(len(triangles), dtype=_FACET)
+    facets["corners"] = to_mm(positions)[triangles]
+    a, b, c = (facets["corners"][:, k].astype(np.float64) for k in range(3))
+    normal = np.cross(b - a, c - a)
+    length = np.linalg.norm(normal, axis=1, keepdims=True)
+    facets["normal"] = normal / np.where(length > 0.0, length, 1.0)
+    return _HEADER.ljust(80) + np.uint32(len(facets)).astype("<u4").tobytes() + facets.tobytes()

@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""SVG files read back as XML."""
+
+from __future__ import annotations
+
+import re
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+from drawn_shapes import NAMED
+
+from BalloonWorkbench.core.export.svg import svg_bytes
+from BalloonWorkbench.core.pattern.build import build_pattern
+from BalloonWorkbench.core.pattern.pattern import Role
+
+SVG, INKSCAPE = "{http://www.w3.org/2000/svg}", "{http://www.inkscape.org/namespaces/inkscape}"
+COLOURS = {"CUT": "#ff0000", "CUT_INNER": "#0000ff", "SEAL": "#ff00ff"}
+
+
+@pytest.mark.parametrize("name", NAMED)
+def test_real_size_and_layers(name: str) -> None:
+    pattern = build_pattern(NAMED[name], 0.005)
+    root = ElementTree.fromstring(svg_bytes(pattern))
+    width, height = (1000.0 * side for side in pattern.size)
+    assert root.tag == f"{SVG}svg"
+    assert [float(value) for value in root.attrib["viewBox"].split()] == pytest.approx(
+        [0, 0, width, height], abs=1e-3
+    )
+    for key, size in (("width", width), ("height", height)):
+        number, unit = re.fullmatch(r"([\d.]+)(mm)", root.attrib[key]).groups()
+        assert unit == "mm"
+        assert float(number) == pytest.approx(size, abs=1e-3)
+    groups = list(root)
+    assert [group.attrib["id"] for group in groups] == [role.value for role in pattern.roles]
+    assert groups[-1].attrib["id"] == "CUT"
+    low, high = pattern.bounds
+    for group in groups:
+        assert group.tag == f"{SVG}g"
+        assert group.attrib[f"{INKSCAPE}groupmode"] == "layer"
+        assert group.attrib[f"{INKSCAPE}label"] == group.attrib["id"]
+        assert group.attrib["stroke"] == COLOURS[group.attrib["id"]]
+        assert group.attrib["fill"] == "none"
+        contours = pattern.of(Role(group.attrib["id"]))
+        assert len(group) == len(contours)
+        for path, contour in zip(group, contours):
+            course = path.attrib["d"]
+            assert course.startswith("M ")
+            assert course.endswith(" Z") == contour.closed
+            pairs = course.removeprefix("M ").removesuffix(" Z").split(" ")
+            read = np.array([[float(value) for value in pair.split(",")] for pair in pairs])
+            wanted = (
+                np.stack([contour.points[:, 0] - low[0], high[1] - contour.points[:, 1]], axis=1) * 1000.0
+            )
+            assert read.shape == wanted.shape
+            assert np.abs(read - wanted).max() < 0.01
+
+
+def test_same_pattern_same_bytes() -> None:
+    first, second = (svg_bytes(build_pattern(NAMED["holes"], 0.005)) for _ in range(2))
+    assert first == second
