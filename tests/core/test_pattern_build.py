@@ -81,6 +81,7 @@ def assert_makeable(pattern: Pattern, seam: Outline) -> None:
     body = max(shapely.get_parts(free), key=lambda piece: piece.area)
     extra = body.difference(inside.buffer(30 * MICRON)).difference(neck)
     assert extra.area < 0.01 * inside.area
+    assert inside.difference(body).area < 0.01 * inside.area
 
 
 @pytest.mark.parametrize("name", NAMED)
@@ -143,6 +144,19 @@ def test_sharp_tip_is_opened_to_the_full_width() -> None:
     for x in np.linspace(-0.029, 0.06, 30):
         across = free.intersection(LineString([(x, -0.1), (x, 0.1)]))
         assert across.length >= WIDTH - 20 * MICRON
+
+
+def test_the_neck_stays_in_a_tail_that_turns_away_from_the_centre() -> None:
+    """The way straight back from the tip of the tail to the centre leads through the bay beside it."""
+    s = np.linspace(0.0, 1.0, 60)
+    back = np.stack([0.1 + 0.2 * s, 0.1 * s**2], axis=1)
+    tail = np.concatenate([back, (back + np.stack([0.0 * s, 0.002 + 0.04 * (1.0 - s)], axis=1))[::-1]])
+    seam = Outline(np.concatenate([polar(0.1, np.linspace(0.45, 2.0 * np.pi, 300)), tail]))
+    pattern = build_pattern(seam, SEAL)
+    assert pattern.intake is not None
+    assert pattern.intake.at[0] > 0.29
+    assert_makeable(pattern, seam)
+    assert not pattern.of(Role.CUT_INNER)
 
 
 @pytest.mark.parametrize("degrees", [0.0, 45.0, 90.0, 200.0, -60.0])

@@ -53,13 +53,17 @@ def place_neck(film: Any, margin: float, width: float, length: float | None, ang
     rim = np.asarray(film.exterior.coords, dtype=np.float64)[:-1]
     centre = np.asarray(film.centroid.coords[0])
     at, direction = _farthest(rim, centre) if angle is None else _hit(film, centre, angle)
-    inside, narrow = _reach(film, at, direction, width, float(np.linalg.norm(at - centre)))
     past, wide = length + 2.0 * margin, width + 4.0 * margin
     beyond = _rectangle(at, direction, length, past + 2.0 * margin, wide)
     _check_free(film, _rectangle(at, direction, 0.0, past, wide), _line(at, direction, wide), beyond)
+    start = _roomy(film, at, width)
+    path = [at if start is None else start, at, at + past * direction]
     turn = float(np.arctan2(direction[1], direction[0]))
     return Neck(
-        Intake(at, turn, width, length), _rectangle(at, direction, -inside, past, width), beyond, narrow
+        Intake(at, turn, width, length),
+        shapely().LineString(path).buffer(0.5 * width, quad_segs=16),
+        beyond,
+        start is None,
     )
 
 
@@ -87,16 +91,19 @@ def _hit(film: Any, centre: Floats, angle: float) -> tuple[Floats, Floats]:
     return points[np.argmax((points - centre) @ direction)], direction
 
 
-def _reach(film: Any, at: Floats, direction: Floats, width: float, most: float) -> tuple[float, bool]:
-    """How far inward the balloon is as wide as the intake, and whether it nowhere is."""
+def _roomy(film: Any, at: Floats, width: float) -> Floats | None:
+    """The nearest place straight inside from `at` where a disc of the intake's width fits into the film."""
     package = shapely()
-    package.prepare(film)
-    depths = np.linspace(0.0, max(most, width), 400)
-    across = [_line(at - depth * direction, direction, width) for depth in depths]
-    wide = np.flatnonzero(package.contains(film, across))
-    if not len(wide):
-        return width, True
-    return float(depths[wide[0]]) + 0.1 * width, False
+    fitting = package.segmentize(film.buffer(-0.5 * width).boundary, 0.1 * width)
+    places = package.get_coordinates(fitting)
+    if not len(places):
+        return None
+    nearest = places[np.argsort(np.linalg.norm(places - at, axis=1), kind="stable")]
+    sight = package.linestrings(np.stack([np.broadcast_to(at, nearest.shape), nearest], axis=1))
+    inside = film.buffer(1e-3 * width)  # the line starts on the rim
+    package.prepare(inside)
+    seen = np.flatnonzero(package.covers(inside, sight))
+    return nearest[seen[0]] if len(seen) else None
 
 
 def _check_free(film: Any, strip: Any, root: Any, beyond: Any) -> None:
