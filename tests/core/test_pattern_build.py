@@ -169,6 +169,19 @@ def test_chosen_direction(name: str, degrees: float) -> None:
     assert_makeable(pattern, NAMED[name])
 
 
+@pytest.mark.parametrize("degrees", [0.0, 77.0, 190.0, 300.0])
+def test_slanting_necks_are_right_or_refused(degrees: float) -> None:
+    built = 0
+    for seed in range(15):
+        try:
+            pattern = build_pattern(generated(seed), SEAL, intake_angle=np.radians(degrees))
+        except InputError:
+            continue
+        assert_makeable(pattern, generated(seed))
+        built += 1
+    assert built >= 13
+
+
 def test_an_intake_into_another_arm_is_refused() -> None:
     def u_shape(gap: float) -> Outline:
         left, right = 0.15 - 0.5 * gap, 0.15 + 0.5 * gap
@@ -177,7 +190,7 @@ def test_an_intake_into_another_arm_is_refused() -> None:
 
     up = {"intake_angle": np.pi / 2.0, "intake_length": 0.08}
     with pytest.raises(InputError, match="another angle"):
-        build_pattern(u_shape(0.03), SEAL, **up)
+        build_pattern(u_shape(0.014), SEAL, **up)
     assert_makeable(build_pattern(u_shape(0.06), SEAL, **up), u_shape(0.06))
 
 

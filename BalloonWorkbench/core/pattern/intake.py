@@ -10,7 +10,7 @@ import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.pattern.pattern import Intake
-from BalloonWorkbench.core.pattern.shapes import shapely
+from BalloonWorkbench.core.pattern.shapes import offset, shapely
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import from_mm, mm_text
 
@@ -38,31 +38,32 @@ def place_neck(film: Any, margin: float, width: float, length: float | None, ang
 
     margin  from the seam to the cut [m]
     width   between the welds [m]
-    length  from the seam outward [m]; by default 30 mm and three widths at least, and always past the cut
+    length  from the seam outward [m]; by default 30 mm and three widths at least, more where it leaves aslant
     angle   direction [rad]; by default from the centre of area to the farthest point of the outline
     """
     least = margin + 0.5 * width
-    if length is None:
-        length = max(from_mm(30.0), 3.0 * width, least)
-    if not (np.isfinite(width) and width > 0.0 and np.isfinite(length)):
+    lengths = max(from_mm(30.0), 3.0 * width, least) * np.array([1.0, 1.4, 2.0, 2.8, 4.0])
+    if length is not None:
+        lengths = np.array([length])
+    if not (np.isfinite(width) and width > 0.0 and np.isfinite(lengths).all()):
         raise InputError("The intake's width and length must be above 0.")
-    if length < least:
+    if lengths[0] < least:
         raise InputError(
-            f"An intake of {mm_text(length)} does not reach past the cut: give it at least {mm_text(least)}."
+            f"An intake of {mm_text(lengths[0])} does not reach past the cut:"
+            f" give it at least {mm_text(least)}."
         )
     rim = np.asarray(film.exterior.coords, dtype=np.float64)[:-1]
     centre = np.asarray(film.centroid.coords[0])
     at, direction = _farthest(rim, centre) if angle is None else _hit(film, centre, angle)
-    past, wide = length + 2.0 * margin, width + 4.0 * margin
-    beyond = _rectangle(at, direction, length, past + 2.0 * margin, wide)
-    _check_free(film, _rectangle(at, direction, 0.0, past, wide), _line(at, direction, wide), beyond)
+    chosen = _free_length(film, at, direction, lengths.tolist(), width, margin)
+    past = chosen + 2.0 * margin
     start = _roomy(film, at, width)
     path = [at if start is None else start, at, at + past * direction]
     turn = float(np.arctan2(direction[1], direction[0]))
     return Neck(
-        Intake(at, turn, width, length),
+        Intake(at, turn, width, chosen),
         shapely().LineString(path).buffer(0.5 * width, quad_segs=16),
-        beyond,
+        _before_mouth(at, direction, chosen, width, margin),
         start is None,
     )
 
@@ -106,19 +107,27 @@ def _roomy(film: Any, at: Floats, width: float) -> Floats | None:
     return nearest[seen[0]] if len(seen) else None
 
 
-def _check_free(film: Any, strip: Any, root: Any, beyond: Any) -> None:
-    """The neck, welds included, may meet the film at its root only."""
-    pieces = shapely().get_parts(film.intersection(strip))
-    stray = any(piece.distance(root) > 1e-9 and piece.area > 1e-9 * strip.area for piece in pieces)
-    if stray or film.intersects(beyond):
-        raise InputError(
-            "The intake would run into another part of the balloon: choose another angle or a shorter intake."
-        )
+def _free_length(
+    film: Any, at: Floats, direction: Floats, lengths: list[float], width: float, margin: float
+) -> float:
+    """The first length at which the neck meets the film at its root only and ends outside all that is cut."""
+    cut = offset(film, margin)
+    beside = width + margin  # closer than that, two welds become one
+    root = _rectangle(at, direction, -1e-6 * width, 1e-6 * width, beside)
+    for length in lengths:
+        strip = _rectangle(at, direction, 0.0, length, beside)
+        pieces = shapely().get_parts(film.intersection(strip))
+        stray = any(piece.area > 1e-9 * strip.area and not piece.intersects(root) for piece in pieces)
+        if not stray and not cut.intersects(_before_mouth(at, direction, length, width, margin)):
+            return length
+    raise InputError(
+        "The intake would run into another part of the balloon: choose another angle or length for it."
+    )
 
 
-def _line(middle: Floats, direction: Floats, width: float) -> Any:
-    side = 0.5 * width * np.array([-direction[1], direction[0]])
-    return shapely().LineString([middle - side, middle + side])
+def _before_mouth(at: Floats, direction: Floats, length: float, width: float, margin: float) -> Any:
+    """A little more than the neck's whole breadth, from the mouth onward."""
+    return _rectangle(at, direction, length, length + 4.0 * margin + width, width + 2.2 * margin)
 
 
 def _rectangle(at: Floats, direction: Floats, start: float, end: float, width: float) -> Any:
