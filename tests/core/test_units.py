@@ -1,4 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
+"""Lengths and pressures as people write them."""
+
 import numpy as np
 import pytest
 
@@ -31,7 +33,15 @@ def test_lengths(text, metres):
 
 @pytest.mark.parametrize(
     ("text", "pascals"),
-    [("2kPa", 2000), ("20 mbar", 2000), ("1bar", 1e5), ("5 psi", 34473.786), ("1500", 1500), ("3 hPa", 300), (2e3, 2e3)],
+    [
+        ("2kPa", 2000),
+        ("20 mbar", 2000),
+        ("1bar", 1e5),
+        ("5 psi", 34473.786),
+        ("1500", 1500),
+        ("3 hPa", 300),
+        (2e3, 2e3),
+    ],
 )
 def test_pressures(text, pascals):
     assert units.parse_pressure(text) == pytest.approx(pascals, rel=1e-7)
@@ -39,7 +49,21 @@ def test_pressures(text, pascals):
 
 @pytest.mark.parametrize(
     "text",
-    ["", "mm", "3 apples", "3 kPa", "nan", "inf", "1e999", "1,5 mm", "3 mm 4", "--3mm", "0x10", "3e", "3 m m"],
+    [
+        "",
+        "mm",
+        "3 apples",
+        "3 kPa",
+        "nan",
+        "inf",
+        "1e999",
+        "1,5 mm",
+        "3 mm 4",
+        "--3mm",
+        "0x10",
+        "3e",
+        "3 m m",
+    ],
 )
 def test_nonsense_lengths_are_refused_with_an_example(text):
     with pytest.raises(InputError, match="300mm"):

@@ -36,7 +36,9 @@ def outline_from(
         remarks.append(f"Gaps of up to {mm_text(NEAR_END)} between lines were closed ({len(more)} loops).")
     closable = [any(np.array_equal(line, piece) for piece in filled) for line in rest]
     loops += more + [line for line, close in zip(rest, closable) if close]
-    rest = [line for line, close in zip(rest, closable) if not close]
+    open_ones = [line for line, close in zip(rest, closable) if not close]
+    # A line out and back is neither a loop nor open.
+    rest = [line for line in open_ones if np.linalg.norm(line[-1] - line[0]) > SAME_END]
     loops = [loop for loop in loops if len(clean(loop, SAME_END)) > 2]
     if not loops:
         if rest:

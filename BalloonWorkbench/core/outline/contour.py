@@ -91,5 +91,9 @@ def _cycles(following: NDArray[np.intp]) -> list[list[int]]:
 
 
 def _from_upper_left(loop: Floats) -> Floats:
-    first = np.lexsort((loop[:, 0], -loop[:, 1]))[0]
-    return np.roll(loop, -first, axis=0)
+    """The loop beginning above the first pixel inside it in a scan by rows, from the upper left."""
+    top_row = np.floor(loop[:, 1].max() - 0.5) + 0.5
+    above = np.flatnonzero(loop[:, 1] > top_row)
+    if len(above) == 0:
+        above = np.flatnonzero(loop[:, 1] == top_row)
+    return np.roll(loop, -above[np.argmin(loop[above, 0])], axis=0)

@@ -143,8 +143,9 @@ def _highest_pass(height: Pixels, summit: int, level: float) -> Floats:
     labels, _ = label(height > high)
     room, outside = labels == labels.flat[summit], labels == labels[0, 0]
     joined, _ = label(height > low)
+    reach = 4 * level + 8  # farther from either it is not the pass
     between = (joined == joined[0, 0]) & ~room & ~outside
-    way = np.where(between, distance(~room) + distance(~outside), np.inf)
+    way = np.where(between, distance(~room, reach) + distance(~outside, reach), np.inf)
     y, x = np.unravel_index(int(np.argmin(way)), way.shape)
     return np.array([x, y], dtype=np.float64)
 

@@ -22,12 +22,13 @@ def opencv() -> ModuleType | None:
     """
     try:
         import cv2
-
-        ok, packed = cv2.imencode(".png", np.full((2, 2, 3), 7, np.uint8))
-        return (
-            cv2 if ok and cv2.imdecode(packed, cv2.IMREAD_UNCHANGED).tolist() == [[[7] * 3] * 2] * 2 else None
-        )
-    except (ImportError, AttributeError, RecursionError, OSError, SystemError, RuntimeError):
+    except (ImportError, AttributeError, RecursionError, OSError, SystemError):
+        return None
+    dots = np.full((2, 2, 3), 7, np.uint8)
+    try:
+        _, packed = cv2.imencode(".png", dots)
+        return cv2 if np.array_equal(cv2.imdecode(packed, cv2.IMREAD_UNCHANGED), dots) else None
+    except (cv2.error, AttributeError, TypeError, SystemError):
         return None
 
 
