@@ -4,12 +4,13 @@
 from __future__ import annotations
 
 import functools
+import importlib.util
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
 from BalloonWorkbench.core.errors import InputError, MissingPackageError
-from BalloonWorkbench.core.solver import native
+from BalloonWorkbench.core.solver import native, newton
 from BalloonWorkbench.core.solver.problem import Equilibrium, FilmProblem, NewtonSettings
 from BalloonWorkbench.core.types import Floats, Progress
 
@@ -25,7 +26,8 @@ class Solve(Protocol):
         levels: Sequence[float],
         settings: NewtonSettings,
         progress: Progress,
-    ) -> Equilibrium: ...
+    ) -> Equilibrium:
+        """Bring the film to rest."""
 
 
 @dataclass(frozen=True)
@@ -42,15 +44,11 @@ def available() -> tuple[Backend, ...]:
     found = []
     if native.problem_with_library() is None:
         found.append(Backend("native", native.solve))
-    try:
-        from BalloonWorkbench.core.solver import newton  # needs scipy, which some FreeCADs lack
-    except ImportError:
-        pass
-    else:
+    if importlib.util.find_spec("scipy") is not None:  # some FreeCADs lack it
         found.append(Backend("numpy", newton.solve))
     if not found:
         raise MissingPackageError(
-            f"No solver works here: {native.problem_with_library()} Build it, or install the Python package scipy."
+            f"No solver works here: {native.problem_with_library()} Build it or install the package scipy."
         )
     return tuple(found)
 
@@ -68,7 +66,11 @@ def backend_named(name: str | None) -> Backend:
         if backend.name == name:
             return backend
     if name == "native":
-        raise InputError(f"The native solver is not available: {native.problem_with_library()} Use the NumPy solver.")
+        raise InputError(
+            f"The native solver is not available: {native.problem_with_library()} Use the NumPy solver."
+        )
     if name == "numpy":
-        raise InputError("The NumPy solver needs the Python package scipy. Install it or use the native solver.")
+        raise InputError(
+            "The NumPy solver needs the Python package scipy. Install it or use the native solver."
+        )
     raise InputError(f"There is no solver named '{name}'. Use 'native' or 'numpy'.")

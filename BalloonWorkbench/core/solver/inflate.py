@@ -17,18 +17,23 @@ from BalloonWorkbench.core.solver.inflation import Inflation, SolveReport
 from BalloonWorkbench.core.solver.kinematics import deformation_gradients, film_volume, green_strains
 from BalloonWorkbench.core.solver.membrane import principal_tensions
 from BalloonWorkbench.core.solver.problem import FilmProblem, NewtonSettings
-from BalloonWorkbench.core.types import Progress, no_progress
+from BalloonWorkbench.core.types import Floats, Ints, Progress, no_progress
 
 #: Smallest flexural rigidity, in p w^3 with w the typical width of the panel: below it the step count grows
 #: with the mesh and nothing visible changes.
 BENDING_FLOOR = 1e-6
-#: In-plane rigidity of the sealed band, in p w^4: below the floor the rim folds at mesh scale; above the
-#: ceiling the band itself would wrinkle, which no beam shows.
+#: In-plane rigidity of the sealed band, in p w^4. Along the outline it crumples with the film: below the
+#: floor the rim folds at mesh scale; above the ceiling the band itself would wrinkle, which no beam shows.
 SEAM_FLOOR = 1e-6
 SEAM_CEILING = 1e-5
+#: Round a hole the film pulls the band taut, so that it keeps all of its rigidity. Without it a ring is
+#: unstable: the volume grows when the hole gives up its shape, until the tube kinks.
+HOLE_FLOOR = 1e-3
 #: The continuation begins with a film this soft and grows by this factor.
 SOFTEST = 6.0
 STIFFENING = 5.0
+#: A warm start is stretched by this: a slack film has no stiffness to start from.
+WARM_STRETCH = 1.08
 
 
 def inflate(
@@ -52,7 +57,9 @@ def inflate(
     Cancelled when progress returns False.
     """
     if not (np.isfinite(pressure) and pressure > 0.0):
-        raise InputError(f"The pressure must be positive, not {pressure:g} Pa. A party balloon has about 2 kPa.")
+        raise InputError(
+            f"The pressure must be positive, not {pressure:g} Pa. A party balloon has about 2 kPa."
+        )
     solver = backend_named(backend)
     began = time.perf_counter()
     size = float(np.ptp(panel.rest_positions, axis=0).max())
@@ -63,8 +70,8 @@ def inflate(
         directors = starts.vertex_normals(positions, panel)
         levels = stiffness_levels(stiffness_k)
     else:
-        positions, directors = start.positions / size, start.directors
-        levels = (stiffness_k,)
+        positions, directors = _stretched(start, panel) / size, start.directors
+        levels = tuple(stiffness_k / 3.0**step for step in (3, 2, 1, 0))
     rest = solver.solve(problem, positions, directors, levels, settings or NewtonSettings(), progress)
 
     shape, _ = gradients(problem.rest_positions[panel.triangles])
@@ -88,18 +95,33 @@ def inflate(
     )
 
 
-def film_problem(panel: Panel, film: Film, pressure: float, bending_floor: float = BENDING_FLOOR) -> FilmProblem:
+def _stretched(start: Inflation, panel: Panel) -> Floats:
+    """Positions (n, 3) of an earlier result, moved with the panel and stretched until nothing is slack."""
+    positions = start.positions.copy()
+    positions[:, :2] += panel.rest_positions - start.panel.rest_positions
+    centre = positions.mean(axis=0) * (1.0, 1.0, 0.0)
+    return centre + WARM_STRETCH * (positions - centre)
+
+
+def film_problem(
+    panel: Panel, film: Film, pressure: float, bending_floor: float = BENDING_FLOOR
+) -> FilmProblem:
     """The dimensionless problem of the upper panel: rim held in z = 0, free in the plane, directors free."""
     size = float(np.ptp(panel.rest_positions, axis=0).max())
     fixed = np.zeros((len(panel.rest_positions), 5), dtype=bool)
     for seam in panel.seams:
         fixed[seam, 2] = True
     width = typical_width(panel)
-    seam_rigidity = 0.0
+    seams: tuple[Ints, ...] = ()
+    seam_rigidities: tuple[float, ...] = ()
     if film.seal_width > 0.0:
         band = 2.0 * film.membrane_stiffness * film.seal_width**3 / 12.0
         relative = band / (pressure * width**4)
-        seam_rigidity = min(max(relative, SEAM_FLOOR), SEAM_CEILING) * (width / size) ** 4
+        outer, hole = min(max(relative, SEAM_FLOOR), SEAM_CEILING), max(relative, HOLE_FLOOR)
+        seams = panel.seams
+        seam_rigidities = tuple(
+            rigidity * (width / size) ** 4 for rigidity in (outer, *[hole] * (len(panel.seams) - 1))
+        )
     return FilmProblem(
         panel.rest_positions / size,
         panel.triangles,
@@ -107,18 +129,16 @@ def film_problem(panel: Panel, film: Film, pressure: float, bending_floor: float
         film.membrane_stiffness / (pressure * size),
         film.poisson_ratio,
         max(film.flexural_rigidity / (pressure * size**3), bending_floor * (width / size) ** 3),
-        seams=panel.seams,
-        seam_rigidity=seam_rigidity,
+        seams=seams,
+        seam_rigidities=seam_rigidities,
     )
 
 
 def typical_width(panel: Panel) -> float:
     """Four times the area by the length of the seams [m]: diameter of a disc, side of a square."""
     _, areas = gradients(panel.rest_positions[panel.triangles])
-    length = sum(
-        float(np.linalg.norm(panel.rest_positions[np.roll(seam, -1)] - panel.rest_positions[seam], axis=1).sum())
-        for seam in panel.seams
-    )
+    loops = [panel.rest_positions[seam] for seam in panel.seams]
+    length = sum(float(np.linalg.norm(np.roll(loop, -1, axis=0) - loop, axis=1).sum()) for loop in loops)
     return 4.0 * float(areas.sum()) / length
 
 

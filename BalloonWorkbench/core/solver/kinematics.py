@@ -34,12 +34,13 @@ def facet_volume(positions: Floats, triangles: Ints) -> float:
 def sag_volume(positions: Floats, directors: Floats, triangles: Ints) -> float:
     """Volume between the facets and the curved film above them.
 
-    The directors at the ends of an edge e differ by the curvature along it, so that the middle of the film stands
-    (d_j - d_i) . e / 8 above the edge's; a quadratic triangle holds a third of its area times the sum of these.
+    The directors at the ends of an edge e differ by the curvature along it, so that the middle of the film
+    stands (d_j - d_i) . e / 8 above the edge's; a quadratic triangle holds a third of its area times the sum
+    of these.
     """
     corners, normals = positions[triangles], directors[triangles]
-    areas = 0.5 * np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
     edges = np.roll(corners, -1, axis=1) - corners
+    areas = 0.5 * np.linalg.norm(np.cross(edges[:, 0], edges[:, 1]), axis=1)
     turns = np.roll(normals, -1, axis=1) - normals
     return float(areas @ np.einsum("mki,mki->m", turns, edges)) / 24.0
 

@@ -21,6 +21,7 @@ import numpy as np
 
 from BalloonWorkbench.core.types import Bools, Floats
 
+
 @dataclass(frozen=True)
 class MembraneResponse:
     """Energy density, second Piola-Kirchhoff stress and tangent of each triangle.
@@ -69,7 +70,8 @@ def tension_field(strain: Floats, poisson_ratio: float) -> MembraneResponse:
     e1, e2 = major[wrinkled], minor[wrinkled]
     turning = 2.0 * e1 / (e1 - e2)
     tangent[wrinkled] = (
-        along[:, :, None] * along[:, None, :] + turning[:, None, None] * across[:, :, None] * across[:, None, :]
+        along[:, :, None] * along[:, None, :]
+        + turning[:, None, None] * across[:, :, None] * across[:, None, :]
     )
 
     stress = np.zeros_like(strain)

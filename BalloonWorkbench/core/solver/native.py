@@ -17,10 +17,10 @@ import numpy as np
 
 from BalloonWorkbench.core.errors import Cancelled, SolverError
 from BalloonWorkbench.core.solver.problem import Energies, Equilibrium, FilmProblem, NewtonSettings
-from BalloonWorkbench.core.solver.seam_band import seam_hinges
+from BalloonWorkbench.core.solver.seam_band import hinge_rigidities, seam_hinges
 from BalloonWorkbench.core.types import Floats, Progress, no_progress
 
-ABI_VERSION = 1
+ABI_VERSION = 2
 _CANCELLED = 3
 _FOLDER = Path(__file__).resolve().parents[2] / "native" / "lib"
 _NAMES = {"win32": "film_solver.dll", "darwin": "libfilm_solver.dylib"}
@@ -29,7 +29,7 @@ _NAMES = {"win32": "film_solver.dll", "darwin": "libfilm_solver.dylib"}
 class _Material(ctypes.Structure):
     _fields_ = [
         (name, ctypes.c_double)
-        for name in ("membrane_stiffness", "poisson_ratio", "flexural_rigidity", "pressure", "seam_rigidity")
+        for name in ("membrane_stiffness", "poisson_ratio", "flexural_rigidity", "pressure")
     ]
 
 
@@ -86,15 +86,13 @@ def _solver(problem: FilmProblem) -> Iterator[tuple[ctypes.CDLL, ctypes.c_void_p
     triangles = np.ascontiguousarray(problem.triangles, dtype=np.int32)
     fixed = np.ascontiguousarray(problem.fixed, dtype=np.uint8)
     loads = None if problem.loads is None else np.ascontiguousarray(problem.loads, dtype=np.float64)
-    hinges = np.zeros((0, 3), dtype=np.int32)
-    if problem.seams:
-        hinges = np.ascontiguousarray(seam_hinges(problem.seams))
+    hinges = np.ascontiguousarray(seam_hinges(problem.seams))
+    rigidities = hinge_rigidities(problem.seams, problem.seam_rigidities)
     material = _Material(
         problem.membrane_stiffness,
         problem.poisson_ratio,
         problem.flexural_rigidity,
         problem.pressure,
-        problem.seam_rigidity,
     )
     handle = ctypes.c_void_p()
     _check(
@@ -108,6 +106,7 @@ def _solver(problem: FilmProblem) -> Iterator[tuple[ctypes.CDLL, ctypes.c_void_p
             _pointer(loads),
             ctypes.c_int32(len(hinges)),
             _pointer(hinges),
+            _pointer(rigidities),
             ctypes.byref(material),
             ctypes.byref(handle),
         ),
@@ -163,5 +162,7 @@ def energies(problem: FilmProblem, positions: Floats, directors: Floats) -> Ener
     positions = np.ascontiguousarray(positions, dtype=np.float64)
     directors = np.ascontiguousarray(directors, dtype=np.float64)
     with _solver(problem) as (library, handle):
-        _check(library, library.film_energies(handle, _pointer(positions), _pointer(directors), _pointer(parts)))
+        _check(
+            library, library.film_energies(handle, _pointer(positions), _pointer(directors), _pointer(parts))
+        )
     return Energies(*(float(part) for part in parts))

@@ -9,15 +9,18 @@ each vertex restores definiteness and shortens steps that would go too far.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
-from scipy.sparse import csc_matrix
-from scipy.sparse.linalg import SuperLU, splu
 
 from BalloonWorkbench.core.errors import Cancelled, SolverError
 from BalloonWorkbench.core.solver.problem import Energies, Equilibrium, FilmProblem, NewtonSettings
 from BalloonWorkbench.core.solver.shell import Shell, tangent_frames, turned
 from BalloonWorkbench.core.types import Floats, Progress, no_progress
+
+if TYPE_CHECKING:
+    from scipy.sparse import csc_matrix
+    from scipy.sparse.linalg import SuperLU
 
 # The native solver has the same numbers (native/src/newton.cpp): both must take the same steps.
 LEVEL_TOLERANCE = 0.02  # a softer level is good enough at this relative decrement
@@ -84,8 +87,10 @@ def solve(
                 level_done = decrement <= tolerance * abs(energy)
                 shift = _next_shift(shift, length)
             converged = last and level_done
-            if not progress((level + min(1.0, tolerance * abs(energy) / max(decrement, 1e-300))) / len(levels),
-                            "inflating"):
+            if not progress(
+                (level + min(1.0, tolerance * abs(energy) / max(decrement, 1e-300))) / len(levels),
+                "inflating",
+            ):
                 raise Cancelled("The simulation was stopped.")
     return Equilibrium(positions, directors, steps, factorisations, converged)
 
@@ -109,7 +114,7 @@ def _next_shift(shift: float, length: float) -> float:
 def _definite_factor(
     shell: Shell, hessian: csc_matrix, mass: Floats, shift: float
 ) -> tuple[SuperLU | None, float, int]:
-    """Factor the Hessian, with the smallest tried shift that makes it positive definite; None if none does."""
+    """Factor the Hessian with the smallest tried shift that makes it positive definite; None if none does."""
     tries = 0
     while shift <= LARGEST_SHIFT:
         tries += 1
@@ -122,6 +127,8 @@ def _definite_factor(
 
 def _cholesky_like(matrix: csc_matrix) -> SuperLU | None:
     """A factorisation without row exchanges, or None when the matrix is not positive definite."""
+    from scipy.sparse.linalg import splu
+
     try:
         factor = splu(
             matrix, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True}

@@ -18,7 +18,8 @@ class FilmProblem:
     """A film with its supports and loads.
 
     rest_positions (n, 2), triangles (m, 3); fixed (n, 5) True where x, y, z or one of the two turns of the
-    director is held; loads (n, 3) or None; seams: vertex loops that carry a sealed band.
+    director is held; loads (n, 3) or None; seams: vertex loops that carry a sealed band,
+    and seam_rigidities: its E I for each of them.
     """
 
     rest_positions: Floats
@@ -30,7 +31,7 @@ class FilmProblem:
     pressure: float = 1.0
     loads: Floats | None = None
     seams: tuple[Ints, ...] = ()
-    seam_rigidity: float = 0.0
+    seam_rigidities: tuple[float, ...] = ()
 
 
 @dataclass(frozen=True)

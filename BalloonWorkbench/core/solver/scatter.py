@@ -4,11 +4,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
-from scipy import sparse
 
 from BalloonWorkbench.core.types import Floats, Ints
+
+if TYPE_CHECKING:
+    from scipy import sparse
 
 
 class Scatter:
@@ -41,6 +44,8 @@ class Scatter:
 
     def matrix(self, stiffnesses: Sequence[Floats]) -> sparse.csc_matrix:
         """Sum of symmetric element matrices, each (m, k, k): (count, count)."""
+        from scipy import sparse
+
         data = np.zeros(len(self._columns))
         for slot, pairs, stiffness in zip(self._slots, self._pairs, stiffnesses, strict=True):
             data += np.bincount(slot, stiffness[pairs], len(data))

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The sealed band: two welded films as a narrow beam along the seam that resists bending in its plane.
 
-Two films of thickness t welded over a width s have the in-plane rigidity E I = 2 E t s^3 / 12. The band does
-not resist an even shortening, because it crumples at a scale far below the mesh; it keeps the rim from folding
-in the plane of symmetry. With e the edges before and after a vertex, l their rest lengths, R the rotation by the
-turning angle at rest and b the length of rim that belongs to the vertex, its energy is the sum of
+Two films of thickness t welded over a width s have the in-plane rigidity E I = 2 E t s^3 / 12. The band
+does not resist an even shortening, because it crumples at a scale far below the mesh; it keeps the rim from
+folding in the plane of symmetry. With e the edges before and after a vertex, l their rest lengths, R the
+rotation by the turning angle at rest and b the length of rim that belongs to the vertex, its energy is the
+sum of
 
     E I / (2 b) |e_after / l_after - R e_before / l_before|^2
 
@@ -22,26 +23,29 @@ from BalloonWorkbench.core.types import Floats, Ints
 
 
 class SeamBand:
-    """The band along all seams of a panel; hinges (h, 3) are neighbours along a seam."""
+    """The band along all seams of a panel; hinges (h, 3) are neighbours along a seam.
 
-    def __init__(self, rest_positions: Floats, seams: Sequence[Ints], rigidity: float) -> None:
+    rigidities: E I of the band for each seam.
+    """
+
+    def __init__(self, rest_positions: Floats, seams: Sequence[Ints], rigidities: Sequence[float]) -> None:
         self.hinges = seam_hinges(seams)
         previous, middle, following = (rest_positions[self.hinges[:, corner]] for corner in range(3))
         before, after = middle - previous, following - middle
         length_before, length_after = np.linalg.norm(before, axis=1), np.linalg.norm(after, axis=1)
         cosine = np.einsum("ij,ij->i", before, after) / (length_before * length_after)
         sine = (before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0]) / (length_before * length_after)
-        turn = np.stack([np.stack([cosine, -sine], 1), np.stack([sine, cosine], 1)], 1) / length_before[:, None, None]
+        turn = np.array([[cosine, -sine], [sine, cosine]]).transpose(2, 0, 1) / length_before[:, None, None]
         straight = np.eye(2)[None] / length_after[:, None, None]
         self._operator = np.concatenate([turn, -turn - straight, straight], axis=2)  # (h, 2, 6)
-        self._stiffness = 2.0 * rigidity / (length_before + length_after)
+        self._stiffness = 2.0 * hinge_rigidities(seams, rigidities) / (length_before + length_after)
 
     def _kinks(self, positions: Floats) -> Floats:
         return np.einsum("hij,hj->hi", self._operator, positions[self.hinges][:, :, :2].reshape(-1, 6))
 
     def energy(self, positions: Floats) -> float:
         """Energy of the bent band at positions (n, 3)."""
-        return 0.5 * float(self._stiffness @ np.einsum("hi,hi->h", self._kinks(positions), self._kinks(positions)))
+        return 0.5 * float(self._stiffness @ np.sum(self._kinks(positions) ** 2, axis=1))
 
     def derivatives(self, positions: Floats) -> tuple[Floats, Floats]:
         """Forces (h, 6) and stiffnesses (h, 6, 6) in x and y of the three hinge vertices."""
@@ -53,4 +57,11 @@ class SeamBand:
 def seam_hinges(seams: Sequence[Ints]) -> Ints:
     """Vertices before, at and after each vertex of the seams: (h, 3)."""
     loops = [np.column_stack([np.roll(seam, 1), seam, np.roll(seam, -1)]) for seam in seams]
-    return np.concatenate(loops).astype(np.int32)
+    return np.concatenate([np.zeros((0, 3)), *loops]).astype(np.int32)
+
+
+def hinge_rigidities(seams: Sequence[Ints], rigidities: Sequence[float]) -> Floats:
+    """The rigidity of its seam for each hinge: (h,)."""
+    return np.repeat(
+        np.array(rigidities, dtype=np.float64), np.array([len(seam) for seam in seams], dtype=int)
+    )

@@ -14,10 +14,11 @@ semi-definite.
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
 
 import numpy as np
-from scipy import sparse
 
+from BalloonWorkbench.core.errors import SolverError
 from BalloonWorkbench.core.solver import dkt
 from BalloonWorkbench.core.solver.kinematics import deformation_gradients, facet_volume, green_strains
 from BalloonWorkbench.core.solver.membrane import tension_field
@@ -25,6 +26,9 @@ from BalloonWorkbench.core.solver.problem import Energies, FilmProblem
 from BalloonWorkbench.core.solver.scatter import Scatter
 from BalloonWorkbench.core.solver.seam_band import SeamBand
 from BalloonWorkbench.core.types import Floats
+
+if TYPE_CHECKING:
+    from scipy import sparse
 
 
 def tangent_frames(directors: Floats) -> Floats:
@@ -56,16 +60,20 @@ class Shell:
         self.loads = np.zeros((len(rest_positions), 3)) if problem.loads is None else problem.loads
         self._shape, self.areas = dkt.gradients(corners)  # (m, 3, 2), (m,)
         self._rotation_stiffness = dkt.rotation_stiffness(corners, problem.poisson_ratio)
-        self.vertex_areas = np.bincount(triangles.ravel(), np.repeat(self.areas / 3.0, 3), len(rest_positions))
+        corner_areas = np.repeat(self.areas / 3.0, 3)
+        self.vertex_areas = np.bincount(triangles.ravel(), corner_areas, len(rest_positions))
+        if not np.all(self.vertex_areas):
+            raise SolverError("The mesh has a vertex without triangles. Mesh the outline anew.")
         self._band: SeamBand | None = None
-        if problem.seam_rigidity > 0.0:
-            self._band = SeamBand(rest_positions, problem.seams, problem.seam_rigidity)
+        if problem.seams:
+            self._band = SeamBand(rest_positions, problem.seams, problem.seam_rigidities)
 
         self.number = np.full(fixed.shape, -1, dtype=np.int32)
         self.number[~fixed] = np.arange(np.count_nonzero(~fixed))
         self.count = int(np.count_nonzero(~fixed))
         at_corners = self.number[triangles]  # (m, 3, 5)
-        elements = [np.concatenate([at_corners[:, :, :3].reshape(-1, 9), at_corners[:, :, 3:].reshape(-1, 6)], 1)]
+        moves, turns = at_corners[:, :, :3].reshape(-1, 9), at_corners[:, :, 3:].reshape(-1, 6)
+        elements = [np.concatenate([moves, turns], 1)]
         if self._band is not None:
             elements.append(self.number[self._band.hinges][:, :, :2].reshape(-1, 6))
         self.scatter = Scatter(elements, self.count)
@@ -73,22 +81,20 @@ class Shell:
     def energies(self, positions: Floats, directors: Floats) -> Energies:
         """The parts of the energy at positions (n, 3) and directors (n, 3)."""
         gradient = deformation_gradients(positions, self.triangles, self._shape)
-        membrane = self.membrane_stiffness * float(
-            self.areas @ tension_field(green_strains(gradient), self.poisson_ratio).energy
-        )
+        membrane = float(self.areas @ tension_field(green_strains(gradient), self.poisson_ratio).energy)
         rotation = _rotations(gradient, directors[self.triangles])
-        bending = 0.5 * self.flexural_rigidity * float(
-            np.einsum("mi,mij,mj->", rotation, self._rotation_stiffness, rotation)
-        )
+        bending = float(np.einsum("mi,mij,mj->", rotation, self._rotation_stiffness, rotation))
         return Energies(
-            membrane,
-            bending,
+            self.membrane_stiffness * membrane,
+            0.5 * self.flexural_rigidity * bending,
             -self.pressure * facet_volume(positions, self.triangles),
             -float(np.einsum("ij,ij->", self.loads, positions)),
             0.0 if self._band is None else self._band.energy(positions),
         )
 
-    def derivatives(self, positions: Floats, directors: Floats, frames: Floats) -> tuple[Floats, sparse.csc_matrix]:
+    def derivatives(
+        self, positions: Floats, directors: Floats, frames: Floats
+    ) -> tuple[Floats, sparse.csc_matrix]:
         """Gradient (count,) and Hessian (count, count) in the free unknowns."""
         corners = positions[self.triangles]
         d = directors[self.triangles]
@@ -100,9 +106,8 @@ class Shell:
         force = np.zeros((len(corners), 15))
         force[:, :9] = np.einsum("mik,mi->mk", strain_operator, membrane.stress * scale[:, None])
         stiffness = np.zeros((len(corners), 15, 15))
-        stiffness[:, :9, :9] = np.matmul(
-            np.swapaxes(strain_operator, 1, 2), np.matmul(membrane.tangent * scale[:, None, None], strain_operator)
-        )
+        weighted = np.matmul(membrane.tangent * scale[:, None, None], strain_operator)
+        stiffness[:, :9, :9] = np.matmul(np.swapaxes(strain_operator, 1, 2), weighted)
         s11, s22, s12 = (membrane.stress * scale[:, None]).T
         stress = np.stack([np.stack([s11, s12], 1), np.stack([s12, s22], 1)], 1)
         geometric = self._shape @ stress @ np.swapaxes(self._shape, 1, 2)

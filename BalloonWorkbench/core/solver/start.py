@@ -20,18 +20,20 @@ def dome(panel: Panel) -> Floats:
     count = len(panel.rest_positions)
     shape, areas = gradients(panel.rest_positions[panel.triangles])
     stiffness = np.einsum("mai,mbi->mab", shape, shape) * areas[:, None, None]
-    load = np.bincount(panel.triangles.ravel(), np.repeat(areas / 3.0, 3), count)
+
+    def at_vertices(corner_values: Floats) -> Floats:
+        return np.bincount(panel.triangles.ravel(), corner_values.ravel(), count).astype(np.float64)
+
+    load = at_vertices(np.repeat(areas / 3.0, 3))
     held = np.concatenate(panel.seams)
     load[held] = 0.0
 
     def laplace(values: Floats) -> Floats:
-        result = np.bincount(
-            panel.triangles.ravel(), np.einsum("mab,mb->ma", stiffness, values[panel.triangles]).ravel(), count
-        )
+        result = at_vertices(np.einsum("mab,mb->ma", stiffness, values[panel.triangles]))
         result[held] = 0.0
         return result
 
-    diagonal = np.bincount(panel.triangles.ravel(), np.einsum("maa->ma", stiffness).ravel(), count)
+    diagonal = at_vertices(np.einsum("maa->ma", stiffness))
     height = _conjugate_gradients(laplace, load, diagonal)
     return np.column_stack([panel.rest_positions, DOME * np.sqrt(np.maximum(height, 0.0))])
 

@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The course of a design: the drawing and the pattern, point by point beside each other.
+
+Both are finely sampled loops with the same number of points; point j of the pattern is the place of the seam
+that shall appear at point j of the drawing. The pattern is moved by smooth fields, so that it keeps the corners
+and the detail of the drawing however coarse the mesh is.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from BalloonWorkbench.core.design.correspondence import locate
+from BalloonWorkbench.core.mesh.panel import Panel
+from BalloonWorkbench.core.outline.crossings import first_crossing
+from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.outline.sampling import arc_lengths, corners, point_at, resample
+from BalloonWorkbench.core.types import Floats, Ints
+
+_CORNER = np.radians(30.0)
+
+
+@dataclass(frozen=True)
+class Course:
+    """drawing and pattern: loops (n, 2) m, one beside the other."""
+
+    drawing: tuple[Floats, ...]
+    pattern: tuple[Floats, ...]
+
+    @staticmethod
+    def begun(target: Outline, spacing: float) -> Course:
+        """A course whose pattern is the drawing itself, sampled about `spacing` apart with its corners kept."""
+        loops = tuple(resample(loop, spacing) for loop in target.loops)
+        return Course(loops, loops)
+
+    @property
+    def outline(self) -> Outline:
+        """The pattern as an outline."""
+        return Outline(self.pattern[0], self.pattern[1:])
+
+    def moved(self, fields: tuple[Floats, ...]) -> Course:
+        """The course with its pattern moved by fields, one (n, 2) for each loop.
+
+        Where the pattern would cross itself, or turn so far that its neighbourhood would, the field is weakened
+        there until it does not.
+        """
+        strength = [np.ones(len(loop)) for loop in self.pattern]
+        for attempt in range(40):
+            loops = tuple(
+                loop + share[:, None] * field
+                for loop, share, field in zip(self.pattern, strength, fields, strict=True)
+            )
+            place = first_crossing(loops)
+            if place is None:
+                return replace(self, pattern=loops)
+            reach = 0.01 * (1.0 + attempt) * float(np.ptp(loops[0], axis=0).max())
+            for loop, share in zip(loops, strength, strict=True):
+                distance = np.linalg.norm(loop - place, axis=1)
+                share *= 1.0 - 0.5 * np.exp(-((distance / reach) ** 2))
+        return self
+
+    def midway(self, other: Course) -> Course:
+        """The course with its pattern half way to that of another one."""
+        loops = tuple(0.5 * (mine + its) for mine, its in zip(self.pattern, other.pattern, strict=True))
+        return replace(self, pattern=loops)
+
+
+@dataclass(frozen=True)
+class SeamNodes:
+    """Where the seam vertices of a panel lie along one loop of the course.
+
+    index         (k,) fractional index along the sampled loops
+    lengths       (k,) arc length along the drawing
+    corner_nodes  vertices that stand for corners of the drawing; corners: their arc lengths
+    """
+
+    index: Floats
+    lengths: Floats
+    corner_nodes: Ints
+    corners: Floats
+
+    def placed_on(self, loop: Floats) -> Floats:
+        """The nodes' places (k, 2) on a sampled loop."""
+        return point_at(loop, np.arange(len(loop) + 1, dtype=np.float64), self.index)
+
+    def spread(self, values: Floats, count: int) -> Floats:
+        """Node values (k, 2) interpolated at the `count` points of the sampled loop."""
+        order = np.argsort(self.index, kind="stable")
+        at, sorted_values = self.index[order], values[order]
+        at = np.concatenate([at[-1:] - count, at, at[:1] + count])
+        sorted_values = np.concatenate([sorted_values[-1:], sorted_values, sorted_values[:1]])
+        points = np.arange(count, dtype=np.float64)
+        return np.column_stack([np.interp(points, at, sorted_values[:, axis]) for axis in (0, 1)])
+
+    def smoothed(self, values: Floats, around: float, width: float) -> Floats:
+        """Node values (k, 2) averaged with a Gaussian of this width along the drawing.
+
+        around is the length of the drawing's loop.
+        """
+        gap = np.mod(self.lengths[:, None] - self.lengths[None] + 0.5 * around, around) - 0.5 * around
+        weight = np.exp(-0.5 * (gap / width) ** 2)
+        share = np.empty(len(self.lengths))  # of the loop that belongs to each node
+        order = np.argsort(self.lengths, kind="stable")
+        along = self.lengths[order]
+        steps = np.diff(np.append(along, along[0] + around))
+        share[order] = 0.5 * (steps + np.roll(steps, 1))
+        weight *= np.maximum(share, 1e-12 * around)
+        return np.asarray(weight @ values / weight.sum(axis=1)[:, None])
+
+
+def seam_nodes(course: Course, panel: Panel) -> tuple[SeamNodes, ...]:
+    """The seam vertices of a panel that was meshed from the course's pattern, loop by loop."""
+    found = []
+    for drawing, pattern, seam in zip(course.drawing, course.pattern, panel.seams, strict=True):
+        lengths = arc_lengths(pattern)
+        counter = np.arange(len(pattern) + 1, dtype=np.float64)
+        index = np.interp(locate(pattern, panel.rest_positions[seam]), lengths, counter)
+        along = arc_lengths(drawing)
+        reach = 0.5 * along[-1] / len(seam)
+        sharp = corners(drawing, _CORNER, reach)
+        nodes, places = [], []
+        for corner in sharp:
+            away = np.abs(np.mod(index - corner + 0.5 * len(pattern), len(pattern)) - 0.5 * len(pattern))
+            nearest = int(np.argmin(away))
+            if away[nearest] < 1.0:
+                nodes.append(nearest)
+                places.append(along[corner])
+        found.append(
+            SeamNodes(
+                index,
+                np.interp(index, counter, along),
+                np.array(nodes, dtype=np.int32),
+                np.array(places, dtype=np.float64),
+            )
+        )
+    return tuple(found)

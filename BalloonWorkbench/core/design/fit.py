@@ -1,0 +1,226 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The pattern correction of Furuta et al. 2010: repeat until the inflated silhouette is the drawing.
+
+    1. inflate the panel
+    2. align its seam with the drawing: barycentre, then least-squares rotation
+    3. v = drawing - inflated, from each seam vertex to its goal
+    4. smooth v along the seam, mix it with what the last passes taught, clamp it in proportion to the balloon
+    5. add it to the pattern, which grows where the balloon is too small
+
+Smoothing the correction rather than the pattern leaves the corners of the drawing alone and still lets no
+mesh-scale noise in: what is left of v at rest is shorter than the smoothing.
+"""
+
+from __future__ import annotations
+
+import time
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from BalloonWorkbench.core.design.compare import alignment, loop_weights, residual
+from BalloonWorkbench.core.design.correspondence import goals
+from BalloonWorkbench.core.design.course import Course, SeamNodes, seam_nodes
+from BalloonWorkbench.core.design.design import Design, Residual
+from BalloonWorkbench.core.design.mixing import AndersonMixing
+from BalloonWorkbench.core.design.silhouette import silhouette
+from BalloonWorkbench.core.errors import Cancelled, MeshError
+from BalloonWorkbench.core.film.film import Film
+from BalloonWorkbench.core.mesh.panel import Panel
+from BalloonWorkbench.core.mesh.reuse import move_rim
+from BalloonWorkbench.core.mesh.sizing import size_for
+from BalloonWorkbench.core.mesh.triangulate import triangulate
+from BalloonWorkbench.core.outline.loops import check
+from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.outline.sampling import arc_lengths
+from BalloonWorkbench.core.solver.inflate import inflate
+from BalloonWorkbench.core.solver.inflation import Inflation
+from BalloonWorkbench.core.types import Floats, Progress, no_progress
+
+VERTICES = 1500  # of an automatic mesh
+MOST_PASSES = 14
+FIRST_GROWTH = 1.22  # of the drawing, for the first pattern
+GAIN = 1.3  # a pattern of a disc must grow by 1.311 for a silhouette that grows by 1
+CLAMP = 0.05  # of the larger dimension, for one pass
+SMOOTHING = 1.0  # mesh sizes
+ENOUGH = 1e-3  # mean error, of the larger dimension, at which nothing more is gained
+REACHED = 1e-2
+STALLED = 0.9  # a pass that leaves more than this part of the best error brings nothing
+PATIENCE = 2  # such passes in a row
+
+
+@dataclass(frozen=True)
+class _Pass:
+    course: Course
+    panel: Panel
+    nodes: tuple[SeamNodes, ...]
+    inflation: Inflation
+    shown: Outline
+    error: Residual
+
+
+def fit(
+    target: Outline,
+    film: Film,
+    pressure: float,
+    *,
+    mesh_size: float | None = None,
+    backend: str | None = None,
+    progress: Progress = no_progress,
+) -> Design:
+    """The pattern whose inflated silhouette is the target, as nearly as film allows.
+
+    pressure [Pa]; mesh_size [m] of the pattern, None for about VERTICES vertices. Raises what check, triangulate
+    and inflate raise; Cancelled when progress returns False.
+    """
+    began = time.perf_counter()
+    target = check(target)
+    size = max(target.size)
+    edge = mesh_size or size_for(_grown(target, FIRST_GROWTH), VERTICES)
+    course = Course.begun(target, min(0.25 * edge, size / 400.0))
+    centre = target.outer.mean(axis=0)
+    course = replace(course, pattern=tuple(centre + FIRST_GROWTH * (loop - centre) for loop in course.drawing))
+    mixing = AndersonMixing(GAIN)
+    best: _Pass | None = None
+    previous: _Pass | None = None
+    stalled = passes = 0
+    while passes < MOST_PASSES and stalled <= PATIENCE:
+        try:
+            current = _try(target, course, previous, film, pressure, edge, backend, _part(progress, passes))
+        except MeshError:
+            if previous is None:
+                raise
+            # the step made a part too thin: take half of it, and end when that does not help either
+            stalled += 1
+            course = course.midway(previous.course)
+            continue
+        passes += 1
+        if best is not None and current.error.mean > STALLED * best.error.mean:
+            stalled += 1
+        else:
+            stalled = 0
+        if best is None or current.error.mean < best.error.mean:
+            best = current
+        if current.error.mean <= ENOUGH * size:
+            break
+        course = _corrected(current, mixing, edge, size)
+        previous = current
+    assert best is not None
+    return _design(target, best, passes, time.perf_counter() - began)
+
+
+def inflate_outline(
+    pattern: Outline,
+    film: Film,
+    pressure: float,
+    *,
+    mesh_size: float | None = None,
+    backend: str | None = None,
+    progress: Progress = no_progress,
+) -> Design:
+    """The balloon that a given pattern makes, without correction; the target is the pattern itself."""
+    began = time.perf_counter()
+    pattern = check(pattern)
+    edge = mesh_size or size_for(pattern, VERTICES)
+    course = Course(pattern.loops, pattern.loops)
+    only = _try(pattern, course, None, film, pressure, edge, backend, progress)
+    return _design(pattern, only, 0, time.perf_counter() - began)
+
+
+def _try(
+    target: Outline,
+    course: Course,
+    previous: _Pass | None,
+    film: Film,
+    pressure: float,
+    edge: float,
+    backend: str | None,
+    progress: Progress,
+) -> _Pass:
+    """Inflate the pattern of a course, on the mesh of the previous pass where that still serves."""
+    panel, nodes, start = None, (), None
+    if previous is not None:
+        nodes = previous.nodes
+        panel = move_rim(
+            previous.panel, [node.placed_on(loop) for node, loop in zip(nodes, course.pattern, strict=True)]
+        )
+        start = previous.inflation
+    if panel is None:
+        panel, start = triangulate(course.outline, edge), None
+        nodes = seam_nodes(course, panel)
+    inflation = inflate(panel, film, pressure, start=start, backend=backend, progress=progress)
+    placed = _aligned(course, nodes, inflation)
+    shown = silhouette(placed)
+    return _Pass(course, panel, nodes, placed, shown, residual(target, shown))
+
+
+def _aligned(course: Course, nodes: tuple[SeamNodes, ...], inflation: Inflation) -> Inflation:
+    """The balloon moved in its plane of symmetry to where the drawing is."""
+    seams = inflation.panel.seams
+    wanted = np.concatenate([node.placed_on(loop) for node, loop in zip(nodes, course.drawing, strict=True)])
+    seam = np.concatenate([inflation.positions[loop, :2] for loop in seams])
+    weights = loop_weights([inflation.panel.rest_positions[loop] for loop in seams])
+    rotation, shift = alignment(seam, wanted, weights)
+    positions, directors = inflation.positions.copy(), inflation.directors.copy()
+    positions[:, :2] = positions[:, :2] @ rotation.T + shift
+    directors[:, :2] = directors[:, :2] @ rotation.T
+    return replace(inflation, positions=positions, directors=directors)
+
+
+def _corrected(current: _Pass, mixing: AndersonMixing, edge: float, size: float) -> Course:
+    """The course with its pattern moved by the smoothed, mixed and clamped differences."""
+    course = current.course
+    differences = []
+    for drawing, node, seam in zip(course.drawing, current.nodes, current.panel.seams, strict=True):
+        points = current.inflation.positions[seam, :2]
+        expected = node.placed_on(drawing)
+        reach = 2.0 * edge + np.linalg.norm(points - expected, axis=1)
+        v = goals(drawing, points, node.lengths, node.corner_nodes, node.corners, reach) - points
+        around = float(arc_lengths(drawing)[-1])
+        differences.append(node.spread(node.smoothed(v, around, SMOOTHING * edge), len(drawing)))
+    step = mixing.step(np.concatenate(course.pattern).ravel(), np.concatenate(differences).ravel()).reshape(-1, 2)
+    length = np.linalg.norm(step, axis=1, keepdims=True)
+    step *= np.minimum(1.0, CLAMP * size / np.maximum(length, 1e-300))
+    return course.moved(tuple(np.split(step, np.cumsum([len(loop) for loop in course.pattern])[:-1])))
+
+
+def _design(target: Outline, best: _Pass, passes: int, seconds: float) -> Design:
+    size = max(target.size)
+    warnings = []
+    if not best.inflation.report.converged:
+        warnings.append(
+            "The simulation did not come to rest; the shape shown is its last good state. Try a coarser mesh."
+        )
+    reached = best.error.mean <= REACHED * size
+    if passes and not reached:
+        warnings.append(
+            f"The inflated outline stays {1e3 * best.error.mean:.1f} mm from the drawing on average:"
+            " film cannot follow this shape everywhere. Round off notches and widen thin parts."
+        )
+    return Design(
+        target,
+        best.course.outline,
+        best.inflation,
+        best.shown,
+        best.error,
+        passes,
+        seconds,
+        reached,
+        (*target.notes, *warnings),
+    )
+
+
+def _grown(outline: Outline, factor: float) -> Outline:
+    return outline.map(lambda loop: factor * loop)
+
+
+def _part(progress: Progress, number: int) -> Progress:
+    """Progress of one pass within the whole correction, which seldom needs all its passes."""
+
+    def report(fraction: float, text: str) -> bool:
+        done = 1.0 - 0.7 ** (number + fraction)
+        if not progress(done, f"pass {number + 1}: {text}"):
+            raise Cancelled("The design was stopped.")
+        return True
+
+    return report
