@@ -2,9 +2,9 @@
 //
 // Film solver: inflates a triangulated film (tension-field membrane, DKT bending, pressure).
 //
-// Plain C ABI. Arrays are row by row; their sizes stand beside them. All numbers are dimensionless: lengths in
-// units of the panel's size, pressure 1. Each function returns a film_status; on failure film_last_error() gives
-// the text of the calling thread. A film_solver may be used by one thread at a time.
+// Plain C ABI. Arrays are row by row; their sizes stand beside them. All numbers are dimensionless: lengths
+// in units of the panel's size, pressure 1. Each function returns a film_status; on failure film_last_error()
+// gives the text of the calling thread. A film_solver may be used by one thread at a time.
 
 #ifndef FILM_SOLVER_H
 #define FILM_SOLVER_H
@@ -21,33 +21,32 @@
 extern "C" {
 #endif
 
-enum { FILM_ABI_VERSION = 1 };
+enum { FILM_ABI_VERSION = 2 };
 
 typedef enum {
-  FILM_OK = 0,
-  FILM_BAD_ARGUMENT = 1,
-  FILM_NOT_FINITE = 2,
-  FILM_CANCELLED = 3,
-  FILM_OUT_OF_MEMORY = 4
+    FILM_OK = 0,
+    FILM_BAD_ARGUMENT = 1,
+    FILM_NOT_FINITE = 2,
+    FILM_CANCELLED = 3,
+    FILM_OUT_OF_MEMORY = 4
 } film_status;
 
 typedef struct {
-  double membrane_stiffness;  // E t / (p L)
-  double poisson_ratio;
-  double flexural_rigidity;  // D / (p L^3)
-  double pressure;           // 1, or 0 for a film under nodal loads only
-  double seam_rigidity;      // E I / (p L^4) of the sealed band, or 0
+    double membrane_stiffness; // E t / (p L)
+    double poisson_ratio;
+    double flexural_rigidity; // D / (p L^3)
+    double pressure;          // 1, or 0 for a film under nodal loads only
 } film_material;
 
 typedef struct {
-  double tolerance;   // on the predicted decrease of the energy, relative
-  int32_t max_steps;  // over all levels
+    double tolerance;  // on the predicted decrease of the energy, relative
+    int32_t max_steps; // over all levels
 } film_newton;
 
 typedef struct {
-  int32_t steps;
-  int32_t factorisations;
-  int32_t converged;
+    int32_t steps;
+    int32_t factorisations;
+    int32_t converged;
 } film_result;
 
 typedef struct film_solver film_solver;
@@ -58,12 +57,14 @@ typedef int32_t (*film_progress)(double fraction, void* user);
 FILM_API int32_t film_abi_version(void);
 FILM_API const char* film_last_error(void);
 
-// rest_positions (vertices, 2); triangle_corners (triangles, 3); fixed (vertices, 5) non-zero where x, y, z or one of
-// the two turns of the director is held; loads (vertices, 3) or null; seam_hinges (hinges, 3): neighbours along a seam.
+// rest_positions (vertices, 2); triangle_corners (triangles, 3); fixed (vertices, 5) non-zero where x, y, z
+// or one of the two turns of the director is held; loads (vertices, 3) or null; seam_hinges (hinges, 3):
+// neighbours along a seam, with the rigidity E I / (p L^4) of the sealed band there in hinge_rigidities
+// (hinges).
 FILM_API film_status film_create(int32_t vertices, const double* rest_positions, int32_t triangles,
                                  const int32_t* triangle_corners, const uint8_t* fixed, const double* loads,
-                                 int32_t hinges, const int32_t* seam_hinges, const film_material* material,
-                                 film_solver** solver);
+                                 int32_t hinges, const int32_t* seam_hinges, const double* hinge_rigidities,
+                                 const film_material* material, film_solver** solver);
 FILM_API void film_destroy(film_solver* solver);
 
 // parts[5]: membrane, bending, pressure, load, seam.
@@ -71,10 +72,11 @@ FILM_API film_status film_energies(film_solver* solver, const double* positions,
                                    double* parts);
 
 // positions and directors (vertices, 3) hold the start and receive the rest state, also when not converged or
-// cancelled (then the last accepted state). levels: the membrane stiffnesses to go through, the film's own last.
-FILM_API film_status film_solve(film_solver* solver, double* positions, double* directors, int32_t level_count,
-                                const double* levels, const film_newton* settings, film_progress progress, void* user,
-                                film_result* result);
+// cancelled (then the last accepted state). levels: the membrane stiffnesses to go through, the film's own
+// last.
+FILM_API film_status film_solve(film_solver* solver, double* positions, double* directors,
+                                int32_t level_count, const double* levels, const film_newton* settings,
+                                film_progress progress, void* user, film_result* result);
 
 #ifdef __cplusplus
 }

@@ -14,4 +14,4 @@ Matrix32 area_coordinate_gradients(const Matrix32& corners, double& area);
 // Stiffness per flexural rigidity in (beta_x, beta_y) of the corners with w = 0 (Batoz, Bathe and Ho 1980).
 Matrix6 rotation_stiffness(const Matrix32& corners, double poisson_ratio);
 
-}  // namespace film
+} // namespace film

@@ -17,78 +17,85 @@ constexpr double kSufficient = 2e-4, kShortest = 1e-3;
 using Factor = Eigen::SimplicialLLT<SymmetricMatrix, Eigen::Lower, Eigen::AMDOrdering<int>>;
 
 double next_shift(double shift, double length) {
-  if (length == 1.0) return std::max(shift * kShiftDecay, kSmallestShift);
-  if (length < 0.3) return std::max(shift, 0.1 * kFirstShift) * std::min(0.5 / length, kShiftGrowth);
-  return shift;
+    if (length == 1.0)
+        return std::max(shift * kShiftDecay, kSmallestShift);
+    if (length < 0.3)
+        return std::max(shift, 0.1 * kFirstShift) * std::min(0.5 / length, kShiftGrowth);
+    return shift;
 }
 
 // Factors the Hessian with the smallest tried shift that makes it positive definite; false when none does.
-bool factor_definite(Factor& factor, const SymmetricMatrix& hessian, const Eigen::VectorXd& mass, double& shift,
-                     int32_t& factorisations) {
-  SymmetricMatrix shifted = hessian;
-  for (;;) {
-    for (Eigen::Index column = 0; column < shifted.cols(); ++column) {
-      const int diagonal = hessian.outerIndexPtr()[column];
-      shifted.valuePtr()[diagonal] = hessian.valuePtr()[diagonal] + shift * mass[column];
+bool factor_definite(Factor& factor, const SymmetricMatrix& hessian, const Eigen::VectorXd& mass,
+                     double& shift, int32_t& factorisations) {
+    SymmetricMatrix shifted = hessian;
+    for (;;) {
+        for (Eigen::Index column = 0; column < shifted.cols(); ++column) {
+            const int diagonal = hessian.outerIndexPtr()[column];
+            shifted.valuePtr()[diagonal] = hessian.valuePtr()[diagonal] + shift * mass[column];
+        }
+        factor.factorize(shifted);
+        ++factorisations;
+        if (factor.info() == Eigen::Success)
+            return true;
+        shift = std::max(shift * kShiftGrowth, kFirstShift);
+        if (!(shift <= kLargestShift))
+            return false;
     }
-    factor.factorize(shifted);
-    ++factorisations;
-    if (factor.info() == Eigen::Success) return true;
-    shift = std::max(shift * kShiftGrowth, kFirstShift);
-    if (!(shift <= kLargestShift)) return false;
-  }
 }
 
-}  // namespace
+} // namespace
 
 film_result newton(Shell& shell, State& state, const std::vector<double>& levels, const film_newton& settings,
                    const std::function<bool(double)>& progress) {
-  film_result result{0, 0, 0};
-  Factor factor;
-  factor.analyzePattern(shell.pattern());
-  SymmetricMatrix hessian = shell.pattern();
-  Eigen::VectorXd gradient;
-  const Eigen::VectorXd mass = shell.masses(kDirectorShift);
-  double shift = kSmallestShift;
-  for (size_t level = 0; level < levels.size(); ++level) {
-    shell.set_membrane_stiffness(levels[level]);
-    const bool last = level + 1 == levels.size();
-    const double tolerance = last ? settings.tolerance : kLevelTolerance;
-    double energy = shell.energies(state).total();
-    if (!std::isfinite(energy)) throw NotFinite("the start has no finite energy");
-    bool level_done = false;
-    while (!level_done && result.steps < settings.max_steps) {
-      const Frames frames(state.directors);
-      shell.derivatives(state, frames, gradient, hessian);
-      if (!factor_definite(factor, hessian, mass, shift, result.factorisations)) return result;
-      const Eigen::VectorXd step = factor.solve(-gradient);
-      const double decrement = -0.5 * gradient.dot(step);
-      ++result.steps;
+    film_result result{0, 0, 0};
+    Factor factor;
+    factor.analyzePattern(shell.pattern());
+    SymmetricMatrix hessian = shell.pattern();
+    Eigen::VectorXd gradient;
+    const Eigen::VectorXd mass = shell.masses(kDirectorShift);
+    double shift = kSmallestShift;
+    for (size_t level = 0; level < levels.size(); ++level) {
+        shell.set_membrane_stiffness(levels[level]);
+        const bool last = level + 1 == levels.size();
+        const double tolerance = last ? settings.tolerance : kLevelTolerance;
+        double energy = shell.energies(state).total();
+        if (!std::isfinite(energy))
+            throw NotFinite("the start has no finite energy");
+        bool level_done = false;
+        while (!level_done && result.steps < settings.max_steps) {
+            const Frames frames(state.directors);
+            shell.derivatives(state, frames, gradient, hessian);
+            if (!factor_definite(factor, hessian, mass, shift, result.factorisations))
+                return result;
+            const Eigen::VectorXd step = factor.solve(-gradient);
+            const double decrement = -0.5 * gradient.dot(step);
+            ++result.steps;
 
-      double length = 1.0, trial = energy;
-      State next;
-      for (; length >= kShortest; length *= 0.5) {
-        next = shell.moved(state, frames, step, length);
-        trial = shell.energies(next).total();
-        if (trial <= energy - kSufficient * length * decrement) break;
-      }
-      if (length < kShortest) {
-        level_done = decrement <= tolerance * std::abs(energy);
-        shift = std::min(std::max(shift * kShiftGrowth * kShiftGrowth, kFirstShift), kLargestShift);
-      } else {
-        state = std::move(next);
-        energy = trial;
-        level_done = decrement <= tolerance * std::abs(energy);
-        shift = next_shift(shift, length);
-      }
-      result.converged = last && level_done;
-      const double part = std::min(1.0, tolerance * std::abs(energy) / std::max(decrement, 1e-300));
-      if (!progress((static_cast<double>(level) + part) / static_cast<double>(levels.size()))) {
-        throw Cancelled("stopped by the caller");
-      }
+            double length = 1.0, trial = energy;
+            State next;
+            for (; length >= kShortest; length *= 0.5) {
+                next = shell.moved(state, frames, step, length);
+                trial = shell.energies(next).total();
+                if (trial <= energy - kSufficient * length * decrement)
+                    break;
+            }
+            if (length < kShortest) {
+                level_done = decrement <= tolerance * std::abs(energy);
+                shift = std::min(std::max(shift * kShiftGrowth * kShiftGrowth, kFirstShift), kLargestShift);
+            } else {
+                state = std::move(next);
+                energy = trial;
+                level_done = decrement <= tolerance * std::abs(energy);
+                shift = next_shift(shift, length);
+            }
+            result.converged = last && level_done;
+            const double part = std::min(1.0, tolerance * std::abs(energy) / std::max(decrement, 1e-300));
+            if (!progress((static_cast<double>(level) + part) / static_cast<double>(levels.size()))) {
+                throw Cancelled("stopped by the caller");
+            }
+        }
     }
-  }
-  return result;
+    return result;
 }
 
-}  // namespace film
+} // namespace film

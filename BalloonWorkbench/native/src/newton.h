@@ -10,10 +10,10 @@
 namespace film {
 
 struct NotFinite : std::runtime_error {
-  using std::runtime_error::runtime_error;
+    using std::runtime_error::runtime_error;
 };
 struct Cancelled : std::runtime_error {
-  using std::runtime_error::runtime_error;
+    using std::runtime_error::runtime_error;
 };
 
 // Brings the film to rest through the membrane stiffnesses in levels; state holds the start and the result.
@@ -21,4 +21,4 @@ struct Cancelled : std::runtime_error {
 film_result newton(Shell& shell, State& state, const std::vector<double>& levels, const film_newton& settings,
                    const std::function<bool(double)>& progress);
 
-}  // namespace film
+} // namespace film
