@@ -8,14 +8,14 @@ import FreeCAD as App
 import numpy as np
 import pytest
 import sketches
-from BalloonWorkbench.core.design.fit import fit
-from BalloonWorkbench.core.outline.read import read_outline
 
 from BalloonWorkbench.app import create, hooks, migrate, status
 from BalloonWorkbench.app.document import save_fcstd
 from BalloonWorkbench.app.solve import Request
+from BalloonWorkbench.core.design.fit import fit
 from BalloonWorkbench.core.errors import ExportError
 from BalloonWorkbench.core.film.library import film
+from BalloonWorkbench.core.outline.read import read_outline
 
 HEART = Path("resources/examples/pictures/heart.png")
 PROXIES = {"Outline": "OutlineProxy", "Balloon": "BalloonProxy", "Pattern": "PatternProxy"}

@@ -69,14 +69,7 @@ class BalloonPanel:
 
     def close(self, keep: bool):
         """End the undo step and the panel."""
-        self.watch.remove()
-        self.drawing.release()
-        if self.worker is not None:
-            self.worker.finished.disconnect()
-            self.worker.stop()
-            self.worker.wait()
-            self.worker = None
-        Gui.Control.closeDialog()
+        self.abandon()
         if keep:
             self.doc.commitTransaction()
         else:
@@ -87,14 +80,15 @@ class BalloonPanel:
                 self.doc.recompute()
 
     def abandon(self):
-        """The document or the objects are gone: go too, without touching them."""
+        """Close the panel without touching the document: its objects may be about to go."""
+        self.watch.remove()
         if self.worker is not None:
             self.worker.finished.disconnect()
             self.worker.stop()
             self.worker.wait()
             self.worker = None
-        self.watch.remove()
-        self.drawing.release()
+        for box in (self.drawing, self.film, self.pattern):
+            box.release()
         Gui.Control.closeDialog()
 
     # the work
@@ -181,6 +175,7 @@ class BalloonPanel:
 def _tabs(*boxes):
     """The boxes behind one another: a task panel is narrow and low."""
     tabs = QtWidgets.QTabWidget()
+    tabs.setObjectName("Steps")
     tabs.setWindowTitle(translate("Balloon"))
     tabs.setWindowIcon(QtGui.QIcon(icon("balloon")))
     for box in boxes:

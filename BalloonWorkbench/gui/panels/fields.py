@@ -5,7 +5,27 @@ from __future__ import annotations
 
 import FreeCADGui as Gui
 
-from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
+from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, translate
+
+_MIN_WIDTH = 120  # px; a task panel may be 190 px wide
+
+
+class ReturnKey(QtCore.QObject):
+    """Lets Return confirm what was typed; a task panel would take it for OK."""
+
+    def __init__(self, widget, confirm):
+        super().__init__(widget)
+        self._confirm = confirm
+        widget.installEventFilter(self)
+
+    def eventFilter(self, widget, event):
+        is_return = event.type() == QtCore.QEvent.KeyPress and event.key() in (
+            QtCore.Qt.Key_Return,
+            QtCore.Qt.Key_Enter,
+        )
+        if is_return:
+            self._confirm()
+        return is_return
 
 
 class Fields(QtCore.QObject):
@@ -74,16 +94,29 @@ class Fields(QtCore.QObject):
         """Take over a number that is still being typed."""
         for widget, _ in self._widgets.values():
             if isinstance(widget, QtWidgets.QAbstractSpinBox):
-                widget.interpretText()
+                _confirm(widget)
 
     def _add(self, name: str, widget, show) -> None:
         widget.setObjectName(name)
-        widget.setMinimumWidth(60)
+        widget.setMinimumWidth(_MIN_WIDTH)
         widget.setToolTip(translate(self.obj.getDocumentationOfProperty(name)))
         self._widgets[name] = widget, show
+        if isinstance(widget, QtWidgets.QAbstractSpinBox):
+            ReturnKey(widget, lambda: _confirm(widget))
+
+    def release(self) -> None:
+        """The object may be gone from now on: a field that loses the focus writes once more."""
+        self.obj = None
 
     def _write(self, name: str, value) -> None:
+        if self.obj is None:
+            return
         present = getattr(self.obj, name)
         if getattr(present, "Value", present) != value:
             setattr(self.obj, name, value)
             self.changed.emit(name)
+
+
+def _confirm(spin_box) -> None:
+    """Let a spin box take its text: as Return does, but heard by nobody else."""
+    spin_box.event(QtGui.QKeyEvent(QtCore.QEvent.KeyPress, QtCore.Qt.Key_Return, QtCore.Qt.NoModifier))

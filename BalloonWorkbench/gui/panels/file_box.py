@@ -7,7 +7,7 @@ import os
 
 from BalloonWorkbench.app.drawing import place_in_picture
 from BalloonWorkbench.app.outline import set_drawing
-from BalloonWorkbench.gui.panels.fields import Fields
+from BalloonWorkbench.gui.panels.fields import Fields, ReturnKey
 from BalloonWorkbench.gui.panels.preview import Preview, notes_of
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 
@@ -42,6 +42,7 @@ class FileBox(QtWidgets.QWidget):
         self.notes = QtWidgets.QLabel()
         self.notes.setWordWrap(True)
         form = QtWidgets.QFormLayout(self)
+        form.setRowWrapPolicy(form.WrapLongRows)
         form.addRow(translate("File"), row)
         form.addRow(translate("Width"), self.fields.quantity("Width", "mm", 10.0))
         form.addRow(translate("Height"), self.fields.quantity("Height", "mm", 10.0))
@@ -50,6 +51,7 @@ class FileBox(QtWidgets.QWidget):
         form.addRow(self.notes)
         browse.clicked.connect(self._browse)
         self.path.editingFinished.connect(self._take_path)
+        ReturnKey(self.path, self._take_path)
         self.fields.changed.connect(lambda name: self.changed.emit())
 
     def choose(self, path: str) -> None:
@@ -76,7 +78,9 @@ class FileBox(QtWidgets.QWidget):
         self.notes.setText(notes_of(self.outline))
 
     def release(self) -> None:
-        """Nothing is held outside the panel."""
+        """The panel closes."""
+        self.path.setModified(False)
+        self.fields.release()
 
     def _browse(self) -> None:
         path, _ = QtWidgets.QFileDialog.getOpenFileName(

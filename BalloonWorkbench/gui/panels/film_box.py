@@ -19,6 +19,7 @@ class FilmBox(QtWidgets.QWidget):
         film = self.fields.choice("Film")
         _describe(film)
         form = QtWidgets.QFormLayout(self)
+        form.setRowWrapPolicy(form.WrapLongRows)
         form.addRow(translate("Film"), film)
         form.addRow(translate("Young's modulus"), self.fields.quantity("YoungModulus", "kPa", 1e5))
         form.addRow(translate("Poisson's ratio"), self.fields.number("PoissonRatio", 0.01, 3))
@@ -31,6 +32,10 @@ class FilmBox(QtWidgets.QWidget):
 
     def finish_typing(self) -> None:
         self.fields.finish_typing()
+
+    def release(self) -> None:
+        """The panel closes."""
+        self.fields.release()
 
     def refresh(self) -> None:
         self.fields.refresh()

@@ -18,6 +18,7 @@ class PatternBox(QtWidgets.QWidget):
         self.setWindowTitle(translate("Pattern"))
         self.fields = Fields(pattern, self)
         form = QtWidgets.QFormLayout(self)
+        form.setRowWrapPolicy(form.WrapLongRows)
         form.addRow(translate("Seal width"), self.fields.quantity("SealWidth", "mm"))
         form.addRow(translate("Allowance"), self.fields.quantity("Allowance", "mm"))
         form.addRow(self.fields.check("Intake", translate("Air intake")))
@@ -29,6 +30,10 @@ class PatternBox(QtWidgets.QWidget):
 
     def finish_typing(self) -> None:
         self.fields.finish_typing()
+
+    def release(self) -> None:
+        """The panel closes."""
+        self.fields.release()
 
     def refresh(self) -> None:
         self.fields.refresh()

@@ -17,6 +17,7 @@ class ResultBox(QtWidgets.QWidget):
 
     def __init__(self):
         super().__init__()
+        self.setObjectName("Result")
         self.setWindowTitle(translate("Result"))
         self.setWindowIcon(QtGui.QIcon(icon("pattern")))
         self._apply = QtWidgets.QPushButton(translate("Apply"))

@@ -5,11 +5,9 @@ from __future__ import annotations
 
 import FreeCAD as App
 
-from BalloonWorkbench.gui.qt import QtCore
-
 
 class Watch:
-    """Calls `gone` once, after FreeCAD is done, when one of the objects or their document disappears."""
+    """Calls `gone` once, while the objects still exist: fields that outlive them would end the program."""
 
     def __init__(self, objects, gone):
         self._document = objects[0].Document.Name
@@ -32,10 +30,5 @@ class Watch:
             self._report()
 
     def _report(self):
-        if self._active:
-            self._active = False
-            QtCore.QTimer.singleShot(0, self._leave)
-
-    def _leave(self):
-        App.removeDocumentObserver(self)
+        self.remove()
         self._gone()

@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The workbench is active, each test has its own document, and no dialog may stand in front of the window."""
+
+import sys
+from pathlib import Path
+
+import FreeCAD as App
+import FreeCADGui as Gui
+import pytest
+
+sys.path.append(str(Path(__file__).resolve().parents[1] / "app"))  # for sketches.py
+
+import hands
+
+
+@pytest.fixture(autouse=True)
+def workbench():
+    """Our workbench, and a clean window afterwards."""
+    Gui.activateWorkbench("BalloonWorkbench")
+    Gui.Selection.clearSelection()
+    yield Gui.activeWorkbench()
+    if hands.panel_is_open():
+        hands.press("Cancel")
+    for name in list(App.listDocuments()):
+        App.closeDocument(name)
+    hands.wait(0.05)
+    assert not hands.panel_is_open()
+
+
+@pytest.fixture
+def doc():
+    document = App.newDocument("Test")
+    hands.wait(0.05)
+    return document
+
+
+@pytest.fixture(autouse=True)
+def no_dialog():
+    """Close a modal dialog that nobody expected, and fail: the test would hang."""
+    seen = []
+
+    def look():
+        dialog = hands.QtWidgets.QApplication.activeModalWidget()
+        if dialog is not None:
+            seen.append(f"{dialog.metaObject().className()}: {dialog.windowTitle()}")
+            dialog.close()
+
+    timer = hands.QtCore.QTimer()
+    timer.timeout.connect(look)
+    timer.start(500)
+    yield
+    timer.stop()
+    assert not seen
+
+
+def _warm_up():
+    hands.QtWidgets.QApplication.setEffectEnabled(hands.QtCore.Qt.UI_AnimateCombo, False)
+
+
+_warm_up()

@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a user does: look, wait, click and type; with real events, in the real window."""
+
+import time
+from pathlib import Path
+
+import FreeCADGui as Gui
+
+from BalloonWorkbench.app.host import qt
+
+QtCore, QtGui, QtWidgets = qt()
+
+SCREENSHOTS = Path("build/screenshots")
+
+
+def wait(seconds=0.1):
+    """Let the window live."""
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        QtWidgets.QApplication.processEvents()
+        time.sleep(0.005)
+
+
+def wait_until(condition, seconds=60.0):
+    """Let the window live until something is so."""
+    end = time.monotonic() + seconds
+    while not condition():
+        assert time.monotonic() < end, "it never happened"
+        wait(0.02)
+    wait(0.05)
+
+
+def find(name, kind=QtWidgets.QWidget):
+    """The widget of this name in the open panel, visible or behind a tab."""
+    found = Gui.getMainWindow().findChildren(kind, name)
+    assert found, f"no widget {name}"
+    return found[-1]
+
+
+def show_tab(widget):
+    """Bring the tab that holds a widget to the front."""
+    tabs = find("Steps", QtWidgets.QTabWidget)
+    for index in range(tabs.count()):
+        if tabs.widget(index).isAncestorOf(widget):
+            tabs.setCurrentIndex(index)
+    wait(0.02)
+
+
+def click(widget, x=None):
+    """Press and release the left button in the middle of a widget, or x pixels from its left."""
+    wait(0.02)
+    assert widget.isVisible(), f"{widget.objectName()} cannot be seen"
+    assert widget.isEnabled(), f"{widget.objectName()} cannot be used"
+    middle = widget.rect().center()
+    at = QtCore.QPointF(middle if x is None else QtCore.QPoint(x, middle.y()))
+    there = QtCore.QPointF(widget.mapToGlobal(at.toPoint()))
+    left, none = QtCore.Qt.LeftButton, QtCore.Qt.NoModifier
+    for kind, buttons in (
+        (QtCore.QEvent.MouseButtonPress, left),
+        (QtCore.QEvent.MouseButtonRelease, QtCore.Qt.NoButton),
+    ):
+        event = QtGui.QMouseEvent(kind, at, at, there, left, buttons, none)
+        QtWidgets.QApplication.sendEvent(widget, event)
+    wait(0.05)
+
+
+def key(widget, code, text=""):
+    for kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
+        event = QtGui.QKeyEvent(kind, code, QtCore.Qt.NoModifier, text)
+        QtWidgets.QApplication.sendEvent(widget, event)
+
+
+def type_into(widget, text, confirm=True):
+    """Replace what a line edit or spin box holds, letter by letter."""
+    if widget.parent() is not None and not widget.isVisible():
+        show_tab(widget)
+    line = widget if isinstance(widget, QtWidgets.QLineEdit) else widget.findChild(QtWidgets.QLineEdit)
+    line.setFocus()
+    line.selectAll()
+    for letter in text:
+        key(line, 0, letter)
+    if confirm:
+        key(line, QtCore.Qt.Key_Return, "\r")
+    wait(0.05)
+
+
+def choose(combo, text):
+    """Take an entry of a combo box with the keyboard."""
+    show_tab(combo)
+    combo.setFocus()
+    for _ in range(combo.count()):
+        if combo.currentText() == text:
+            break
+        code = QtCore.Qt.Key_Down if combo.findText(text) > combo.currentIndex() else QtCore.Qt.Key_Up
+        key(combo, code)
+    wait(0.02)
+    assert combo.currentText() == text
+
+
+def tick(box):
+    show_tab(box)
+    click(box, x=8)
+
+
+def press(name):
+    """OK or Cancel of the open panel."""
+    boxes = [box for box in Gui.getMainWindow().findChildren(QtWidgets.QDialogButtonBox) if box.isVisible()]
+    assert boxes, "no panel is open"
+    click(boxes[0].button(getattr(QtWidgets.QDialogButtonBox, name)))
+
+
+def panel_is_open():
+    return bool(Gui.Control.activeDialog())
+
+
+def message():
+    """What the panel says."""
+    return find("Message", QtWidgets.QLabel).text()
+
+
+def screenshot(name):
+    """Save the screen and return it."""
+    SCREENSHOTS.mkdir(parents=True, exist_ok=True)
+    wait(0.3)
+    picture = QtWidgets.QApplication.primaryScreen().grabWindow(0)
+    assert picture.save(str(SCREENSHOTS / f"{name}.png"))
+    return picture.toImage()

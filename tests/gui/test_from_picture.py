@@ -1,0 +1,198 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""New balloon from picture: the whole way through the panel."""
+
+from pathlib import Path
+
+import FreeCAD as App
+import FreeCADGui as Gui
+import hands
+import pytest
+
+from BalloonWorkbench.app import status
+
+HEART = str(Path("resources/examples/pictures/heart.png").resolve())
+
+
+@pytest.fixture
+def panel(doc):
+    """The open panel with a heart of 120 mm and a coarse mesh."""
+    Gui.runCommand("BalloonWorkbench_FromPicture")
+    hands.wait_until(hands.panel_is_open)
+    hands.type_into(hands.find("Drawing"), HEART)
+    hands.type_into(hands.find("Width"), "12 cm")
+    hands.type_into(hands.find("MeshSize"), "14 mm")
+    return doc
+
+
+def parts(doc):
+    return doc.Outline, doc.Balloon, doc.Pattern
+
+
+def names(doc):
+    return [obj.Name for obj in doc.Objects]
+
+
+def apply():
+    hands.click(hands.find("Apply"))
+    hands.wait_until(lambda: hands.find("Apply").isVisible())
+
+
+def test_ok_makes_the_balloon(panel):
+    hands.press("Ok")
+    hands.wait_until(lambda: not hands.panel_is_open())
+    assert [obj.Status for obj in parts(panel)] == [status.READY] * 3
+    assert panel.Outline.SizeX.Value == pytest.approx(120)
+    assert panel.Balloon.Mesh.isSolid()
+    assert panel.Balloon.MeshSize.Value == pytest.approx(14)
+    assert panel.UndoNames == ["New balloon from picture"]
+    hands.screenshot("from-picture-done")
+    panel.undo()
+    assert names(panel) == []
+    panel.redo()
+    assert names(panel) == ["BalloonGroup", "Outline", "Balloon", "Pattern"]
+    assert panel.Balloon.Mesh.isSolid()
+
+
+def test_apply_shows_the_result_before_ok(panel):
+    apply()
+    assert hands.panel_is_open()
+    assert panel.Balloon.Status == status.READY
+    labels = [label.text() for label in hands.find("Result").findChildren(hands.QtWidgets.QLabel)]
+    assert f"{panel.Balloon.InflatedThickness.Value:.1f} mm" in labels
+    assert panel.Balloon.ActiveBackend in labels
+    image = hands.screenshot("from-picture-applied")
+    assert len({image.pixel(x, 450) for x in range(300, image.width(), 5)}) > 30  # shaded, not flat
+
+
+def test_outline_is_drawn_over_the_picture(panel):
+    hands.show_tab(hands.find("Drawing"))
+    hands.wait(0.1)
+    image = hands.find("Preview").grab().toImage()
+    colours = [
+        hands.QtGui.QColor(image.pixel(x, y)) for x in range(image.width()) for y in range(image.height())
+    ]
+    red = [colour for colour in colours if colour.red() > 180 and colour.green() < 90]
+    line = hands.find("Preview").palette().highlight().color()
+    near = [colour for colour in colours if abs(colour.hue() - line.hue()) < 12 and colour.saturation() > 90]
+    assert len(red) > 0.2 * len(colours)
+    assert len(near) > 100
+
+
+def test_cancel_leaves_the_document_untouched(panel):
+    apply()
+    hands.press("Cancel")
+    hands.wait_until(lambda: not hands.panel_is_open())
+    assert names(panel) == []
+    assert panel.UndoNames == []
+
+
+def test_cancel_while_it_works(panel):
+    hands.type_into(hands.find("MeshSize"), "3 mm")
+    hands.click(hands.find("Apply"))
+    hands.wait_until(lambda: hands.find("Progress").isVisible())
+    hands.press("Cancel")
+    hands.wait_until(lambda: not hands.panel_is_open(), 5)
+    assert names(panel) == []
+
+
+def test_stop_keeps_the_panel_and_the_last_result(panel):
+    apply()
+    volume = panel.Balloon.Volume.Value
+    hands.type_into(hands.find("MeshSize"), "3 mm")
+    hands.click(hands.find("Apply"))
+    hands.wait_until(lambda: hands.find("Stop").isVisible())
+    hands.click(hands.find("Stop"))
+    hands.wait_until(lambda: hands.find("Apply").isVisible(), 5)
+    assert hands.panel_is_open()
+    assert panel.Balloon.Volume.Value == volume
+    assert hands.message()
+
+
+def test_window_lives_while_it_works(panel):
+    beats = []
+    timer = hands.QtCore.QTimer()
+    timer.timeout.connect(lambda: beats.append(hands.find("Stop").isVisible()))
+    timer.start(50)
+    hands.type_into(hands.find("MeshSize"), "7 mm")
+    apply()
+    assert sum(beats) >= 4
+    hands.show_tab(hands.find("Pressure"))
+
+
+def test_without_a_document_one_is_made_and_taken_back():
+    Gui.runCommand("BalloonWorkbench_FromPicture")
+    hands.wait_until(hands.panel_is_open)
+    assert len(App.listDocuments()) == 1
+    hands.press("Cancel")
+    hands.wait_until(lambda: not hands.panel_is_open())
+    assert not App.listDocuments()
+
+
+@pytest.mark.parametrize(
+    ("field", "text", "word"),
+    [
+        ("Drawing", "/no/such/picture.png", "no file"),
+        ("Width", "0 mm", "size"),
+        ("Width", "100 km", "width"),
+        ("Pressure", "0 kPa", "pressure"),
+        ("Pressure", "-1 kPa", "pressure"),
+    ],
+)
+def test_senseless_value_is_told_in_the_panel(panel, field, text, word):
+    hands.type_into(hands.find(field), text)
+    if field != "Drawing":
+        hands.press("Ok")
+    hands.wait_until(hands.message, 10)
+    assert word in hands.message()
+    assert hands.panel_is_open()
+    hands.press("Cancel")
+    assert names(panel) == []
+
+
+def test_file_that_is_no_picture(panel, tmp_path):
+    path = tmp_path / "text.png"
+    path.write_text("no picture")
+    hands.type_into(hands.find("Drawing"), str(path))
+    assert "picture" in hands.message()
+
+
+def test_custom_film_can_be_edited(panel):
+    young = hands.find("YoungModulus")
+    assert not young.isEnabled()
+    hands.choose(hands.find("Film"), "Custom")
+    assert young.isEnabled()
+    hands.type_into(young, "2000000 kPa")
+    hands.type_into(hands.find("Thickness"), "0.05 mm")
+    assert panel.Balloon.YoungModulus.Value == pytest.approx(2e6)
+    hands.choose(hands.find("Film"), "pe")
+    assert not young.isEnabled()
+    assert young.property("rawValue") == pytest.approx(panel.Balloon.YoungModulus.Value)
+    assert panel.Balloon.YoungModulus.Value < 1e6
+
+
+def test_pattern_follows_at_once(panel):
+    apply()
+    width = panel.Pattern.PatternWidth.Value
+    hands.type_into(hands.find("SealWidth"), "9 mm")
+    assert panel.Pattern.PatternWidth.Value > width + 5
+    hands.tick(hands.find("Intake"))
+    assert not panel.Pattern.Intake
+    assert all(wire.isClosed() for wire in panel.Pattern.Shape.Wires)
+    assert not hands.find("IntakeWidth").isEnabled()
+
+
+def test_typed_number_counts_without_return(panel):
+    hands.type_into(hands.find("Width"), "90 mm", confirm=False)
+    hands.press("Ok")
+    hands.wait_until(lambda: not hands.panel_is_open())
+    assert panel.Outline.SizeX.Value == pytest.approx(90)
+
+
+def test_deleting_the_objects_closes_the_panel(panel):
+    panel.removeObject("Balloon")
+    hands.wait_until(lambda: not hands.panel_is_open(), 5)
+
+
+def test_closing_the_document_closes_the_panel(panel):
+    App.closeDocument(panel.Name)
+    hands.wait_until(lambda: not hands.panel_is_open(), 5)
