@@ -1,0 +1,155 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The command line: python -m BalloonWorkbench design INPUT --width 300mm --out DIR."""
+
+from __future__ import annotations
+
+import argparse
+import importlib.util
+import sys
+from collections.abc import Sequence
+from typing import Any, NoReturn, TextIO
+
+from BalloonWorkbench import __version__
+from BalloonWorkbench.core.errors import BalloonError, InputError
+from BalloonWorkbench.core.film.film import Film
+from BalloonWorkbench.core.film.library import DEFAULT_FILM, custom_film, film, films
+from BalloonWorkbench.core.job import DEFAULT_PRESSURE, Balloon, Settings, files, make_balloon
+from BalloonWorkbench.core.units import parse_length, parse_pressure
+
+DOCUMENT = "balloon.FCStd"
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run a command; 0 when all files are written, 2 with one line on stderr when something is wrong."""
+    try:
+        options = _parser().parse_args(arguments)
+        return _run(options)
+    except BalloonError as error:
+        sys.stderr.write(f"balloon: {' '.join(str(error).split())}\n")
+        return 2
+    except KeyboardInterrupt:
+        sys.stderr.write("\nballoon: stopped; no file was written.\n")
+        return 130
+
+
+class _Parser(argparse.ArgumentParser):
+    """An argument parser whose complaints are one line."""
+
+    def error(self, message: str) -> NoReturn:
+        raise InputError(f"{message}. See --help.")
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = _Parser(prog="python -m BalloonWorkbench", description="Designs balloons from film.")
+    parser.add_argument("--version", action="version", version=__version__)
+    commands = parser.add_subparsers(dest="command", required=True, parser_class=_Parser)
+    for name, purpose in (
+        ("design", "correct the pattern until the inflated silhouette is the drawing"),
+        ("inflate", "inflate the outline as it is; it is the pattern"),
+    ):
+        command = commands.add_parser(name, help=purpose, description=f"{purpose[0].upper()}{purpose[1:]}.")
+        command.add_argument("input", metavar="INPUT", help="PNG, JPEG or BMP picture, or SVG, DXF or JSON outline")
+        command.add_argument("--out", metavar="DIR", required=True, help="folder for the files")
+        command.add_argument("--width", metavar="LENGTH", help="of the drawing, such as 300mm or 12in")
+        command.add_argument("--height", metavar="LENGTH", help="of the drawing; with --width it fits inside both")
+        command.add_argument(
+            "--pressure", metavar="PRESSURE", default=str(DEFAULT_PRESSURE), help="such as 2kPa (the default)"
+        )
+        command.add_argument(
+            "--material", metavar="NAME", help=f"one of {', '.join(films())} (default {DEFAULT_FILM})"
+        )
+        command.add_argument("--young", metavar="E", type=float, help="Young's modulus of a film of your own [Pa]")
+        command.add_argument("--poisson", metavar="NU", type=float, help="its Poisson's ratio")
+        command.add_argument("--thickness", metavar="T", type=float, help="its thickness [m]")
+        command.add_argument("--mesh-size", metavar="LENGTH", help="edge length of the triangles, such as 6mm")
+        command.add_argument("--no-native", action="store_true", help="use the NumPy solver")
+    return parser
+
+
+def _run(options: argparse.Namespace) -> int:
+    width, height = _length(options.width), _length(options.height)
+    settings = Settings(
+        _film(options),
+        parse_pressure(options.pressure),
+        _length(options.mesh_size),
+        "numpy" if options.no_native else None,
+        options.command == "design",
+    )
+    line = _StatusLine(sys.stderr)
+    try:
+        balloon = make_balloon(
+            options.input, settings, width=width, height=height, decode=_decode(), progress=line.show
+        )
+        line.show(1.0, "writing files")
+        contents = files(balloon)
+        if importlib.util.find_spec("FreeCAD") is not None:
+            contents[DOCUMENT] = _document(options.input, balloon, width, height)
+    finally:
+        line.clear()
+    _write(options.out, contents, balloon)
+    return 0
+
+
+def _length(text: str | None) -> float | None:
+    return None if text is None else parse_length(text)
+
+
+def _film(options: argparse.Namespace) -> Film:
+    own = (options.young, options.poisson, options.thickness)
+    if all(value is None for value in own):
+        return film(options.material or DEFAULT_FILM)
+    if options.material is not None or any(value is None for value in own):
+        raise InputError("Give either --material, or all of --young, --poisson and --thickness.")
+    return custom_film(*own)
+
+
+def _decode() -> Any:
+    """Qt's picture reader where OpenCV is missing; None means OpenCV."""
+    if importlib.util.find_spec("cv2") is not None:
+        return None
+    from BalloonWorkbench.app import qt_picture
+
+    return qt_picture.decode
+
+
+def _document(drawing: str, balloon: Balloon, width: float | None, height: float | None) -> bytes:
+    from BalloonWorkbench.app.document import fcstd_bytes
+
+    return fcstd_bytes(
+        drawing, balloon.settings, balloon.design, width=width, height=height, correct=balloon.settings.correct
+    )
+
+
+def _write(folder: str, contents: dict[str, bytes], balloon: Balloon) -> None:
+    from BalloonWorkbench.core.export.files import write_files
+
+    paths = write_files(folder, contents)
+    report = balloon.report
+    inflated, error = report["inflated"], report["design"]["silhouette_error_mm"]
+    size = f"{inflated['width_mm']:.0f} x {inflated['height_mm']:.0f} x {inflated['thickness_mm']:.0f} mm"
+    lines = [f"Balloon {size}, {1e3 * inflated['volume_m3']:.2f} l, solver {report['backend']}"]
+    if balloon.settings.correct:
+        lines.append(f"Silhouette within {error['mean']:.2f} mm of the drawing on average, {error['max']:.1f} mm at most")
+    lines += [f"Note: {warning}" for warning in report["warnings"]]
+    lines += [f"Wrote {path}" for path in paths]
+    sys.stdout.write("\n".join(lines) + "\n")
+
+
+class _StatusLine:
+    """Progress on a terminal: one line that is written over; nothing elsewhere."""
+
+    def __init__(self, stream: TextIO) -> None:
+        self._stream = stream if stream.isatty() else None
+
+    def show(self, fraction: float, text: str) -> bool:
+        """Show the progress; never asks to stop."""
+        if self._stream is not None:
+            self._stream.write(f"\r\033[K{100.0 * fraction:3.0f} %  {text}")
+            self._stream.flush()
+        return True
+
+    def clear(self) -> None:
+        """Leave an empty line behind."""
+        if self._stream is not None:
+            self._stream.write("\r\033[K")
+            self._stream.flush()

@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The main job: a drawing in, a balloon and its cutter-ready pattern out.
+
+    1. read the drawing as an outline                       outline/read.py
+    2. mesh a first pattern                                 mesh/triangulate.py
+    3. inflate it: film, sealed seam, pressure              solver/inflate.py
+    4. correct the pattern until its silhouette is          design/fit.py
+       the drawing, and repeat 3
+    5. weld, cut and intake around the corrected seam       pattern/build.py
+    6. files                                                export/
+"""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from BalloonWorkbench.core import report
+from BalloonWorkbench.core.design.design import Design
+from BalloonWorkbench.core.design.fit import fit, inflate_outline
+from BalloonWorkbench.core.export.dxf import dxf_bytes
+from BalloonWorkbench.core.export.preview import preview_png
+from BalloonWorkbench.core.export.stl import stl_bytes
+from BalloonWorkbench.core.export.svg import svg_bytes
+from BalloonWorkbench.core.film.film import Film
+from BalloonWorkbench.core.film.library import DEFAULT_FILM, film
+from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.outline.picture import Decode
+from BalloonWorkbench.core.outline.read import read_outline
+from BalloonWorkbench.core.pattern.build import build_pattern
+from BalloonWorkbench.core.pattern.pattern import Pattern
+from BalloonWorkbench.core.types import Progress, no_progress
+
+DEFAULT_PRESSURE = 2000.0  # Pa
+
+
+@dataclass(frozen=True)
+class Settings:
+    """How a balloon is made.
+
+    pressure [Pa]; mesh_size [m] and backend None where the engine chooses; correct False keeps the outline itself
+    as the pattern.
+    """
+
+    film: Film = field(default_factory=lambda: film(DEFAULT_FILM))
+    pressure: float = DEFAULT_PRESSURE
+    mesh_size: float | None = None
+    backend: str | None = None
+    correct: bool = True
+    intake: bool = True
+
+
+@dataclass(frozen=True)
+class Balloon:
+    """A finished job: what was drawn, what was found, and the report for people and programs."""
+
+    drawing: Outline
+    settings: Settings
+    design: Design
+    pattern: Pattern
+    report: dict[str, Any]
+
+
+def make_balloon(
+    path: str | Path,
+    settings: Settings,
+    *,
+    width: float | None = None,
+    height: float | None = None,
+    decode: Decode | None = None,
+    progress: Progress = no_progress,
+) -> Balloon:
+    """Design the balloon of a drawing file, width and height [m] as in read_outline.
+
+    decode reads pictures where OpenCV is missing. Raises BalloonError of some kind for anything a user can mend.
+    """
+    drawing, kind = read_outline(path, width, height, decode)
+    design = design_outline(drawing, settings, progress)
+    pattern = build_pattern(design.pattern, settings.film.seal_width, intake=settings.intake)
+    source = report.Source(Path(path).name, kind, drawing)
+    return Balloon(drawing, settings, design, pattern, report.build(source, settings.film, settings.pressure, design, pattern))
+
+
+def design_outline(outline: Outline, settings: Settings, progress: Progress = no_progress) -> Design:
+    """The design of an outline: fitted to it, or with the outline as its pattern."""
+    work = fit if settings.correct else inflate_outline
+    return work(
+        outline,
+        settings.film,
+        settings.pressure,
+        mesh_size=settings.mesh_size,
+        backend=settings.backend,
+        progress=progress,
+    )
+
+
+def files(balloon: Balloon) -> dict[str, bytes]:
+    """Contents of the files of a finished job, by name."""
+    text = json.dumps(balloon.report, indent=2, ensure_ascii=False, allow_nan=False)
+    return {
+        "pattern.dxf": dxf_bytes(balloon.pattern),
+        "pattern.svg": svg_bytes(balloon.pattern),
+        "balloon.stl": stl_bytes(balloon.design.inflation),
+        "preview.png": preview_png(balloon.design, balloon.pattern),
+        "report.json": (text + "\n").encode(),
+    }

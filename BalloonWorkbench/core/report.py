@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The report of a job: the numbers that matter, by name and unit."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from BalloonWorkbench.core.design.design import Design
+from BalloonWorkbench.core.film.film import Film
+from BalloonWorkbench.core.mesh.quality import min_angles, signed_areas
+from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.pattern.pattern import Intake, Pattern
+from BalloonWorkbench.core.units import to_mm
+
+SCHEMA = 1
+
+
+@dataclass(frozen=True)
+class Source:
+    """Where a drawing came from: file name, kind ("picture", "svg", "dxf", "json", "sketch") and its outline."""
+
+    file: str
+    kind: str
+    outline: Outline
+
+
+def build(source: Source, film: Film, pressure: float, design: Design, pattern: Pattern) -> dict[str, Any]:
+    """The report as plain numbers, strings, lists and dicts; keys carry their units."""
+    inflation = design.inflation
+    panel, solve = inflation.panel, inflation.report
+    width, height = source.outline.size
+    shown_width, shown_height = design.silhouette.size
+    pattern_width, pattern_height = pattern.size
+    error = design.residual
+    return {
+        "schema": SCHEMA,
+        "input": {
+            "file": source.file,
+            "kind": source.kind,
+            "width_mm": to_mm(width),
+            "height_mm": to_mm(height),
+            "holes": len(source.outline.holes),
+        },
+        "material": {
+            "name": film.name,
+            "E_Pa": film.young_modulus,
+            "nu": film.poisson_ratio,
+            "thickness_m": film.thickness,
+            "areal_density_kg_m2": film.areal_density,
+        },
+        "pressure_Pa": pressure,
+        "backend": solve.backend,
+        "mesh": {
+            "vertices": len(panel.rest_positions),
+            "triangles": len(panel.triangles),
+            "min_angle_deg": float(np.degrees(min_angles(panel).min())),
+        },
+        "solve": {
+            "newton_steps": solve.newton_steps,
+            "factorisations": solve.factorisations,
+            "seconds": solve.seconds,
+            "converged": solve.converged,
+            "stiffness_k": solve.stiffness_k,
+            "bending_rigidity_N_m": solve.bending_floor,
+        },
+        "design": {
+            "passes": design.passes,
+            "seconds": design.seconds,
+            "silhouette_error_mm": {
+                "mean": to_mm(error.mean),
+                "p95": to_mm(error.p95),
+                "max": to_mm(error.max),
+            },
+            "relative_error": error.mean / max(width, height),
+            "reached": design.reached,
+        },
+        "inflated": {
+            "volume_m3": inflation.volume,
+            "thickness_mm": to_mm(2.0 * float(inflation.positions[:, 2].max())),
+            "width_mm": to_mm(shown_width),
+            "height_mm": to_mm(shown_height),
+            "film_area_m2": 2.0 * float(signed_areas(panel.rest_positions, panel.triangles).sum()),
+            "max_tension_N_per_m": float(inflation.tensions.max()),
+        },
+        "pattern": {
+            "width_mm": to_mm(pattern_width),
+            "height_mm": to_mm(pattern_height),
+            "seam_length_mm": to_mm(pattern.seam_length),
+            "intake": None if pattern.intake is None else _intake(pattern.intake),
+        },
+        "warnings": [*design.warnings, *pattern.warnings],
+    }
+
+
+def _intake(intake: Intake) -> dict[str, Any]:
+    return {
+        "width_mm": to_mm(intake.width),
+        "length_mm": to_mm(intake.length),
+        "angle_deg": float(np.degrees(intake.angle)),
+        "at_mm": [to_mm(float(value)) for value in intake.at],
+    }
