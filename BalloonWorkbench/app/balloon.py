@@ -103,56 +103,68 @@ class BalloonProxy:
 
 def request(obj):
     """What the object's values ask of the engine; InputError when they make no sense."""
+    import os
+
     from BalloonWorkbench.app import shapes
     from BalloonWorkbench.app.quantities import metres, pascals
     from BalloonWorkbench.app.solve import Request
+    from BalloonWorkbench.core.job import Settings
+    from BalloonWorkbench.core.report import Source
 
+    drawing = obj.Outline
+    name = drawing.Source[0].Label if drawing.Source else os.path.basename(drawing.Drawing)
     return Request(
-        outline=shapes.stored(obj.Outline, "Loop"),
-        film=film.read(obj),
-        pressure=pascals(obj.Pressure),
-        mesh_size=metres(obj.MeshSize) or None,
-        backend=BACKENDS[obj.Backend],
-        correct=obj.Mode == FIT,
+        Source(name, drawing.Kind, shapes.stored(drawing, "Loop")),
+        Settings(
+            film=film.read(obj),
+            pressure=pascals(obj.Pressure),
+            mesh_size=metres(obj.MeshSize) or None,
+            backend=BACKENDS[obj.Backend],
+            correct=obj.Mode == FIT,
+        ),
     )
 
 
 def show(obj, wanted, design) -> None:
     """Write a design into the object; the next recompute finds it and does not solve again."""
+    import json
+
     from BalloonWorkbench.app import shapes
     from BalloonWorkbench.app.host import mesh_from_arrays
+    from BalloonWorkbench.core import report
     from BalloonWorkbench.core.export.stl import balloon_mesh
+    from BalloonWorkbench.core.pattern.build import build_pattern
     from BalloonWorkbench.core.units import to_mm
 
+    settings = wanted.settings
+    plain = build_pattern(design.pattern, settings.film.seal_width, intake=False)
+    told = report.build(wanted.source, settings.film, settings.pressure, design, plain)
+    del told["pattern"]  # the Pattern object has its own
     positions, triangles = balloon_mesh(design.inflation)
     obj.Mesh = mesh_from_arrays(to_mm(positions), triangles)
     shapes.store(obj, "Seam", design.pattern)
-    _show_measures(obj, design)
+    _show_measures(obj, told)
+    obj.Warnings = list(design.warnings)
+    obj.Report = json.dumps(told, ensure_ascii=False)
     obj.SolvedFor = wanted.key()
+
+
+def _show_measures(obj, told) -> None:
+    from BalloonWorkbench.app import quantities
+
+    inflated, design, error = told["inflated"], told["design"], told["design"]["silhouette_error_mm"]
+    obj.InflatedWidth, obj.InflatedHeight = inflated["width_mm"], inflated["height_mm"]
+    obj.InflatedThickness = inflated["thickness_mm"]
+    obj.Volume = quantities.cubic_millimetres(inflated["volume_m3"])
+    obj.FilmArea = quantities.square_millimetres(inflated["film_area_m2"])
+    obj.MaxTension = inflated["max_tension_N_per_m"]
+    obj.ResidualMean, obj.ResidualP95, obj.ResidualMax = error["mean"], error["p95"], error["max"]
+    obj.Reached, obj.Converged = bool(design["reached"]), bool(told["solve"]["converged"])
+    obj.Passes, obj.NewtonSteps = int(design["passes"]), int(told["solve"]["newton_steps"])
+    obj.ActiveBackend = told["backend"]
 
 
 def _verdict(obj) -> str:
     if obj.Converged:
         return status.READY
     return status.UNSURE + "what is shown is the last good state. Lower the pressure or change the mesh size."
-
-
-def _show_measures(obj, design) -> None:
-    import numpy as np
-
-    from BalloonWorkbench.core.units import to_mm
-
-    inflation, solved = design.inflation, design.inflation.report
-    width, height = design.silhouette.size
-    obj.InflatedWidth, obj.InflatedHeight = to_mm(width), to_mm(height)
-    obj.InflatedThickness = to_mm(2.0 * float(np.max(inflation.positions[:, 2])))
-    obj.Volume = inflation.volume * 1e9
-    obj.FilmArea = 2.0 * design.pattern.area * 1e6
-    obj.MaxTension = float(np.max(inflation.tensions))
-    obj.ResidualMean = to_mm(design.residual.mean)
-    obj.ResidualP95 = to_mm(design.residual.p95)
-    obj.ResidualMax = to_mm(design.residual.max)
-    obj.Reached, obj.Converged = bool(design.reached), bool(solved.converged)
-    obj.Passes, obj.NewtonSteps = int(design.passes), int(solved.newton_steps)
-    obj.ActiveBackend = solved.backend
-    obj.Warnings = list(design.warnings)

@@ -15,29 +15,24 @@ from BalloonWorkbench.core.export.files import write_files
 from BalloonWorkbench.core.units import to_mm
 
 
-def save_fcstd(path, drawing, settings, design, *, width=None, height=None, correct: bool = True) -> None:
+def save_fcstd(path, drawing, settings, design, *, width=None, height=None) -> None:
     """Write a document with the live objects of a balloon; see `fcstd_bytes`.
 
     Raises ExportError when the file cannot be written.
     """
     target = Path(path)
-    content = fcstd_bytes(
-        drawing, settings, design, label=target.stem, width=width, height=height, correct=correct
-    )
+    content = fcstd_bytes(drawing, settings, design, label=target.stem, width=width, height=height)
     write_files(target.parent, {target.name: content})
 
 
-def fcstd_bytes(
-    drawing, settings, design, *, label: str = "balloon", width=None, height=None, correct: bool = True
-) -> bytes:
+def fcstd_bytes(drawing, settings, design, *, label: str = "balloon", width=None, height=None) -> bytes:
     """A document with the live objects of a balloon: they can be edited and recomputed in FreeCAD.
 
     drawing        the file the outline was read from; a copy goes into the document
-    settings       the job's settings: film, pressure [Pa], mesh_size [m] or None, backend or None, intake
+    settings       the job's settings
     design         the core's result for them; it is taken over, not solved again
     label          name of the document
     width, height  of the drawing [m], as they were asked for; None where they were left open
-    correct        the pattern was fitted to the drawing
 
     Raises BalloonError when the drawing cannot be read.
     """
@@ -52,7 +47,7 @@ def fcstd_bytes(
             material=settings.film,
             pressure=kilopascals(settings.pressure),
             mesh_size=None if settings.mesh_size is None else to_mm(settings.mesh_size),
-            correct=correct,
+            correct=settings.correct,
             backend=settings.backend,
             intake=settings.intake,
         )

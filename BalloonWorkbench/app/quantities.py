@@ -46,3 +46,13 @@ def pressure(value) -> float:
 def radians(value) -> float:
     """An angle property or number of degrees, in rad."""
     return math.radians(number(value))
+
+
+def square_millimetres(area: float) -> float:
+    """m2 to the mm2 that FreeCAD's area properties take."""
+    return area / units.MILLIMETRE**2
+
+
+def cubic_millimetres(volume: float) -> float:
+    """m3 to the mm3 that FreeCAD's volume properties take."""
+    return volume / units.MILLIMETRE**3

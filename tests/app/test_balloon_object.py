@@ -56,7 +56,8 @@ def test_mesh_is_closed_and_has_the_volume(parts):
     mesh = balloon.Mesh
     assert mesh.isSolid()
     assert not mesh.hasSelfIntersections()
-    assert mesh.Volume == pytest.approx(balloon.Volume.Value, rel=0.01)
+    # flat triangles on a coarse mesh lie inside the curved film
+    assert 0.97 * balloon.Volume.Value < mesh.Volume < balloon.Volume.Value
     assert mesh.BoundBox.ZMax == pytest.approx(-mesh.BoundBox.ZMin, rel=1e-6)
     assert mesh.BoundBox.ZLength == pytest.approx(balloon.InflatedThickness.Value, rel=1e-4)
 

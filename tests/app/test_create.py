@@ -7,9 +7,11 @@ import pytest
 import sketches
 
 from BalloonWorkbench.app import create, status
+from BalloonWorkbench.app.balloon import request
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.film.library import film
+from BalloonWorkbench.core.job import Settings
 
 HEART = Path("resources/examples/pictures/heart.png")
 
@@ -47,6 +49,18 @@ def test_options(doc):
     assert balloon.ActiveBackend == "numpy"
     assert (balloon.Mode, balloon.Passes) == ("Inflate as drawn", 0)
     assert all(wire.isClosed() for wire in parts.pattern.Shape.Wires)
+
+
+def test_defaults_are_those_of_the_command_line(doc):
+    parts = create.make(doc)
+    parts.outline.Source = sketches.rectangle(doc)
+    parts.outline.recompute()
+    own, wanted = request(parts.balloon).settings, Settings()
+    for name in ("young_modulus", "poisson_ratio", "thickness", "areal_density", "seal_width", "max_stress"):
+        assert getattr(own.film, name) == pytest.approx(getattr(wanted.film, name), rel=1e-12)
+    assert own.pressure == pytest.approx(wanted.pressure)
+    assert (own.mesh_size, own.backend, own.correct) == (wanted.mesh_size, wanted.backend, wanted.correct)
+    assert parts.pattern.Intake == wanted.intake
 
 
 def test_film_of_the_library_keeps_its_name(doc):

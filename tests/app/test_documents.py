@@ -2,7 +2,6 @@
 """Saving and reopening: nothing is lost, everything stays alive, older objects are completed."""
 
 from pathlib import Path
-from types import SimpleNamespace
 
 import FreeCAD as App
 import numpy as np
@@ -12,10 +11,8 @@ import sketches
 from BalloonWorkbench.app import create, hooks, migrate, status
 from BalloonWorkbench.app.document import save_fcstd
 from BalloonWorkbench.app.solve import Request
-from BalloonWorkbench.core.design.fit import fit
 from BalloonWorkbench.core.errors import ExportError
-from BalloonWorkbench.core.film.library import film
-from BalloonWorkbench.core.outline.read import read_outline
+from BalloonWorkbench.core.job import Settings, make_balloon
 
 HEART = Path("resources/examples/pictures/heart.png")
 PROXIES = {"Outline": "OutlineProxy", "Balloon": "BalloonProxy", "Pattern": "PatternProxy"}
@@ -54,7 +51,9 @@ def state(document):
                 value = np.array([(point.x, point.y, point.z) for point in value.Points]).tobytes()
             elif own in ("Proxy", "Drawing", "Source", "Outline", "Balloon"):
                 value = value is not None
-            held[f"{name}.{own}"] = str(value) if hasattr(value, "UserString") else value
+            elif isinstance(getattr(value, "Value", value), float):
+                value = float(f"{getattr(value, 'Value', value):.12g}")  # a file may lose the last digit
+            held[f"{name}.{own}"] = value
     return held
 
 
@@ -138,9 +137,8 @@ def test_object_of_a_newer_release_is_left_alone(reopened):
 @pytest.fixture(scope="module")
 def job():
     """What the command line has at hand when it writes a document."""
-    settings = SimpleNamespace(film=film("mylar"), pressure=2e3, mesh_size=0.014, backend=None, intake=True)
-    outline, _ = read_outline(HEART, 0.12, None)
-    return settings, fit(outline, settings.film, settings.pressure, mesh_size=settings.mesh_size)
+    settings = Settings(mesh_size=0.014)
+    return settings, make_balloon(HEART, settings, width=0.12).design
 
 
 def test_command_line_result_becomes_a_document(job, tmp_path, no_solver):
