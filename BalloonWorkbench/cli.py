@@ -115,9 +115,7 @@ def _decode() -> Any:
 def _document(drawing: str, balloon: Balloon, width: float | None, height: float | None) -> bytes:
     from BalloonWorkbench.app.document import fcstd_bytes
 
-    return fcstd_bytes(
-        drawing, balloon.settings, balloon.design, width=width, height=height, correct=balloon.settings.correct
-    )
+    return fcstd_bytes(drawing, balloon.settings, balloon.design, width=width, height=height)
 
 
 def _write(folder: str, contents: dict[str, bytes], balloon: Balloon) -> None:
