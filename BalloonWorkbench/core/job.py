@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The main job: a drawing in, a balloon and its cutter-ready pattern out.
 
-    1. read the drawing as an outline                       outline/read.py
-    2. mesh a first pattern                                 mesh/triangulate.py
-    3. inflate it: film, sealed seam, pressure              solver/inflate.py
-    4. correct the pattern until its silhouette is          design/fit.py
-       the drawing, and repeat 3
-    5. weld, cut and intake around the corrected seam       pattern/build.py
-    6. files                                                export/
+1. read the drawing as an outline                       outline/read.py
+2. mesh a first pattern                                 mesh/triangulate.py
+3. inflate it: film, sealed seam, pressure              solver/inflate.py
+4. correct the pattern until its silhouette is          design/fit.py
+   the drawing, and repeat 3
+5. weld, cut and intake around the corrected seam       pattern/build.py
+6. files                                                export/
 """
 
 from __future__ import annotations
@@ -80,7 +80,13 @@ def make_balloon(
     design = design_outline(drawing, settings, progress)
     pattern = build_pattern(design.pattern, settings.film.seal_width, intake=settings.intake)
     source = report.Source(Path(path).name, kind, drawing)
-    return Balloon(drawing, settings, design, pattern, report.build(source, settings.film, settings.pressure, design, pattern))
+    return Balloon(
+        drawing,
+        settings,
+        design,
+        pattern,
+        report.build(source, settings.film, settings.pressure, design, pattern),
+    )
 
 
 def design_outline(outline: Outline, settings: Settings, progress: Progress = no_progress) -> Design:

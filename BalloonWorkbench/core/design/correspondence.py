@@ -40,7 +40,9 @@ def nearest_along(loop: Floats, points: Floats, around: Floats, reach: Floats) -
     return found, point_at(loop, lengths, found)
 
 
-def goals(loop: Floats, points: Floats, around: Floats, corner_nodes: Ints, corners: Floats, reach: Floats) -> Floats:
+def goals(
+    loop: Floats, points: Floats, around: Floats, corner_nodes: Ints, corners: Floats, reach: Floats
+) -> Floats:
     """Goal of each seam point (k, 2) on the closed loop of the drawing.
 
     around        expected arc lengths (k,) along the drawing

@@ -8,6 +8,7 @@ and the detail of the drawing however coarse the mesh is.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -30,10 +31,10 @@ class Course:
     pattern: tuple[Floats, ...]
 
     @staticmethod
-    def begun(target: Outline, spacing: float) -> Course:
-        """A course whose pattern is the drawing itself, sampled about `spacing` apart with its corners kept."""
-        loops = tuple(resample(loop, spacing) for loop in target.loops)
-        return Course(loops, loops)
+    def begun(target: Outline, grow: Callable[[Floats], Floats], spacing: float) -> Course:
+        """A course whose pattern is the drawing grown, sampled about `spacing` apart with its corners kept."""
+        drawing = tuple(resample(loop, spacing) for loop in target.loops)
+        return Course(drawing, tuple(grow(loop) for loop in drawing))
 
     @property
     def outline(self) -> Outline:

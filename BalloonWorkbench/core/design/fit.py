@@ -77,9 +77,12 @@ def fit(
     target = check(target)
     size = max(target.size)
     centre = target.outer.mean(axis=0)
-    grown = target.map(lambda loop: centre + FIRST_GROWTH * (loop - centre))
-    edge = mesh_size or size_for(grown, VERTICES)
-    course = Course.begun(target, grown, min(0.25 * edge, size / 400.0))
+
+    def grow(loop: Floats) -> Floats:
+        return centre + FIRST_GROWTH * (loop - centre)
+
+    edge = mesh_size or size_for(target.map(grow), VERTICES)
+    course = Course.begun(target, grow, min(0.25 * edge, size / 400.0))
     mixing = AndersonMixing(GAIN)
     best: _Pass | None = None
     previous: _Pass | None = None
@@ -180,7 +183,9 @@ def _corrected(current: _Pass, mixing: AndersonMixing, edge: float, size: float)
         v = goals(drawing, points, node.lengths, node.corner_nodes, node.corners, reach) - points
         around = float(arc_lengths(drawing)[-1])
         differences.append(node.spread(node.smoothed(v, around, SMOOTHING * edge), len(drawing)))
-    step = mixing.step(np.concatenate(course.pattern).ravel(), np.concatenate(differences).ravel()).reshape(-1, 2)
+    step = mixing.step(np.concatenate(course.pattern).ravel(), np.concatenate(differences).ravel()).reshape(
+        -1, 2
+    )
     length = np.linalg.norm(step, axis=1, keepdims=True)
     step *= np.minimum(1.0, CLAMP * size / np.maximum(length, 1e-300))
     return course.moved(tuple(np.split(step, np.cumsum([len(loop) for loop in course.pattern])[:-1])))

@@ -11,6 +11,7 @@ from BalloonWorkbench.core.errors import MeshError
 from BalloonWorkbench.core.mesh.thickness import kd_tree, sampled, thickness
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.outline.sampling import arc_lengths
+from BalloonWorkbench.core.outline.thickness import min_width
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import mm_text, to_mm
 
@@ -18,6 +19,7 @@ from BalloonWorkbench.core.units import mm_text, to_mm
 _ACROSS, _FEWEST_ACROSS = 4.0, 2.0
 #: How much smaller than asked elements get for that: in thin parts, and in tips that taper off anyway.
 _CHANNEL_SHARE, _TIP_SHARE = 0.25, 0.5
+_MOST_SAMPLES = 20_000
 #: Growth of the size with distance.
 _GRADING = 0.25
 _SAMPLES_PER_SIZE = 6.0
@@ -61,7 +63,7 @@ class SizeField:
 def size_field(outline: Outline, size: float) -> SizeField:
     """The sizes for an outline; MeshError where `size` [m] is out of all proportion or too coarse."""
     _check_proportion(outline, size)
-    walls = thickness(outline, 1.1 * _ACROSS * size, size / _SAMPLES_PER_SIZE)
+    walls = thickness(outline, 1.1 * _ACROSS * size, _sample_spacing(outline, size))
     thinnest, place = walls.thinnest
     coarsest = thinnest / (_FEWEST_ACROSS * _CHANNEL_SHARE)
     if size > coarsest:
@@ -82,9 +84,15 @@ def size_field(outline: Outline, size: float) -> SizeField:
 def size_for(outline: Outline, vertices: int) -> float:
     """The mesh size that gives about so many vertices, up to four times as many for thin parts [m]."""
     size = _even_size(outline, vertices)
-    walls = thickness(outline, _ACROSS * size, size / _SAMPLES_PER_SIZE)
+    walls = thickness(outline, _ACROSS * size, _sample_spacing(outline, size))
     thin = 0.9 * walls.thinnest[0] / (_FEWEST_ACROSS * _CHANNEL_SHARE)
     return min(size, max(thin, 0.5 * size))
+
+
+def _sample_spacing(outline: Outline, size: float) -> float:
+    """Near enough for the mesh, and for the thinnest part: walls nearer than their samples would not be seen."""
+    around = sum(float(arc_lengths(loop)[-1]) for loop in outline.loops)
+    return max(min(size / _SAMPLES_PER_SIZE, 0.5 * min_width(outline)), around / _MOST_SAMPLES)
 
 
 def _even_size(outline: Outline, vertices: int) -> float:

@@ -16,37 +16,42 @@ _WIDEST_ARC = np.radians(110.0)
 # The angles by which both strokes have to bend to run into each other, added up: 180 degrees for two whiskers
 # side by side, which are not to be joined.
 _MOST_BEND = np.radians(135.0)
+# More ends than this are a texture, not strokes.
+_MOST_ENDS = 500
 
 
 def free_ends(ink: Bools, width: float) -> tuple[Floats, Floats]:
     """Where strokes of about the given width [px] end: the middles (k, 2) of their round ends, as (x, y) px,
-    and the unit directions (k, 2) in which they run out."""
-    depth = distance(ink)
-    y, x = np.nonzero(depth >= 0.4 * width)
-    angles = 2 * np.pi * np.arange(_DIRECTIONS) / _DIRECTIONS
-    ray = np.column_stack([np.cos(angles), np.sin(angles)])
-    radius = _CIRCLE * width
-    ring_x = np.clip(np.rint(x[:, None] + radius * ray[:, 0]).astype(int), 0, ink.shape[1] - 1)
-    ring_y = np.clip(np.rint(y[:, None] + radius * ray[:, 1]).astype(int), 0, ink.shape[0] - 1)
-    ring = ink[ring_y, ring_x]
-    arcs = (ring & ~np.roll(ring, 1, axis=1)).sum(axis=1)
+    and the unit directions (k, 2) in which they run out. None in a texture of very many."""
+    y, x = np.nonzero(distance(ink) >= 0.4 * width)
+    arcs = np.zeros(len(x), dtype=np.int32)
+    covered = np.zeros(len(x), dtype=np.int32)
+    outward = np.zeros((len(x), 2))
+    before = None
+    for angle in 2 * np.pi * np.arange(_DIRECTIONS + 1) / _DIRECTIONS:
+        ray = np.array([np.cos(angle), np.sin(angle)])
+        to_x, to_y = np.rint(_CIRCLE * width * ray).astype(int)
+        here = ink[np.clip(y + to_y, 0, ink.shape[0] - 1), np.clip(x + to_x, 0, ink.shape[1] - 1)]
+        if before is not None:
+            arcs += here & ~before
+            covered += here
+            outward -= here[:, None] * ray
+        before = here
     # No arc at all is a dot, which has no end.
-    near_end = (arcs == 1) & (ring.mean(axis=1) <= _WIDEST_ARC / (2 * np.pi))
-    outward = -(ring @ ray)
+    near_end = (arcs == 1) & (covered <= _DIRECTIONS * _WIDEST_ARC / (2 * np.pi))
+    x, y, outward = x[near_end], y[near_end], outward[near_end]
     outward /= np.maximum(np.linalg.norm(outward, axis=1, keepdims=True), 1e-9)
     zone = np.zeros(ink.shape, dtype=np.bool_)
-    zone[y[near_end], x[near_end]] = True
+    zone[y, x] = True
     labels, count = label(zone)
-    names = labels[y, x]
     points, headings = [], []
-    for name in range(1, count + 1):
-        own = np.flatnonzero(names == name)
+    for name in range(1, count + 1 if count <= _MOST_ENDS else 1):
+        own = np.flatnonzero(labels[y, x] == name)
         heading = outward[own].mean(axis=0)
         length = float(np.linalg.norm(heading))
         # A zone whose points do not agree on a direction is a blob.
         if length < 0.7:
             continue
-        heading /= length
         last = own[np.argmax(np.column_stack([x, y])[own] @ heading)]
         points.append((x[last], y[last]))
         headings.append(outward[last])

@@ -18,6 +18,9 @@ _WIDEST_GAP = 0.10  # wider gaps are left open
 _LINES_PART = 0.6  # of the drawn area, for a pen drawing; the rest may be eyes and other filled spots
 # A gap is closed only where the room behind it is this much wider than the gap itself: a bay is not a gap.
 _ROOM_BEHIND = 1.75
+# A drawing has fewer gaps and loose parts; a texture may have any number, and each takes its time.
+_MOST_GAPS = 100
+_MOST_PARTS = 30
 
 
 @dataclass(frozen=True)
@@ -65,7 +68,10 @@ def close_gaps(drawn: Bools, lines: Strokes) -> list[tuple[Floats, Floats]]:
     refused: set[int] = set()
     height = distance(ink <= 0.5, 4 * limit)
     for level in limit * 2.0 ** np.arange(-np.ceil(2 * np.log2(limit)) / 2, 0.25, 0.5):
-        while (summit := _open_room(height, level, lines.width, refused)) is not None:
+        while len(bridges) + len(refused) < _MOST_GAPS:
+            summit = _open_room(height, level, lines.width, refused)
+            if summit is None:
+                break
             one, other = _narrowest(ink > 0.5, _highest_pass(height, summit, level))
             gap = float(np.linalg.norm(other - one))
             if not 0 < gap <= 2 * limit or height.flat[summit] < 0.5 * _ROOM_BEHIND * gap:
@@ -84,7 +90,9 @@ def join_near(drawn: Bools, lines: Strokes) -> list[tuple[Floats, Floats]]:
     sizes = np.bincount(labels.ravel(), minlength=count + 1)
     sizes[0] = 0
     whole = labels == int(np.argmax(sizes))
-    waiting = [int(k) for k in np.argsort(-sizes, kind="stable")[1:count] if sizes[k] > lines.width**2]
+    waiting = [
+        int(k) for k in np.argsort(-sizes, kind="stable")[1:count][:_MOST_PARTS] if sizes[k] > lines.width**2
+    ]
     while waiting:
         away = distance(~whole)
         nearest = {k: float(away[labels == k].min()) for k in waiting}

@@ -24,6 +24,7 @@ Decode = Callable[[Path], NDArray[np.uint8]]
 
 _LONGEST_SIDE = 1600  # px; more detail than this is below a fifth of a millimetre on a 300 mm balloon
 _SMALLEST_SIDE = 16  # px
+_MOST_BOUNDARY = 40  # times the longest side; a hundred fingers side by side have half of it
 # Relative to the area of the shape:
 _SMALLEST_HOLE = 0.005
 _SPECK = 0.01  # a separate part below this is a speck, above it another shape
@@ -62,23 +63,29 @@ def outline_of(rgba: NDArray[np.uint8]) -> Outline:
             "No shape stands out in the picture. Use stronger colours or a plainer background."
         )
     loops.sort(key=lambda item: -abs(item[1]))
-    main = next(loop for loop, area in loops if area > 0)
-    parts = [loop for loop, area in loops if area > 0 and loop is not main]
-    area = next(area for loop, area in loops if loop is main)
-    holes = [
-        loop
-        for loop, own in loops
-        if own < 0
-        and contains(main, loop[:1])[0]
-        and not any(contains(part, loop[:1])[0] for part in parts if np.ptp(part[:, 0]) > np.ptp(loop[:, 0]))
-    ]
+    main, area = next((loop, area) for loop, area in loops if area > 0)
+    if len(main) > _MOST_BOUNDARY * max(rgba.shape[:2]):
+        raise PictureError("The shape in the picture is too frayed to trace. Use a clearer picture.")
+    seen = [(loop, own) for loop, own in loops if abs(own) >= _GRAIN * area and loop is not main]
+    parts = [loop for loop, own in seen if own > 0]
+    holes = _holes_of(main, parts, [loop for loop, own in seen if own < 0])
     large = [hole for hole in holes if _area(hole) >= _SMALLEST_HOLE * area]
-    notes += _notes(
-        main, area, parts, [hole for hole in holes if _area(hole) < _SMALLEST_HOLE * area], rgba.shape
-    )
+    notes += _notes(main, area, parts, len(holes) - len(large), rgba.shape)
     traced = _simple([main, *large], STEP * max(rgba.shape[:2]))
     corner = traced[0].min(axis=0)
     return Outline(traced[0] - corner, tuple(hole - corner for hole in traced[1:]), tuple(notes))
+
+
+def _holes_of(main: Floats, parts: list[Floats], holes: list[Floats]) -> list[Floats]:
+    """The holes that lie in the main shape and not in a part that lies in another hole of it."""
+    if not holes:
+        return []
+    points = np.array([hole[0] for hole in holes])
+    width = np.array([np.ptp(hole[:, 0]) for hole in holes])
+    own = contains(main, points)
+    for part in parts:
+        own &= ~(contains(part, points) & (np.ptp(part[:, 0]) > width))
+    return [hole for hole, mine in zip(holes, own) if mine]
 
 
 def _simple(boundaries: list[Floats], radius: float) -> list[Floats]:
@@ -101,9 +108,7 @@ def _shrink(rgba: NDArray[np.uint8]) -> NDArray[np.uint8]:
     return np.asarray((total + step * step // 2) // (step * step), dtype=np.uint8)
 
 
-def _notes(
-    main: Floats, area: float, parts: list[Floats], filled: list[Floats], shape: tuple[int, ...]
-) -> list[str]:
+def _notes(main: Floats, area: float, parts: list[Floats], filled: int, shape: tuple[int, ...]) -> list[str]:
     """Remarks on what the outline leaves out of the picture."""
     notes = []
     (left, low), (right, high) = main.min(axis=0), main.max(axis=0)
@@ -123,12 +128,11 @@ def _notes(
         )
         count = f"{len(others)} other shape{'s are' if len(others) > 1 else ' is'}"
         notes.append(f"The largest shape is used; {count} left out ({places}).")
-    specks = sum(_GRAIN * area <= _area(part) < _SPECK * area for part in parts)
+    specks = len(parts) - len(others)
     if specks:
         notes.append(f"{specks} small speck{'s were' if specks > 1 else ' was'} dropped.")
-    tiny = sum(_area(hole) >= _GRAIN * area for hole in filled)
-    if tiny:
-        notes.append(f"{tiny} tiny hole{'s were' if tiny > 1 else ' was'} filled.")
+    if filled:
+        notes.append(f"{filled} tiny hole{'s were' if filled > 1 else ' was'} filled.")
     return notes
 
 

@@ -49,14 +49,20 @@ def corners(loop: Floats, angle: float = CORNER_ANGLE, reach: float = 0.0) -> ND
             before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0], np.einsum("ij,ij->i", before, after)
         )
     )
+    sharp = np.flatnonzero(turn > angle)
+    if reach <= 0:
+        return sharp
+    # The sharpest first; whatever else turns within its reach is the same corner. Bins keep the search short.
+    bins: dict[int, list[float]] = {}
+    count = max(1, int(lengths[-1] // reach))
     found: list[int] = []
-    # The sharpest first; whatever else turns within its reach is the same corner.
-    for k in np.argsort(-turn, kind="stable"):
-        if turn[k] <= angle:
-            break
-        away = np.abs(here[found] - here[k])
-        if not found or np.minimum(away, lengths[-1] - away).min() > reach:
+    for k in sharp[np.argsort(-turn[sharp], kind="stable")]:
+        at = float(here[k])
+        own = int(at / lengths[-1] * count)
+        near = [other for shift in (-1, 0, 1) for other in bins.get((own + shift) % count, ())]
+        if all(reach < abs(at - other) < lengths[-1] - reach for other in near):
             found.append(int(k))
+            bins.setdefault(own % count, []).append(at)
     return np.array(sorted(found), dtype=np.intp)
 
 

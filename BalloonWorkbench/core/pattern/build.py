@@ -15,6 +15,7 @@ import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.pattern.intake import Neck, place_neck
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
 from BalloonWorkbench.core.pattern.shapes import (
@@ -24,7 +25,6 @@ from BalloonWorkbench.core.pattern.shapes import (
     open_line,
     parts,
     polygon,
-    shapely,
 )
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import mm_text, to_mm

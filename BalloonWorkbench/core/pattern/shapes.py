@@ -7,7 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from BalloonWorkbench.core.errors import MissingPackageError, OutlineError
+from BalloonWorkbench.core.errors import OutlineError
+from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import from_mm, to_mm
 
@@ -17,15 +18,6 @@ _MITRE = 2.0
 TOLERANCE = from_mm(0.005)
 SHORTEST = from_mm(0.05)
 _CORNER = np.radians(25.0)
-
-
-def shapely() -> Any:
-    """The package, or advice on how to get it."""
-    try:
-        import shapely as package
-    except ImportError as error:
-        raise MissingPackageError("Patterns need shapely: install it with pip install shapely.") from error
-    return package
 
 
 def polygon(loop: Floats) -> Any:

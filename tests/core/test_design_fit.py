@@ -1,0 +1,163 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Pattern correction: closed forms, real pictures, and honesty about what cannot be reached."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from BalloonWorkbench.core.design.compare import alignment, residual
+from BalloonWorkbench.core.design.fit import fit, inflate_outline
+from BalloonWorkbench.core.errors import Cancelled, InputError, MeshError, OutlineError
+from BalloonWorkbench.core.film.library import custom_film, film
+from BalloonWorkbench.core.outline.crossings import first_crossing
+from BalloonWorkbench.core.outline.outline import Outline, signed_area
+from BalloonWorkbench.core.outline.picture import read_picture
+from BalloonWorkbench.core.solver.backend import available
+
+PICTURES = Path(__file__).parents[2] / "resources" / "examples" / "pictures"
+NAMES = sorted(path.stem for path in PICTURES.glob("*.png"))
+# stiff enough to be inextensible: E t / (p L) is about 10 000
+STIFF = replace(custom_film(2.4e10, 0.3, 25e-6), seal_width=0.0)
+
+
+def circle(radius: float, count: int = 240) -> np.ndarray:
+    angle = 2.0 * np.pi * np.arange(count) / count
+    return radius * np.column_stack([np.cos(angle), np.sin(angle)])
+
+
+def test_there_are_eleven_pictures() -> None:
+    assert len(NAMES) == 11
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_pictures_inflate_to_the_drawing(name: str) -> None:
+    drawing = read_picture(PICTURES / f"{name}.png", 0.3, None)
+    design = fit(drawing, film("mylar"), 2000.0)
+    size = max(drawing.size)
+    assert design.reached
+    assert design.inflation.report.converged
+    assert design.residual.mean < 0.003 * size
+    assert design.residual.p95 < 0.01 * size
+    assert first_crossing(design.pattern.loops) is None
+
+
+@pytest.mark.parametrize("backend", [backend.name for backend in available()])
+def test_pattern_of_a_disc_is_larger_by_the_elliptic_integral(backend: str) -> None:
+    """A disc of radius R needs a pattern of radius R int_0^1 dt / sqrt(1 - t^4)."""
+    design = fit(Outline(circle(0.1)), STIFF, 300.0, mesh_size=0.009, backend=backend)
+    radius = np.sqrt(signed_area(design.pattern.outer) / np.pi)
+    assert radius / 0.1 == pytest.approx(1.311028777, rel=6e-3)
+
+
+def test_pattern_of_a_strip_is_wider_by_half_pi() -> None:
+    """Far from its ends a long tube of width w needs a strip of width pi/2 w."""
+    half, width = 0.2, 0.06
+    strip = Outline(np.array([[-half, -width / 2], [half, -width / 2], [half, width / 2], [-half, width / 2]]))
+    design = fit(strip, STIFF, 300.0)
+    middle = design.pattern.outer[np.abs(design.pattern.outer[:, 0]) < 0.3 * half]
+    grown = middle[middle[:, 1] > 0, 1].mean() - middle[middle[:, 1] < 0, 1].mean()
+    assert grown / width == pytest.approx(np.pi / 2, rel=0.02)
+
+
+def test_ring_keeps_its_hole() -> None:
+    drawing = Outline(circle(0.1), (circle(0.05)[::-1],))
+    design = fit(drawing, film("mylar"), 2000.0)
+    assert len(design.pattern.holes) == len(design.silhouette.holes) == 1
+    assert design.residual.mean < 0.01 * 0.2
+    assert signed_area(design.pattern.holes[0]) < 0.0
+
+
+def test_corners_of_the_drawing_stay_in_the_pattern() -> None:
+    square = Outline(np.array([[0.0, 0.0], [0.2, 0.0], [0.2, 0.2], [0.0, 0.2]]))
+    design = fit(square, film("mylar"), 2000.0)
+    loop = design.pattern.outer
+    ahead = np.roll(loop, -1, axis=0) - loop
+    back = np.roll(ahead, 1, axis=0)
+    turn = np.arctan2(back[:, 0] * ahead[:, 1] - back[:, 1] * ahead[:, 0], (back * ahead).sum(axis=1))
+    assert np.count_nonzero(turn > np.radians(40.0)) == 4
+
+
+def test_inflating_an_outline_keeps_it_as_the_pattern() -> None:
+    drawing = Outline(circle(0.1))
+    design = inflate_outline(drawing, film("mylar"), 2000.0, mesh_size=0.01)
+    assert design.passes == 0
+    np.testing.assert_allclose(design.pattern.outer, drawing.outer)
+    assert design.silhouette.size[0] == pytest.approx(0.1 * 2 * 0.7644, rel=0.01)
+
+
+def test_same_input_gives_the_same_pattern_to_the_last_digit() -> None:
+    drawing = Outline(circle(0.1, 60) * (1.0, 0.7))
+    first, second = (fit(drawing, film("mylar"), 2000.0, mesh_size=0.015) for _ in range(2))
+    assert first.pattern.outer.tobytes() == second.pattern.outer.tobytes()
+
+
+def test_coarse_and_fine_meshes_agree() -> None:
+    drawing = read_picture(PICTURES / "heart.png", 0.3, None)
+    coarse, fine = (fit(drawing, film("mylar"), 2000.0, mesh_size=size) for size in (0.011, 0.006))
+    assert residual(coarse.pattern, fine.pattern).mean < 0.002 * 0.3
+
+
+def test_an_unreachable_drawing_is_marked() -> None:
+    """A pin far sharper than any film can follow still gives a valid pattern and a warning."""
+    comb = [[0.0, 0.0], [0.3, 0.0], [0.3, 0.1]]
+    for tooth in range(9):
+        right = 0.3 - tooth / 30
+        comb += [[right - 1 / 60, 0.03], [right - 1 / 30, 0.1]]
+    design = fit(Outline(np.array(comb)), film("kraft-paper"), 500.0)
+    assert first_crossing(design.pattern.loops) is None
+    assert design.reached == (design.residual.mean <= 0.01 * 0.3)
+    assert design.reached or any("film cannot follow" in text for text in design.warnings)
+
+
+def test_progress_can_stop_the_design() -> None:
+    with pytest.raises(Cancelled):
+        fit(Outline(circle(0.1)), film("mylar"), 2000.0, mesh_size=0.02, progress=lambda fraction, text: False)
+
+
+def test_progress_rises() -> None:
+    seen: list[float] = []
+
+    def note(fraction: float, text: str) -> bool:
+        seen.append(fraction)
+        return True
+
+    fit(Outline(circle(0.1)), film("mylar"), 2000.0, mesh_size=0.02, progress=note)
+    assert seen == sorted(seen)
+    assert 0.0 <= seen[0] and seen[-1] <= 1.0
+
+
+@pytest.mark.parametrize(
+    ("loop", "pressure", "mesh_size", "error"),
+    [
+        (circle(0.1), 0.0, None, InputError),
+        (circle(0.1), -5.0, None, InputError),
+        (circle(0.1), float("nan"), None, InputError),
+        (circle(0.1), 2000.0, 0.15, MeshError),
+        (np.array([[0.0, 0.0], [0.3, 0.0], [0.3, 0.001], [0.0, 0.001]]), 2000.0, 0.02, MeshError),
+        (np.array([[0.0, 0.0], [0.1, 0.1], [0.1, 0.0], [0.0, 0.1]]), 2000.0, None, OutlineError),
+        (np.zeros((4, 2)), 2000.0, None, OutlineError),
+    ],
+)
+def test_bad_input_has_its_own_error(
+    loop: np.ndarray, pressure: float, mesh_size: float | None, error: type[Exception]
+) -> None:
+    with pytest.raises(error):
+        fit(Outline(loop), film("mylar"), pressure, mesh_size=mesh_size)
+
+
+def test_alignment_undoes_a_rotation_and_a_shift() -> None:
+    points = circle(1.0, 20) * (2.0, 1.0)
+    angle = 0.4
+    turned = points @ np.array([[np.cos(angle), np.sin(angle)], [-np.sin(angle), np.cos(angle)]]) + (3.0, -1.0)
+    rotation, shift = alignment(turned, points, np.ones(20))
+    np.testing.assert_allclose(turned @ rotation.T + shift, points, atol=1e-12)
+
+
+def test_residual_is_the_distance_between_concentric_circles() -> None:
+    error = residual(Outline(circle(1.0, 2000)), Outline(circle(1.02, 2000)))
+    assert error.mean == pytest.approx(0.02, rel=1e-3)
+    assert error.max == pytest.approx(0.02, rel=1e-3)
