@@ -115,5 +115,10 @@ _VIEWS = {"OutlineProxy": OutlineView, "BalloonProxy": BalloonView, "PatternProx
 def dress(obj) -> None:
     """Give an object its view provider unless it has one, as after loading a file saved without a window."""
     vobj = obj.ViewObject
-    if vobj is not None and not isinstance(vobj.Proxy, _View):
-        _VIEWS[type(obj.Proxy).__name__](vobj)
+    if vobj is None or isinstance(vobj.Proxy, _View):
+        return
+    _VIEWS[type(obj.Proxy).__name__](vobj)
+    for shown in (obj, obj.getParentGroup()):  # FreeCAD hides what it loads without its looks
+        if shown is not None:
+            shown.ViewObject.Visibility = True
+    vobj.Proxy.updateData(obj, "Roles")  # colours of lines hold only for lines that are drawn already

@@ -177,21 +177,3 @@ def test_reopened_in_the_window(made, tmp_path):
     assert balloon.ViewObject.DisplayMode == "Shaded"
     balloon.ViewObject.Proxy.doubleClicked(balloon.ViewObject)
     hands.wait_until(hands.panel_is_open)
-
-
-def test_file_saved_without_a_window_gets_its_looks(made, tmp_path):
-    """Such a file has no view providers."""
-    import zipfile
-
-    doc = made.balloon.Document
-    path, bare = tmp_path / "box.FCStd", tmp_path / "bare.FCStd"
-    doc.saveAs(str(path))
-    App.closeDocument(doc.Name)
-    with zipfile.ZipFile(path) as whole, zipfile.ZipFile(bare, "w") as rest:
-        for name in whole.namelist():
-            if name == "Document.xml" or not name.startswith(("Gui", "thumbnails")):
-                rest.writestr(name, whole.read(name))
-    again = App.openDocument(str(bare))
-    hands.wait(0.2)
-    assert type(again.Pattern.ViewObject.Proxy).__name__ == "PatternView"
-    assert again.Balloon.ViewObject.DisplayMode == "Shaded"
