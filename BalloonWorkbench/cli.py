@@ -48,20 +48,28 @@ def _parser() -> argparse.ArgumentParser:
         ("inflate", "inflate the outline as it is; it is the pattern"),
     ):
         command = commands.add_parser(name, help=purpose, description=f"{purpose[0].upper()}{purpose[1:]}.")
-        command.add_argument("input", metavar="INPUT", help="PNG, JPEG or BMP picture, or SVG, DXF or JSON outline")
+        command.add_argument(
+            "input", metavar="INPUT", help="PNG, JPEG or BMP picture, or SVG, DXF or JSON outline"
+        )
         command.add_argument("--out", metavar="DIR", required=True, help="folder for the files")
         command.add_argument("--width", metavar="LENGTH", help="of the drawing, such as 300mm or 12in")
-        command.add_argument("--height", metavar="LENGTH", help="of the drawing; with --width it fits inside both")
+        command.add_argument(
+            "--height", metavar="LENGTH", help="of the drawing; with --width it fits inside both"
+        )
         command.add_argument(
             "--pressure", metavar="PRESSURE", default=str(DEFAULT_PRESSURE), help="such as 2kPa (the default)"
         )
         command.add_argument(
             "--material", metavar="NAME", help=f"one of {', '.join(films())} (default {DEFAULT_FILM})"
         )
-        command.add_argument("--young", metavar="E", type=float, help="Young's modulus of a film of your own [Pa]")
+        command.add_argument(
+            "--young", metavar="E", type=float, help="Young's modulus of a film of your own [Pa]"
+        )
         command.add_argument("--poisson", metavar="NU", type=float, help="its Poisson's ratio")
         command.add_argument("--thickness", metavar="T", type=float, help="its thickness [m]")
-        command.add_argument("--mesh-size", metavar="LENGTH", help="edge length of the triangles, such as 6mm")
+        command.add_argument(
+            "--mesh-size", metavar="LENGTH", help="edge length of the triangles, such as 6mm"
+        )
         command.add_argument("--no-native", action="store_true", help="use the NumPy solver")
     return parser
 
@@ -127,7 +135,9 @@ def _write(folder: str, contents: dict[str, bytes], balloon: Balloon) -> None:
     size = f"{inflated['width_mm']:.0f} x {inflated['height_mm']:.0f} x {inflated['thickness_mm']:.0f} mm"
     lines = [f"Balloon {size}, {1e3 * inflated['volume_m3']:.2f} l, solver {report['backend']}"]
     if balloon.settings.correct:
-        lines.append(f"Silhouette within {error['mean']:.2f} mm of the drawing on average, {error['max']:.1f} mm at most")
+        lines.append(
+            f"Silhouette within {error['mean']:.2f} mm of the drawing on average, {error['max']:.1f} mm at most"
+        )
     lines += [f"Note: {warning}" for warning in report["warnings"]]
     lines += [f"Wrote {path}" for path in paths]
     sys.stdout.write("\n".join(lines) + "\n")

@@ -56,7 +56,9 @@ def test_pattern_of_a_disc_is_larger_by_the_elliptic_integral(backend: str) -> N
 def test_pattern_of_a_strip_is_wider_by_half_pi() -> None:
     """Far from its ends a long tube of width w needs a strip of width pi/2 w."""
     half, width = 0.2, 0.06
-    strip = Outline(np.array([[-half, -width / 2], [half, -width / 2], [half, width / 2], [-half, width / 2]]))
+    strip = Outline(
+        np.array([[-half, -width / 2], [half, -width / 2], [half, width / 2], [-half, width / 2]])
+    )
     design = fit(strip, STIFF, 300.0)
     middle = design.pattern.outer[np.abs(design.pattern.outer[:, 0]) < 0.3 * half]
     grown = middle[middle[:, 1] > 0, 1].mean() - middle[middle[:, 1] < 0, 1].mean()
@@ -115,7 +117,9 @@ def test_an_unreachable_drawing_is_marked() -> None:
 
 def test_progress_can_stop_the_design() -> None:
     with pytest.raises(Cancelled):
-        fit(Outline(circle(0.1)), film("mylar"), 2000.0, mesh_size=0.02, progress=lambda fraction, text: False)
+        fit(
+            Outline(circle(0.1)), film("mylar"), 2000.0, mesh_size=0.02, progress=lambda fraction, text: False
+        )
 
 
 def test_progress_rises() -> None:
@@ -152,7 +156,10 @@ def test_bad_input_has_its_own_error(
 def test_alignment_undoes_a_rotation_and_a_shift() -> None:
     points = circle(1.0, 20) * (2.0, 1.0)
     angle = 0.4
-    turned = points @ np.array([[np.cos(angle), np.sin(angle)], [-np.sin(angle), np.cos(angle)]]) + (3.0, -1.0)
+    turned = points @ np.array([[np.cos(angle), np.sin(angle)], [-np.sin(angle), np.cos(angle)]]) + (
+        3.0,
+        -1.0,
+    )
     rotation, shift = alignment(turned, points, np.ones(20))
     np.testing.assert_allclose(turned @ rotation.T + shift, points, atol=1e-12)
 

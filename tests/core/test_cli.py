@@ -1,0 +1,248 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The command line as a user meets it: its files, its report, and one clear line when something is wrong."""
+
+from __future__ import annotations
+
+import json
+import struct
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from BalloonWorkbench import cli
+from BalloonWorkbench.core.outline.read import read_outline
+
+ROOT = Path(__file__).parents[2]
+PICTURES = ROOT / "resources" / "examples" / "pictures"
+FILES = {"pattern.dxf", "pattern.svg", "balloon.stl", "preview.png", "report.json"}
+SQUARE = {"unit": "mm", "outer": [[0, 0], [200, 0], [200, 200], [0, 200]]}
+
+
+@pytest.fixture(scope="module")
+def heart(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("out") / "not yet there" / "Herz ♥"
+    code = cli.main(["design", str(PICTURES / "heart.png"), "--width", "300mm", "--out", str(folder)])
+    assert code == 0
+    return folder
+
+
+@pytest.fixture
+def square(tmp_path: Path) -> Path:
+    path = tmp_path / "square.json"
+    path.write_text(json.dumps(SQUARE))
+    return path
+
+
+def test_design_writes_all_its_files(heart: Path) -> None:
+    assert {path.name for path in heart.iterdir()} >= FILES
+
+
+def test_report_holds_what_schema_1_promises(heart: Path) -> None:
+    report = json.loads((heart / "report.json").read_text(encoding="utf-8"))
+    wanted = {
+        "input": "file kind width_mm height_mm holes",
+        "material": "name E_Pa nu thickness_m areal_density_kg_m2",
+        "mesh": "vertices triangles min_angle_deg",
+        "solve": "newton_steps factorisations seconds converged stiffness_k",
+        "design": "passes seconds silhouette_error_mm relative_error reached",
+        "inflated": "volume_m3 thickness_mm width_mm height_mm film_area_m2 max_tension_N_per_m",
+        "pattern": "width_mm height_mm seam_length_mm intake",
+    }
+    for group, names in wanted.items():
+        assert set(report[group]) >= set(names.split()), group
+    assert set(report["design"]["silhouette_error_mm"]) == {"mean", "p95", "max"}
+    assert set(report["pattern"]["intake"]) == {"width_mm", "length_mm", "angle_deg", "at_mm"}
+    assert report["schema"] == 1
+    assert report["pressure_Pa"] == 2000.0
+    assert report["backend"] == "native"
+    assert report["input"]["width_mm"] == pytest.approx(300.0)
+    assert report["inflated"]["width_mm"] == pytest.approx(300.0, rel=0.01)
+    assert report["design"]["reached"] is True
+    assert isinstance(report["warnings"], list)
+
+
+def test_mesh_of_the_balloon_is_closed_and_in_millimetres(heart: Path) -> None:
+    data = (heart / "balloon.stl").read_bytes()
+    count = struct.unpack("<I", data[80:84])[0]
+    facets = np.frombuffer(data[84:], dtype=np.dtype([("n", "<f4", 3), ("v", "<f4", (3, 3)), ("a", "<u2")]))
+    assert len(facets) == count
+    corners = facets["v"].astype(float)
+    volume = np.einsum("ij,ij->", corners[:, 0], np.cross(corners[:, 1], corners[:, 2])) / 6.0
+    report = json.loads((heart / "report.json").read_text(encoding="utf-8"))
+    assert volume * 1e-9 == pytest.approx(report["inflated"]["volume_m3"], rel=0.006)
+
+
+def test_inflate_keeps_the_outline_as_the_pattern(square: Path, tmp_path: Path) -> None:
+    assert cli.main(["inflate", str(square), "--out", str(tmp_path / "out"), "--mesh-size", "10mm"]) == 0
+    report = json.loads((tmp_path / "out" / "report.json").read_text())
+    assert report["design"]["passes"] == 0
+    # teabag: 0.2027 of the cube of its side, for a film much stiffer than the pressure
+    assert report["inflated"]["volume_m3"] == pytest.approx(0.2027 * 0.2**3, rel=0.02)
+
+
+def test_options_reach_the_solver(square: Path, tmp_path: Path) -> None:
+    words = ["inflate", str(square), "--out", str(tmp_path / "out"), "--mesh-size", "60mm", "--no-native"]
+    words += [
+        "--young",
+        "3e9",
+        "--poisson",
+        "0.3",
+        "--thickness",
+        "25e-6",
+        "--pressure",
+        "1kPa",
+        "--width",
+        "100mm",
+    ]
+    assert cli.main(words) == 2  # 60 mm is too coarse once the width is 100 mm
+    words[words.index("60mm")] = "8mm"
+    assert cli.main(words) == 0
+    report = json.loads((tmp_path / "out" / "report.json").read_text())
+    assert report["backend"] == "numpy"
+    assert report["material"]["E_Pa"] == 3e9
+    assert report["solve"]["stiffness_k"] == pytest.approx(3e9 * 25e-6 / (1000.0 * 0.1), rel=1e-3)
+
+
+def test_solvers_agree_through_the_command_line(square: Path, tmp_path: Path) -> None:
+    volumes = []
+    for extra in ([], ["--no-native"]):
+        out = tmp_path / f"out{len(extra)}"
+        assert cli.main(["inflate", str(square), "--out", str(out), "--mesh-size", "15mm", *extra]) == 0
+        volumes.append(json.loads((out / "report.json").read_text())["inflated"]["volume_m3"])
+    assert volumes[0] == pytest.approx(volumes[1], rel=1e-6)
+
+
+def test_same_input_writes_the_same_bytes(square: Path, tmp_path: Path) -> None:
+    for name in ("one", "two"):
+        assert cli.main(["inflate", str(square), "--out", str(tmp_path / name), "--mesh-size", "20mm"]) == 0
+    for file in FILES - {"report.json"}:  # which holds the seconds
+        assert (tmp_path / "one" / file).read_bytes() == (tmp_path / "two" / file).read_bytes(), file
+
+
+def test_pattern_reads_back_as_an_outline(heart: Path) -> None:
+    outline, kind = read_outline(heart / "pattern.dxf")
+    report = json.loads((heart / "report.json").read_text(encoding="utf-8"))
+    assert kind == "dxf"
+    assert outline.size[0] == pytest.approx(report["pattern"]["width_mm"] * 1e-3, abs=1e-5)
+
+
+def picture(path: Path, pixels: np.ndarray) -> str:
+    cv2 = pytest.importorskip("cv2")
+    assert cv2.imwrite(str(path), pixels)
+    return str(path)
+
+
+def bad_inputs(folder: Path) -> dict[str, tuple[list[str], str]]:
+    """Arguments after the command, and what the complaint must name."""
+
+    def text(name: str, content: str) -> str:
+        (folder / name).write_text(content)
+        return str(folder / name)
+
+    def loop(name: str, points: object) -> str:
+        return text(name, json.dumps({"unit": "mm", "outer": points}))
+
+    good = loop("good.json", SQUARE["outer"])
+    fish = str(PICTURES / "fish.png")
+    return {
+        "no such file": ([str(folder / "none.png"), "--width", "300mm"], "no file"),
+        "not a picture": ([text("text.png", "hello"), "--width", "300mm"], "text.png"),
+        "empty picture": (
+            [picture(folder / "e.png", np.full((64, 64, 3), 255, np.uint8)), "--width", "1m"],
+            "shape",
+        ),
+        "nan": ([text("nan.json", '{"unit": "mm", "outer": [[0, 0], [NaN, 0], [9, 9]]}')], "NaN"),
+        "crossing": ([loop("x.json", [[0, 0], [100, 100], [100, 0], [0, 100]])], "crosses"),
+        "no area": ([loop("flat.json", [[0, 0], [100, 0], [50, 0]])], "area"),
+        "one point": ([loop("points.json", [[5, 5], [5, 5], [5, 5], [5, 5]])], "three"),
+        "thinner than the mesh": (
+            [loop("thin.json", [[0, 0], [300, 0], [300, 2], [0, 2]]), "--mesh-size", "20mm"],
+            "thin",
+        ),
+        "width 0": ([fish, "--width", "0"], "width"),
+        "negative width": ([fish, "--width=-5mm"], "width"),
+        "100 km": ([fish, "--width", "100km"], ""),
+        "no width": ([fish], "width"),
+        "width in words": ([fish, "--width", "wide"], "wide"),
+        "pressure 0": ([good, "--pressure", "0"], "pressure"),
+        "negative pressure": ([good, "--pressure=-1kPa"], "pressure"),
+        "material": ([good, "--material", "unobtainium"], "unobtainium"),
+        "half a material": ([good, "--young", "3e9"], "--thickness"),
+        "not an option": ([good, "--colour", "red"], "--colour"),
+    }
+
+
+BAD = [
+    "no such file", "not a picture", "empty picture", "nan", "crossing", "no area", "one point",
+    "thinner than the mesh", "width 0", "negative width", "100 km", "no width", "width in words", "pressure 0",
+    "negative pressure", "material", "half a material", "not an option",
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("command", ["design", "inflate"])
+@pytest.mark.parametrize("case", BAD)
+def test_bad_input_gives_one_line_and_no_file(
+    case: str, command: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    cases = bad_inputs(tmp_path)
+    assert sorted(cases) == sorted(BAD)
+    words, named = cases[case]
+    assert cli.main([command, *words, "--out", str(tmp_path / "out")]) == 2
+    complaint = capsys.readouterr().err
+    assert complaint.count("\n") == 1
+    assert named in complaint
+    assert "Traceback" not in complaint
+    assert not (tmp_path / "out").exists()
+
+
+def test_a_folder_that_cannot_be_written_leaves_nothing(
+    square: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    blocked = tmp_path / "file"
+    blocked.write_text("in the way")
+    words = ["inflate", str(square), "--mesh-size", "25mm", "--out", str(blocked / "out")]
+    assert cli.main(words) == 2
+    assert capsys.readouterr().err.count("\n") == 1
+    assert blocked.read_text() == "in the way"
+
+
+def test_the_module_runs_as_a_program_and_exits_with_2(tmp_path: Path) -> None:
+    program = [
+        sys.executable,
+        "-m",
+        "BalloonWorkbench",
+        "design",
+        "nothing.png",
+        "--width",
+        "1m",
+        "--out",
+        str(tmp_path),
+    ]
+    result = subprocess.run(program, cwd=ROOT, capture_output=True, text=True, check=False)
+    assert result.returncode == 2
+    assert result.stderr.count("\n") == 1
+    assert result.stdout == ""
+
+
+def test_without_opencv_a_picture_still_becomes_a_balloon(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    find_spec = cli.importlib.util.find_spec
+    monkeypatch.setattr(
+        cli.importlib.util, "find_spec", lambda name: None if name == "cv2" else find_spec(name)
+    )
+    words = [
+        "inflate",
+        str(PICTURES / "star.png"),
+        "--width",
+        "200mm",
+        "--mesh-size",
+        "20mm",
+        "--out",
+        str(tmp_path),
+    ]
+    assert cli.main(words) == 0
+    assert (tmp_path / "pattern.dxf").stat().st_size > 0
