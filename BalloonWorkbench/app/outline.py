@@ -91,20 +91,14 @@ def set_drawing(obj, path) -> None:
 def read(obj):
     """The outline, what it was read from, and the placement of a linked source (None for a drawing)."""
     if obj.Source:
-        return _read_source(*obj.Source)
+        from BalloonWorkbench.app.sketch import outline_of
+
+        outline, placement = outline_of(*obj.Source)
+        return outline, "sketch", placement
     from BalloonWorkbench.app.drawing import read_drawing
 
     outline, kind = read_drawing(obj.Drawing, obj.Width, obj.Height, obj.KeepAspect)
     return outline, kind, None
-
-
-def _read_source(source, elements):
-    from BalloonWorkbench.app import sketch
-    from BalloonWorkbench.app.nesting import from_loops
-    from BalloonWorkbench.core.units import from_mm
-
-    loops, placement = sketch.loops_of(source, tuple(elements))
-    return from_loops([from_mm(loop) for loop in loops]), "sketch", placement
 
 
 def show(obj, outline, kind: str) -> None:

@@ -192,7 +192,7 @@ def test_broken_sketch_is_told_once_down_the_line(parts):
     before = measures(parts.balloon)
     parts.outline.Source[0].delGeometry(0)
     parts.balloon.Document.recompute()
-    refused(parts, "Outline", "Rectangle is open")
+    refused(parts, "Outline is not ready", "open")
     assert parts.pattern.Status.count("is not ready") == 1
     assert measures(parts.balloon) == before
 

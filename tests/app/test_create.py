@@ -132,4 +132,4 @@ def test_senseless_pressure(doc, pressure):
 
 def test_open_sketch(doc):
     line = sketches.sketch(doc, sketches.line((0, 0), (50, 0)), name="Line")
-    failing(doc, "Line is open", lambda: create.balloon_from_sketch(doc, line))
+    failing(doc, "open", lambda: create.balloon_from_sketch(doc, line))

@@ -226,7 +226,7 @@ def redraw(sketch, *geometry):
 
 
 def test_sketch_that_was_opened(outline, square_sketch):
-    kept(outline, lambda: square_sketch.delGeometry(0), "Sketch is open at", "close")
+    kept(outline, lambda: square_sketch.delGeometry(0), "open", "Close")
 
 
 def test_self_crossing_sketch(outline, square_sketch):

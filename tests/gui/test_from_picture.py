@@ -45,6 +45,7 @@ def test_ok_makes_the_balloon(panel):
     assert panel.Balloon.Mesh.isSolid()
     assert panel.Balloon.MeshSize.Value == pytest.approx(14)
     assert panel.UndoNames == ["New balloon from picture"]
+    assert panel.BalloonGroup.Label == "heart"
     hands.screenshot("from-picture-done")
     panel.undo()
     assert names(panel) == []
@@ -196,3 +197,14 @@ def test_deleting_the_objects_closes_the_panel(panel):
 def test_closing_the_document_closes_the_panel(panel):
     App.closeDocument(panel.Name)
     hands.wait_until(lambda: not hands.panel_is_open(), 5)
+
+
+def test_undo_closes_the_panel(panel):
+    hands.press("Ok")
+    hands.wait_until(lambda: not hands.panel_is_open())
+    panel.Balloon.ViewObject.Proxy.doubleClicked(panel.Balloon.ViewObject)
+    hands.wait_until(hands.panel_is_open)
+    panel.undo()
+    panel.undo()
+    hands.wait_until(lambda: not hands.panel_is_open(), 5)
+    assert names(panel) == []

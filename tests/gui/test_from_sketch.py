@@ -45,8 +45,10 @@ def test_selected_sketch_is_inflated_at_once(rectangle):
     hands.wait_until(done)
     assert doc.UndoNames[0] == "New balloon from sketch"
     assert doc.Balloon.getParentGroup().Label == "Rectangle balloon"
+    assert not rectangle.ViewObject.Visibility
     doc.undo()
     assert [obj.Name for obj in doc.Objects] == ["Rectangle"]
+    assert rectangle.ViewObject.Visibility
 
 
 def test_sketch_can_be_selected_later(rectangle):
@@ -68,7 +70,7 @@ def test_open_sketch_is_told_in_the_panel(doc):
     Gui.Selection.addSelection(line)
     Gui.runCommand("BalloonWorkbench_FromSketch")
     hands.wait_until(hands.message)
-    assert "Line is open" in hands.message()
+    assert "is open" in hands.message()
     assert hands.panel_is_open()
 
 

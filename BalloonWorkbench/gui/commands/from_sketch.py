@@ -38,4 +38,6 @@ class FromSketch:
         if source is not None:
             parts.outline.Source = source
             parts.balloon.getParentGroup().Label = f"{source[0].Label} balloon"
+            if source[0].isDerivedFrom("Sketcher::SketchObject"):
+                source[0].ViewObject.Visibility = False  # the outline shows it
         Gui.Control.showDialog(BalloonPanel(parts, sketch=True))

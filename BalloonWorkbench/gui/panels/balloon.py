@@ -7,6 +7,8 @@ The engine works in a thread; the document is touched in the main thread alone.
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import FreeCAD as App
 import FreeCADGui as Gui
 
@@ -95,6 +97,8 @@ class BalloonPanel:
 
     def trace(self) -> bool:
         """Find the outline anew; True when there is one."""
+        if self.is_new and self.parts.outline.Drawing:
+            self.parts.balloon.getParentGroup().Label = Path(self.parts.outline.Drawing).stem
         self.parts.outline.recompute()
         self.show_state()
         return status.is_ready(self.parts.outline)

@@ -42,7 +42,7 @@ class FileBox(QtWidgets.QWidget):
         self.notes = QtWidgets.QLabel()
         self.notes.setWordWrap(True)
         form = QtWidgets.QFormLayout(self)
-        form.setRowWrapPolicy(form.WrapLongRows)
+        form.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)
         form.addRow(translate("File"), row)
         form.addRow(translate("Width"), self.fields.quantity("Width", "mm", 10.0))
         form.addRow(translate("Height"), self.fields.quantity("Height", "mm", 10.0))

@@ -19,7 +19,7 @@ class FilmBox(QtWidgets.QWidget):
         film = self.fields.choice("Film")
         _describe(film)
         form = QtWidgets.QFormLayout(self)
-        form.setRowWrapPolicy(form.WrapLongRows)
+        form.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)
         form.addRow(translate("Film"), film)
         form.addRow(translate("Young's modulus"), self.fields.quantity("YoungModulus", "kPa", 1e5))
         form.addRow(translate("Poisson's ratio"), self.fields.number("PoissonRatio", 0.01, 3))

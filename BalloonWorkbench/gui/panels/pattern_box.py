@@ -18,7 +18,7 @@ class PatternBox(QtWidgets.QWidget):
         self.setWindowTitle(translate("Pattern"))
         self.fields = Fields(pattern, self)
         form = QtWidgets.QFormLayout(self)
-        form.setRowWrapPolicy(form.WrapLongRows)
+        form.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)
         form.addRow(translate("Seal width"), self.fields.quantity("SealWidth", "mm"))
         form.addRow(translate("Allowance"), self.fields.quantity("Allowance", "mm"))
         form.addRow(self.fields.check("Intake", translate("Air intake")))

@@ -73,9 +73,9 @@ class ResultBox(QtWidgets.QWidget):
 
     def show_message(self, text: str, warning: bool = False) -> None:
         """One or two sentences; a warning has a sign beside it."""
-        style = self.style()
+        style = QtWidgets.QStyle
         kind = style.SP_MessageBoxWarning if warning else style.SP_MessageBoxInformation
-        self._sign.setPixmap(style.standardIcon(kind).pixmap(_ICON, _ICON))
+        self._sign.setPixmap(self.style().standardIcon(kind).pixmap(_ICON, _ICON))
         self._sign.setVisible(bool(text))
         self._message.setText(text)
         self._message.setVisible(bool(text))
