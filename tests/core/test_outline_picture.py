@@ -2,6 +2,7 @@
 """Pictures as people have them: the examples, backgrounds, holes, several shapes, and what is no picture."""
 
 import struct
+import time
 import zlib
 
 import cv2
@@ -270,3 +271,27 @@ def test_pictures_without_a_shape_are_refused(pixels, message):
 def test_the_same_picture_gives_the_same_bytes():
     first, second = (read_picture(pictures.EXAMPLES[0], 0.3, None) for _ in range(2))
     assert first.outer.tobytes() == second.outer.tobytes()
+
+
+@pytest.mark.parametrize("part", [0.1, 0.3, 0.5])
+def test_a_texture_takes_no_endless_time(part):
+    pixels = np.full((600, 600, 4), 255, np.uint8)
+    dots = np.random.default_rng(8).random((560, 560)) < part
+    pixels[20:-20, 20:-20, :3][dots] = 0
+    start = time.perf_counter()
+    try:
+        found = outline_of(pixels)
+    except PictureError as error:
+        assert "frayed" in str(error)
+    else:
+        assert found.notes
+    assert time.perf_counter() - start < 30
+
+
+def test_a_frayed_shape_is_refused():
+    pixels = np.full((400, 400, 4), 255, np.uint8)
+    comb = pixels[20:-20, 20:-20, :3]
+    comb[:, :20] = comb[::2] = 0
+    pixels[40:60, 200:380, :3] = comb[20:40, 180:360] = 0
+    with pytest.raises(PictureError, match="frayed"):
+        outline_of(pixels)

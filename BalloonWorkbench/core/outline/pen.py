@@ -18,7 +18,8 @@ _WIDEST_GAP = 0.10  # wider gaps are left open
 _LINES_PART = 0.6  # of the drawn area, for a pen drawing; the rest may be eyes and other filled spots
 # A gap is closed only where the room behind it is this much wider than the gap itself: a bay is not a gap.
 _ROOM_BEHIND = 1.75
-# A drawing has fewer gaps and loose parts; a texture may have any number, and each takes its time.
+# A drawing has fewer strokes, gaps and loose parts; a texture may have any number, and each takes its time.
+_MOST_STROKES = 1000
 _MOST_GAPS = 100
 _MOST_PARTS = 30
 
@@ -59,6 +60,8 @@ def close_gaps(drawn: Bools, lines: Strokes) -> list[tuple[Floats, Floats]]:
     highest pass on the way outside; twice the height of the pass is the width of the gap. The lowest passes
     come first.
     """
+    if label(drawn)[1] > _MOST_STROKES:
+        return []
     margin = int(np.ceil(0.5 * _WIDEST_GAP * lines.diagonal)) + 2
     limit = 0.5 * _WIDEST_GAP * lines.diagonal
     ink = np.pad(drawn, margin).astype(np.float32)
