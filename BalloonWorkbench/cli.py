@@ -14,6 +14,7 @@ from BalloonWorkbench.core.errors import BalloonError, InputError
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.film.library import DEFAULT_FILM, custom_film, film, films
 from BalloonWorkbench.core.job import DEFAULT_PRESSURE, Balloon, Settings, files, make_balloon
+from BalloonWorkbench.core.outline.raster import opencv
 from BalloonWorkbench.core.units import parse_length, parse_pressure
 
 DOCUMENT = "balloon.FCStd"
@@ -113,7 +114,7 @@ def _film(options: argparse.Namespace) -> Film:
 
 def _decode() -> Any:
     """Qt's picture reader where OpenCV is missing; None means OpenCV."""
-    if importlib.util.find_spec("cv2") is not None:
+    if opencv() is not None:
         return None
     from BalloonWorkbench.app import qt_picture
 

@@ -230,10 +230,7 @@ def test_the_module_runs_as_a_program_and_exits_with_2(tmp_path: Path) -> None:
 def test_without_opencv_a_picture_still_becomes_a_balloon(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    find_spec = cli.importlib.util.find_spec
-    monkeypatch.setattr(
-        cli.importlib.util, "find_spec", lambda name: None if name == "cv2" else find_spec(name)
-    )
+    monkeypatch.setattr(cli, "opencv", lambda: None)
     words = [
         "inflate",
         str(PICTURES / "star.png"),
