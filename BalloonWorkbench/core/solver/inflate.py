@@ -27,7 +27,7 @@ BENDING_FLOOR = 1e-6
 SEAM_FLOOR = 1e-6
 SEAM_CEILING = 1e-5
 #: Round a hole the film pulls the band taut, so that it keeps all of its rigidity. Without it a ring is
-#: unstable: the volume grows when the hole gives up its shape, until the tube kinks.
+#: unstable: a curved tube wants to curve more (Siefert et al., PNAS 116 (2019) 16692), a closed one kinks.
 HOLE_FLOOR = 1e-3
 #: The continuation begins with a film this soft and grows by this factor.
 SOFTEST = 6.0

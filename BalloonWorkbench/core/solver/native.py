@@ -44,6 +44,18 @@ class _Result(ctypes.Structure):
 _ProgressCallback = ctypes.CFUNCTYPE(ctypes.c_int32, ctypes.c_double, ctypes.c_void_p)
 
 
+class _Failure:
+    """Keeps what the progress callback raises, which ctypes would print and drop, to be raised later."""
+
+    error: BaseException | None = None
+
+    def __enter__(self) -> None: ...
+
+    def __exit__(self, kind: object, error: BaseException | None, trace: object) -> bool:
+        self.error = error
+        return True
+
+
 @functools.cache
 def _load() -> tuple[ctypes.CDLL | None, str | None]:
     """The library, or why there is none."""
@@ -139,7 +151,14 @@ def solve(
     directors = np.array(directors, dtype=np.float64, order="C")
     stiffnesses = np.array(levels, dtype=np.float64)
     result = _Result()
-    callback = _ProgressCallback(lambda fraction, _: int(progress(fraction, "inflating")))
+    failure = _Failure()
+
+    def report(fraction: float, _: object) -> int:
+        with failure:
+            return int(progress(fraction, "inflating"))
+        return 0
+
+    callback = _ProgressCallback(report)
     with _solver(problem) as (library, handle):
         status = library.film_solve(
             handle,
@@ -152,6 +171,8 @@ def solve(
             None,
             ctypes.byref(result),
         )
+        if failure.error is not None:
+            raise failure.error
         _check(library, status)
     return Equilibrium(positions, directors, result.steps, result.factorisations, bool(result.converged))
 

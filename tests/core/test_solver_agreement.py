@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Native and NumPy: the same model, the same steps, the same balloon."""
+
+import numpy as np
+import pytest
+from drawn_shapes import NAMED
+from solver_cases import PRESSURE, film, inflated, needs_native, panel
+
+from BalloonWorkbench.core.film.library import films
+from BalloonWorkbench.core.mesh.sizing import size_for
+from BalloonWorkbench.core.mesh.triangulate import triangulate
+from BalloonWorkbench.core.solver.inflate import inflate
+from BalloonWorkbench.core.solver.inflation import Inflation
+
+pytestmark = needs_native
+
+
+def same(one: Inflation, other: Inflation) -> None:
+    """Equal but for rounding, which the crumples of the rim enlarge."""
+    assert (one.report.backend, other.report.backend) == ("native", "numpy")
+    assert one.report.newton_steps == other.report.newton_steps
+    assert one.report.factorisations == other.report.factorisations
+    assert one.report.converged == other.report.converged
+    assert one.volume == pytest.approx(other.volume, rel=1e-6)
+    size = float(np.ptp(one.panel.rest_positions, axis=0).max())
+    assert np.abs(one.positions - other.positions).max() < 1e-3 * size
+    assert np.linalg.norm(one.directors, axis=1) == pytest.approx(1.0)
+
+
+@pytest.mark.parametrize(
+    ("shape", "k", "seal_width"),
+    [("disc", 100, 0.0), ("square", 1000, 0.0), ("rectangle", 10000, 0.0), ("ring", 1000, 0.1)],
+)
+def test_reference_shapes(shape: str, k: int, seal_width: float) -> None:
+    one, other = (inflated(shape, k, backend, seal_width=seal_width) for backend in ("native", "numpy"))
+    same(one, other)
+
+
+@pytest.mark.parametrize("name", ["heart", "star", "S", "L", "holes"])
+def test_real_shapes_and_film(name: str) -> None:
+    outline = NAMED[name]
+    mesh = triangulate(outline, size_for(outline, 500))
+    one, other = (inflate(mesh, films()["mylar"], 2000.0, backend=name) for name in ("native", "numpy"))
+    same(one, other)
+
+
+def test_warm_starts() -> None:
+    mesh = panel("disc", 400)
+    first = inflate(mesh, film(100, seal_width=0.02), PRESSURE, backend="native")
+    one, other = (
+        inflate(mesh, film(150, seal_width=0.02), PRESSURE, start=first, backend=name)
+        for name in ("native", "numpy")
+    )
+    same(one, other)
