@@ -60,9 +60,9 @@ def tension_field(strain: Floats, poisson_ratio: float) -> MembraneResponse:
     major, minor, axis = principal_strains(strain)
     taut, wrinkled = states(major, minor, nu)
 
-    plane_stress = np.array([[1.0, nu, 0.0], [nu, 1.0, 0.0], [0.0, 0.0, 0.5 * (1.0 - nu)]]) / (1.0 - nu**2)
+    elastic = plane_stress(nu)
     tangent = np.zeros((len(strain), 3, 3))
-    tangent[taut] = plane_stress
+    tangent[taut] = elastic
 
     c, s = axis[wrinkled].T
     along = np.column_stack([c * c, s * s, c * s])  # E1 = along . strain
@@ -75,18 +75,31 @@ def tension_field(strain: Floats, poisson_ratio: float) -> MembraneResponse:
     )
 
     stress = np.zeros_like(strain)
-    stress[taut] = strain[taut] @ plane_stress
+    stress[taut] = strain[taut] @ elastic
     stress[wrinkled] = e1[:, None] * along
     return MembraneResponse(0.5 * np.einsum("ij,ij->i", stress, strain), stress, tangent)
 
 
-def principal_tensions(strain: Floats, membrane_stiffness: float, poisson_ratio: float) -> Floats:
-    """Principal second Piola-Kirchhoff tensions (m, 2) N/m, the larger one first."""
+def plane_stress(poisson_ratio: float) -> Floats:
+    """Stiffness (3, 3) of an isotropic film from E11, E22, 2 E12 to S11, S22, S12, in units of E t."""
     nu = poisson_ratio
-    major, minor, _ = principal_strains(strain)
-    taut, wrinkled = states(major, minor, nu)
-    tensions = np.zeros((len(strain), 2))
-    tensions[taut, 0] = (major + nu * minor)[taut] / (1.0 - nu**2)
-    tensions[taut, 1] = (minor + nu * major)[taut] / (1.0 - nu**2)
-    tensions[wrinkled, 0] = major[wrinkled]
-    return membrane_stiffness * tensions
+    return np.array([[1.0, nu, 0.0], [nu, 1.0, 0.0], [0.0, 0.0, 0.5 * (1.0 - nu)]]) / (1.0 - nu**2)
+
+
+def without_wrinkles(strain: Floats, stiffness: Floats) -> MembraneResponse:
+    """Response of a plain shell, which carries compression like tension: stiffness (3, 3)."""
+    stress = strain @ stiffness
+    tangent = np.broadcast_to(stiffness, (len(strain), 3, 3))
+    return MembraneResponse(0.5 * np.einsum("ij,ij->i", stress, strain), stress, tangent)
+
+
+def principal_stresses(stress: Floats) -> Floats:
+    """Larger and smaller principal value (m, 2) of stresses S11, S22, S12 (m, 3)."""
+    mean = 0.5 * (stress[:, 0] + stress[:, 1])
+    radius = np.hypot(0.5 * (stress[:, 0] - stress[:, 1]), stress[:, 2])
+    return np.column_stack([mean + radius, mean - radius])
+
+
+def principal_tensions(strain: Floats, membrane_stiffness: float, poisson_ratio: float) -> Floats:
+    """Principal second Piola-Kirchhoff tensions (m, 2) N/m of an isotropic film, the larger one first."""
+    return membrane_stiffness * principal_stresses(tension_field(strain, poisson_ratio).stress)

@@ -20,7 +20,7 @@ from BalloonWorkbench.core.solver.problem import Energies, Equilibrium, FilmProb
 from BalloonWorkbench.core.solver.seam_band import hinge_rigidities, seam_hinges
 from BalloonWorkbench.core.types import Floats, Progress, no_progress
 
-ABI_VERSION = 2
+ABI_VERSION = 3
 _CANCELLED = 3
 _FOLDER = Path(__file__).resolve().parents[2] / "native" / "lib"
 _NAMES = {"win32": "film_solver.dll", "darwin": "libfilm_solver.dylib"}
@@ -28,8 +28,15 @@ _NAMES = {"win32": "film_solver.dll", "darwin": "libfilm_solver.dylib"}
 
 class _Material(ctypes.Structure):
     _fields_ = [
-        (name, ctypes.c_double)
-        for name in ("membrane_stiffness", "poisson_ratio", "flexural_rigidity", "pressure")
+        ("membrane_stiffness", ctypes.c_double),
+        ("poisson_ratio", ctypes.c_double),
+        ("flexural_rigidity", ctypes.c_double),
+        ("pressure", ctypes.c_double),
+        ("across", ctypes.c_double),
+        ("shear", ctypes.c_double),
+        ("grain_angle", ctypes.c_double),
+        ("orthotropic", ctypes.c_int32),
+        ("tension_field", ctypes.c_int32),
     ]
 
 
@@ -100,11 +107,15 @@ def _solver(problem: FilmProblem) -> Iterator[tuple[ctypes.CDLL, ctypes.c_void_p
     loads = None if problem.loads is None else np.ascontiguousarray(problem.loads, dtype=np.float64)
     hinges = np.ascontiguousarray(seam_hinges(problem.seams))
     rigidities = hinge_rigidities(problem.seams, problem.seam_rigidities)
+    grain = problem.grain
     material = _Material(
         problem.membrane_stiffness,
         problem.poisson_ratio,
         problem.flexural_rigidity,
         problem.pressure,
+        *((1.0, 1.0, 0.0) if grain is None else (grain.across, grain.shear, grain.angle)),
+        int(grain is not None),
+        int(problem.tension_field),
     )
     handle = ctypes.c_void_p()
     _check(

@@ -10,6 +10,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from BalloonWorkbench.core.solver.membrane import (
+    MembraneResponse,
+    plane_stress,
+    tension_field,
+    without_wrinkles,
+)
+from BalloonWorkbench.core.solver.orthotropic import Grain, orthotropic_tension_field
 from BalloonWorkbench.core.types import Bools, Floats, Ints
 
 
@@ -19,7 +26,8 @@ class FilmProblem:
 
     rest_positions (n, 2), triangles (m, 3); fixed (n, 5) True where x, y, z or one of the two turns of the
     director is held; loads (n, 3) or None; seams: vertex loops that carry a sealed band,
-    and seam_rigidities: its E I for each of them.
+    and seam_rigidities: its E I for each of them. A grain makes the film orthotropic; tension_field False makes
+    it a plain shell, which carries compression.
     """
 
     rest_positions: Floats
@@ -32,6 +40,19 @@ class FilmProblem:
     loads: Floats | None = None
     seams: tuple[Ints, ...] = ()
     seam_rigidities: tuple[float, ...] = ()
+    grain: Grain | None = None
+    tension_field: bool = True
+
+    def membrane(self, strain: Floats) -> MembraneResponse:
+        """Response of the film to Green strains (m, 3)."""
+        if self.tension_field:
+            if self.grain is None:
+                return tension_field(strain, self.poisson_ratio)
+            return orthotropic_tension_field(strain, self.grain)
+        if self.grain is None:
+            return without_wrinkles(strain, plane_stress(self.poisson_ratio))
+        turn = self.grain.turn
+        return without_wrinkles(strain, turn.T @ self.grain.stiffness @ turn)
 
 
 @dataclass(frozen=True)

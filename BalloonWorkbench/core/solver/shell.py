@@ -21,7 +21,6 @@ import numpy as np
 from BalloonWorkbench.core.errors import SolverError
 from BalloonWorkbench.core.solver import dkt
 from BalloonWorkbench.core.solver.kinematics import deformation_gradients, facet_volume, green_strains
-from BalloonWorkbench.core.solver.membrane import tension_field
 from BalloonWorkbench.core.solver.problem import Energies, FilmProblem
 from BalloonWorkbench.core.solver.scatter import Scatter
 from BalloonWorkbench.core.solver.seam_band import SeamBand
@@ -54,7 +53,7 @@ class Shell:
         self.triangles = triangles
         self.fixed = fixed
         self.membrane_stiffness = problem.membrane_stiffness
-        self.poisson_ratio = problem.poisson_ratio
+        self._membrane = problem.membrane
         self.flexural_rigidity = problem.flexural_rigidity
         self.pressure = problem.pressure
         self.loads = np.zeros((len(rest_positions), 3)) if problem.loads is None else problem.loads
@@ -81,7 +80,7 @@ class Shell:
     def energies(self, positions: Floats, directors: Floats) -> Energies:
         """The parts of the energy at positions (n, 3) and directors (n, 3)."""
         gradient = deformation_gradients(positions, self.triangles, self._shape)
-        membrane = float(self.areas @ tension_field(green_strains(gradient), self.poisson_ratio).energy)
+        membrane = float(self.areas @ self._membrane(green_strains(gradient)).energy)
         rotation = _rotations(gradient, directors[self.triangles])
         bending = float(np.einsum("mi,mij,mj->", rotation, self._rotation_stiffness, rotation))
         return Energies(
@@ -99,7 +98,7 @@ class Shell:
         corners = positions[self.triangles]
         d = directors[self.triangles]
         gradient = deformation_gradients(positions, self.triangles, self._shape)
-        membrane = tension_field(green_strains(gradient), self.poisson_ratio)
+        membrane = self._membrane(green_strains(gradient))
         scale = self.membrane_stiffness * self.areas
 
         strain_operator = _strain_operator(gradient, self._shape)  # (m, 3, 9)

@@ -21,7 +21,7 @@
 extern "C" {
 #endif
 
-enum { FILM_ABI_VERSION = 2 };
+enum { FILM_ABI_VERSION = 3 };
 
 typedef enum {
     FILM_OK = 0,
@@ -36,6 +36,12 @@ typedef struct {
     double poisson_ratio;
     double flexural_rigidity; // D / (p L^3)
     double pressure;          // 1, or 0 for a film under nodal loads only
+    // with orthotropic set, relative to the modulus along the grain; poisson_ratio is that under tension along it
+    double across;         // Young's modulus across the grain
+    double shear;          // shear modulus
+    double grain_angle;    // from the x axis [rad]
+    int32_t orthotropic;   // 0: isotropic
+    int32_t tension_field; // 0: a plain shell, which carries compression
 } film_material;
 
 typedef struct {

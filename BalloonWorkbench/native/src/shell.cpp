@@ -5,7 +5,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "membrane.h"
 
 namespace film {
 namespace {
@@ -68,7 +67,7 @@ Frames::Frames(const Vectors& directors) : first(directors.rows(), 3), second(di
 Shell::Shell(int vertices, const double* rest_positions, int triangles, const int32_t* triangle_corners,
              const uint8_t* fixed, const double* loads, int hinges, const int32_t* seam_hinges,
              const double* hinge_rigidities, const film_material& material)
-    : material_(material), vertex_area_(vertices, 0.0), number_(vertices),
+    : material_(material), law_(material), vertex_area_(vertices, 0.0), number_(vertices),
       loads_(Vectors::Zero(vertices, 3)) {
     if (loads != nullptr)
         loads_ = Eigen::Map<const Vectors>(loads, vertices, 3);
@@ -155,7 +154,7 @@ Energies Shell::energies(const State& state) const {
     double volume = 0.0;
     for (const Triangle& triangle : triangles_) {
         const Matrix32 f = deformation_gradient(triangle, state.positions);
-        parts.membrane += triangle.area * tension_field_energy(green_strain(f), material_.poisson_ratio);
+        parts.membrane += triangle.area * law_.energy(green_strain(f));
         Eigen::Matrix<double, 6, 1> rotation;
         for (int a = 0; a < 3; ++a) {
             rotation.segment<2>(2 * a) = f.transpose() * state.directors.row(triangle.corner[a]).transpose();
@@ -206,7 +205,7 @@ void Shell::add_film(const Triangle& triangle, const int* slot, const State& sta
     Eigen::Matrix<double, 15, 15> stiffness = Eigen::Matrix<double, 15, 15>::Zero();
 
     // membrane: material and geometric stiffness
-    const MembraneResponse membrane = tension_field(green_strain(f), material_.poisson_ratio);
+    const MembraneResponse membrane = law_.response(green_strain(f));
     const double scale = material_.membrane_stiffness * triangle.area;
     Eigen::Matrix<double, 3, 9> strain_operator;
     for (int a = 0; a < 3; ++a) {

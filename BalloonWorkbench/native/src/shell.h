@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "dkt.h"
-#include "film_solver.h"
+#include "film_law.h"
 
 namespace film {
 
@@ -84,6 +84,7 @@ private:
                   double* values) const;
 
     film_material material_;
+    FilmLaw law_;
     std::vector<Triangle> triangles_;
     std::vector<Hinge> hinges_;
     std::vector<double> vertex_area_;

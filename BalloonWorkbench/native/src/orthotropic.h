@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "membrane.h"
+
+namespace film {
+
+// Elasticity of a film with a grain, relative to the modulus along it; angle from the x axis of the panel.
+struct Grain {
+    double across, shear, poisson, angle;
+
+    // Plane stress in the grain's axes.
+    Eigen::Matrix3d stiffness() const;
+    // From strains (E11, E22, 2 E12) in the panel's axes to those in the grain's.
+    Eigen::Matrix3d turn() const;
+};
+
+// The tension field of an orthotropic film; see core/solver/orthotropic.py.
+MembraneResponse orthotropic_tension_field(const Eigen::Vector3d& strain, const Grain& grain);
+
+} // namespace film
