@@ -64,7 +64,8 @@ def build(source: Source, film: Film, pressure: float, design: Design, pattern: 
             "seconds": solve.seconds,
             "converged": solve.converged,
             "stiffness_k": solve.stiffness_k,
-            "bending_rigidity_N_m": solve.bending_floor,
+            "flexural_rigidity_N_m": solve.flexural_rigidity,
+            "bending_share": solve.bending_share,
         },
         "design": {
             "passes": design.passes,

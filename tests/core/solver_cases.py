@@ -23,8 +23,8 @@ from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.types import Bools, Floats, Ints
 
 PRESSURE = 100.0  # Pa
-NATIVE = Backend("native", native.solve)
-NUMPY = Backend("numpy", newton.solve)
+NATIVE = Backend("native", native.solve, native.energies)
+NUMPY = Backend("numpy", newton.solve, newton.energies)
 
 #: Where nothing can be compiled the native solver cannot be tested; anywhere else it has to be there.
 needs_native = pytest.mark.skipif(

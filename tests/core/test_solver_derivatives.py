@@ -10,7 +10,7 @@ from solver_cases import PRESSURE, film, needs_native, panel
 
 from BalloonWorkbench.core.mesh.triangulate import triangulate
 from BalloonWorkbench.core.solver import native, newton
-from BalloonWorkbench.core.solver.inflate import film_problem
+from BalloonWorkbench.core.solver.model import film_problem
 from BalloonWorkbench.core.solver.problem import FilmProblem
 from BalloonWorkbench.core.solver.shell import Shell, tangent_frames, turned
 from BalloonWorkbench.core.solver.start import dome

@@ -7,7 +7,7 @@ from drawn_shapes import NAMED
 from solver_cases import PRESSURE, circle, film, panel
 
 from BalloonWorkbench.core.mesh.triangulate import triangulate
-from BalloonWorkbench.core.solver.inflate import HOLE_FLOOR, SEAM_CEILING, film_problem, typical_width
+from BalloonWorkbench.core.solver.model import HOLE_FLOOR, SEAM_CEILING, film_problem, typical_width
 from BalloonWorkbench.core.solver.seam_band import SeamBand, hinge_rigidities, seam_hinges
 from BalloonWorkbench.core.types import Floats, Ints
 

@@ -8,10 +8,13 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Film:
-    """An isotropic elastic film; SI units.
+    """An elastic film; SI units.
 
     name   the word by which it is chosen, such as "mylar"
     title  what people read; note and sources tell where it fits and where its numbers come from
+
+    Isotropic unless young_modulus_across is given: then young_modulus is that along the grain, which runs at
+    grain_angle from the x axis of the drawing, and poisson_ratio the contraction across under tension along.
     """
 
     name: str
@@ -24,6 +27,9 @@ class Film:
     title: str = ""
     note: str = ""
     sources: tuple[str, ...] = ()
+    young_modulus_across: float | None = None  # [Pa]
+    shear_modulus: float | None = None  # [Pa]; None: as for an isotropic film of the mean modulus
+    grain_angle: float = 0.0  # [rad]
 
     @property
     def membrane_stiffness(self) -> float:

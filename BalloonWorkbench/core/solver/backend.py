@@ -5,13 +5,13 @@ from __future__ import annotations
 
 import functools
 import importlib.util
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
 from BalloonWorkbench.core.errors import InputError, MissingPackageError
 from BalloonWorkbench.core.solver import native, newton
-from BalloonWorkbench.core.solver.problem import Equilibrium, FilmProblem, NewtonSettings
+from BalloonWorkbench.core.solver.problem import Energies, Equilibrium, FilmProblem, NewtonSettings
 from BalloonWorkbench.core.types import Floats, Progress
 
 
@@ -36,6 +36,7 @@ class Backend:
 
     name: str
     solve: Solve
+    energies: Callable[[FilmProblem, Floats, Floats], Energies]
 
 
 @functools.cache
@@ -43,9 +44,9 @@ def available() -> tuple[Backend, ...]:
     """The solvers that work here, best first."""
     found = []
     if native.problem_with_library() is None:
-        found.append(Backend("native", native.solve))
+        found.append(Backend("native", native.solve, native.energies))
     if importlib.util.find_spec("scipy") is not None:  # some FreeCADs lack it
-        found.append(Backend("numpy", newton.solve))
+        found.append(Backend("numpy", newton.solve, newton.energies))
     if not found:
         raise MissingPackageError(
             f"No solver works here: {native.problem_with_library()} Build it or install the package scipy."

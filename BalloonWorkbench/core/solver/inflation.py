@@ -19,7 +19,8 @@ class SolveReport:
     seconds: float
     converged: bool
     stiffness_k: float  # E t / (p L), L the larger dimension of the panel
-    bending_floor: float  # flexural rigidity used [N m]; the film's own where that is larger
+    flexural_rigidity: float  # used in the simulation [N m]; the film's own where that is above the floor
+    bending_share: float  # energy of bending, relative to the work of the pressure
 
 
 @dataclass(frozen=True)

@@ -44,13 +44,17 @@ class Grain:
         """Plane stress (3, 3) from E11, E22, 2 E12 to S11, S22, S12 in the grain's axes."""
         scale = 1.0 / (1.0 - self.poisson**2 * self.across)
         coupling = scale * self.poisson * self.across
-        return np.array([[scale, coupling, 0.0], [coupling, scale * self.across, 0.0], [0.0, 0.0, self.shear]])
+        return np.array(
+            [[scale, coupling, 0.0], [coupling, scale * self.across, 0.0], [0.0, 0.0, self.shear]]
+        )
 
     @property
     def turn(self) -> Floats:
         """(3, 3) from strains E11, E22, 2 E12 in the panel's axes to those in the grain's."""
         c, s = np.cos(self.angle), np.sin(self.angle)
-        return np.array([[c * c, s * s, c * s], [s * s, c * c, -c * s], [-2 * c * s, 2 * c * s, c * c - s * s]])
+        return np.array(
+            [[c * c, s * s, c * s], [s * s, c * c, -c * s], [-2 * c * s, 2 * c * s, c * c - s * s]]
+        )
 
 
 def orthotropic_tension_field(strain: Floats, grain: Grain) -> MembraneResponse:
@@ -60,8 +64,12 @@ def orthotropic_tension_field(strain: Floats, grain: Grain) -> MembraneResponse:
     stiffness = grain.stiffness
     stress = local @ stiffness
     tangent = np.zeros((len(strain), 3, 3))
-    smaller = 0.5 * (stress[:, 0] + stress[:, 1]) - np.hypot(0.5 * (stress[:, 0] - stress[:, 1]), stress[:, 2])
-    longest = 0.5 * (local[:, 0] + local[:, 1]) + np.hypot(0.5 * (local[:, 0] - local[:, 1]), 0.5 * local[:, 2])
+    smaller = 0.5 * (stress[:, 0] + stress[:, 1]) - np.hypot(
+        0.5 * (stress[:, 0] - stress[:, 1]), stress[:, 2]
+    )
+    longest = 0.5 * (local[:, 0] + local[:, 1]) + np.hypot(
+        0.5 * (local[:, 0] - local[:, 1]), 0.5 * local[:, 2]
+    )
     taut = smaller > 0.0
     wrinkled = ~taut & (longest > 0.0)
     tangent[taut] = stiffness

@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""From a panel and a film in SI units to the dimensionless problem that the solvers take."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from BalloonWorkbench.core.film.film import Film
+from BalloonWorkbench.core.mesh.panel import Panel
+from BalloonWorkbench.core.solver.dkt import gradients
+from BalloonWorkbench.core.solver.orthotropic import Grain
+from BalloonWorkbench.core.solver.problem import FilmProblem
+from BalloonWorkbench.core.types import Ints
+
+#: Smallest flexural rigidity, in p w^3 with w the typical width of the panel: below it the step count grows
+#: with the mesh and nothing visible changes.
+BENDING_FLOOR = 1e-6
+#: In-plane rigidity of the sealed band, in p w^4. Along the outline it crumples with the film: below the
+#: floor the rim folds at mesh scale; above the ceiling the band itself would wrinkle, which no beam shows.
+SEAM_FLOOR = 1e-6
+SEAM_CEILING = 1e-5
+#: Round a hole the film pulls the band taut, so that it keeps all of its rigidity. Without it a ring is
+#: unstable: a curved tube wants to curve more (Siefert et al., PNAS 116 (2019) 16692), a closed one kinks.
+HOLE_FLOOR = 1e-3
+#: The continuation begins with a film this soft and grows by this factor.
+SOFTEST = 6.0
+STIFFENING = 5.0
+
+
+@dataclass(frozen=True)
+class Model:
+    """What is simulated; values other than these are for comparison.
+
+    tension_field  the film wrinkles; False: it carries compression, like a plain shell
+    bending        DKT bending; without it the step count grows with the mesh
+    bending_floor  smallest flexural rigidity, in p w^3
+    """
+
+    tension_field: bool = True
+    bending: bool = True
+    bending_floor: float = BENDING_FLOOR
+
+
+def film_problem(panel: Panel, film: Film, pressure: float, model: Model | None = None) -> FilmProblem:
+    """The dimensionless problem of the upper panel: rim held in z = 0, free in the plane, directors free."""
+    model = model or Model()
+    size = float(np.ptp(panel.rest_positions, axis=0).max())
+    fixed = np.zeros((len(panel.rest_positions), 5), dtype=bool)
+    for seam in panel.seams:
+        fixed[seam, 2] = True
+    fixed[:, 3:] = not model.bending
+    width = typical_width(panel)
+    seams: tuple[Ints, ...] = ()
+    seam_rigidities: tuple[float, ...] = ()
+    if film.seal_width > 0.0:
+        band = 2.0 * film.membrane_stiffness * film.seal_width**3 / 12.0
+        relative = band / (pressure * width**4)
+        outer, hole = min(max(relative, SEAM_FLOOR), SEAM_CEILING), max(relative, HOLE_FLOOR)
+        seams = panel.seams
+        seam_rigidities = tuple(
+            rigidity * (width / size) ** 4 for rigidity in (outer, *[hole] * (len(panel.seams) - 1))
+        )
+    rigidity = 0.0
+    if model.bending:
+        floor = model.bending_floor * (width / size) ** 3
+        rigidity = max(film.flexural_rigidity / (pressure * size**3), floor)
+    return FilmProblem(
+        panel.rest_positions / size,
+        panel.triangles,
+        fixed,
+        film.membrane_stiffness / (pressure * size),
+        film.poisson_ratio,
+        rigidity,
+        seams=seams,
+        seam_rigidities=seam_rigidities,
+        grain=grain_of(film),
+        tension_field=model.tension_field,
+    )
+
+
+def grain_of(film: Film) -> Grain | None:
+    """The film's grain relative to its modulus along it; None for an isotropic film."""
+    if film.young_modulus_across is None:
+        return None
+    across = film.young_modulus_across / film.young_modulus
+    shear = np.sqrt(across) / (2.0 * (1.0 + film.poisson_ratio * np.sqrt(across)))
+    if film.shear_modulus is not None:
+        shear = film.shear_modulus / film.young_modulus
+    return Grain(across, float(shear), film.poisson_ratio, film.grain_angle)
+
+
+def typical_width(panel: Panel) -> float:
+    """Four times the area by the length of the seams [m]: diameter of a disc, side of a square."""
+    _, areas = gradients(panel.rest_positions[panel.triangles])
+    loops = [panel.rest_positions[seam] for seam in panel.seams]
+    length = sum(float(np.linalg.norm(np.roll(loop, -1, axis=0) - loop, axis=1).sum()) for loop in loops)
+    return 4.0 * float(areas.sum()) / length
+
+
+def stiffness_levels(stiffness: float) -> tuple[float, ...]:
+    """Membrane stiffnesses from soft to the film's own, in nearly equal ratios of at most STIFFENING."""
+    if stiffness <= SOFTEST:
+        return (stiffness,)
+    count = int(np.ceil(np.log(stiffness / SOFTEST) / np.log(STIFFENING) - 1e-9))
+    return tuple(float(value) for value in SOFTEST * (stiffness / SOFTEST) ** (np.arange(count + 1) / count))
