@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The tangent matrix of an inflated film, and the file in which yardstick.cpp reads it.
+
+The file, in the machine's own byte order, holds the lower triangle of a symmetric matrix column by column,
+the rows of a column in rising order:
+
+    int64   count        unknowns
+    int64   entries      of the lower triangle
+    int64   starts       (count + 1) where each column begins
+    int32   rows         (entries)
+    float64 values       (entries)
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from BalloonWorkbench.core.film.film import Film
+from BalloonWorkbench.core.solver.inflate import film_problem
+from BalloonWorkbench.core.solver.inflation import Inflation
+from BalloonWorkbench.core.solver.newton import _masses
+from BalloonWorkbench.core.solver.shell import Shell, tangent_frames
+
+if TYPE_CHECKING:
+    from scipy.sparse import csc_matrix
+
+
+def tangent(inflation: Inflation, film: Film, pressure: float, shift: float) -> csc_matrix:
+    """The Hessian at an inflated film, dimensionless, made definite by a shift as the solver does it."""
+    panel = inflation.panel
+    size = float(np.ptp(panel.rest_positions, axis=0).max())
+    shell = Shell(film_problem(panel, film, pressure))
+    _, hessian = shell.derivatives(
+        inflation.positions / size, inflation.directors, tangent_frames(inflation.directors)
+    )
+    return shell.scatter.shifted(hessian, shift * _masses(shell))
+
+
+def write_matrix(path: Path, matrix: csc_matrix) -> None:
+    """Write the lower triangle of a symmetric matrix for yardstick.cpp."""
+    from scipy.sparse import tril
+
+    lower = tril(matrix, format="csc")
+    lower.sort_indices()
+    with path.open("wb") as file:
+        for array, kind in (
+            ([lower.shape[0], lower.nnz], np.int64),
+            (lower.indptr, np.int64),
+            (lower.indices, np.int32),
+            (lower.data, np.float64),
+        ):
+            file.write(np.ascontiguousarray(array, dtype=kind).tobytes())
