@@ -7,6 +7,7 @@ from pathlib import Path
 import FreeCADGui as Gui
 
 from BalloonWorkbench.app.host import qt
+from BalloonWorkbench.gui.panels.fields import Fields
 
 QtCore, QtGui, QtWidgets = qt()
 
@@ -30,16 +31,32 @@ def wait_until(condition, seconds=60.0):
     wait(0.05)
 
 
-def find(name, kind=QtWidgets.QWidget):
-    """The widget of this name in the open panel, visible or behind a tab."""
-    found = Gui.getMainWindow().findChildren(kind, name)
+def visible(kind):
+    """The widgets of a kind that can be seen.
+
+    Not by findChildren of the main window: it would keep the Python shells of widgets that are deleted later.
+    """
+    return [
+        widget
+        for widget in QtWidgets.QApplication.allWidgets()
+        if isinstance(widget, kind) and widget.isVisible()
+    ]
+
+
+def find(name):
+    """The widget of this name in the open panel, in front or behind a tab."""
+    window = Gui.getMainWindow()
+    for fields in window.findChildren(Fields):
+        if fields.has(name):
+            return fields.widget(name)
+    found = window.findChildren(QtWidgets.QWidget, name)
     assert found, f"no widget {name}"
     return found[-1]
 
 
 def show_tab(widget):
     """Bring the tab that holds a widget to the front."""
-    tabs = find("Steps", QtWidgets.QTabWidget)
+    tabs = find("Steps")
     for index in range(tabs.count()):
         if tabs.widget(index).isAncestorOf(widget):
             tabs.setCurrentIndex(index)
@@ -104,7 +121,7 @@ def tick(box):
 
 def press(name):
     """OK or Cancel of the open panel."""
-    boxes = [box for box in Gui.getMainWindow().findChildren(QtWidgets.QDialogButtonBox) if box.isVisible()]
+    boxes = visible(QtWidgets.QDialogButtonBox)
     assert boxes, "no panel is open"
     click(boxes[0].button(getattr(QtWidgets.QDialogButtonBox, name)))
 
@@ -115,7 +132,7 @@ def panel_is_open():
 
 def message():
     """What the panel says."""
-    return find("Message", QtWidgets.QLabel).text()
+    return find("Message").text()
 
 
 def screenshot(name):

@@ -40,7 +40,7 @@ class Fields(QtCore.QObject):
 
     def quantity(self, name: str, unit: str, step: float = 1.0):
         """A spin box for a quantity property; `unit` is the one for plain numbers."""
-        widget = Gui.UiLoader().createWidget("Gui::QuantitySpinBox")
+        widget = _new_quantity_box()
         widget.setProperty("unit", unit)
         widget.setProperty("singleStep", step)
         Gui.ExpressionBinding(widget).bind(self.obj, name)
@@ -77,6 +77,10 @@ class Fields(QtCore.QObject):
         widget.activated.connect(lambda index: self._write(name, widget.itemText(index)))
         return widget
 
+    def has(self, name: str) -> bool:
+        """There is a field of this property."""
+        return name in self._widgets
+
     def widget(self, name: str):
         """The field of a property."""
         return self._widgets[name][0]
@@ -107,6 +111,7 @@ class Fields(QtCore.QObject):
     def release(self) -> None:
         """The object may be gone from now on: a field that loses the focus writes once more."""
         self.obj = None
+        self._widgets.clear()  # see _new_quantity_box
 
     def _write(self, name: str, value) -> None:
         if self.obj is None:
@@ -115,6 +120,25 @@ class Fields(QtCore.QObject):
         if getattr(present, "Value", present) != value:
             setattr(self.obj, name, value)
             self.changed.emit(name)
+
+
+def _new_quantity_box():
+    """FreeCAD's spin box for quantities.
+
+    Python is not told when Qt deletes what FreeCAD has made. As long as anything holds the shell of such a
+    widget, a new one at the same address gets that shell, dead or of another kind. The next lies elsewhere.
+    """
+    unusable = []
+    while True:
+        box = Gui.UiLoader().createWidget("Gui::QuantitySpinBox")
+        try:
+            box.objectName()
+            usable = isinstance(box, QtWidgets.QAbstractSpinBox)
+        except RuntimeError:
+            usable = False
+        if usable:
+            return box
+        unusable.append(box)
 
 
 def _confirm(spin_box) -> None:
