@@ -116,7 +116,7 @@ def test_every_shape(name: str) -> None:
     seams = np.concatenate(result.panel.seams)
     assert not result.positions[seams, 2].any()
     assert np.delete(result.positions[:, 2], seams).min() > 0.0
-    assert result.tensions.min() >= 0.0
+    assert result.tensions.min() > -1e-9 * result.tensions.max()
     ends = result.panel.triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2)
     before, now = (
         np.linalg.norm(points[ends[:, 0]] - points[ends[:, 1]], axis=1)
