@@ -137,7 +137,7 @@ def _write(folder: str, contents: dict[str, bytes], balloon: Balloon) -> None:
     lines = [f"Balloon {size}, {1e3 * inflated['volume_m3']:.2f} l, solver {report['backend']}"]
     if balloon.settings.correct:
         lines.append(
-            f"Silhouette within {error['mean']:.2f} mm of the drawing on average, {error['max']:.1f} mm at most"
+            f"Silhouette {error['mean']:.2f} mm off the drawing on average, {error['max']:.1f} mm at most"
         )
     lines += [f"Note: {warning}" for warning in report["warnings"]]
     lines += [f"Wrote {path}" for path in paths]

@@ -40,8 +40,8 @@ DEFAULT_PRESSURE = 2000.0  # Pa
 class Settings:
     """How a balloon is made.
 
-    pressure [Pa]; mesh_size [m] and backend None where the engine chooses; correct False keeps the outline itself
-    as the pattern.
+    pressure [Pa]; mesh_size [m] and backend None where the engine chooses; correct False keeps the outline
+    itself as the pattern.
     """
 
     film: Film = field(default_factory=lambda: film(DEFAULT_FILM))
@@ -74,7 +74,8 @@ def make_balloon(
 ) -> Balloon:
     """Design the balloon of a drawing file, width and height [m] as in read_outline.
 
-    decode reads pictures where OpenCV is missing. Raises BalloonError of some kind for anything a user can mend.
+    decode reads pictures where OpenCV is missing. Raises BalloonError of some kind for anything a user can
+    mend.
     """
     drawing, kind = read_outline(path, width, height, decode)
     design = design_outline(drawing, settings, progress)

@@ -20,7 +20,7 @@ SCHEMA = 1
 
 @dataclass(frozen=True)
 class Source:
-    """Where a drawing came from: file name, kind ("picture", "svg", "dxf", "json", "sketch") and its outline."""
+    """Where a drawing came from: file name, kind ("picture", "svg", "dxf", "json" or "sketch"), outline."""
 
     file: str
     kind: str

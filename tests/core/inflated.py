@@ -13,7 +13,7 @@ from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.mesh.triangulate import triangulate
 from BalloonWorkbench.core.solver.inflation import Inflation, SolveReport
 
-REPORT = SolveReport("numpy", 12, 14, 0.5, True, 300.0, 1e-5)
+REPORT = SolveReport("numpy", 12, 14, 0.5, True, 300.0, 1e-5, 0.0)
 
 
 def lifted(panel: Panel, shrink: float = 0.9) -> Inflation:

@@ -177,8 +177,8 @@ def bad_inputs(folder: Path) -> dict[str, tuple[list[str], str]]:
 
 BAD = [
     "no such file", "not a picture", "empty picture", "nan", "crossing", "no area", "one point",
-    "thinner than the mesh", "width 0", "negative width", "100 km", "no width", "width in words", "pressure 0",
-    "negative pressure", "material", "half a material", "not an option",
+    "thinner than the mesh", "width 0", "negative width", "100 km", "no width", "width in words",
+    "pressure 0", "negative pressure", "material", "half a material", "not an option",
 ]  # fmt: skip
 
 

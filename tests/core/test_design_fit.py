@@ -131,7 +131,7 @@ def test_progress_rises() -> None:
 
     fit(Outline(circle(0.1)), film("mylar"), 2000.0, mesh_size=0.02, progress=note)
     assert seen == sorted(seen)
-    assert 0.0 <= seen[0] and seen[-1] <= 1.0
+    assert seen[0] >= 0.0 and seen[-1] <= 1.0
 
 
 @pytest.mark.parametrize(

@@ -10,6 +10,7 @@ import pytest
 from solver_cases import PRESSURE, film, panel
 
 from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.export.stl import balloon_mesh, enclosed_volume
 from BalloonWorkbench.core.film.library import film as library_film
 from BalloonWorkbench.core.solver.backend import available
 from BalloonWorkbench.core.solver.film_state import State, film_state, thickness
@@ -138,3 +139,25 @@ def test_a_disc_is_taut_at_the_pole_and_wrinkled_at_the_rim() -> None:
     assert state.intensity[band].mean() == pytest.approx(1.0 - 0.7611 / 0.965, abs=0.04)
     assert state.tensions.min() > -1e-9
     assert thickness(inflation).max() == pytest.approx(2.0 * inflation.positions[:, 2].max())
+
+
+@pytest.mark.parametrize("backend", BACKENDS)
+def test_two_panels_find_the_same_balloon_as_one(square, backend) -> None:
+    one = inflate(square, film(500), PRESSURE, backend=backend)
+    two = inflate(square, film(500), PRESSURE, backend=backend, model=Model(two_panels=True))
+    assert two.volume == pytest.approx(one.volume, rel=1e-3)
+    assert two.lower is not None
+    seam = square.seams[0]
+    np.testing.assert_allclose(two.lower[seam], two.positions[seam], atol=1e-12)
+    assert two.lower[:, 2].min() == pytest.approx(-two.positions[:, 2].max(), rel=0.01)
+
+
+def test_two_panels_make_a_closed_mesh(square) -> None:
+    both = inflate(square, film(500), PRESSURE, model=Model(two_panels=True))
+    assert enclosed_volume(*balloon_mesh(both)) == pytest.approx(both.volume, rel=0.01)
+
+
+def test_two_panels_with_a_grain_aslant_are_refused(square) -> None:
+    grained = replace(film(500), young_modulus_across=1e8, grain_angle=0.3)
+    with pytest.raises(InputError):
+        inflate(square, grained, PRESSURE, model=Model(two_panels=True))

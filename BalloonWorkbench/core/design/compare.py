@@ -39,7 +39,7 @@ def evenly(loop: Floats, spacing: float) -> Floats:
 
 
 def alignment(points: Floats, goals: Floats, weights: Floats) -> tuple[Floats, Floats]:
-    """Rotation (2, 2) and shift (2,) that bring points (n, 2) nearest to goals: goal = rotation point + shift.
+    """Rotation (2, 2) and shift (2,) with which rotation point + shift is nearest to the goals (n, 2).
 
     Least squares (Kabsch), after the barycentres are brought together.
     """

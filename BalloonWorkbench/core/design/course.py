@@ -2,8 +2,8 @@
 """The course of a design: the drawing and the pattern, point by point beside each other.
 
 Both are finely sampled loops with the same number of points; point j of the pattern is the place of the seam
-that shall appear at point j of the drawing. The pattern is moved by smooth fields, so that it keeps the corners
-and the detail of the drawing however coarse the mesh is.
+that shall appear at point j of the drawing. The pattern is moved by smooth fields, so that it keeps the
+corners and the detail of the drawing however coarse the mesh is.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ class Course:
 
     @staticmethod
     def begun(target: Outline, grow: Callable[[Floats], Floats], spacing: float) -> Course:
-        """A course whose pattern is the drawing grown, sampled about `spacing` apart with its corners kept."""
+        """The course whose pattern is the drawing grown, sampled `spacing` apart with its corners kept."""
         drawing = tuple(resample(loop, spacing) for loop in target.loops)
         return Course(drawing, tuple(grow(loop) for loop in drawing))
 
@@ -44,8 +44,8 @@ class Course:
     def moved(self, fields: tuple[Floats, ...]) -> Course:
         """The course with its pattern moved by fields, one (n, 2) for each loop.
 
-        Where the pattern would cross itself, or turn so far that its neighbourhood would, the field is weakened
-        there until it does not.
+        Where the pattern would cross itself, or turn so far that its neighbourhood would, the field is
+        weakened there until it does not.
         """
         strength = [np.ones(len(loop)) for loop in self.pattern]
         for attempt in range(40):
@@ -57,9 +57,10 @@ class Course:
             if place is None:
                 return replace(self, pattern=loops)
             reach = 0.01 * (1.0 + attempt) * float(np.ptp(loops[0], axis=0).max())
-            for loop, share in zip(loops, strength, strict=True):
-                distance = np.linalg.norm(loop - place, axis=1)
-                share *= 1.0 - 0.5 * np.exp(-((distance / reach) ** 2))
+            strength = [
+                share * (1.0 - 0.5 * np.exp(-(np.linalg.norm(loop - place, axis=1) ** 2) / reach**2))
+                for loop, share in zip(loops, strength, strict=True)
+            ]
         return self
 
     def midway(self, other: Course) -> Course:

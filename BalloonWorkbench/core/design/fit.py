@@ -70,8 +70,8 @@ def fit(
 ) -> Design:
     """The pattern whose inflated silhouette is the target, as nearly as film allows.
 
-    pressure [Pa]; mesh_size [m] of the pattern, None for about VERTICES vertices. Raises what check, triangulate
-    and inflate raise; Cancelled when progress returns False.
+    pressure [Pa]; mesh_size [m] of the pattern, None for about VERTICES vertices. Raises what check,
+    triangulate and inflate raise; Cancelled when progress returns False.
     """
     began = time.perf_counter()
     target = check(target)
@@ -154,7 +154,7 @@ def _try(
 
 
 def _moved(previous: _Pass, course: Course) -> Panel | None:
-    """The panel of the previous pass with its rim on the new pattern, or None when it has to be meshed anew."""
+    """The panel of the previous pass with its rim on the new pattern; None when it has to be meshed anew."""
     loops = zip(previous.nodes, course.pattern, strict=True)
     return move_rim(previous.panel, [node.placed_on(loop) for node, loop in loops])
 

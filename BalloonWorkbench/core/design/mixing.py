@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Anderson mixing: a fixed-point iteration that learns from its last passes (Anderson 1965; Walker and Ni 2011)."""
+"""Anderson mixing: a fixed-point iteration that learns from its last passes.
+
+Anderson 1965, "Iterative procedures for nonlinear integral equations"; Walker and Ni 2011.
+"""
 
 from __future__ import annotations
 

@@ -16,7 +16,8 @@ from BalloonWorkbench.core.types import Floats
 def silhouette(inflation: Inflation) -> Outline:
     """Outline of all projected triangles, with as many holes as the panel has [m].
 
-    Both halves cast the same shadow, so the upper one is enough. Slivers between folds of the rim are no holes.
+    Both halves cast the same shadow, so the upper one is enough. Slivers between folds of the rim are no
+    holes.
     """
     package = shapely()
     corners = inflation.positions[inflation.panel.triangles][:, [0, 1, 2, 0], :2]

@@ -26,8 +26,11 @@ def balloon_mesh(inflation: Inflation) -> tuple[Floats, Ints]:
     count = len(inflation.positions)
     mirror = np.arange(count, 2 * count)
     mirror[seam] = seam
-    positions = np.concatenate([inflation.positions, inflation.positions * np.array([1.0, 1.0, -1.0])])
-    positions[seam, 2] = 0.0
+    if inflation.lower is not None:
+        positions = np.concatenate([inflation.positions, inflation.lower])
+    else:
+        positions = np.concatenate([inflation.positions, inflation.positions * np.array([1.0, 1.0, -1.0])])
+        positions[seam, 2] = 0.0
     triangles = np.concatenate([upper, mirror[upper][:, ::-1]])
     used, renumbered = np.unique(triangles, return_inverse=True)
     return positions[used], renumbered.reshape(-1, 3).astype(np.int32)

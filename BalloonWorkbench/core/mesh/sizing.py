@@ -90,7 +90,7 @@ def size_for(outline: Outline, vertices: int) -> float:
 
 
 def _sample_spacing(outline: Outline, size: float) -> float:
-    """Near enough for the mesh, and for the thinnest part: walls nearer than their samples would not be seen."""
+    """Fine enough for the mesh and the thinnest part: walls nearer than their samples are not seen."""
     around = sum(float(arc_lengths(loop)[-1]) for loop in outline.loops)
     return max(min(size / _SAMPLES_PER_SIZE, 0.5 * min_width(outline)), around / _MOST_SAMPLES)
 

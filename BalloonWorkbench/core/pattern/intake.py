@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
-from BalloonWorkbench.core.pattern.pattern import Intake
 from BalloonWorkbench.core.packages import shapely
+from BalloonWorkbench.core.pattern.pattern import Intake
 from BalloonWorkbench.core.pattern.shapes import offset
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import from_mm, mm_text

@@ -22,6 +22,10 @@ from BalloonWorkbench.core.types import Floats, Progress, no_progress
 
 #: A warm start is stretched by this: a slack film has no stiffness to start from.
 WARM_STRETCH = 1.08
+#: The lower half is the upper one mirrored in the plane of the seam.
+MIRROR = np.array([1.0, 1.0, -1.0])
+#: Two panels start a little twisted, so that a balloon that wants to warp can.
+TWIST = 1e-3
 
 
 def inflate(
@@ -49,6 +53,7 @@ def inflate(
         raise InputError(
             f"The pressure must be positive, not {pressure:g} Pa. A party balloon has about 2 kPa."
         )
+    model = model or Model()
     solver = backend_named(backend)
     began = time.perf_counter()
     size = float(np.ptp(panel.rest_positions, axis=0).max())
@@ -61,10 +66,12 @@ def inflate(
     else:
         positions, directors = _stretched(start, panel) / size, start.directors
         levels = tuple(stiffness_k / 3.0**step for step in (3, 2, 1, 0))
+    if model.two_panels:
+        positions, directors = (np.concatenate([half, half * MIRROR]) for half in (positions, directors))
+        x, y = (positions - positions.mean(axis=0))[:, :2].T
+        positions[:, 2] += TWIST * x * y
     rest = solver.solve(problem, positions, directors, levels, settings or NewtonSettings(), progress)
 
-    shape, _ = gradients(problem.rest_positions[panel.triangles])
-    strains = green_strains(deformation_gradients(rest.positions, panel.triangles, shape))
     energies = solver.energies(problem, rest.positions, rest.directors)
     report = SolveReport(
         solver.name,
@@ -76,13 +83,18 @@ def inflate(
         problem.flexural_rigidity * pressure * size**3,
         energies.bending / max(-energies.pressure, 1e-300),
     )
+    shape, _ = gradients(problem.rest_positions[problem.triangles])
+    strains = green_strains(deformation_gradients(rest.positions, problem.triangles, shape))
+    upper, faces = len(panel.rest_positions), len(panel.triangles)
+    halves = 1.0 if model.two_panels else 2.0
     return Inflation(
         panel,
-        rest.positions * size,
-        rest.directors,
-        film.membrane_stiffness * principal_stresses(problem.membrane(strains).stress),
-        2.0 * film_volume(rest.positions, rest.directors, panel.triangles) * size**3,
+        rest.positions[:upper] * size,
+        rest.directors[:upper],
+        film.membrane_stiffness * principal_stresses(problem.membrane(strains).stress)[:faces],
+        halves * film_volume(rest.positions, rest.directors, problem.triangles) * size**3,
         report,
+        rest.positions[upper:] * size if model.two_panels else None,
     )
 
 

@@ -25,12 +25,13 @@ class SolveReport:
 
 @dataclass(frozen=True)
 class Inflation:
-    """The upper half of an inflated balloon; the lower half is its mirror image in z = 0.
+    """The upper half of an inflated balloon; the lower half is its mirror image in z = 0, unless it is given.
 
     positions  (n, 3) m, one per vertex of the panel; the seams lie in z = 0
     directors  (n, 3) unit normals of the film at the vertices
     tensions   (m, 2) N/m, larger and smaller principal membrane tension of each triangle
     volume     m3, of the whole balloon; a little more than its facets enclose (kinematics.film_volume)
+    lower      (n, 3) m, positions of the lower panel where both were simulated
     """
 
     panel: Panel
@@ -39,3 +40,4 @@ class Inflation:
     tensions: Floats
     volume: float
     report: SolveReport
+    lower: Floats | None = None

@@ -3,10 +3,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
+from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.mesh.panel import Panel
 from BalloonWorkbench.core.solver.dkt import gradients
@@ -36,15 +37,21 @@ class Model:
     tension_field  the film wrinkles; False: it carries compression, like a plain shell
     bending        DKT bending; without it the step count grows with the mesh
     bending_floor  smallest flexural rigidity, in p w^3
+    two_panels     both panels are simulated, tied at the seam; False: one, with its rim in the plane of
+    symmetry
     """
 
     tension_field: bool = True
     bending: bool = True
     bending_floor: float = BENDING_FLOOR
+    two_panels: bool = False
 
 
 def film_problem(panel: Panel, film: Film, pressure: float, model: Model | None = None) -> FilmProblem:
-    """The dimensionless problem of the upper panel: rim held in z = 0, free in the plane, directors free."""
+    """The dimensionless problem of the upper panel: rim held in z = 0, free in the plane, directors free.
+
+    Of both panels where the model asks for it.
+    """
     model = model or Model()
     size = float(np.ptp(panel.rest_positions, axis=0).max())
     fixed = np.zeros((len(panel.rest_positions), 5), dtype=bool)
@@ -55,7 +62,7 @@ def film_problem(panel: Panel, film: Film, pressure: float, model: Model | None 
     seams: tuple[Ints, ...] = ()
     seam_rigidities: tuple[float, ...] = ()
     if film.seal_width > 0.0:
-        band = 2.0 * film.membrane_stiffness * film.seal_width**3 / 12.0
+        band = film.membrane_stiffness * film.seal_width**3 / 12.0  # the half of it that belongs to one panel
         relative = band / (pressure * width**4)
         outer, hole = min(max(relative, SEAM_FLOOR), SEAM_CEILING), max(relative, HOLE_FLOOR)
         seams = panel.seams
@@ -66,7 +73,7 @@ def film_problem(panel: Panel, film: Film, pressure: float, model: Model | None 
     if model.bending:
         floor = model.bending_floor * (width / size) ** 3
         rigidity = max(film.flexural_rigidity / (pressure * size**3), floor)
-    return FilmProblem(
+    problem = FilmProblem(
         panel.rest_positions / size,
         panel.triangles,
         fixed,
@@ -77,6 +84,32 @@ def film_problem(panel: Panel, film: Film, pressure: float, model: Model | None 
         seam_rigidities=seam_rigidities,
         grain=grain_of(film),
         tension_field=model.tension_field,
+    )
+    return both_panels(problem, panel.seams) if model.two_panels else problem
+
+
+def both_panels(problem: FilmProblem, seams: tuple[Ints, ...]) -> FilmProblem:
+    """The problem of two panels that share the positions of their seams, which are free in space.
+
+    The lower panel follows the upper one in all arrays. Its rest positions are mirrored in x, so that its
+    triangles run counter-clockwise with the outside of the balloon towards the eye.
+    """
+    count = len(problem.rest_positions)
+    fixed = problem.fixed.copy()
+    tied = np.arange(2 * count, dtype=np.int32)
+    for seam in seams:
+        fixed[seam, 2] = False
+        tied[count + seam] = seam
+    grain = problem.grain
+    if grain is not None and np.sin(2.0 * grain.angle) != 0.0:
+        raise InputError("Two panels with a grain aslant are no mirror images. Turn the grain along x or y.")
+    return replace(
+        problem,
+        rest_positions=np.concatenate([problem.rest_positions, problem.rest_positions * (-1.0, 1.0)]),
+        triangles=np.concatenate([problem.triangles, problem.triangles[:, ::-1] + count]).astype(np.int32),
+        fixed=np.concatenate([fixed, fixed]),
+        seam_rigidities=tuple(2.0 * rigidity for rigidity in problem.seam_rigidities),
+        tied=tied,
     )
 
 

@@ -20,7 +20,7 @@ from BalloonWorkbench.core.solver.problem import Energies, Equilibrium, FilmProb
 from BalloonWorkbench.core.solver.seam_band import hinge_rigidities, seam_hinges
 from BalloonWorkbench.core.types import Floats, Progress, no_progress
 
-ABI_VERSION = 3
+ABI_VERSION = 4
 _CANCELLED = 3
 _FOLDER = Path(__file__).resolve().parents[2] / "native" / "lib"
 _NAMES = {"win32": "film_solver.dll", "darwin": "libfilm_solver.dylib"}
@@ -104,6 +104,7 @@ def _solver(problem: FilmProblem) -> Iterator[tuple[ctypes.CDLL, ctypes.c_void_p
     rest = np.ascontiguousarray(problem.rest_positions, dtype=np.float64)
     triangles = np.ascontiguousarray(problem.triangles, dtype=np.int32)
     fixed = np.ascontiguousarray(problem.fixed, dtype=np.uint8)
+    tied = None if problem.tied is None else np.ascontiguousarray(problem.tied, dtype=np.int32)
     loads = None if problem.loads is None else np.ascontiguousarray(problem.loads, dtype=np.float64)
     hinges = np.ascontiguousarray(seam_hinges(problem.seams))
     rigidities = hinge_rigidities(problem.seams, problem.seam_rigidities)
@@ -127,6 +128,7 @@ def _solver(problem: FilmProblem) -> Iterator[tuple[ctypes.CDLL, ctypes.c_void_p
             _pointer(triangles),
             _pointer(fixed),
             _pointer(loads),
+            _pointer(tied),
             ctypes.c_int32(len(hinges)),
             _pointer(hinges),
             _pointer(rigidities),

@@ -100,7 +100,7 @@ def _masses(shell: Shell) -> Floats:
     mass = np.empty((len(shell.vertex_areas), 5))
     mass[:, :3] = shell.vertex_areas[:, None]
     mass[:, 3:] = DIRECTOR_SHIFT * shell.flexural_rigidity
-    return mass[~shell.fixed]
+    return shell.gathered(mass)
 
 
 def _next_shift(shift: float, length: float) -> float:

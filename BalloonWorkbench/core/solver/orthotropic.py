@@ -6,8 +6,8 @@ over a of E(a) (t . E t)^2 / 2, with Young's modulus in the direction of a
 
     1 / E(a) = cos^4 a + sin^4 a / r + cos^2 a sin^2 a (1 / g - 2 nu)
 
-in units of the modulus along the grain; r is the modulus across, g the shear modulus, nu the contraction across
-under tension along. For r = 1 and g = 1 / (2 + 2 nu) it is the isotropic tension field of membrane.py.
+in units of the modulus along the grain; r is the modulus across, g the shear modulus, nu the contraction
+across under tension along. For r = 1 and g = 1 / (2 + 2 nu) it is the isotropic tension field of membrane.py.
 """
 
 from __future__ import annotations
@@ -115,7 +115,7 @@ def _modulus(angle: Floats, grain: Grain) -> tuple[Floats, Floats, Floats]:
 
 
 def _merit(angle: Floats, strain: Floats, grain: Grain) -> tuple[Floats, Floats, Floats, Floats]:
-    """First and second derivative by the angle of E(a) e^2 / 2, its gradient and mixed derivative by the strain."""
+    """Derivatives by the angle of E(a) e^2 / 2, its gradient and mixed derivative by the strain."""
     modulus, first, second = _modulus(angle, grain)
     c, s = np.cos(angle), np.sin(angle)
     along = np.column_stack([c * c, s * s, c * s])

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The sealed band: two welded films as a narrow beam along the seam that resists bending in its plane.
 
-Two films of thickness t welded over a width s have the in-plane rigidity E I = 2 E t s^3 / 12. The band
-does not resist an even shortening, because it crumples at a scale far below the mesh; it keeps the rim from
-folding in the plane of symmetry. With e the edges before and after a vertex, l their rest lengths, R the
-rotation by the turning angle at rest and b the length of rim that belongs to the vertex, its energy is the
-sum of
+Two films of thickness t welded over a width s have the in-plane rigidity E I = 2 E t s^3 / 12, of which each
+panel carries half. The band does not resist an even shortening, because it crumples at a scale far below the
+mesh; it keeps the rim from folding in the plane of symmetry. With e the edges before and after a vertex, l
+their rest lengths, R the rotation by the turning angle at rest and b the length of rim that belongs to the
+vertex, its energy is the sum of
 
     E I / (2 b) |e_after / l_after - R e_before / l_before|^2
 

@@ -24,7 +24,7 @@ from BalloonWorkbench.core.solver.kinematics import deformation_gradients, facet
 from BalloonWorkbench.core.solver.problem import Energies, FilmProblem
 from BalloonWorkbench.core.solver.scatter import Scatter
 from BalloonWorkbench.core.solver.seam_band import SeamBand
-from BalloonWorkbench.core.types import Floats
+from BalloonWorkbench.core.types import Bools, Floats, Ints
 
 if TYPE_CHECKING:
     from scipy import sparse
@@ -67,9 +67,7 @@ class Shell:
         if problem.seams:
             self._band = SeamBand(rest_positions, problem.seams, problem.seam_rigidities)
 
-        self.number = np.full(fixed.shape, -1, dtype=np.int32)
-        self.number[~fixed] = np.arange(np.count_nonzero(~fixed))
-        self.count = int(np.count_nonzero(~fixed))
+        self.number, self.count = _numbered(fixed, problem.tied)
         at_corners = self.number[triangles]  # (m, 3, 5)
         moves, turns = at_corners[:, :, :3].reshape(-1, 9), at_corners[:, :, 3:].reshape(-1, 6)
         elements = [np.concatenate([moves, turns], 1)]
@@ -133,15 +131,30 @@ class Shell:
             band_force, band_stiffness = self._band.derivatives(positions)
             forces.append(band_force)
             stiffnesses.append(band_stiffness)
-        total = self.scatter.vector(forces)
-        free = ~self.fixed[:, :3]
-        total[self.number[:, :3][free]] -= self.loads[free]
-        return total, self.scatter.matrix(stiffnesses)
+        loads = np.pad(self.loads, ((0, 0), (0, 2)))
+        return self.scatter.vector(forces) - self.gathered(loads), self.scatter.matrix(stiffnesses)
+
+    def gathered(self, values: Floats) -> Floats:
+        """Values (n, 5) of the unknowns of each vertex, summed in the free unknowns: (count,)."""
+        free = self.number >= 0
+        return np.bincount(self.number[free], values[free], self.count).astype(np.float64)
 
     def spread(self, step: Floats) -> tuple[Floats, Floats]:
         """Displacements (n, 3) and director turns (n, 2) from a vector of the free unknowns."""
         full = np.where(self.number >= 0, step[self.number], 0.0)
         return full[:, :3], full[:, 3:]
+
+
+def _numbered(fixed: Bools, tied: Ints | None) -> tuple[Ints, int]:
+    """Number (n, 5) of each unknown, -1 where it is held, and how many there are."""
+    own = ~fixed
+    if tied is not None:
+        own[tied != np.arange(len(tied)), :3] = False
+    number = np.full(fixed.shape, -1, dtype=np.int32)
+    number[own] = np.arange(np.count_nonzero(own))
+    if tied is not None:
+        number[:, :3] = number[tied, :3]
+    return number, int(np.count_nonzero(own))
 
 
 def _strain_operator(gradient: Floats, shape: Floats) -> Floats:

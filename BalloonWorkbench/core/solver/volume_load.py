@@ -28,8 +28,9 @@ def inflate_to_volume(
 ) -> tuple[Inflation, float]:
     """The balloon of a volume [m3] and the overpressure [Pa] that it needs.
 
-    The volume rises with the pressure, but little once the film is taut: a false position in the logarithm of the
-    pressure. Raises InputError when the film would be limp at that volume, or stretched beyond what it can bear.
+    The volume rises with the pressure, but little once the film is taut: a false position in the logarithm
+    of the pressure. Raises InputError when the film would be limp at that volume, or stretched beyond what
+    it can bear.
     """
     if not (math.isfinite(volume) and volume > 0.0):
         raise InputError(f"The volume must be positive, not {volume:g} m3.")
@@ -45,8 +46,8 @@ def inflate_to_volume(
     below, above = tried(low, None), tried(high, None)
     if not below.volume <= volume <= above.volume:
         raise InputError(
-            f"This film can hold {1e3 * below.volume:.4g} to {1e3 * above.volume:.4g} litres, not {1e3 * volume:.4g}."
-            " Change the size of the balloon or the volume."
+            f"This film can hold {1e3 * below.volume:.4g} to {1e3 * above.volume:.4g} litres,"
+            f" not {1e3 * volume:.4g}. Change the size of the balloon or the volume."
         )
     best, pressure = (below, low) if volume - below.volume < above.volume - volume else (above, high)
     miss_low, miss_high = below.volume - volume, above.volume - volume

@@ -21,7 +21,7 @@
 extern "C" {
 #endif
 
-enum { FILM_ABI_VERSION = 3 };
+enum { FILM_ABI_VERSION = 4 };
 
 typedef enum {
     FILM_OK = 0,
@@ -64,12 +64,13 @@ FILM_API int32_t film_abi_version(void);
 FILM_API const char* film_last_error(void);
 
 // rest_positions (vertices, 2); triangle_corners (triangles, 3); fixed (vertices, 5) non-zero where x, y, z
-// or one of the two turns of the director is held; loads (vertices, 3) or null; seam_hinges (hinges, 3):
+// or one of the two turns of the director is held; loads (vertices, 3) or null; tied (vertices) the
+// vertex, itself or one before it, whose position a vertex shares, or null; seam_hinges (hinges, 3):
 // neighbours along a seam, with the rigidity E I / (p L^4) of the sealed band there in hinge_rigidities
 // (hinges).
 FILM_API film_status film_create(int32_t vertices, const double* rest_positions, int32_t triangles,
                                  const int32_t* triangle_corners, const uint8_t* fixed, const double* loads,
-                                 int32_t hinges, const int32_t* seam_hinges, const double* hinge_rigidities,
+                                 const int32_t* tied, int32_t hinges, const int32_t* seam_hinges, const double* hinge_rigidities,
                                  const film_material* material, film_solver** solver);
 FILM_API void film_destroy(film_solver* solver);
 

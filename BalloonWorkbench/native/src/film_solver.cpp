@@ -62,7 +62,7 @@ const char* film_last_error(void) {
 
 film_status film_create(int32_t vertices, const double* rest_positions, int32_t triangles,
                         const int32_t* triangle_corners, const uint8_t* fixed, const double* loads,
-                        int32_t hinges, const int32_t* seam_hinges, const double* hinge_rigidities,
+                        const int32_t* tied, int32_t hinges, const int32_t* seam_hinges, const double* hinge_rigidities,
                         const film_material* material, film_solver** solver) {
     if (vertices < 3 || triangles < 1 || hinges < 0)
         return fail(FILM_BAD_ARGUMENT, "the mesh is empty");
@@ -74,9 +74,13 @@ film_status film_create(int32_t vertices, const double* rest_positions, int32_t 
         || !indices_valid(seam_hinges, 3 * int64_t{hinges}, vertices)) {
         return fail(FILM_BAD_ARGUMENT, "a vertex index is out of range");
     }
+    for (int32_t vertex = 0; tied && vertex < vertices; ++vertex) {
+        if (tied[vertex] < 0 || tied[vertex] > vertex)
+            return fail(FILM_BAD_ARGUMENT, "a vertex is tied to one behind it");
+    }
     return guarded([&] {
         *solver = new film_solver{film::Shell(vertices, rest_positions, triangles, triangle_corners, fixed,
-                                              loads, hinges, seam_hinges, hinge_rigidities, *material)};
+                                              loads, tied, hinges, seam_hinges, hinge_rigidities, *material)};
     });
 }
 

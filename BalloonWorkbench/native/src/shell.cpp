@@ -65,15 +65,20 @@ Frames::Frames(const Vectors& directors) : first(directors.rows(), 3), second(di
 }
 
 Shell::Shell(int vertices, const double* rest_positions, int triangles, const int32_t* triangle_corners,
-             const uint8_t* fixed, const double* loads, int hinges, const int32_t* seam_hinges,
+             const uint8_t* fixed, const double* loads, const int32_t* tied, int hinges, const int32_t* seam_hinges,
              const double* hinge_rigidities, const film_material& material)
     : material_(material), law_(material), vertex_area_(vertices, 0.0), number_(vertices),
       loads_(Vectors::Zero(vertices, 3)) {
     if (loads != nullptr)
         loads_ = Eigen::Map<const Vectors>(loads, vertices, 3);
     for (int vertex = 0; vertex < vertices; ++vertex) {
-        for (int k = 0; k < 5; ++k)
-            number_[vertex][k] = fixed[5 * vertex + k] ? -1 : count_++;
+        const int master = tied != nullptr ? tied[vertex] : vertex;
+        for (int k = 0; k < 5; ++k) {
+            if (k < 3 && master != vertex)
+                number_[vertex][k] = number_[master][k];
+            else
+                number_[vertex][k] = fixed[5 * vertex + k] ? -1 : count_++;
+        }
     }
     const auto rest = [rest_positions](int vertex) {
         return Eigen::Vector2d(rest_positions[2 * vertex], rest_positions[2 * vertex + 1]);
@@ -273,12 +278,12 @@ void Shell::add_band(const Hinge& hinge, const int* slot, const Vectors& positio
 }
 
 Eigen::VectorXd Shell::masses(double director_shift) const {
-    Eigen::VectorXd mass(count_);
+    Eigen::VectorXd mass = Eigen::VectorXd::Zero(count_);
     for (int vertex = 0; vertex < vertices(); ++vertex) {
         for (int k = 0; k < 5; ++k) {
             if (number_[vertex][k] < 0)
                 continue;
-            mass[number_[vertex][k]] =
+            mass[number_[vertex][k]] +=
                 k < 3 ? vertex_area_[vertex] : director_shift * material_.flexural_rigidity;
         }
     }
