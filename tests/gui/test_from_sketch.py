@@ -158,11 +158,17 @@ def test_escape_stops_a_recompute(made):
     doc = made.balloon.Document
     volume = made.balloon.Volume.Value
     made.balloon.MeshSize = 3
-    escape = hands.QtCore.QTimer()
-    escape.timeout.connect(lambda: hands.key(Gui.getMainWindow(), hands.QtCore.Qt.Key_Escape))
-    escape.start(200)
+    window, timer = Gui.getMainWindow(), hands.QtCore.QTimer()
+
+    def escape():
+        if "Esc stops" in window.statusBar().currentMessage():
+            timer.stop()
+            hands.key(window, hands.QtCore.Qt.Key_Escape)
+
+    timer.timeout.connect(escape)
+    timer.start(20)
     doc.recompute()
-    escape.stop()
+    assert not timer.isActive()
     assert made.balloon.Status.startswith(status.STALE)
     assert made.balloon.Volume.Value == volume
 
