@@ -24,14 +24,14 @@ def read_drawing(path: str, width, height, keep_aspect: bool = True):
 
 
 def _decoder():
-    """None for OpenCV, which the engine prefers; FreeCAD's own Qt where that is missing."""
-    try:
-        import cv2  # noqa: F401
-    except ImportError:
-        from BalloonWorkbench.app.qt_picture import decode
+    """None for OpenCV, which the engine prefers; FreeCAD's own Qt where that does not work."""
+    from BalloonWorkbench.core.outline.raster import opencv
 
-        return decode
-    return None
+    if opencv() is not None:
+        return None
+    from BalloonWorkbench.app.qt_picture import decode
+
+    return decode
 
 
 def place_in_picture(path: str) -> tuple[float, float, float, float] | None:

@@ -74,6 +74,19 @@ def test_picture_has_the_wanted_width(picture):
     assert picture.HoleCount == 0
 
 
+def test_picture_without_opencv(picture, monkeypatch):
+    """Qt reads the picture then, and NumPy finds the shape."""
+    from BalloonWorkbench.core.outline import decode, raster
+
+    with_opencv = shapes.stored(picture, "Loop")
+    for module in (decode, raster):
+        monkeypatch.setattr(module, "opencv", lambda: None)
+    picture.touch()
+    picture.Document.recompute()
+    assert picture.Status == status.READY
+    assert shapes.stored(picture, "Loop").area == pytest.approx(with_opencv.area, rel=1e-3)
+
+
 def test_height_alone_gives_the_width(picture):
     shape = picture.SizeX.Value / picture.SizeY.Value
     picture.Width, picture.Height = 0, 90
