@@ -9,6 +9,7 @@ import hands
 import pytest
 
 from BalloonWorkbench.app import status
+from BalloonWorkbench.app.balloon import request
 
 HEART = str(Path("resources/examples/pictures/heart.png").resolve())
 
@@ -118,6 +119,18 @@ def test_window_lives_while_it_works(panel):
     apply()
     assert sum(beats) >= 4
     hands.show_tab(hands.find("Pressure"))
+
+
+def test_value_changed_while_it_works_counts(panel):
+    hands.type_into(hands.find("MeshSize"), "7 mm")
+    hands.click(hands.find("Apply"))
+    hands.wait_until(lambda: hands.find("Stop").isVisible())
+    hands.type_into(hands.find("Pressure"), "3 kPa")
+    hands.press("Ok")
+    hands.wait_until(lambda: not hands.panel_is_open())
+    assert panel.Balloon.Pressure.Value == pytest.approx(3)
+    assert panel.Balloon.SolvedFor == request(panel.Balloon).key()
+    assert [obj.Status for obj in parts(panel)] == [status.READY] * 3
 
 
 def test_without_a_document_one_is_made_and_taken_back():

@@ -147,8 +147,12 @@ class BalloonPanel:
         if worker.design is None:
             self.fail(worker.error or Cancelled(translate("The solver stopped; the report view tells why.")))
             return
-        balloon_object.show(self.parts.balloon, worker.request, worker.design)
-        if self.settle() and self.closing:
+        try:
+            balloon_object.show(self.parts.balloon, worker.request, worker.design)
+        except BalloonError as error:
+            self.fail(error)
+            return
+        if self.apply() and self.closing:  # works once more when values were changed meanwhile
             self.close(keep=True)
 
     def settle(self) -> bool:
