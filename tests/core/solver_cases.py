@@ -62,11 +62,15 @@ def panel(shape: str, vertices: int = 1500) -> Panel:
     return triangulate(SHAPES[shape], size_for(SHAPES[shape], vertices))
 
 
-@cache
 def inflated(
     shape: str, k: float, backend: str, *, seal_width: float = 0.0, vertices: int = 1500
 ) -> Inflation:
     """The shape filled at PRESSURE, solved once and shared by the tests."""
+    return _inflated(shape, k, backend, seal_width, vertices)
+
+
+@cache
+def _inflated(shape: str, k: float, backend: str, seal_width: float, vertices: int) -> Inflation:
     result = inflate(panel(shape, vertices), film(k, seal_width=seal_width), PRESSURE, backend=backend)
     assert result.report.backend == backend
     assert result.report.converged

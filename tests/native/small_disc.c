@@ -90,8 +90,8 @@ static film_status create(const int32_t* corners, film_solver** solver) {
                                     .flexural_rigidity = 1e-6,
                                     .pressure = 1.0,
                                     .tension_field = 1};
-    return film_create(VERTICES, rest[0], TRIANGLES, corners, fixed[0], NULL, NULL, RIM, hinges[0], rigidities,
-                       &material, solver);
+    return film_create(VERTICES, rest[0], TRIANGLES, corners, fixed[0], NULL, NULL, RIM, hinges[0],
+                       rigidities, &material, solver);
 }
 
 static void inflate(void) {

@@ -36,7 +36,8 @@ typedef struct {
     double poisson_ratio;
     double flexural_rigidity; // D / (p L^3)
     double pressure;          // 1, or 0 for a film under nodal loads only
-    // with orthotropic set, relative to the modulus along the grain; poisson_ratio is that under tension along it
+    // with orthotropic set, relative to the modulus along the grain; poisson_ratio is that under tension
+    // along it
     double across;         // Young's modulus across the grain
     double shear;          // shear modulus
     double grain_angle;    // from the x axis [rad]
@@ -70,8 +71,9 @@ FILM_API const char* film_last_error(void);
 // (hinges).
 FILM_API film_status film_create(int32_t vertices, const double* rest_positions, int32_t triangles,
                                  const int32_t* triangle_corners, const uint8_t* fixed, const double* loads,
-                                 const int32_t* tied, int32_t hinges, const int32_t* seam_hinges, const double* hinge_rigidities,
-                                 const film_material* material, film_solver** solver);
+                                 const int32_t* tied, int32_t hinges, const int32_t* seam_hinges,
+                                 const double* hinge_rigidities, const film_material* material,
+                                 film_solver** solver);
 FILM_API void film_destroy(film_solver* solver);
 
 // parts[5]: membrane, bending, pressure, load, seam.

@@ -8,13 +8,13 @@ namespace film {
 
 // The membrane law that a material asks for: with or without a grain, as a tension field or a plain shell.
 class FilmLaw {
-  public:
+public:
     explicit FilmLaw(const film_material& material);
 
     MembraneResponse response(const Eigen::Vector3d& strain) const;
     double energy(const Eigen::Vector3d& strain) const;
 
-  private:
+private:
     double poisson_;
     bool orthotropic_, tension_field_;
     Grain grain_;

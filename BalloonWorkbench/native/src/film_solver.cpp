@@ -62,8 +62,8 @@ const char* film_last_error(void) {
 
 film_status film_create(int32_t vertices, const double* rest_positions, int32_t triangles,
                         const int32_t* triangle_corners, const uint8_t* fixed, const double* loads,
-                        const int32_t* tied, int32_t hinges, const int32_t* seam_hinges, const double* hinge_rigidities,
-                        const film_material* material, film_solver** solver) {
+                        const int32_t* tied, int32_t hinges, const int32_t* seam_hinges,
+                        const double* hinge_rigidities, const film_material* material, film_solver** solver) {
     if (vertices < 3 || triangles < 1 || hinges < 0)
         return fail(FILM_BAD_ARGUMENT, "the mesh is empty");
     if (!rest_positions || !triangle_corners || !fixed || !material || !solver

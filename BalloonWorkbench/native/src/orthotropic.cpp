@@ -45,8 +45,8 @@ Merit merit(double angle, const Eigen::Vector3d& strain, const Grain& grain) {
     const double e = along.dot(strain), de = turned.dot(strain);
     const double dde = -4.0 * e + 2.0 * (strain[0] + strain[1]);
     return {0.5 * m.first * e * e + m.value * e * de,
-            0.5 * m.second * e * e + 2.0 * m.first * e * de + m.value * (de * de + e * dde), m.value * e * along,
-            (m.first * e + m.value * de) * along + m.value * e * turned};
+            0.5 * m.second * e * e + 2.0 * m.first * e * de + m.value * (de * de + e * dde),
+            m.value * e * along, (m.first * e + m.value * de) * along + m.value * e * turned};
 }
 
 // The direction of tension of a wrinkled film.
@@ -92,15 +92,17 @@ MembraneResponse orthotropic_tension_field(const Eigen::Vector3d& strain, const 
     const Eigen::Vector3d local = turn * strain;
     Eigen::Vector3d stress = stiffness * local;
     Eigen::Matrix3d tangent = stiffness;
-    const double smaller = 0.5 * (stress[0] + stress[1]) - std::hypot(0.5 * (stress[0] - stress[1]), stress[2]);
-    const double longest = 0.5 * (local[0] + local[1]) + std::hypot(0.5 * (local[0] - local[1]), 0.5 * local[2]);
+    const double smaller =
+        0.5 * (stress[0] + stress[1]) - std::hypot(0.5 * (stress[0] - stress[1]), stress[2]);
+    const double longest =
+        0.5 * (local[0] + local[1]) + std::hypot(0.5 * (local[0] - local[1]), 0.5 * local[2]);
     if (!(smaller > 0.0) && longest > 0.0) {
         const double angle = tension_direction(local, grain);
         const Merit m = merit(angle, local, grain);
         const Eigen::Vector3d along = fibre(angle);
         stress = m.stress;
-        tangent = modulus(angle, grain).value * along * along.transpose() -
-                  m.mixed * m.mixed.transpose() / std::min(m.bend, -1e-300);
+        tangent = modulus(angle, grain).value * along * along.transpose()
+                  - m.mixed * m.mixed.transpose() / std::min(m.bend, -1e-300);
     } else if (!(smaller > 0.0)) {
         stress.setZero();
         tangent.setZero();

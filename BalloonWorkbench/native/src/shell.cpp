@@ -5,7 +5,6 @@
 #include <cmath>
 #include <stdexcept>
 
-
 namespace film {
 namespace {
 
@@ -65,8 +64,8 @@ Frames::Frames(const Vectors& directors) : first(directors.rows(), 3), second(di
 }
 
 Shell::Shell(int vertices, const double* rest_positions, int triangles, const int32_t* triangle_corners,
-             const uint8_t* fixed, const double* loads, const int32_t* tied, int hinges, const int32_t* seam_hinges,
-             const double* hinge_rigidities, const film_material& material)
+             const uint8_t* fixed, const double* loads, const int32_t* tied, int hinges,
+             const int32_t* seam_hinges, const double* hinge_rigidities, const film_material& material)
     : material_(material), law_(material), vertex_area_(vertices, 0.0), number_(vertices),
       loads_(Vectors::Zero(vertices, 3)) {
     if (loads != nullptr)

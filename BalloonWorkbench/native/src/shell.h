@@ -34,8 +34,8 @@ struct Frames {
 class Shell {
 public:
     Shell(int vertices, const double* rest_positions, int triangles, const int32_t* triangle_corners,
-          const uint8_t* fixed, const double* loads, const int32_t* tied, int hinges, const int32_t* seam_hinges,
-          const double* hinge_rigidities, const film_material& material);
+          const uint8_t* fixed, const double* loads, const int32_t* tied, int hinges,
+          const int32_t* seam_hinges, const double* hinge_rigidities, const film_material& material);
 
     int vertices() const { return static_cast<int>(vertex_area_.size()); }
     int count() const { return count_; }
