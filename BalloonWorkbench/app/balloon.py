@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from BalloonWorkbench.app import film, migrate, status
 from BalloonWorkbench.app.properties import Property, add_missing
+from BalloonWorkbench.app.stateless import Stateless
 
 FIT, INFLATE = "Fit to drawing", "Inflate as drawn"
 BACKENDS = {"Automatic": None, "Native": "native", "NumPy": "numpy"}
@@ -53,7 +54,7 @@ PROPERTIES = (
 )
 
 
-class BalloonProxy:
+class BalloonProxy(Stateless):
     """Behaviour of the Balloon object (Mesh::FeaturePython)."""
 
     def __init__(self, obj):
@@ -89,16 +90,6 @@ class BalloonProxy:
             status.set_status(obj, _verdict(obj))
         if obj.Placement != obj.Outline.Placement:
             obj.Placement = obj.Outline.Placement
-
-    def dumps(self):
-        return None
-
-    def loads(self, state):
-        return None
-
-    # FreeCAD 0.20 asks for these names
-    __getstate__ = dumps
-    __setstate__ = loads
 
 
 def request(obj):

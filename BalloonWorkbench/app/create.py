@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import os
+from contextlib import ExitStack
 from typing import NamedTuple
 
 import FreeCAD as App
@@ -55,13 +56,13 @@ def balloon_from_picture(doc, path, width=None, height=None, **options) -> Parts
     if not os.path.isfile(path):
         raise InputError(f"There is no file {path}: check the name and the folder.")
     parts = make(doc, os.path.splitext(os.path.basename(path))[0])
-    try:
+    with ExitStack() as unless_finished:
+        unless_finished.callback(discard, parts)
         set_drawing(parts.outline, path)
         parts.outline.Width, parts.outline.Height = sizes
-        return _finish(parts, options)
-    except BaseException:
-        discard(parts)
-        raise
+        _finish(parts, options)
+        unless_finished.pop_all()
+    return parts
 
 
 def balloon_from_sketch(doc, sketch, elements=(), **options) -> Parts:
@@ -70,12 +71,12 @@ def balloon_from_sketch(doc, sketch, elements=(), **options) -> Parts:
     Options and errors as for `balloon_from_picture`.
     """
     parts = make(doc, f"{sketch.Label} balloon")
-    try:
+    with ExitStack() as unless_finished:
+        unless_finished.callback(discard, parts)
         parts.outline.Source = (sketch, list(elements))
-        return _finish(parts, options)
-    except BaseException:
-        discard(parts)
-        raise
+        _finish(parts, options)
+        unless_finished.pop_all()
+    return parts
 
 
 def configure(
@@ -136,10 +137,9 @@ def _own_extent(obj):
     return shape.BoundBox
 
 
-def _finish(parts: Parts, options) -> Parts:
+def _finish(parts: Parts, options) -> None:
     configure(parts, **options)
     compute(parts)
-    return parts
 
 
 def compute(parts: Parts) -> None:

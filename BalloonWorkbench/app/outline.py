@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from BalloonWorkbench.app import migrate, status
 from BalloonWorkbench.app.properties import Property, add_missing, show_in_editor
+from BalloonWorkbench.app.stateless import Stateless
 
 PROPERTIES = (
     Property(
@@ -34,7 +35,7 @@ PROPERTIES = (
 )
 
 
-class OutlineProxy:
+class OutlineProxy(Stateless):
     """Behaviour of the Outline object (Part::Part2DObjectPython)."""
 
     def __init__(self, obj):
@@ -69,16 +70,6 @@ class OutlineProxy:
                 obj.Placement = placement
             status.set_status(obj, status.READY)
         obj.positionBySupport()
-
-    def dumps(self):
-        return None
-
-    def loads(self, state):
-        return None
-
-    # FreeCAD 0.20 asks for these names
-    __getstate__ = dumps
-    __setstate__ = loads
 
 
 def set_drawing(obj, path) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from BalloonWorkbench.app import migrate, status
 from BalloonWorkbench.app.properties import Property, add_missing, show_in_editor
+from BalloonWorkbench.app.stateless import Stateless
 
 PROPERTIES = (
     Property("Link", "Balloon", "Pattern", "The balloon that is cut from this pattern"),
@@ -24,7 +25,7 @@ PROPERTIES = (
 )
 
 
-class PatternProxy:
+class PatternProxy(Stateless):
     """Behaviour of the Pattern object (Part::Part2DObjectPython)."""
 
     def __init__(self, obj):
@@ -58,16 +59,6 @@ class PatternProxy:
             show(obj, build(obj))
             status.set_status(obj, status.READY)
         obj.positionBySupport()
-
-    def dumps(self):
-        return None
-
-    def loads(self, state):
-        return None
-
-    # FreeCAD 0.20 asks for these names
-    __getstate__ = dumps
-    __setstate__ = loads
 
 
 def build(obj):

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import FreeCAD as App
 
+from BalloonWorkbench.app.stateless import Stateless
 from BalloonWorkbench.gui.qt import icon
 
 _FOIL = {
@@ -15,7 +16,7 @@ _FOIL = {
 }
 
 
-class _View:
+class _View(Stateless):
     """What the three view providers have in common."""
 
     icon = ""
@@ -45,16 +46,6 @@ class _View:
 
         edit(vobj.Object)
         return True
-
-    def dumps(self):
-        return None
-
-    def loads(self, state):
-        return None
-
-    # FreeCAD 0.20 asks for these names
-    __getstate__ = dumps
-    __setstate__ = loads
 
 
 class OutlineView(_View):
