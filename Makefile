@@ -5,7 +5,7 @@ SHELL := /bin/bash
 .DEFAULT_GOAL := help
 PYTHON := .venv/bin/python
 
-.PHONY: help setup native demo test test-core test-app test-gui lint format freecad clean
+.PHONY: help setup native demo test test-core test-app test-gui lint format validation bench fuzz freecad clean
 
 help: ## List these targets
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' $(MAKEFILE_LIST) | expand -t 12
@@ -37,6 +37,21 @@ format: setup ## Format Python and C++, repair what can be repaired
 	@.venv/bin/ruff check --fix --exit-zero --quiet .
 	@.venv/bin/ruff format .
 	@find BalloonWorkbench/native \( -name '*.cpp' -o -name '*.h' \) -print0 | xargs -0r .venv/bin/clang-format -i
+
+validation bench: export PYTHONPATH := $(CURDIR):$(CURDIR)/tests/core:$(CURDIR)/benchmarks
+
+validation: native ## Compare with every reference solution, write docs/validation.md
+	@$(PYTHON) benchmarks/validate.py
+
+# BENCH gives other sizes: BENCH="--sizes 500 2000 --evolver-sizes 2000 10000" make bench
+bench: native ## Time against a yardstick, NumPy and Surface Evolver, write docs/benchmarks.md
+	@tools/install-debian-packages.sh debian-packages-bench.txt
+	@cmake -S benchmarks -B build/bench/yardstick -G Ninja -DCMAKE_BUILD_TYPE=Release >/dev/null
+	@cmake --build build/bench/yardstick -- --quiet
+	@$(PYTHON) benchmarks/bench.py $(BENCH)
+
+fuzz: native ## Inflate 2 000 random outlines
+	@BALLOON_OUTLINES=2000 $(PYTHON) -m pytest -q tests/core/test_random_outlines.py
 
 freecad: native ## Open FreeCAD with the workbench, in a user folder of its own under build
 	@tools/in-freecad.sh build/freecad freecad

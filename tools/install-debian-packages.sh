@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# Installs the packages of debian-packages.txt that are missing; asks apt only when one is.
+# install-debian-packages.sh [LIST]
+# Installs the packages of LIST (debian-packages.txt) that are missing; asks apt only when one is.
 set -euo pipefail
 
-list=$(dirname "$(realpath "$0")")/debian-packages.txt
+list=$(dirname "$(realpath "$0")")/${1:-debian-packages.txt}
 mapfile -t packages < <(sed 's/#.*//; /^[[:space:]]*$/d' "$list")
 
 if ! command -v dpkg-query >/dev/null; then

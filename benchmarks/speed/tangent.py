@@ -19,9 +19,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from BalloonWorkbench.core.film.film import Film
-from BalloonWorkbench.core.solver.inflate import film_problem
 from BalloonWorkbench.core.solver.inflation import Inflation
-from BalloonWorkbench.core.solver.newton import _masses
+from BalloonWorkbench.core.solver.model import film_problem
+from BalloonWorkbench.core.solver.newton import DIRECTOR_SHIFT
 from BalloonWorkbench.core.solver.shell import Shell, tangent_frames
 
 if TYPE_CHECKING:
@@ -29,14 +29,19 @@ if TYPE_CHECKING:
 
 
 def tangent(inflation: Inflation, film: Film, pressure: float, shift: float) -> csc_matrix:
-    """The Hessian at an inflated film, dimensionless, made definite by a shift as the solver does it."""
-    panel = inflation.panel
-    size = float(np.ptp(panel.rest_positions, axis=0).max())
-    shell = Shell(film_problem(panel, film, pressure))
+    """The Hessian at an inflated film, dimensionless, made definite by a shift as the solver does it.
+
+    Every position and director is an unknown, however the solver arranges its own systems.
+    """
+    size = float(np.ptp(inflation.panel.rest_positions, axis=0).max())
+    shell = Shell(film_problem(inflation.panel, film, pressure))
     _, hessian = shell.derivatives(
         inflation.positions / size, inflation.directors, tangent_frames(inflation.directors)
     )
-    return shell.scatter.shifted(hessian, shift * _masses(shell))
+    mass = np.empty(shell.fixed.shape)
+    mass[:, :3] = shell.vertex_areas[:, None]
+    mass[:, 3:] = DIRECTOR_SHIFT * shell.flexural_rigidity
+    return shell.scatter.shifted(hessian, shift * mass[~shell.fixed])
 
 
 def write_matrix(path: Path, matrix: csc_matrix) -> None:

@@ -1,0 +1,266 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""docs/benchmarks.md from the measurements."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from speed import cases, evolver
+
+#: What is aimed at.
+COLD, COLD_WORST, GROWTH, WARM, NATIVE, MEMORY = 30.0, 60.0, 1.4, 6.0, 5.0, 1500.0
+AGAINST_EVOLVER = {2000: 25.0, 10000: 50.0}
+
+_HEAD = """\
+# Speed
+
+Written by `make bench`; every number comes from one run on one machine, so that only ratios matter.
+The unit is the yardstick: one numerical factorisation of the same tangent matrix (all positions and
+directors) by CHOLMOD's supernodal Cholesky with OpenBLAS on one thread. Times are processor seconds
+of all threads, medians over the repeats; a machine that is busy with other things lengthens them by
+some ten per cent, and all of them alike.
+
+{machine}
+
+The balloons: outlines of 0.3 m (`tests/core/drawn_shapes.py`), film "{film}", {pressure:g} kPa, on
+an even mesh. Cold is `inflate()` from the flat panel; warm is after a point of the rim was pulled
+outward by {edit:.0f} % of the width (the rim follows as a Gaussian of {reach:.0f} % of the width),
+from the state before. Whole is meshing and cold inflation.
+"""
+
+_EVOLVER = """\
+## Surface Evolver
+
+The same mesh, film, pressure and start in Surface Evolver 2.70 (`{program}`, Debian), without
+bending and without a sealed band, which it does not have: `benchmarks/speed/evolver.py` writes the
+datafile and holds the script. Its facet energy `relaxed_elastic_A` is the same tension field; it is
+led by conjugate gradients from a softer film. Two softenings are run and the faster one counts. "To
+0.1 %" is the processor time until its volume stays within 0.1 % of the last one, which a user would
+not know; "at rest" is until the volume moves by less than 5e-5 in a long window of steps. Ours is
+until it stops by itself. Volumes are those of the facets.
+
+"""
+
+
+def written(measured: dict[str, Any]) -> str:
+    """The page."""
+    parts = [
+        _HEAD.format(
+            machine=_machine(measured),
+            film=cases.sealed_film().name,
+            pressure=cases.PRESSURE / 1e3,
+            edit=100 * cases.EDIT,
+            reach=100 * cases.EDIT_REACH,
+        ),
+        "## Against the aims\n\n" + _table(("aim", "found", ""), _aims(measured)),
+        "## Cold and warm\n\n" + _solves(measured["solves"]),
+    ]
+    if measured["numpy"]:
+        parts.append("## Native against NumPy\n\n" + _numpy(measured["numpy"]))
+    if measured["evolver"]:
+        parts.append(_EVOLVER.format(program=evolver.PROGRAM) + _evolver(measured["evolver"]))
+    return "\n".join(parts)
+
+
+def _table(head: tuple[str, ...], rows: list[tuple[str, ...]]) -> str:
+    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
+    return "\n".join([*lines, *("| " + " | ".join(row) + " |" for row in rows)]) + "\n"
+
+
+def _machine(measured: dict[str, Any]) -> str:
+    machine = measured["machine"]
+    return (
+        f"Run of {measured['date']}: {machine['processor']}, {machine['threads']} threads,"
+        f" {machine['system']}, Python {machine['python']}, NumPy {machine['numpy']},"
+        f" SciPy {machine['scipy']}. Processes that wanted a processor: {measured['load_before']:.1f} on"
+        f" average before the run, {measured['load_after']:.1f} after it."
+    )
+
+
+def _done(solves: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    return [one for one in solves if "cold" in one]
+
+
+def _rods(one: dict[str, Any], kind: str = "cold") -> float:
+    return float(one[kind]["cpu"] / one["yardstick"]["factor_seconds"])
+
+
+def _beyond(one: dict[str, Any]) -> float | None:
+    """Bytes a vertex at the peak, without the entries of the factor."""
+    if one["peak_bytes"] is None:
+        return None
+    return float(one["peak_bytes"] - 8 * one["yardstick"]["factor_entries"]) / one["vertices"]
+
+
+def growth(solves: list[dict[str, Any]]) -> dict[str, float]:
+    """Exponent of the processor time of meshing and cold inflation in the number of vertices, by shape."""
+    found = {}
+    for shape in dict.fromkeys(one["shape"] for one in solves):
+        mine = [one for one in _done(solves) if one["shape"] == shape]
+        if len(mine) > 1:
+            count = np.log([one["vertices"] for one in mine])
+            whole = np.log([one["mesh"]["cpu"] + one["cold"]["cpu"] for one in mine])
+            found[shape] = float(np.polyfit(count, whole, 1)[0])
+    return found
+
+
+def _aims(measured: dict[str, Any]) -> list[tuple[str, str, str]]:
+    solves, rows = measured["solves"], []
+    done = _done(solves)
+
+    def row(aim: str, found: str, met: bool) -> None:
+        rows.append((aim, found, "met" if met else "**missed**"))
+
+    shapes = list(dict.fromkeys(one["shape"] for one in done))
+    worst = {shape: max(_rods(one) for one in done if one["shape"] == shape) for shape in shapes}
+    left_out = len(solves) - len(done)
+    usual = max(worst[shape] for shape in shapes if shape != "star") if set(shapes) - {"star"} else 0.0
+    row(
+        f"cold: at most {COLD:g} yardsticks at every size (disc, square)",
+        f"at most {usual:.0f}" + (f"; {left_out} sizes left out" if left_out else ""),
+        usual <= COLD and not left_out,
+    )
+    row(
+        f"cold, the worst outline: at most {COLD_WORST:g}",
+        f"{max(worst.values()):.0f}",
+        max(worst.values()) <= COLD_WORST,
+    )
+    powers = growth(solves)
+    if powers:
+        row(
+            f"growth exponent of the whole process: at most {GROWTH:g}",
+            ", ".join(f"{shape} {power:.2f}" for shape, power in powers.items()),
+            max(powers.values()) <= GROWTH,
+        )
+    warm = [_rods(one, "warm") for one in done]
+    row(f"warm edit: at most {WARM:g} yardsticks", f"{min(warm):.1f} to {max(warm):.1f}", max(warm) <= WARM)
+    if measured["numpy"]:
+        ratios = [one["cold"]["cpu"] / one["native_cpu"] for one in measured["numpy"]]
+        row(
+            f"native at least {NATIVE:g} times faster than NumPy",
+            f"{min(ratios):.1f} to {max(ratios):.1f}",
+            min(ratios) >= NATIVE,
+        )
+    beyond = [
+        (one, memory) for one in done if (memory := _beyond(one)) is not None and one["vertices"] > 1500
+    ]
+    if beyond:
+        most = max(memory for _, memory in beyond)
+        row(
+            f"memory beyond the factor: below {MEMORY / 1e3:g} kB a vertex",
+            f"at most {most / 1e3:.1f} kB",
+            most < MEMORY,
+        )
+    for size, aim in AGAINST_EVOLVER.items():
+        ratios = [_faster(one) for one in measured["evolver"] if one["wanted"] == size]
+        if ratios:
+            row(
+                f"at most 1/{aim:g} of Surface Evolver's time at {size} vertices",
+                ", ".join(f"1/{least:.0f} (1/{rest:.0f} at rest)" for least, rest in ratios),
+                min(least for least, _ in ratios) >= aim,
+            )
+    return rows
+
+
+def _solves(solves: list[dict[str, Any]]) -> str:
+    head = (
+        "outline",
+        "vertices",
+        "yardstick, ms",
+        "cold, yardsticks",
+        "cold, s",
+        "on the clock, s",
+        "steps (factorisations)",
+        "warm, yardsticks",
+        "warm steps",
+        "meshing, s",
+        "peak memory, kB a vertex",
+        "beyond the factor",
+    )
+    rows = []
+    for one in solves:
+        if "cold" not in one:
+            rows.append(
+                (one["shape"], str(one["wanted"]), f"left out: {one['expected']:.0f} s expected", *[""] * 9)
+            )
+            continue
+        cold, warm, beyond = one["cold"], one["warm"], _beyond(one)
+        rows.append(
+            (
+                one["shape"],
+                str(one["vertices"]),
+                f"{1e3 * one['yardstick']['factor_seconds']:.3g}",
+                f"**{_rods(one):.1f}**" + _unfinished(cold),
+                f"{cold['cpu']:.3g} ({cold['cpu_least']:.3g} to {cold['cpu_most']:.3g})",
+                f"{cold['wall']:.3g}",
+                f"{cold['steps']} ({cold['factorisations']})",
+                f"**{_rods(one, 'warm'):.1f}**" + _unfinished(warm),
+                f"{warm['steps']} ({warm['factorisations']})",
+                f"{one['mesh']['cpu']:.2g}",
+                "" if one["peak_bytes"] is None else f"{one['peak_bytes'] / one['vertices'] / 1e3:.1f}",
+                "" if beyond is None else f"{beyond / 1e3:.1f}",
+            )
+        )
+    note = "\nThe factor is counted with 8 bytes for each entry that CHOLMOD's has.\n"
+    return _table(head, rows) + note
+
+
+def _unfinished(run: dict[str, Any]) -> str:
+    return "" if run["converged"] else " (not converged)"
+
+
+def _numpy(runs: list[dict[str, Any]]) -> str:
+    rows = [
+        (
+            one["shape"],
+            str(one["vertices"]),
+            f"{one['native_cpu']:.3g}",
+            f"{one['cold']['cpu']:.3g}",
+            f"**{one['cold']['cpu'] / one['native_cpu']:.1f}**",
+        )
+        for one in runs
+    ]
+    return _table(("outline", "vertices", "native, s", "NumPy, s", "ratio"), rows)
+
+
+def _faster(one: dict[str, Any]) -> tuple[float, float]:
+    """Evolver's time to 0.1 % and to its rest, in units of ours."""
+    theirs, ours = one["evolver"], one["cold"]["cpu"]
+    return theirs["seconds"] / ours, theirs["total"] / ours
+
+
+def _evolver(runs: list[dict[str, Any]]) -> str:
+    head = (
+        "outline",
+        "vertices",
+        "ours, s",
+        "Evolver to 0.1 %, s",
+        "at rest, s",
+        "its steps to 0.1 %",
+        "ours / Evolver to 0.1 %",
+        "ours / Evolver at rest",
+        "our volume / L^3",
+        "Evolver's",
+        "difference",
+    )
+    rows = []
+    for one in runs:
+        theirs = one["evolver"]
+        least, rest = _faster(one)
+        rows.append(
+            (
+                one["shape"],
+                str(one["vertices"]),
+                f"{one['cold']['cpu']:.3g}" + _unfinished(one["cold"]),
+                f"{theirs['seconds']:.3g}",
+                f"{theirs['total']:.3g}" + _unfinished(theirs),
+                str(theirs["steps"]),
+                f"**1/{least:.1f}**",
+                f"1/{rest:.1f}",
+                f"{one['facet_volume']:.6f}",
+                f"{theirs['volume']:.6f}",
+                f"{100 * (one['facet_volume'] / theirs['volume'] - 1):+.2f} %",
+            )
+        )
+    return _table(head, rows)
