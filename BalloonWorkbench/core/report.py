@@ -69,6 +69,7 @@ def build(source: Source, film: Film, pressure: float, design: Design, pattern: 
         },
         "design": {
             "passes": design.passes,
+            "meshes": design.meshes,
             "seconds": design.seconds,
             "silhouette_error_mm": {
                 "mean": to_mm(error.mean),

@@ -37,7 +37,9 @@ def designed(outline: Outline, vertices: int = 1500) -> Design:
     pattern = outline.map(lambda loop: loop / 0.9)
     inflation = lifted(triangulate(pattern, size_for(pattern, vertices)))
     silhouette = Outline(*_loops(inflation))
-    return Design(outline, pattern, inflation, silhouette, Residual(0.0012, 0.0024, 0.0041), 5, 2.0, True, ())
+    return Design(
+        outline, pattern, inflation, silhouette, Residual(0.0012, 0.0024, 0.0041), 5, 2, 2.0, True, ()
+    )
 
 
 def _loops(inflation: Inflation) -> tuple[np.ndarray, tuple[np.ndarray, ...]]:

@@ -26,6 +26,7 @@ class Design:
     pattern     the seam of the flat panel, unfolded film
     inflation   the balloon, placed in the drawing's frame
     silhouette  outline of the inflated balloon seen from above, in the drawing's frame
+    meshes      how often the panel was meshed; in the other passes the mesh was moved
     reached     the silhouette is within the tolerance of the drawing
     warnings    one sentence each, for the user
     """
@@ -36,6 +37,7 @@ class Design:
     silhouette: Outline
     residual: Residual
     passes: int
+    meshes: int
     seconds: float
     reached: bool
     warnings: tuple[str, ...]

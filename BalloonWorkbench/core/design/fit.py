@@ -86,7 +86,7 @@ def fit(
     mixing = AndersonMixing(GAIN)
     best: _Pass | None = None
     previous: _Pass | None = None
-    stalled = passes = 0
+    stalled = passes = meshes = 0
     while passes < MOST_PASSES and stalled <= PATIENCE:
         try:
             current = _try(target, course, previous, film, pressure, edge, backend, _part(progress, passes))
@@ -98,6 +98,7 @@ def fit(
             course = course.midway(previous.course)
             continue
         passes += 1
+        meshes += previous is None or current.panel.triangles is not previous.panel.triangles
         if best is not None and current.error.mean > STALLED * best.error.mean:
             stalled += 1
         else:
@@ -109,7 +110,7 @@ def fit(
         course = _corrected(current, mixing, edge, size)
         previous = current
     assert best is not None
-    return _design(target, best, passes, time.perf_counter() - began)
+    return _design(target, best, passes, meshes, time.perf_counter() - began)
 
 
 def inflate_outline(
@@ -127,7 +128,7 @@ def inflate_outline(
     edge = mesh_size or size_for(pattern, VERTICES)
     course = Course(pattern.loops, pattern.loops)
     only = _try(pattern, course, None, film, pressure, edge, backend, progress)
-    return _design(pattern, only, 0, time.perf_counter() - began)
+    return _design(pattern, only, 0, 1, time.perf_counter() - began)
 
 
 def _try(
@@ -191,7 +192,7 @@ def _corrected(current: _Pass, mixing: AndersonMixing, edge: float, size: float)
     return course.moved(tuple(np.split(step, np.cumsum([len(loop) for loop in course.pattern])[:-1])))
 
 
-def _design(target: Outline, best: _Pass, passes: int, seconds: float) -> Design:
+def _design(target: Outline, best: _Pass, passes: int, meshes: int, seconds: float) -> Design:
     size = max(target.size)
     warnings = []
     if not best.inflation.report.converged:
@@ -211,6 +212,7 @@ def _design(target: Outline, best: _Pass, passes: int, seconds: float) -> Design
         best.shown,
         best.error,
         passes,
+        meshes,
         seconds,
         reached,
         (*target.notes, *warnings),
