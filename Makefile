@@ -51,7 +51,7 @@ bench: native ## Time against a yardstick, NumPy and Surface Evolver, write docs
 	@$(PYTHON) benchmarks/bench.py $(BENCH)
 
 fuzz: native ## Inflate 2 000 random outlines
-	@BALLOON_OUTLINES=2000 $(PYTHON) -m pytest -q tests/core/test_random_outlines.py
+	@BALLOON_OUTLINES=2000 $(PYTHON) -m pytest -q -o faulthandler_timeout=0 tests/core/test_random_outlines.py
 
 freecad: native ## Open FreeCAD with the workbench, in a user folder of its own under build
 	@tools/in-freecad.sh build/freecad freecad

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Any simple outline inflates, or says that it did not come to rest: smooth, star-like, spiky, thin, with holes.
+"""Any simple outline inflates, or says that it did not: smooth, star-like, spiky, thin, with holes.
 
 BALLOON_OUTLINES sets how many outlines are tried (`make fuzz`: 2 000).
 """
