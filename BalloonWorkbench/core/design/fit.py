@@ -44,6 +44,8 @@ GAIN = 1.3  # a pattern of a disc must grow by 1.311 for a silhouette that grows
 CLAMP = 0.05  # of the larger dimension, for one pass
 SMOOTHING = 1.0  # mesh sizes
 ENOUGH = 1e-3  # mean error, of the larger dimension, at which nothing more is gained
+COARSENING = 1.8  # of the mesh for the first passes
+CLOSE = 3e-3  # mean error, of the larger dimension, at which the wanted mesh takes over
 REACHED = 1e-2
 STALLED = 0.9  # a pass that leaves more than this part of the best error brings nothing
 PATIENCE = 2  # such passes in a row
@@ -81,21 +83,25 @@ def fit(
     def grow(loop: Floats) -> Floats:
         return centre + FIRST_GROWTH * (loop - centre)
 
-    edge = mesh_size or size_for(target.map(grow), VERTICES)
-    course = Course.begun(target, grow, min(0.25 * edge, size / 400.0))
+    fine = mesh_size or size_for(target.map(grow), VERTICES)
+    edge = COARSENING * fine
+    course = Course.begun(target, grow, min(0.25 * fine, size / 400.0))
     mixing = AndersonMixing(GAIN)
     best: _Pass | None = None
-    previous: _Pass | None = None
+    last: _Pass | None = None
+    previous: _Pass | None = None  # whose mesh may still serve
     stalled = passes = meshes = 0
     while passes < MOST_PASSES and stalled <= PATIENCE:
         try:
             current = _try(target, course, previous, film, pressure, edge, backend, _part(progress, passes))
         except MeshError:
-            if previous is None:
+            if edge == fine and last is None:
                 raise
-            # the step made a part too thin: take half of it, and end when that does not help either
+            # a part is too thin for the coarse mesh, or the step made it so: take half of the step
+            if edge > fine:
+                edge, previous = fine, None
             stalled += 1
-            course = course.midway(previous.course)
+            course = course if last is None else course.midway(last.course)
             continue
         passes += 1
         meshes += previous is None or current.panel.triangles is not previous.panel.triangles
@@ -105,11 +111,16 @@ def fit(
             stalled = 0
         if best is None or current.error.mean < best.error.mean:
             best = current
-        if current.error.mean <= ENOUGH * size:
+        if edge == fine and current.error.mean <= ENOUGH * size:
             break
         course = _corrected(current, mixing, edge, size)
-        previous = current
-    assert best is not None
+        last = previous = current
+        if edge > fine and (current.error.mean <= CLOSE * size or stalled):
+            edge, previous, best, stalled = fine, None, None, 0
+    if best is None:
+        raise MeshError(
+            "The pattern becomes too thin for its mesh. Widen the thin parts, or use a finer mesh."
+        )
     return _design(target, best, passes, meshes, time.perf_counter() - began)
 
 
