@@ -13,7 +13,7 @@ from BalloonWorkbench.core.mesh.quality import corner_angles, delaunay_loss, fli
 from BalloonWorkbench.core.types import Floats, Ints
 
 #: A triangle may not become sharper than this unless it was about as sharp before [rad].
-_SHARPEST = np.radians(15.0)
+_SHARPEST = np.radians(20.0)
 _SHARPENING = 0.7
 #: Share of the interior edges that may stop being Delaunay.
 _DELAUNAY_LOSS = 0.03
@@ -37,7 +37,7 @@ def move_rim(panel: Panel, seam_positions: Sequence[Floats]) -> Panel | None:
     if flipped(result).any() or (worn(result) & ~worn(panel)).any():
         return None
     before, after = min_angles(panel), min_angles(result)
-    if ((after < _SHARPEST) & (after < _SHARPENING * before)).any():
+    if ((after < _SHARPEST) & ((before >= _SHARPEST) | (after < _SHARPENING * before))).any():
         return None
     if delaunay_loss(result) > delaunay_loss(panel) + _DELAUNAY_LOSS:
         return None
