@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Figures of the validation page; the same numbers give the same bytes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import matplotlib as mpl
+import numpy as np
+
+from BalloonWorkbench.core.design.design import Design
+from BalloonWorkbench.core.types import Floats
+
+mpl.use("Agg")
+mpl.rcParams.update({"svg.hashsalt": "balloon", "font.family": "DejaVu Sans", "font.size": 9.0})
+
+_MARKS = "osD^vP*Xh"
+
+
+def _save(figure: Any, path: Path) -> None:
+    from matplotlib import pyplot
+
+    path.parent.mkdir(parents=True, exist_ok=True)
+    figure.savefig(path, metadata={"Date": None, "Creator": None}, bbox_inches="tight")
+    pyplot.close(figure)
+
+
+def convergence(curves: dict[str, tuple[Floats, Floats]], path: Path) -> None:
+    """Errors against mesh sizes, both logarithmic, with the slopes 1 and 2 for comparison."""
+    from matplotlib import pyplot
+
+    figure, axes = pyplot.subplots(figsize=(6.4, 4.4))
+    for mark, (name, (sizes, errors)) in zip(_MARKS, curves.items()):
+        axes.loglog(sizes, 100.0 * errors, marker=mark, label=name)
+    sizes = np.concatenate([curve[0] for curve in curves.values()])
+    ends = np.array([sizes.min(), sizes.max()])
+    top = 100.0 * max(float(curve[1].max()) for curve in curves.values())
+    for slope, style in ((1, "--"), (2, ":")):
+        axes.loglog(
+            ends, 1.3 * top * (ends / ends[1]) ** slope, "0.6", linestyle=style, label=f"order {slope}"
+        )
+    axes.set_xlabel("mesh size h")
+    axes.set_ylabel("error of V, %")
+    axes.grid(visible=True, which="both", color="0.92")
+    axes.legend(fontsize=8)
+    _save(figure, path)
+
+
+def work(curves: dict[str, tuple[Floats, Floats, Floats]], path: Path) -> None:
+    """Newton steps and factorisations against the number of vertices."""
+    from matplotlib import pyplot
+
+    figure, both = pyplot.subplots(1, 2, figsize=(9.0, 3.8), sharey=True)
+    for column, (axes, title) in enumerate(zip(both, ("Newton steps", "factorisations")), 1):
+        for mark, (name, curve) in zip(_MARKS, curves.items()):
+            axes.semilogx(curve[0], curve[column], marker=mark, label=name)
+        axes.set_title(title, fontsize=9)
+        axes.set_xlabel("vertices")
+        axes.set_ylim(bottom=0.0)
+        axes.grid(visible=True, which="both", color="0.92")
+    both[1].legend(fontsize=7, loc="center left", bbox_to_anchor=(1.0, 0.5))
+    _save(figure, path)
+
+
+def designs(named: Sequence[tuple[str, Design]], path: Path) -> None:
+    """Drawing (grey), inflated silhouette (red) and pattern (blue) of some designs, three in a row."""
+    from matplotlib import pyplot
+
+    rows = -(-len(named) // 3)
+    figure, grid = pyplot.subplots(rows, 3, figsize=(9.0, 3.1 * rows), squeeze=False)
+    for axes in grid.flat:
+        axes.set_axis_off()
+        axes.set_aspect("equal")
+    for axes, (title, design) in zip(grid.flat, named):
+        for loop in design.target.loops:
+            axes.fill(*loop.T, color="0.85", zorder=0)
+        for hole in design.target.holes:
+            axes.fill(*hole.T, color="white", zorder=0.5)
+        for outline, colour in ((design.pattern, "tab:blue"), (design.silhouette, "tab:red")):
+            for loop in outline.loops:
+                closed = np.vstack([loop, loop[:1]])
+                axes.plot(*closed.T, color=colour, linewidth=0.9)
+        axes.set_title(title, fontsize=8)
+    _save(figure, path)
