@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The error falls with the mesh; volume and work do not depend on it. `make validation` has the full study."""
+"""The error falls with the mesh; volume and work do not depend on it. All of the study: `make validation`."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ pytestmark = needs_native
 
 SIZES = (400, 800, 1500, 3000)
 
-#: E t / (p 1 m), sealed band [m], exact volume of disc and ring of radius 1 m and square of side 1 m. Disc and
+#: E t / (p 1 m), sealed band [m], exact volume of disc and ring of radius 1 m, square of side 1 m. Disc and
 #: ring are axisymmetric relaxed films, nu = 0.3, from the energy of their profile on 4 000 nodes
 #: (benchmarks/validation/axisymmetric.py); the square is extrapolated from several programs, +- 0.15 %.
 CASES = {
