@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "newton.h"
 
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
+#include <thread>
+
+#include "cholesky.h"
 
 namespace film {
 namespace {
@@ -14,7 +16,7 @@ constexpr double kSmallestShift = 1e-6, kFirstShift = 0.3, kLargestShift = 1e12;
 constexpr double kShiftGrowth = 8.0, kShiftDecay = 0.2, kDirectorShift = 0.1;
 constexpr double kSufficient = 2e-4, kShortest = 1e-3;
 
-using Factor = Eigen::SimplicialLLT<SymmetricMatrix, Eigen::Lower, Eigen::AMDOrdering<int>>;
+constexpr unsigned kThreads = 4; // more find no work of their own
 
 double next_shift(double shift, double length) {
     if (length == 1.0)
@@ -24,18 +26,16 @@ double next_shift(double shift, double length) {
     return shift;
 }
 
-// Factors the Hessian with the smallest tried shift that makes it positive definite; false when none does.
-bool factor_definite(Factor& factor, const SymmetricMatrix& hessian, const Eigen::VectorXd& mass,
-                     double& shift, int32_t& factorisations) {
-    SymmetricMatrix shifted = hessian;
+// The Newton step with the smallest tried shift that makes the Hessian positive definite; false when none
+// does.
+bool find_step(Cholesky& factor, const SymmetricMatrix& hessian, const Eigen::VectorXd& gradient,
+               const Eigen::VectorXd& mass, double& shift, int32_t& factorisations, Eigen::VectorXd& step) {
+    Eigen::VectorXd diagonal;
+    step = -gradient;
     for (;;) {
-        for (Eigen::Index column = 0; column < shifted.cols(); ++column) {
-            const int diagonal = hessian.outerIndexPtr()[column];
-            shifted.valuePtr()[diagonal] = hessian.valuePtr()[diagonal] + shift * mass[column];
-        }
-        factor.factorize(shifted);
+        diagonal = shift * mass;
         ++factorisations;
-        if (factor.info() == Eigen::Success)
+        if (factor.factorise_and_solve(hessian.valuePtr(), diagonal.data(), step.data()))
             return true;
         shift = std::max(shift * kShiftGrowth, kFirstShift);
         if (!(shift <= kLargestShift))
@@ -48,10 +48,10 @@ bool factor_definite(Factor& factor, const SymmetricMatrix& hessian, const Eigen
 film_result newton(Shell& shell, State& state, const std::vector<double>& levels, const film_newton& settings,
                    const std::function<bool(double)>& progress) {
     film_result result{0, 0, 0};
-    Factor factor;
-    factor.analyzePattern(shell.pattern());
+    const unsigned threads = std::min(std::max(std::thread::hardware_concurrency(), 1u), kThreads);
+    Cholesky factor(shell.pattern(), shell.blocks(), static_cast<int>(threads));
     SymmetricMatrix hessian = shell.pattern();
-    Eigen::VectorXd gradient;
+    Eigen::VectorXd gradient, step;
     const Eigen::VectorXd mass = shell.masses(kDirectorShift);
     double shift = kSmallestShift;
     for (size_t level = 0; level < levels.size(); ++level) {
@@ -65,9 +65,8 @@ film_result newton(Shell& shell, State& state, const std::vector<double>& levels
         while (!level_done && result.steps < settings.max_steps) {
             const Frames frames(state.directors);
             shell.derivatives(state, frames, gradient, hessian);
-            if (!factor_definite(factor, hessian, mass, shift, result.factorisations))
+            if (!find_step(factor, hessian, gradient, mass, shift, result.factorisations, step))
                 return result;
-            const Eigen::VectorXd step = factor.solve(-gradient);
             const double decrement = -0.5 * gradient.dot(step);
             ++result.steps;
 

@@ -73,11 +73,16 @@ Shell::Shell(int vertices, const double* rest_positions, int triangles, const in
     for (int vertex = 0; vertex < vertices; ++vertex) {
         const int master = tied != nullptr ? tied[vertex] : vertex;
         for (int k = 0; k < 5; ++k) {
-            if (k < 3 && master != vertex)
+            if (k < 3 && master != vertex) {
                 number_[vertex][k] = number_[master][k];
-            else
-                number_[vertex][k] = fixed[5 * vertex + k] ? -1 : count_++;
+            } else if (fixed[5 * vertex + k]) {
+                number_[vertex][k] = -1;
+            } else {
+                number_[vertex][k] = count_++;
+                blocks_.block_of_unknown.push_back(vertex);
+            }
         }
+        blocks_.points.push_back({rest_positions[2 * vertex], rest_positions[2 * vertex + 1]});
     }
     const auto rest = [rest_positions](int vertex) {
         return Eigen::Vector2d(rest_positions[2 * vertex], rest_positions[2 * vertex + 1]);

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <Eigen/Sparse>
 #include <array>
 #include <cstdint>
 #include <vector>
 
+#include "blocks.h"
 #include "dkt.h"
 #include "film_law.h"
+#include "symmetric_matrix.h"
 
 namespace film {
 
 using Vectors = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
-using SymmetricMatrix = Eigen::SparseMatrix<double>; // lower triangle only
 
 struct State {
     Vectors positions;
@@ -49,6 +49,9 @@ public:
 
     // An all-zero matrix with the pattern of the Hessian; the diagonal entry is the first of each column.
     const SymmetricMatrix& pattern() const { return pattern_; }
+
+    // The unknowns of each vertex, at its place in the flat film.
+    const Blocks& blocks() const { return blocks_; }
 
     // What a unit of shift adds to each diagonal entry.
     Eigen::VectorXd masses(double director_shift) const;
@@ -91,6 +94,7 @@ private:
     std::vector<std::array<int, 5>> number_; // of the unknowns of each vertex
     Vectors loads_;
     int count_ = 0;
+    Blocks blocks_;
     SymmetricMatrix pattern_;
     std::vector<int> film_slots_, band_slots_; // where each lower element entry goes, -1 for none
 };

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <memory>
+
+#include "cholesky_plan.h"
+#include "schedule.h"
+#include "workers.h"
+
+namespace film {
+
+// Numbers on cache lines of their own, not initialised.
+class Numbers {
+public:
+    explicit Numbers(size_t count);
+    double* data() { return data_; }
+    size_t bytes() const { return bytes_; }
+
+private:
+    size_t bytes_;
+    std::unique_ptr<char[]> memory_;
+    double* data_;
+};
+
+// Sparse Cholesky factorisation of matrices that share a pattern; factorisations and solves allocate nothing.
+// The result does not depend on the number of threads, to the last bit. For one caller at a time.
+class Cholesky {
+public:
+    // The lower triangle gives the pattern, with the diagonal first in each column.
+    Cholesky(const SymmetricMatrix& lower, const Blocks& blocks, int threads);
+
+    // Factors the matrix with these values in its lower triangle, plus a diagonal one unless null; false when
+    // it is not positive definite.
+    bool factorise(const double* values, const double* diagonal);
+
+    // Replaces the right-hand side by the solution, after a factorisation that succeeded.
+    void solve(double* right_hand_side);
+
+    // Both; faster, for one half of the solution is done while the factor is still in cache. Leaves the
+    // right-hand side when the matrix is not positive definite.
+    bool factorise_and_solve(const double* values, const double* diagonal, double* right_hand_side);
+
+    size_t factor_entries() const { return plan_.factor_size; } // with the zeros that are stored
+    size_t bytes() const;                                       // of all memory held
+
+private:
+    struct Team; // threads that work on a front together
+
+    bool run(const double* values, const double* diagonal, double* right_hand_side);
+    void work(int thread);
+    bool go_up(int index, const Team& team, double* panel);
+    bool factor(int index, const Team& team, double* panel);
+    void assemble(int index, const Team& team, double* panel);
+    void add_updates(int index, bool to_pivots, int first, int last, double* target);
+    bool factor_panel(int index, const Team& team, double* panel);
+    void forward(int index);
+    void backward(int index, double* scratch);
+
+    CholeskyPlan plan_;
+    Schedule schedule_;
+    const FrontKernels& kernels_;
+    Numbers factor_, updates_, vectors_;
+    std::vector<Numbers> scratch_; // of each thread
+    Workers workers_;
+    // for the work at hand
+    const double* values_ = nullptr; // null when there is nothing to factor
+    const double* diagonal_ = nullptr;
+    double* right_hand_side_ = nullptr;             // null when there is nothing to solve
+    std::atomic<size_t> next_up_{0}, next_down_{0}; // branches to take
+    std::atomic<bool> definite_{true};
+};
+
+} // namespace film

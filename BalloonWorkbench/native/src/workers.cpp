@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "workers.h"
+
+#include <system_error>
+
+namespace film {
+namespace {
+
+// The others are at most microseconds away, unless the processor is busy elsewhere.
+template <typename Condition>
+void wait_until(const Condition& condition) {
+    for (int tries = 0; !condition(); ++tries) {
+        if (tries > 4000)
+            std::this_thread::yield();
+    }
+}
+
+} // namespace
+
+Workers::Workers(int count) {
+    try {
+        for (int index = 1; index < count; ++index)
+            threads_.emplace_back([this] { wait_for_work(); });
+    } catch (const std::system_error&) {
+        // those that have started are enough
+    }
+}
+
+Workers::~Workers() {
+    {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        stopping_ = true;
+    }
+    changed_.notify_all();
+    for (std::thread& thread : threads_)
+        thread.join();
+}
+
+void Workers::run(const std::function<void(int)>& work) {
+    if (!threads_.empty()) {
+        {
+            const std::lock_guard<std::mutex> lock(mutex_);
+            work_ = &work;
+            members_ = 1;
+            ++round_;
+        }
+        changed_.notify_all();
+    }
+    work(0);
+    meet(0);
+}
+
+void Workers::wait_for_work() {
+    for (unsigned round = 0;;) {
+        const std::function<void(int)>* work = nullptr;
+        int thread = 0;
+        {
+            std::unique_lock<std::mutex> lock(mutex_);
+            changed_.wait(lock, [&] { return stopping_ || (work_ != nullptr && round_ != round); });
+            if (stopping_)
+                return;
+            work = work_;
+            round = round_;
+            thread = members_++;
+        }
+        (*work)(thread);
+        meet(thread);
+    }
+}
+
+int Workers::gather(int thread) {
+    if (thread == 0 && !threads_.empty()) {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        work_ = nullptr;
+    }
+    meet(thread);
+    return members_;
+}
+
+void Workers::meet(int thread) {
+    if (thread == 0) {
+        const int others = members_ - 1;
+        wait_until([&] { return arrived_.load(std::memory_order_acquire) == others; });
+        arrived_.store(0, std::memory_order_relaxed);
+        meeting_.fetch_add(1, std::memory_order_release);
+        return;
+    }
+    const unsigned meeting = meeting_.load(std::memory_order_relaxed);
+    arrived_.fetch_add(1, std::memory_order_acq_rel);
+    wait_until([&] { return meeting_.load(std::memory_order_acquire) != meeting; });
+}
+
+} // namespace film

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace film {
+
+// A few threads that wait for work, led by the one that gives it. Where the system is busy elsewhere and a
+// thread comes late, the others do not wait for it.
+class Workers {
+public:
+    // With its caller so many threads, or fewer when the system has no more.
+    explicit Workers(int count);
+    ~Workers();
+    Workers(const Workers&) = delete;
+    Workers& operator=(const Workers&) = delete;
+
+    int count() const { return static_cast<int>(threads_.size()) + 1; }
+
+    // Runs work(0) on the calling thread, and work(1), work(2) ... on others as they come. Every work must
+    // gather once and meet as often as the leader. It must not throw.
+    void run(const std::function<void(int)>& work);
+
+    // Waits for all who have come; from here on nobody else joins. The number of threads at work.
+    int gather(int thread);
+
+    // Waits for all at work.
+    void meet(int thread);
+
+private:
+    void wait_for_work();
+
+    std::vector<std::thread> threads_;
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    const std::function<void(int)>* work_ = nullptr; // null while nobody may join
+    unsigned round_ = 0;
+    bool stopping_ = false;
+    int members_ = 1; // at work
+    std::atomic<int> arrived_{0};
+    std::atomic<unsigned> meeting_{0};
+};
+
+} // namespace film
