@@ -19,7 +19,14 @@ class OutlineError(InputError):
 
 
 class MeshError(BalloonError):
-    """The outline cannot be triangulated at the wanted size."""
+    """The outline cannot be triangulated at the wanted size.
+
+    place  (x, y) [m] of the part that is in the way, where it is one
+    """
+
+    def __init__(self, text: str, place: tuple[float, float] | None = None) -> None:
+        super().__init__(text)
+        self.place = place
 
 
 class SolverError(BalloonError):

@@ -63,10 +63,15 @@ class Course:
             ]
         return self
 
-    def midway(self, other: Course) -> Course:
-        """The course with its pattern half way to that of another one."""
-        loops = tuple(0.5 * (mine + its) for mine, its in zip(self.pattern, other.pattern, strict=True))
-        return replace(self, pattern=loops)
+    def taken_back(self, earlier: Course, place: tuple[float, float] | None, reach: float) -> Course:
+        """The course with its pattern half way back to an earlier one, around a place or everywhere."""
+        loops = []
+        for mine, its in zip(self.pattern, earlier.pattern, strict=True):
+            share = np.full((len(mine), 1), 0.5)
+            if place is not None:
+                share *= np.exp(-(np.linalg.norm(its - place, axis=1, keepdims=True) ** 2) / reach**2)
+            loops.append(mine + share * (its - mine))
+        return replace(self, pattern=tuple(loops))
 
 
 @dataclass(frozen=True)

@@ -45,10 +45,12 @@ CLAMP = 0.05  # of the larger dimension, for one pass
 SMOOTHING = 1.0  # mesh sizes
 ENOUGH = 1e-3  # mean error, of the larger dimension, at which nothing more is gained
 COARSENING = 1.8  # of the mesh for the first passes
+WORTHWHILE = 700.0  # squares of the mesh size in the area, from which a coarser mesh saves time
 CLOSE = 3e-3  # mean error, of the larger dimension, at which the wanted mesh takes over
 REACHED = 1e-2
 STALLED = 0.9  # a pass that leaves more than this part of the best error brings nothing
 PATIENCE = 2  # such passes in a row
+MOST_HALVINGS = 8  # of a step that leads to a pattern without a mesh
 
 
 @dataclass(frozen=True)
@@ -84,25 +86,29 @@ def fit(
         return centre + FIRST_GROWTH * (loop - centre)
 
     fine = mesh_size or size_for(target.map(grow), VERTICES)
-    edge = COARSENING * fine
+    edge = COARSENING * fine if target.map(grow).area > WORTHWHILE * fine**2 else fine
     course = Course.begun(target, grow, min(0.25 * fine, size / 400.0))
     mixing = AndersonMixing(GAIN)
     best: _Pass | None = None
     last: _Pass | None = None
     previous: _Pass | None = None  # whose mesh may still serve
-    stalled = passes = meshes = 0
+    stalled = passes = meshes = halvings = 0
     while passes < MOST_PASSES and stalled <= PATIENCE:
         try:
             current = _try(target, course, previous, film, pressure, edge, backend, _part(progress, passes))
-        except MeshError:
+        except MeshError as error:
             if edge == fine and last is None:
                 raise
-            # a part is too thin for the coarse mesh, or the step made it so: take half of the step
+            # a part is too thin for the coarse mesh, or the step made it so: take half of the step back there
             if edge > fine:
                 edge, previous = fine, None
-            stalled += 1
-            course = course if last is None else course.midway(last.course)
+            halvings += 1
+            if last is not None:
+                course = course.taken_back(last.course, error.place, (2.0 + halvings) * edge)
+            if halvings > MOST_HALVINGS:
+                break
             continue
+        halvings = 0
         passes += 1
         meshes += previous is None or current.panel.triangles is not previous.panel.triangles
         if best is not None and current.error.mean > STALLED * best.error.mean:
@@ -116,7 +122,7 @@ def fit(
         course = _corrected(current, mixing, edge, size)
         last = previous = current
         if edge > fine and (current.error.mean <= CLOSE * size or stalled):
-            edge, previous, best, stalled = fine, None, None, 0
+            edge, previous, best, stalled, mixing = fine, None, None, 0, AndersonMixing(GAIN)
     if best is None:
         raise MeshError(
             "The pattern becomes too thin for its mesh. Widen the thin parts, or use a finer mesh."

@@ -31,7 +31,8 @@ def seam_points(loops: tuple[Floats, ...], field: SizeField) -> tuple[tuple[Floa
             x, y = to_mm(place)
             raise MeshError(
                 f"The outline crosses or nearly touches itself near ({x:.1f}, {y:.1f}) mm:"
-                " separate the parts that meet there."
+                " separate the parts that meet there.",
+                (float(place[0]), float(place[1])),
             )
         field = SizeField(field.size, (*field.groups, (closer, place[None])))
         seams = tuple(_resampled(loop, field) for loop in loops)

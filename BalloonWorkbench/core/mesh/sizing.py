@@ -71,7 +71,8 @@ def size_field(outline: Outline, size: float) -> SizeField:
         raise MeshError(
             f"The shape is only {to_mm(thinnest):.2g} mm thick near ({x:.1f}, {y:.1f}) mm, too thin for a"
             f" mesh of {mm_text(size)}: make it thicker there, or use a mesh size of at most"
-            f" {to_mm(0.9 * coarsest):.2g} mm."
+            f" {to_mm(0.9 * coarsest):.2g} mm.",
+            (float(place[0]), float(place[1])),
         )
     share = np.where(walls.channel, _CHANNEL_SHARE, _TIP_SHARE)
     field = SizeField(size).limited(walls.points, np.maximum(walls.across / _ACROSS, share * size))
