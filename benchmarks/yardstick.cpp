@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// The unit of the measurements: one supernodal Cholesky factorisation by CHOLMOD with OpenBLAS on one thread,
+// in the order of AMD or METIS that has the fewest operations.
+//
+// yardstick FILE... reads matrices in the format of speed/tangent.py and prints a line of JSON for each.
+// Where a file goes on with the vertex of each unknown (int32), the number of vertices (int32) and their
+// places in the plane (float64, x y x y ...), it times the solver's own factorisation of the same matrix as
+// well.
+#include <cblas.h>
+#include <cholmod.h>
+
+#include <cstdint>
+#include <cstdio>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+
+#include "cholesky.h"
+#include "stopwatch.h"
+
+namespace {
+
+struct Matrix {
+    std::vector<std::int64_t> starts;
+    std::vector<std::int32_t> rows;
+    std::vector<double> values;
+    film::Blocks blocks; // none when the file does not tell
+
+    explicit Matrix(const char* path) {
+        std::ifstream file(path, std::ios::binary);
+        const std::vector<std::int64_t> sizes = numbers<std::int64_t>(file, 2);
+        starts = numbers<std::int64_t>(file, sizes[0] + 1);
+        rows = numbers<std::int32_t>(file, sizes[1]);
+        values = numbers<double>(file, sizes[1]);
+        if (!file)
+            throw std::runtime_error(std::string(path) + " holds no matrix");
+        if (file.peek() == std::ifstream::traits_type::eof())
+            return;
+        blocks.block_of_unknown = numbers<std::int32_t>(file, sizes[0]);
+        const std::int64_t count = numbers<std::int32_t>(file, 1)[0];
+        const std::vector<double> places = numbers<double>(file, 2 * count);
+        if (!file)
+            throw std::runtime_error(std::string(path) + " ends amid the vertices");
+        for (size_t k = 0; k < places.size(); k += 2)
+            blocks.points.push_back({places[k], places[k + 1]});
+    }
+    size_t count() const { return starts.size() - 1; }
+
+private:
+    template <typename T>
+    static std::vector<T> numbers(std::ifstream& file, std::int64_t count) {
+        std::vector<T> result(file ? count : 2);
+        file.read(reinterpret_cast<char*>(result.data()),
+                  static_cast<std::streamsize>(result.size() * sizeof(T)));
+        return result;
+    }
+};
+
+// CHOLMOD's work on a matrix, in seconds.
+void time_cholmod(const Matrix& matrix) {
+    std::vector<SuiteSparse_long> starts(matrix.starts.begin(), matrix.starts.end());
+    std::vector<SuiteSparse_long> rows(matrix.rows.begin(), matrix.rows.end());
+    std::vector<double> values = matrix.values;
+    cholmod_sparse lower{};
+    lower.nrow = lower.ncol = matrix.count();
+    lower.nzmax = values.size();
+    lower.p = starts.data();
+    lower.i = rows.data();
+    lower.x = values.data();
+    lower.stype = -1;
+    lower.itype = CHOLMOD_LONG;
+    lower.xtype = CHOLMOD_REAL;
+    lower.dtype = CHOLMOD_DOUBLE;
+    lower.sorted = lower.packed = 1;
+
+    cholmod_common common;
+    cholmod_l_start(&common);
+    common.supernodal = CHOLMOD_SUPERNODAL;
+    common.nmethods = 2;
+    common.method[0].ordering = CHOLMOD_AMD;
+    common.method[1].ordering = CHOLMOD_METIS;
+    cholmod_factor* factor = nullptr;
+    const double analyse = processor_seconds([&] { factor = cholmod_l_analyze(&lower, &common); });
+    const double entries = common.lnz, flops = common.fl;
+    const double factorise = median_processor_seconds([&] { cholmod_l_factorize(&lower, factor, &common); });
+    const bool definite = factor->minor == matrix.count();
+    cholmod_dense* right = cholmod_l_ones(matrix.count(), 1, CHOLMOD_REAL, &common);
+    cholmod_dense *solution = nullptr, *work = nullptr, *more = nullptr;
+    const double solve = median_processor_seconds([&] {
+        cholmod_l_solve2(CHOLMOD_A, factor, right, nullptr, &solution, nullptr, &work, &more, &common);
+    });
+    std::printf(
+        "\"definite\": %s, \"factor_seconds\": %.6g, \"analyse_seconds\": %.6g, \"solve_seconds\": %.6g, "
+        "\"factor_entries\": %.6g, \"flops\": %.6g",
+        definite ? "true" : "false", factorise, analyse, solve, entries, flops);
+    for (cholmod_dense* vector : {right, solution, work, more})
+        cholmod_l_free_dense(&vector, &common);
+    cholmod_l_free_factor(&factor, &common);
+    cholmod_l_finish(&common);
+}
+
+// The solver's own: on one thread, and on two by the clock.
+void time_ours(const Matrix& matrix) {
+    film::SymmetricMatrix lower(matrix.count(), matrix.count());
+    lower.resizeNonZeros(static_cast<Eigen::Index>(matrix.values.size()));
+    std::copy(matrix.starts.begin(), matrix.starts.end(), lower.outerIndexPtr());
+    std::copy(matrix.rows.begin(), matrix.rows.end(), lower.innerIndexPtr());
+    std::copy(matrix.values.begin(), matrix.values.end(), lower.valuePtr());
+    const double analyse = processor_seconds([&] { film::Cholesky(lower, matrix.blocks, 1); });
+    film::Cholesky alone(lower, matrix.blocks, 1), both(lower, matrix.blocks, 2);
+    Eigen::VectorXd right = Eigen::VectorXd::Ones(lower.cols());
+    const double factorise = median_processor_seconds([&] { alone.factorise(lower.valuePtr(), nullptr); });
+    const double together = median_processor_seconds([&] {
+        right.setOnes();
+        alone.factorise_and_solve(lower.valuePtr(), nullptr, right.data());
+    });
+    const double solve = median_processor_seconds([&] {
+        right.setOnes();
+        alone.solve(right.data());
+    });
+    const double shared = median_clock_seconds([&] { both.factorise(lower.valuePtr(), nullptr); });
+    std::printf(", \"ours\": {\"analyse_seconds\": %.6g, \"factor_seconds\": %.6g, \"solve_seconds\": %.6g, "
+                "\"factor_and_solve_seconds\": %.6g, \"two_threads_clock_seconds\": %.6g, "
+                "\"factor_entries\": %zu, \"bytes\": %zu}",
+                analyse, factorise, solve, together, shared, alone.factor_entries(), alone.bytes());
+}
+
+} // namespace
+
+int main(int count, char** paths) {
+    openblas_set_num_threads(1);
+    try {
+        for (int k = 1; k < count; ++k) {
+            const Matrix matrix(paths[k]);
+            std::printf("{\"file\": \"%s\", \"unknowns\": %zu, ", paths[k], matrix.count());
+            time_cholmod(matrix);
+            if (!matrix.blocks.points.empty())
+                time_ours(matrix);
+            std::printf("}\n");
+            std::fflush(stdout);
+        }
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 1;
+    }
+    return 0;
+}
