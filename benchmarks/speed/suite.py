@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import json
 import math
+import os
 import subprocess
 import sys
 from dataclasses import asdict
@@ -96,7 +97,11 @@ def _solve(folder: Path, shape: str, vertices: int, expected: float) -> dict[str
         job = _job(shape, vertices, repeats=repeats, warm=True, matrix=str(matrix), shift=shift)
         found = _worker(job)
         ended = subprocess.run(
-            [str(folder / "yardstick" / "yardstick"), str(matrix)], capture_output=True, text=True, check=True
+            [str(folder / "yardstick" / "yardstick"), str(matrix)],
+            capture_output=True,
+            text=True,
+            check=True,
+            env={**os.environ, "OMP_NUM_THREADS": "1"},
         )
         matrix.unlink()
         rod = json.loads(ended.stdout)

@@ -9,6 +9,9 @@ the rows of a column in rising order:
     int64   starts       (count + 1) where each column begins
     int32   rows         (entries)
     float64 values       (entries)
+    int32   vertices     (count) the vertex that each unknown belongs to
+    int32   vertex_count
+    float64 places       (vertex_count, 2) of the vertices in the flat panel
 """
 
 from __future__ import annotations
@@ -23,15 +26,19 @@ from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.solver.model import film_problem
 from BalloonWorkbench.core.solver.newton import DIRECTOR_SHIFT
 from BalloonWorkbench.core.solver.shell import Shell, tangent_frames
+from BalloonWorkbench.core.types import Floats, Ints
 
 if TYPE_CHECKING:
     from scipy.sparse import csc_matrix
 
 
-def tangent(inflation: Inflation, film: Film, pressure: float, shift: float) -> csc_matrix:
+def tangent(
+    inflation: Inflation, film: Film, pressure: float, shift: float
+) -> tuple[csc_matrix, Ints, Floats]:
     """The Hessian at an inflated film, dimensionless, made definite by a shift as the solver does it.
 
-    Every position and director is an unknown, however the solver arranges its own systems.
+    Every position and director is an unknown, however the solver arranges its own systems. Also the vertex of
+    each unknown, and the vertices' places (n, 2) in the flat panel.
     """
     size = float(np.ptp(inflation.panel.rest_positions, axis=0).max())
     shell = Shell(film_problem(inflation.panel, film, pressure))
@@ -41,10 +48,11 @@ def tangent(inflation: Inflation, film: Film, pressure: float, shift: float) -> 
     mass = np.empty(shell.fixed.shape)
     mass[:, :3] = shell.vertex_areas[:, None]
     mass[:, 3:] = DIRECTOR_SHIFT * shell.flexural_rigidity
-    return shell.scatter.shifted(hessian, shift * mass[~shell.fixed])
+    matrix = shell.scatter.shifted(hessian, shift * mass[~shell.fixed])
+    return matrix, np.nonzero(~shell.fixed)[0].astype(np.int32), inflation.panel.rest_positions
 
 
-def write_matrix(path: Path, matrix: csc_matrix) -> None:
+def write_matrix(path: Path, matrix: csc_matrix, vertices: Ints, places: Floats) -> None:
     """Write the lower triangle of a symmetric matrix for yardstick.cpp."""
     from scipy.sparse import tril
 
@@ -56,5 +64,8 @@ def write_matrix(path: Path, matrix: csc_matrix) -> None:
             (lower.indptr, np.int64),
             (lower.indices, np.int32),
             (lower.data, np.float64),
+            (vertices, np.int32),
+            ([len(places)], np.int32),
+            (places, np.float64),
         ):
             file.write(np.ascontiguousarray(array, dtype=kind).tobytes())

@@ -57,7 +57,7 @@ def main(job: dict[str, Any]) -> dict[str, Any]:
         ]
         found["warm"] = {**summary([seconds for _, seconds in runs]), **report(runs[0][0])}
     if job["matrix"]:
-        write_matrix(Path(job["matrix"]), tangent(result, film, cases.PRESSURE, job["shift"]))
+        write_matrix(Path(job["matrix"]), *tangent(result, film, cases.PRESSURE, job["shift"]))
     return found
 
 
