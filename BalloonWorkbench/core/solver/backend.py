@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The choice of solver, made once: native when its library loads, NumPy otherwise."""
+"""The choice of solver, made once: native when its library loads, NumPy otherwise.
+
+Both are the same quasi-static Newton method. Motion in time (Newmark) is slower and is taken on demand only.
+"""
 
 from __future__ import annotations
 
@@ -10,7 +13,7 @@ from dataclasses import dataclass
 from typing import Protocol
 
 from BalloonWorkbench.core.errors import InputError, MissingPackageError
-from BalloonWorkbench.core.solver import native, newton
+from BalloonWorkbench.core.solver import motion, native, newton
 from BalloonWorkbench.core.solver.problem import Energies, Equilibrium, FilmProblem, NewtonSettings
 from BalloonWorkbench.core.types import Floats, Progress
 
@@ -45,7 +48,7 @@ def available() -> tuple[Backend, ...]:
     found = []
     if native.problem_with_library() is None:
         found.append(Backend("native", native.solve, native.energies))
-    if importlib.util.find_spec("scipy") is not None:  # some FreeCADs lack it
+    if _scipy_is_there():
         found.append(Backend("numpy", newton.solve, newton.energies))
     if not found:
         raise MissingPackageError(
@@ -59,10 +62,18 @@ def active_backend() -> str:
     return available()[0].name
 
 
-def backend_named(name: str | None) -> Backend:
+def _scipy_is_there() -> bool:
+    return importlib.util.find_spec("scipy") is not None  # some FreeCADs lack it
+
+
+def backend_named(name: str | Backend | None) -> Backend:
     """The named solver, or the best one for None. Raises InputError when it is not available."""
+    if isinstance(name, Backend):
+        return name
     if name is None:
         return available()[0]
+    if name == "newmark" and _scipy_is_there():
+        return Backend("newmark", motion.solve, newton.energies)
     for backend in available():
         if backend.name == name:
             return backend
@@ -70,8 +81,8 @@ def backend_named(name: str | None) -> Backend:
         raise InputError(
             f"The native solver is not available: {native.problem_with_library()} Use the NumPy solver."
         )
-    if name == "numpy":
+    if name in ("numpy", "newmark"):
         raise InputError(
-            "The NumPy solver needs the Python package scipy. Install it or use the native solver."
+            f"The solver '{name}' needs the Python package scipy. Install it or use the native solver."
         )
-    raise InputError(f"There is no solver named '{name}'. Use 'native' or 'numpy'.")
+    raise InputError(f"There is no solver named '{name}'. Use 'native', 'numpy' or 'newmark'.")

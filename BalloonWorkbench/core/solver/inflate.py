@@ -11,7 +11,7 @@ from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.mesh.panel import Panel
 from BalloonWorkbench.core.solver import start as starts
-from BalloonWorkbench.core.solver.backend import backend_named
+from BalloonWorkbench.core.solver.backend import Backend, backend_named
 from BalloonWorkbench.core.solver.dkt import gradients
 from BalloonWorkbench.core.solver.inflation import Inflation, SolveReport
 from BalloonWorkbench.core.solver.kinematics import deformation_gradients, film_volume, green_strains
@@ -34,7 +34,7 @@ def inflate(
     pressure: float,
     *,
     start: Inflation | None = None,
-    backend: str | None = None,
+    backend: str | Backend | None = None,
     progress: Progress = no_progress,
     settings: NewtonSettings | None = None,
     model: Model | None = None,
@@ -42,7 +42,7 @@ def inflate(
     """The balloon of two equal panels sealed along their seams, under an overpressure [Pa].
 
     start   an earlier result on a panel of the same connectivity: skips the continuation
-    backend "native", "numpy" or None for the best one available
+    backend "native", "numpy" or None for the best one available; "newmark" blows the balloon up in time
     model   what is simulated, for comparisons
 
     A seal_width of 0 leaves the rim without the stiffness of a sealed band. A solve that uses up its steps

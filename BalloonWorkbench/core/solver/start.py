@@ -3,12 +3,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import numpy as np
 
 from BalloonWorkbench.core.mesh.panel import Panel
 from BalloonWorkbench.core.solver.dkt import gradients
+from BalloonWorkbench.core.solver.linear import conjugate_gradients
 from BalloonWorkbench.core.types import Floats
 
 # z = DOME sqrt(u) has the height of a long pillow, w/pi, over a strip of width w (u = w^2/8 at the middle)
@@ -34,28 +33,8 @@ def dome(panel: Panel) -> Floats:
         return result
 
     diagonal = at_vertices(np.einsum("maa->ma", stiffness))
-    height = _conjugate_gradients(laplace, load, diagonal)
+    height = conjugate_gradients(laplace, load, lambda residual: residual / diagonal, 1e-6).solution
     return np.column_stack([panel.rest_positions, DOME * np.sqrt(np.maximum(height, 0.0))])
-
-
-def _conjugate_gradients(
-    matrix: Callable[[Floats], Floats], load: Floats, diagonal: Floats, tolerance: float = 1e-6
-) -> Floats:
-    """Solve a positive definite system with a diagonal preconditioner; enough for a start shape."""
-    solution = np.zeros_like(load)
-    residual = load.copy()
-    scaled = residual / diagonal
-    direction = scaled.copy()
-    size = first = float(residual @ scaled)
-    while size > tolerance**2 * first:
-        image = matrix(direction)
-        length = size / float(direction @ image)
-        solution += length * direction
-        residual -= length * image
-        scaled = residual / diagonal
-        previous, size = size, float(residual @ scaled)
-        direction = scaled + size / previous * direction
-    return solution
 
 
 def vertex_normals(positions: Floats, panel: Panel) -> Floats:
