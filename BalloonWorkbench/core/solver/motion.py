@@ -91,7 +91,9 @@ def solve(
         if resting == 2 or count == settings.max_steps:
             break
     if not state.time:
-        raise SolverError("The simulation cannot take its first step. Check the outline for degenerate parts.")
+        raise SolverError(
+            "The simulation cannot take its first step. Check the outline for degenerate parts."
+        )
     fraction = 1.0
     watch()
     return Equilibrium(
