@@ -12,8 +12,9 @@ from BalloonWorkbench.core.mesh.panel import Panel
 from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.mesh.triangulate import triangulate
 from BalloonWorkbench.core.solver.inflation import Inflation, SolveReport
+from BalloonWorkbench.core.solver.model import Model
 
-REPORT = SolveReport("numpy", 12, 14, 0.5, True, 300.0, 1e-5, 0.0)
+REPORT = SolveReport("numpy", 12, 14, 0.5, True, 300.0, 1e-5, 0.0, 2000.0, Model())
 
 
 def lifted(panel: Panel, shrink: float = 0.9) -> Inflation:

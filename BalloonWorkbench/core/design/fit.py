@@ -35,6 +35,7 @@ from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.outline.sampling import arc_lengths
 from BalloonWorkbench.core.solver.inflate import inflate
 from BalloonWorkbench.core.solver.inflation import Inflation
+from BalloonWorkbench.core.solver.model import Model
 from BalloonWorkbench.core.types import Floats, Progress, no_progress
 
 VERTICES = 1500  # of an automatic mesh
@@ -70,6 +71,7 @@ def fit(
     *,
     mesh_size: float | None = None,
     backend: str | None = None,
+    model: Model | None = None,
     progress: Progress = no_progress,
 ) -> Design:
     """The pattern whose inflated silhouette is the target, as nearly as film allows.
@@ -95,7 +97,8 @@ def fit(
     stalled = passes = meshes = halvings = 0
     while passes < MOST_PASSES and stalled <= PATIENCE:
         try:
-            current = _try(target, course, previous, film, pressure, edge, backend, _part(progress, passes))
+            share = _part(progress, passes)
+            current = _try(target, course, previous, film, pressure, edge, backend, model, share)
         except MeshError as error:
             if edge == fine and last is None:
                 raise
@@ -137,6 +140,7 @@ def inflate_outline(
     *,
     mesh_size: float | None = None,
     backend: str | None = None,
+    model: Model | None = None,
     progress: Progress = no_progress,
 ) -> Design:
     """The balloon that a given pattern makes, without correction; the target is the pattern itself."""
@@ -144,7 +148,7 @@ def inflate_outline(
     pattern = check(pattern)
     edge = mesh_size or size_for(pattern, VERTICES)
     course = Course(pattern.loops, pattern.loops)
-    only = _try(pattern, course, None, film, pressure, edge, backend, progress)
+    only = _try(pattern, course, None, film, pressure, edge, backend, model, progress)
     return _design(pattern, only, 0, 1, time.perf_counter() - began)
 
 
@@ -156,6 +160,7 @@ def _try(
     pressure: float,
     edge: float,
     backend: str | None,
+    model: Model | None,
     progress: Progress,
 ) -> _Pass:
     """Inflate the pattern of a course, on the mesh of the previous pass where that still serves."""
@@ -165,7 +170,7 @@ def _try(
     else:
         panel = triangulate(course.outline, edge)
         nodes, start = seam_nodes(course, panel), None
-    inflation = inflate(panel, film, pressure, start=start, backend=backend, progress=progress)
+    inflation = inflate(panel, film, pressure, start=start, backend=backend, model=model, progress=progress)
     placed = _aligned(course, nodes, inflation)
     shown = silhouette(placed)
     return _Pass(course, panel, nodes, placed, shown, residual(target, shown))
@@ -187,7 +192,10 @@ def _aligned(course: Course, nodes: tuple[SeamNodes, ...], inflation: Inflation)
     positions, directors = inflation.positions.copy(), inflation.directors.copy()
     positions[:, :2] = positions[:, :2] @ rotation.T + shift
     directors[:, :2] = directors[:, :2] @ rotation.T
-    return replace(inflation, positions=positions, directors=directors)
+    lower = inflation.lower
+    if lower is not None:
+        lower = np.column_stack([lower[:, :2] @ rotation.T + shift, lower[:, 2]])
+    return replace(inflation, positions=positions, directors=directors, lower=lower)
 
 
 def _corrected(current: _Pass, mixing: AndersonMixing, edge: float, size: float) -> Course:

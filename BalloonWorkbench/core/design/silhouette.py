@@ -16,11 +16,12 @@ from BalloonWorkbench.core.types import Floats
 def silhouette(inflation: Inflation) -> Outline:
     """Outline of all projected triangles, with as many holes as the panel has [m].
 
-    Both halves cast the same shadow, so the upper one is enough. Slivers between folds of the rim are no
+    Mirrored halves cast the same shadow, so the upper one is enough. Slivers between folds of the rim are no
     holes.
     """
     package = shapely()
-    corners = inflation.positions[inflation.panel.triangles][:, [0, 1, 2, 0], :2]
+    halves = [inflation.positions] if inflation.lower is None else [inflation.positions, inflation.lower]
+    corners = np.concatenate([half[inflation.panel.triangles][:, [0, 1, 2, 0], :2] for half in halves])
     shadow = package.union_all(package.polygons(corners))
     body = max(package.get_parts(shadow), key=lambda part: float(part.area))
     holes = sorted((_loop(ring) for ring in body.interiors), key=signed_area, reverse=True)

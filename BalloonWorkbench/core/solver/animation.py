@@ -20,6 +20,7 @@ from BalloonWorkbench.core.solver import motion
 from BalloonWorkbench.core.solver.backend import backend_named
 from BalloonWorkbench.core.solver.inflate import inflate
 from BalloonWorkbench.core.solver.inflation import Inflation
+from BalloonWorkbench.core.solver.model import Model
 from BalloonWorkbench.core.solver.newmark import State
 from BalloonWorkbench.core.types import Floats, Progress, no_progress
 
@@ -29,15 +30,22 @@ VISIBLE = 2e-3
 
 @dataclass(frozen=True)
 class Frame:
-    """A balloon on its way: time [s], positions (n, 3) m of the upper half, overpressure [Pa]."""
+    """A balloon on its way: time [s], overpressure [Pa], positions (n, 3) m as in Inflation."""
 
     time: float
     positions: Floats
     pressure: float
+    lower: Floats | None = None
 
 
 def inflate_in_time(
-    panel: Panel, film: Film, pressure: float, *, frames: int = 60, progress: Progress = no_progress
+    panel: Panel,
+    film: Film,
+    pressure: float,
+    *,
+    frames: int = 60,
+    model: Model | None = None,
+    progress: Progress = no_progress,
 ) -> tuple[Inflation, tuple[Frame, ...]]:
     """The balloon at rest and so many frames of its inflation, the last of which is the balloon at rest.
 
@@ -53,14 +61,17 @@ def inflate_in_time(
     states: list[State] = []
     newmark = backend_named("newmark")
     recording = replace(newmark, solve=partial(motion.solve, record=states.append))
-    inflation = inflate(panel, film, pressure, backend=recording, progress=progress)
+    inflation = inflate(panel, film, pressure, backend=recording, model=model, progress=progress)
     size = float(np.ptp(panel.rest_positions, axis=0).max())
     unit = float(np.sqrt(film.areal_density * size / pressure))
-    strip = [
-        Frame(time * unit, _positions(states, time) * size, motion.ramped(time) * pressure)
-        for time in _times(states, frames)
-    ]
-    return inflation, (*strip[:-1], replace(strip[-1], positions=inflation.positions))
+    upper = len(panel.rest_positions)
+    strip = []
+    for time in _times(states, frames):
+        positions = _positions(states, time) * size
+        lower = positions[upper:] if len(positions) > upper else None
+        strip.append(Frame(time * unit, positions[:upper], motion.ramped(time) * pressure, lower))
+    last = replace(strip[-1], positions=inflation.positions, lower=inflation.lower)
+    return inflation, (*strip[:-1], last)
 
 
 def _times(states: list[State], count: int) -> list[float]:

@@ -82,6 +82,8 @@ def inflate(
         stiffness_k,
         problem.flexural_rigidity * pressure * size**3,
         energies.bending / max(-energies.pressure, 1e-300),
+        pressure,
+        model,
     )
     shape, _ = gradients(problem.rest_positions[problem.triangles])
     strains = green_strains(deformation_gradients(rest.positions, problem.triangles, shape))

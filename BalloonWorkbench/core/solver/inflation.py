@@ -6,14 +6,15 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from BalloonWorkbench.core.mesh.panel import Panel
+from BalloonWorkbench.core.solver.model import Model
 from BalloonWorkbench.core.types import Floats
 
 
 @dataclass(frozen=True)
 class SolveReport:
-    """How the solve went."""
+    """What was solved and how it went."""
 
-    backend: str  # "native" or "numpy"
+    backend: str  # "native", "numpy" or "newmark"
     newton_steps: int
     factorisations: int
     seconds: float
@@ -21,6 +22,8 @@ class SolveReport:
     stiffness_k: float  # E t / (p L), L the larger dimension of the panel
     flexural_rigidity: float  # used in the simulation [N m]; the film's own where that is above the floor
     bending_share: float  # energy of bending, relative to the work of the pressure
+    pressure: float  # [Pa]
+    model: Model
 
 
 @dataclass(frozen=True)

@@ -101,7 +101,7 @@ def both_panels(problem: FilmProblem, seams: tuple[Ints, ...]) -> FilmProblem:
         fixed[seam, 2] = False
         tied[count + seam] = seam
     grain = problem.grain
-    if grain is not None and np.sin(2.0 * grain.angle) != 0.0:
+    if grain is not None and abs(np.sin(2.0 * grain.angle)) > 1e-9:
         raise InputError("Two panels with a grain aslant are no mirror images. Turn the grain along x or y.")
     return replace(
         problem,

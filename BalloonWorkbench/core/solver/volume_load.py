@@ -4,18 +4,76 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+from typing import TypeVar
 
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.mesh.panel import Panel
 from BalloonWorkbench.core.solver.inflate import inflate
 from BalloonWorkbench.core.solver.inflation import Inflation
+from BalloonWorkbench.core.solver.model import Model
 from BalloonWorkbench.core.types import Progress, no_progress
 
-#: Pressures tried are such that E t / (p L) lies between these.
-SOFTEST, STIFFEST = 2.0, 1e6
+#: Pressures tried are such that E t / (p L) lies between these; the first is such a film.
+SOFTEST, FIRST, STIFFEST = 2.0, 200.0, 1e6
+STRIDE = math.log(4.0)  # of the logarithm of the pressure, until the volume lies between two trials
 TOLERANCE = 1e-4  # of the volume
-MOST_SOLVES = 30
+MOST_TRIALS = 40
+
+Result = TypeVar("Result")
+
+
+def search_pressure(
+    volume: float,
+    unit: float,
+    solve: Callable[[float], Result],
+    volume_of: Callable[[Result], float],
+    tolerance: float = TOLERANCE,
+) -> Result:
+    """The result of solve(pressure [Pa]) that has a volume [m3], found by trying.
+
+    unit is E t / L [Pa]. The volume rises with the pressure, but little once the film is taut: strides, then
+    a false position in the logarithm of the pressure, in which an end that stays twice counts half (Illinois).
+    Raises InputError when the film would be limp at that volume, or stretched beyond what it can bear.
+    """
+    if not (math.isfinite(volume) and volume > 0.0):
+        raise InputError(f"The volume must be positive, not {volume:g} m3.")
+    lowest, highest = -math.log(STIFFEST), -math.log(SOFTEST)
+    low, high = lowest, highest
+    miss_low = miss_high = math.nan  # not tried yet
+    at = -math.log(FIRST)
+    best, nearest, before = None, math.inf, 0.0
+    for _ in range(MOST_TRIALS):
+        found = solve(unit * math.exp(at))
+        miss = volume_of(found) - volume
+        if abs(miss) < nearest:
+            best, nearest = found, abs(miss)
+        if nearest <= tolerance * volume:
+            break
+        if miss < 0.0:
+            miss_high *= 0.5 if before < 0.0 else 1.0
+            low, miss_low = at, miss
+        else:
+            miss_low *= 0.5 if before > 0.0 else 1.0
+            high, miss_high = at, miss
+        before = miss
+        if at in (lowest, highest) and (math.isnan(miss_low) or math.isnan(miss_high)):
+            bound = "less than" if miss < 0.0 else "more than"
+            raise InputError(
+                f"This balloon holds {bound} {1e3 * volume:.4g} litres at any pressure that suits its film: "
+                f"{1e3 * volume_of(found):.4g} litres at {unit * math.exp(at):.3g} Pa. "
+                "Change the size of the balloon or the volume."
+            )
+        if math.isnan(miss_high):
+            at = min(at + STRIDE, highest)
+        elif math.isnan(miss_low):
+            at = max(at - STRIDE, lowest)
+        else:
+            middle = (low * miss_high - high * miss_low) / (miss_high - miss_low)
+            at = min(max(middle, low + 0.05 * (high - low)), high - 0.05 * (high - low))
+    assert best is not None  # the volume of the first trial is a number
+    return best
 
 
 def inflate_to_volume(
@@ -24,42 +82,13 @@ def inflate_to_volume(
     volume: float,
     *,
     backend: str | None = None,
+    model: Model | None = None,
     progress: Progress = no_progress,
-) -> tuple[Inflation, float]:
-    """The balloon of a volume [m3] and the overpressure [Pa] that it needs.
-
-    The volume rises with the pressure, but little once the film is taut: a false position in the logarithm
-    of the pressure. Raises InputError when the film would be limp at that volume, or stretched beyond what
-    it can bear.
-    """
-    if not (math.isfinite(volume) and volume > 0.0):
-        raise InputError(f"The volume must be positive, not {volume:g} m3.")
+) -> Inflation:
+    """The balloon of a volume [m3]; report.pressure is what it needs. Raises what search_pressure does."""
     size = float((panel.rest_positions.max(axis=0) - panel.rest_positions.min(axis=0)).max())
-    unit = film.membrane_stiffness / size
 
-    def tried(logarithm: float, start: Inflation | None) -> Inflation:
-        return inflate(
-            panel, film, unit * math.exp(logarithm), start=start, backend=backend, progress=progress
-        )
+    def tried(pressure: float) -> Inflation:
+        return inflate(panel, film, pressure, backend=backend, model=model, progress=progress)
 
-    low, high = -math.log(STIFFEST), -math.log(SOFTEST)
-    below, above = tried(low, None), tried(high, None)
-    if not below.volume <= volume <= above.volume:
-        raise InputError(
-            f"This film can hold {1e3 * below.volume:.4g} to {1e3 * above.volume:.4g} litres,"
-            f" not {1e3 * volume:.4g}. Change the size of the balloon or the volume."
-        )
-    best, pressure = (below, low) if volume - below.volume < above.volume - volume else (above, high)
-    miss_low, miss_high = below.volume - volume, above.volume - volume
-    for _ in range(MOST_SOLVES):
-        if abs(best.volume - volume) <= TOLERANCE * volume:
-            break
-        middle = (low * miss_high - high * miss_low) / (miss_high - miss_low)
-        middle = min(max(middle, low + 0.05 * (high - low)), high - 0.05 * (high - low))
-        best, pressure = tried(middle, None), middle
-        miss = best.volume - volume
-        if miss < 0.0:  # the end that stays counts half (Illinois), so that both ends move
-            low, miss_low, miss_high = middle, miss, 0.5 * miss_high
-        else:
-            high, miss_high, miss_low = middle, miss, 0.5 * miss_low
-    return best, unit * math.exp(pressure)
+    return search_pressure(volume, film.membrane_stiffness / size, tried, lambda found: found.volume)
