@@ -9,18 +9,18 @@ _LONGEST_SIDE = 1600  # px; as fine as the engine looks
 
 
 def read_drawing(path: str, width, height, keep_aspect: bool = True):
-    """The outline in a file and its kind; width and height are length properties or mm, 0 when free.
+    """The shapes in a file and its kind; width and height are length properties or mm, 0 when free.
 
     Raises BalloonError when there is no usable shape in the file.
     """
-    from BalloonWorkbench.core.outline.read import read_outline
+    from BalloonWorkbench.core.outline import read
 
     wanted = metres(width) or None, metres(height) or None
-    outline, kind = read_outline(path, *wanted, decode=_decoder())
+    drawing, kind = read.read_drawing(path, *wanted, decode=_decoder())
     if None in wanted or keep_aspect:
-        return outline, kind
-    factors = [want / have for want, have in zip(wanted, outline.size, strict=True)]
-    return outline.map(lambda loop: loop * factors), kind
+        return drawing, kind
+    factors = [want / have for want, have in zip(wanted, drawing.size, strict=True)]
+    return drawing.map(lambda loop: loop * factors), kind
 
 
 def _decoder():

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from BalloonWorkbench.app import migrate, status
 from BalloonWorkbench.app.properties import Property, add_missing, show_in_editor
 from BalloonWorkbench.app.stateless import Stateless
@@ -18,6 +20,8 @@ PROPERTIES = (
         "Sketch, wire or face that the outline follows instead of a file",
     ),
     Property("Length", "Width", "Drawing", "Width of the drawing; 0 follows from the height", 300.0),
+    Property("Link", "Leader", "Drawing", "The outline whose drawing this one shares; empty: its own"),
+    Property("Integer", "Part", "Drawing", "Which shape of the drawing it is; 1 is the largest", 1),
     Property("Length", "Height", "Drawing", "Height of the drawing; 0 follows from the width"),
     Property(
         "Bool", "KeepAspect", "Drawing", "Fit inside width and height instead of stretching to both", True
@@ -50,17 +54,18 @@ class OutlineProxy(Stateless):
         hooks.dress(obj)
 
     def onChanged(self, obj, name):
-        if name == "Source" and "Status" in obj.PropertiesList:
+        if name in ("Source", "Leader") and "Status" in obj.PropertiesList:
             self.follow_source(obj)
 
     def follow_source(self, obj):
-        """A sketch brings its own size: hide the wanted one."""
-        mode = "hide" if obj.Source else "edit"
+        """A sketch brings its own size: hide the wanted one. The leader has all of them."""
+        mode = "hide" if obj.Source or obj.Leader else "edit"
         show_in_editor(obj, Drawing=mode, Width=mode, Height=mode, KeepAspect=mode)
+        show_in_editor(obj, Source="hide" if obj.Leader else "edit")
 
     def execute(self, obj):
         has_result = bool(obj.LoopCounts)
-        if not obj.Source and not obj.Drawing:
+        if not has_drawing(obj):
             status.set_problem(obj, has_result, "Choose a picture or a sketch.")
             return
         with status.reported(obj, has_result):
@@ -79,17 +84,45 @@ def set_drawing(obj, path) -> None:
     obj.Drawing = (os.fspath(path), os.path.basename(path))
 
 
+def leader(obj):
+    """The outline that has the drawing: the object itself, or the one whose drawing it shares."""
+    return obj.Leader or obj
+
+
+def has_drawing(obj) -> bool:
+    """Whether there is anything to read."""
+    return bool(leader(obj).Source or leader(obj).Drawing)
+
+
 def read(obj):
     """The outline, what it was read from, and the placement of a linked source (None for a drawing)."""
-    if obj.Source:
-        from BalloonWorkbench.app.sketch import outline_of
+    from BalloonWorkbench.core.errors import OutlineError
 
-        outline, placement = outline_of(*obj.Source)
-        return outline, "sketch", placement
+    drawing, kind, placement = read_all(leader(obj))
+    if not 1 <= obj.Part <= len(drawing.parts):
+        count = len(drawing.parts)
+        raise OutlineError(
+            f"The drawing has {count} shape{'s' * (count > 1)} and no number {obj.Part}: choose another Part,"
+            " or delete this balloon."
+        )
+    outline = drawing.parts[obj.Part - 1]
+    if len(drawing.parts) > 1:
+        told = f"This is shape {obj.Part} of the {len(drawing.parts)} in the drawing."
+        outline = replace(outline, notes=(told, *outline.notes))
+    return outline, kind, placement
+
+
+def read_all(obj):
+    """All shapes of an outline's drawing, what it was read from, and the placement as for `read`."""
+    if obj.Source:
+        from BalloonWorkbench.app.sketch import drawing_of
+
+        drawing, placement = drawing_of(*obj.Source)
+        return drawing, "sketch", placement
     from BalloonWorkbench.app.drawing import read_drawing
 
-    outline, kind = read_drawing(obj.Drawing, obj.Width, obj.Height, obj.KeepAspect)
-    return outline, kind, None
+    drawing, kind = read_drawing(obj.Drawing, obj.Width, obj.Height, obj.KeepAspect)
+    return drawing, kind, None
 
 
 def show(obj, outline, kind: str) -> None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""From a sketch, wire or face to an outline: curves become polylines in the plane they lie in."""
+"""From a sketch, wire or face to a drawing: curves become polylines in the plane they lie in."""
 
 from __future__ import annotations
 
@@ -7,9 +7,8 @@ import FreeCAD as App
 import numpy as np
 
 from BalloonWorkbench.core.errors import OutlineError
-from BalloonWorkbench.core.outline.chains import outline_from
-from BalloonWorkbench.core.outline.loops import check
-from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.outline.chains import drawing_from
+from BalloonWorkbench.core.outline.drawing import Drawing, checked
 from BalloonWorkbench.core.units import from_mm
 
 _DEFLECTION = 2e-5  # of a polyline from its curve, relative to the size of the shape: 6 um on 300 mm
@@ -17,7 +16,7 @@ _FLAT = 1e-5  # height over a plane that counts as none, relative to the size of
 _NO_SIZE = 1e-4  # mm
 
 
-def outline_of(source, elements: tuple[str, ...] = ()) -> tuple[Outline, App.Placement]:
+def drawing_of(source, elements: tuple[str, ...] = ()) -> tuple[Drawing, App.Placement]:
     """The closed lines of a source in their plane, and where that plane lies.
 
     source    a document object with a shape: a sketch, a Draft or Part wire, a face
@@ -35,7 +34,7 @@ def outline_of(source, elements: tuple[str, ...] = ()) -> tuple[Outline, App.Pla
     frame = _frame(shape, np.concatenate(lines), size, source.Label)
     back = np.array(frame.inverse().Matrix.A).reshape(4, 4)
     flat = [from_mm(line @ back[:2, :3].T + back[:2, 3]) for line in lines]
-    return check(outline_from(flat)), source.getGlobalPlacement() * frame
+    return checked(drawing_from(flat)), source.getGlobalPlacement() * frame
 
 
 def _shape(source, elements: tuple[str, ...]):

@@ -179,12 +179,19 @@ def test_ring_has_a_hole(doc, outline):
     assert outline.Shape.Area == pytest.approx(math.pi * (70**2 - 35**2), rel=3e-4)
 
 
-def test_several_shapes_take_the_largest(doc, outline):
+def test_part_chooses_among_several_shapes(doc, outline):
     small = sketches.polygon((200, 0), (220, 0), (220, 20))
     outline.Source = sketches.sketch(doc, *sketches.polygon((0, 0), (90, 0), (90, 90), (0, 90)), *small)
     doc.recompute()
+    assert outline.Part == 1
     assert outline.Shape.Area == pytest.approx(90 * 90)
-    assert outline.Notes
+    assert outline.Notes == ["This is shape 1 of the 2 in the drawing."]
+    outline.Part = 2
+    doc.recompute()
+    assert outline.Shape.Area == pytest.approx(200)
+    assert outline.Shape.BoundBox.XMin == pytest.approx(200)
+    kept(outline, lambda: setattr(outline, "Part", 3), "2 shapes", "Part")
+    kept(outline, lambda: setattr(outline, "Part", 0), "2 shapes")
 
 
 def test_picked_face_of_a_solid(doc, outline):

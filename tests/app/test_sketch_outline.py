@@ -9,15 +9,15 @@ import Part
 import pytest
 import sketches
 
-from BalloonWorkbench.app.sketch import outline_of
+from BalloonWorkbench.app.sketch import drawing_of
 from BalloonWorkbench.core.errors import OutlineError
 from BalloonWorkbench.core.outline.outline import signed_area
 
 
 def loops_of(source, elements=()):
     """Loops in mm and the plane."""
-    outline, placement = outline_of(source, elements)
-    return [loop * 1000 for loop in outline.loops], placement
+    drawing, placement = drawing_of(source, elements)
+    return [loop * 1000 for loop in drawing.largest.loops], placement
 
 
 def areas(loops):
@@ -39,6 +39,14 @@ def test_arcs_follow_the_curve(doc):
 def test_ring_has_two_loops(doc):
     loops, _ = loops_of(sketches.ring(doc, 35, 70))
     assert areas(loops) == pytest.approx([math.pi * 70**2, math.pi * 35**2], rel=2e-4)
+
+
+def test_separate_loops_are_separate_shapes(doc):
+    circles = [Part.Circle(sketches.vector(x, 0), App.Vector(0, 0, 1), r) for x, r in ((0, 20), (90, 30))]
+    drawing, _ = drawing_of(sketches.sketch(doc, *circles), ())
+    found = [(part.area * 1e6, *part.outer.mean(axis=0) * 1000) for part in drawing.parts]
+    assert found[0] == pytest.approx((math.pi * 900, 90, 0), rel=2e-3, abs=0.1)
+    assert found[1] == pytest.approx((math.pi * 400, 0, 0), rel=2e-3, abs=0.1)
 
 
 def test_letter_s(doc):

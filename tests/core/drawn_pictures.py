@@ -9,6 +9,8 @@ from pathlib import Path
 
 import numpy as np
 
+from BalloonWorkbench.core.outline.picture import drawing_of
+
 EXAMPLES = sorted(Path("resources/examples/pictures").glob("*.png"))
 
 
@@ -88,3 +90,8 @@ def turned_jpeg(data, orientation):
     entry = struct.pack("<HHIHH", 0x0112, 3, 1, orientation, 0)
     exif = b"Exif\0\0" + b"II*\0" + struct.pack("<IH", 8, 1) + entry + struct.pack("<I", 0)
     return data[:2] + b"\xff\xe1" + struct.pack(">H", len(exif) + 2) + exif + data[2:]
+
+
+def outline_of(rgba):
+    """The largest shape in pixels (h, w, 4)."""
+    return drawing_of(rgba).largest

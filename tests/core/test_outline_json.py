@@ -8,7 +8,11 @@ import pytest
 
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.outline import vector
-from BalloonWorkbench.core.outline.vector import read_vector
+
+
+def read_vector(path, *size):
+    """The largest shape of a drawing."""
+    return vector.read_vector(path, *size).largest
 
 
 def points(folder, text):
@@ -90,3 +94,25 @@ def test_a_drawing_is_scaled_when_asked(tmp_path):
     for width in (0.0, -1.0, 1e5):
         with pytest.raises(InputError, match="between 1 mm and 100 m"):
             read_vector(path, width)
+
+
+def test_json_with_several_shapes(tmp_path):
+    square = [[400, 0], [500, 0], [500, 100], [400, 100]]
+    hole = [[440, 40], [460, 40], [450, 60]]
+    path = points(tmp_path, {"parts": [{"outer": square, "holes": [hole]}, {"outer": TRIANGLE}]})
+    found = vector.read_vector(path, 1.0)
+    assert [part.area for part in found.parts] == pytest.approx([4 * 0.03, 4 * 0.0098])
+    assert found.size == pytest.approx((1.0, 0.4))
+    assert [len(part.holes) for part in found.parts] == [0, 1]
+
+
+def test_json_shapes_that_meet_are_refused(tmp_path):
+    other = [[280, -10], [320, -10], [320, 30]]
+    with pytest.raises(InputError, match=r"Two shapes meet at"):
+        vector.read_vector(points(tmp_path, {"unit": "mm", "parts": [{"outer": TRIANGLE}, {"outer": other}]}))
+
+
+@pytest.mark.parametrize("parts", [[], {}, [[0, 0]], [{"holes": []}]])
+def test_senseless_parts_are_refused(parts, tmp_path):
+    with pytest.raises(InputError, match="JSON file"):
+        vector.read_vector(points(tmp_path, {"unit": "mm", "parts": parts}))

@@ -11,14 +11,13 @@ from drawn_pictures import any_of, arc, box, disc, stroke
 
 from BalloonWorkbench.core.outline.decode import decode
 from BalloonWorkbench.core.outline.ends import free_ends
-from BalloonWorkbench.core.outline.picture import outline_of
 
 EXAMPLES = Path("resources/examples/pictures")
 INK = {"shape": (20, 20, 30)}
 
 
 def outline(inside, **colours):
-    return outline_of(pictures.coloured(pictures.drawn(inside, 500, 500, fine=4), **(INK | colours)))
+    return pictures.outline_of(pictures.coloured(pictures.drawn(inside, 500, 500, fine=4), **(INK | colours)))
 
 
 def test_a_closed_line_is_filled():
@@ -31,7 +30,7 @@ def test_a_closed_line_is_filled():
 def test_a_line_on_a_transparent_background_is_filled():
     part = pictures.drawn(arc(250, 250, 200, 0, 360, 12), 500, 500, fine=4)
     pixels = np.dstack([np.zeros((500, 500, 3)), np.rint(255 * part)]).astype(np.uint8)
-    assert outline_of(pixels).area == pytest.approx(np.pi * 206**2, rel=0.003)
+    assert pictures.outline_of(pixels).area == pytest.approx(np.pi * 206**2, rel=0.003)
 
 
 @pytest.mark.parametrize("degrees", [1, 6, 14])
@@ -90,7 +89,7 @@ def test_a_loose_part_is_joined():
 
 def test_a_face_left_white_in_a_coloured_drawing_is_filled():
     part = pictures.drawn(any_of(arc(250, 350, 100, 0, 360, 8), box(150, 50, 350, 250)), 500, 500, fine=4)
-    found = outline_of(pictures.coloured(part, (200, 60, 60)))
+    found = pictures.outline_of(pictures.coloured(part, (200, 60, 60)))
     assert found.holes == ()
     assert found.area > 200 * 200 + 0.95 * np.pi * 104**2
 
@@ -145,7 +144,7 @@ def test_free_ends_of_strokes():
 )
 def test_the_drawn_figure_is_what_a_person_sees(name, inside, outside):
     pixels = decode(EXAMPLES / f"{name}.png")
-    found = outline_of(pixels)
+    found = pictures.outline_of(pixels)
     dark = pixels[..., :3].max(axis=2) < 128
     left, low = (
         np.flatnonzero(dark.any(axis=0))[0],

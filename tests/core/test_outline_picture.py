@@ -15,7 +15,7 @@ from BalloonWorkbench.core.errors import InputError, MissingPackageError, Pictur
 from BalloonWorkbench.core.outline import decode as decoding
 from BalloonWorkbench.core.outline import raster
 from BalloonWorkbench.core.outline.outline import signed_area
-from BalloonWorkbench.core.outline.picture import outline_of, read_picture
+from BalloonWorkbench.core.outline.picture import drawing_of, picture_drawing, read_picture
 
 RED_DISC = pictures.coloured(pictures.drawn(pictures.disc(150, 100, 80), 300, 200), (200, 30, 30))
 
@@ -27,7 +27,7 @@ def saved(folder, data, name="picture.png"):
 
 
 def outline(inside, width=400, height=300, **colours):
-    return outline_of(pictures.coloured(pictures.drawn(inside, width, height), **colours))
+    return pictures.outline_of(pictures.coloured(pictures.drawn(inside, width, height), **colours))
 
 
 def counted_area(path):
@@ -48,7 +48,7 @@ def test_the_example_pictures(path):
     assert found.holes == ()
     assert signed_area(found.outer) > 0
     assert shapely.Polygon(found.outer).is_valid
-    pixel = outline_of(decoding.decode(path))
+    pixel = pictures.outline_of(decoding.decode(path))
     if path.stem != "line-dog":  # whose lines are open: see the test of pen drawings
         assert pixel.area == pytest.approx(counted_area(path), rel=0.004)
     assert 150 < len(pixel.outer) < 900
@@ -59,7 +59,7 @@ def test_the_example_pictures(path):
 @pytest.mark.parametrize("engine", ["scipy", "numpy"])
 def test_the_same_outline_without_opencv(path, engine, monkeypatch):
     pixels = decoding.decode(path)
-    expected = outline_of(pixels)
+    expected = pictures.outline_of(pixels)
     monkeypatch.setattr(raster, "opencv", lambda: None)
     if engine == "numpy":
         monkeypatch.setattr(raster, "ndimage", lambda: None)
@@ -112,25 +112,56 @@ def test_other_colours_inside_are_no_holes():
     for colour in ((250, 240, 200), (0, 0, 0), (235, 235, 235)):
         mixed = pixels.copy()
         mixed[..., :3] = (1 - spot) * pixels[..., :3] + spot * np.array(colour)
-        assert outline_of(mixed.astype(np.uint8)).holes == ()
+        assert pictures.outline_of(mixed.astype(np.uint8)).holes == ()
 
 
-def test_the_largest_of_several_shapes_is_taken_and_the_others_are_listed():
-    shapes = pictures.any_of(
-        pictures.box(30, 30, 200, 250),
-        pictures.disc(330, 60, 40),
-        pictures.disc(340, 270, 4),
-        pictures.disc(240, 270, 4),
+def several(inside, **colours):
+    return drawing_of(pictures.coloured(pictures.drawn(inside, 400, 300), **colours))
+
+
+def test_separate_shapes_are_separate_outlines_in_their_places():
+    found = several(
+        pictures.any_of(
+            pictures.disc(330, 60, 40),
+            pictures.box(30, 30, 200, 250),
+            pictures.disc(340, 270, 4),
+            pictures.disc(240, 270, 4),
+        )
     )
-    found = outline(shapes)
-    assert found.size == pytest.approx((170, 220), abs=1)
-    assert any("1 other shape is left out (lower right)" in note for note in found.notes)
-    assert any("2 small specks were dropped" in note for note in found.notes)
+    box, disc = found.parts
+    assert box.size == pytest.approx((170, 220), abs=1)
+    assert disc.area == pytest.approx(np.pi * 40**2, rel=0.01)
+    # seen from the corner of all shapes, which is at (30, 20)
+    assert disc.outer.mean(axis=0) == pytest.approx((300, 40), abs=0.5)
+    assert found.size == pytest.approx((340, 230), abs=1)
+    assert box.notes == ("2 small specks were dropped.",)
+    assert disc.notes == ()
 
 
-def test_an_island_in_a_hole_belongs_to_neither():
-    found = outline(pictures.any_of(pictures.ring(200, 150, 140, 100), pictures.ring(200, 150, 60, 30)))
-    assert [round(np.sqrt(-signed_area(hole) / np.pi)) for hole in found.holes] == [100]
+def test_an_island_in_a_hole_is_a_shape_of_its_own():
+    ring, island = several(
+        pictures.any_of(pictures.ring(200, 150, 140, 100), pictures.ring(200, 150, 60, 30))
+    ).parts
+    for part, radii in ((ring, (140, 100)), (island, (60, 30))):
+        (inside,) = part.holes
+        found = np.sqrt(np.array([signed_area(part.outer), -signed_area(inside)]) / np.pi)
+        assert found == pytest.approx(radii, abs=0.5)
+
+
+def test_a_thin_line_beside_the_shape_is_no_balloon():
+    found = several(pictures.any_of(pictures.disc(150, 150, 100), pictures.box(280, 20, 282, 280)))
+    assert len(found.parts) == 1
+    assert found.size == pytest.approx((200, 200), abs=1)
+    assert found.notes == ("1 thin line is left out (right).",)
+
+
+def test_the_width_is_that_of_all_shapes(tmp_path):
+    shapes = pictures.any_of(pictures.disc(100, 150, 60), pictures.disc(300, 150, 40))
+    pixels = pictures.coloured(pictures.drawn(shapes, 400, 300))
+    found = picture_drawing(saved(tmp_path, pictures.png(pixels)), 0.3, None)
+    assert found.size == pytest.approx((0.3, 0.12), rel=0.01)
+    areas = [part.area for part in found.parts]
+    assert areas == pytest.approx([np.pi * 0.06**2, np.pi * 0.04**2], rel=0.01)
 
 
 def test_a_shape_cut_off_at_the_border_is_used_and_reported():
@@ -152,7 +183,7 @@ def test_paper_in_uneven_light_is_a_background():
     light = (0.85 - 0.12 * (x * x + y * y) + 0.1 * x - 0.05 * y)[..., None]
     pixels = pictures.coloured(part, (60, 60, 90)).astype(float)
     pixels[..., :3] = pixels[..., :3] * light + np.random.default_rng(4).normal(0, 3, (300, 400, 3))
-    found = outline_of(np.clip(pixels, 0, 255).astype(np.uint8))
+    found = pictures.outline_of(np.clip(pixels, 0, 255).astype(np.uint8))
     assert found.area == pytest.approx(np.pi * 90**2, rel=0.006)
 
 
@@ -160,7 +191,7 @@ def test_a_soft_shadow_in_the_transparency_is_no_shape():
     body, shadow = (pictures.drawn(pictures.disc(x, y, 80), 400, 300) for x, y in ((180, 160), (200, 140)))
     alpha = np.maximum(body, 0.3 * shadow)
     pixels = np.dstack([np.full((300, 400, 3), 90), np.rint(255 * alpha)]).astype(np.uint8)
-    assert outline_of(pixels).area == pytest.approx(np.pi * 80**2, rel=0.005)
+    assert pictures.outline_of(pixels).area == pytest.approx(np.pi * 80**2, rel=0.005)
 
 
 def test_a_large_picture_is_shrunk_without_a_shift(tmp_path):
@@ -265,7 +296,7 @@ def test_what_is_no_picture_is_refused(data, message, tmp_path):
 )
 def test_pictures_without_a_shape_are_refused(pixels, message):
     with pytest.raises(PictureError, match=message):
-        outline_of(pixels.astype(np.uint8))
+        pictures.outline_of(pixels.astype(np.uint8))
 
 
 def test_the_same_picture_gives_the_same_bytes():
@@ -280,7 +311,7 @@ def test_a_texture_takes_no_endless_time(part):
     pixels[20:-20, 20:-20, :3][dots] = 0
     start = time.perf_counter()
     try:
-        found = outline_of(pixels)
+        found = pictures.outline_of(pixels)
     except PictureError as error:
         assert "frayed" in str(error)
     else:
@@ -294,4 +325,4 @@ def test_a_frayed_shape_is_refused():
     comb[:, :20] = comb[::2] = 0
     pixels[40:60, 200:380, :3] = comb[20:40, 180:360] = 0
     with pytest.raises(PictureError, match="frayed"):
-        outline_of(pixels)
+        pictures.outline_of(pixels)

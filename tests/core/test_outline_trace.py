@@ -11,7 +11,6 @@ import shapely
 
 from BalloonWorkbench.core.outline.contour import contours
 from BalloonWorkbench.core.outline.crossings import first_crossing
-from BalloonWorkbench.core.outline.picture import outline_of
 from BalloonWorkbench.core.outline.sampling import arc_lengths, point_at
 from BalloonWorkbench.core.outline.segment import segment
 from BalloonWorkbench.core.outline.trace import trace, walk
@@ -74,7 +73,7 @@ def test_known_shapes_come_back(name, surface):
     truth = SHAPES[name][1]
     fine, paint = SURFACES[surface]
     pixels = paint(painted(name, fine))
-    outline = outline_of(pixels)
+    outline = pictures.outline_of(pixels)
     assert outline.holes == ()
     # An outline starts at its own lower left corner; the boundary it was traced from says where that is.
     boundary, _ = max(contours(segment(pixels)[0]), key=lambda loop: loop[1])

@@ -8,11 +8,16 @@ import numpy as np
 import pytest
 
 from BalloonWorkbench.core.errors import InputError, MissingPackageError, OutlineError
+from BalloonWorkbench.core.outline import vector
 from BalloonWorkbench.core.outline.chains import join
-from BalloonWorkbench.core.outline.vector import read_vector
 
 FLAT = 0.02  # mm: how far a curve may be from its polyline
 PAGE = 'width="100mm" height="80mm" viewBox="0 0 100 80"'
+
+
+def read_vector(path):
+    """The largest shape of a drawing."""
+    return vector.read_vector(path).largest
 
 
 def svg(folder, body, page=PAGE, before=""):
@@ -129,12 +134,22 @@ def test_svg_is_upright(tmp_path):
     assert corner * 1e3 == pytest.approx((10, 10), abs=1e-4)
 
 
-def test_the_largest_svg_contour_is_taken(tmp_path):
-    body = "".join(f'<circle cx="{x}" cy="20" r="{r}"/>' for x, r in ((20, 10), (60, 12), (60, 8), (60, 4)))
-    found = read_vector(svg(tmp_path, body))
-    assert found.size[0] == pytest.approx(0.024, abs=1e-5)
-    assert len(found.holes) == 1
-    assert any("2 loops" in note for note in found.notes)
+def test_shapes_beside_and_within_each_other(tmp_path):
+    circles = ((20, 10), (60, 12), (60, 8), (60, 4), (80, 0.5))
+    body = "".join(f'<circle cx="{x}" cy="20" r="{r}"/>' for x, r in circles)
+    found = vector.read_vector(svg(tmp_path, body))
+    areas = [144 - 64, 100, 16]  # the ring, the disc, the island in the ring
+    assert [mm2(part) for part in found.parts] == pytest.approx([math.pi * area for area in areas], rel=0.01)
+    assert [part.outer[:, 0].mean() for part in found.parts] == pytest.approx([0.06, 0.02, 0.06], abs=1e-4)
+    assert found.notes == ("1 small speck was dropped.",)
+
+
+def test_shapes_that_cross_are_refused(tmp_path):
+    body = (
+        '<rect width="40" height="10" fill="none"/><rect x="10" y="-20" width="5" height="60" fill="none"/>'
+    )
+    with pytest.raises(OutlineError, match="meet"):
+        vector.read_vector(svg(tmp_path, body))
 
 
 BOMB = '<!DOCTYPE svg [<!ENTITY a "ha"><!ENTITY b "&a;&a;&a;&a;"><!ENTITY c "&b;&b;&b;&b;">]>'

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Loose lines joined end to end into closed loops, and loops told apart into outline and holes."""
+"""Loose lines joined end to end into closed loops, and the drawing that they make."""
 
 from __future__ import annotations
 
@@ -8,9 +8,9 @@ from collections.abc import Sequence
 import numpy as np
 
 from BalloonWorkbench.core.errors import OutlineError
-from BalloonWorkbench.core.outline.crossings import contains
+from BalloonWorkbench.core.outline.drawing import Drawing, arranged
 from BalloonWorkbench.core.outline.loops import clean
-from BalloonWorkbench.core.outline.outline import Outline, signed_area
+from BalloonWorkbench.core.outline.outline import signed_area
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import from_mm, mm_text, place_text
 
@@ -20,10 +20,10 @@ SAME_END = from_mm(0.02)
 NEAR_END = from_mm(0.5)
 
 
-def outline_from(
+def drawing_from(
     pieces: Sequence[Floats], notes: Sequence[str] = (), filled: Sequence[Floats] = ()
-) -> Outline:
-    """An outline of the lines of a drawing: the loop with the largest area, and as holes those inside it.
+) -> Drawing:
+    """The shapes in the lines of a drawing, with the loops inside them as their holes.
 
     pieces  polylines (n, 2) m, joined where their ends meet
     filled  those of the pieces that enclose an area even where they stay open, by a straight line
@@ -51,12 +51,7 @@ def outline_from(
         raise OutlineError("The drawing has no closed line. Draw one, and turn texts and groups into paths.")
     if rest:
         remarks.append(f"{len(rest)} open line{'s were' if len(rest) > 1 else ' was'} left out.")
-    outer, holes, left_out = _arrange(loops)
-    if left_out:
-        remarks.append(
-            f"{left_out} loop{'s' * (left_out > 1)} outside the largest or inside a hole left out."
-        )
-    return Outline(outer, holes, tuple(remarks))
+    return arranged(_without_twins(loops), remarks)
 
 
 def join(pieces: Sequence[Floats], tolerance: float) -> tuple[list[Floats], list[Floats]]:
@@ -130,19 +125,6 @@ def _closed(chain: list[Floats], tolerance: float) -> bool:
 
 def _length(line: Floats) -> float:
     return float(np.linalg.norm(np.diff(line, axis=0), axis=1).sum())
-
-
-def _arrange(loops: list[Floats]) -> tuple[Floats, tuple[Floats, ...], int]:
-    """The loop with the largest area, the loops inside it, and how many others there are."""
-    loops = _without_twins(sorted(loops, key=lambda loop: -abs(signed_area(loop))))
-    outer, others = loops[0], loops[1:]
-    holes: list[Floats] = []
-    for loop in others:
-        # A loop that crosses another one is kept: the check for crossings tells the user where.
-        in_hole = any(contains(hole, loop).all() for hole in holes)
-        if not in_hole and contains(outer, loop).any():
-            holes.append(loop)
-    return outer, tuple(holes), len(others) - len(holes)
 
 
 def _without_twins(loops: list[Floats]) -> list[Floats]:

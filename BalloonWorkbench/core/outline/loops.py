@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
 
@@ -14,6 +15,11 @@ from BalloonWorkbench.core.outline.sampling import CORNER_ANGLE, corners, resamp
 from BalloonWorkbench.core.outline.thickness import min_width
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import mm_text, place_text
+
+if TYPE_CHECKING:
+    from BalloonWorkbench.core.outline.drawing import Drawing
+
+Sized = TypeVar("Sized", Outline, "Drawing")
 
 __all__ = [
     "CORNER_ANGLE",
@@ -110,7 +116,7 @@ def _valid_loop(loop: Floats, tolerance: float, sign: int, what: str) -> Floats:
     return loop if area * sign > 0 else np.ascontiguousarray(loop[::-1])
 
 
-def scale_to(outline: Outline, width: float | None, height: float | None) -> Outline:
+def scale_to(outline: Sized, width: float | None, height: float | None) -> Sized:
     """The outline scaled about the origin to a width or height [m]; inside both where both are given.
 
     InputError for sizes that are not numbers or outside SMALLEST to LARGEST, also those the outline has

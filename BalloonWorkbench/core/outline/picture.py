@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A picture as an outline: unpacked, told from its background, traced, brought to size."""
+"""A picture as outlines: unpacked, told from its background, traced, brought to size."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -14,7 +15,8 @@ from BalloonWorkbench.core.outline.contour import contours
 from BalloonWorkbench.core.outline.crossings import contains, first_crossing
 from BalloonWorkbench.core.outline.decode import decode as decode_with_opencv
 from BalloonWorkbench.core.outline.decode import picture_size
-from BalloonWorkbench.core.outline.loops import check, scale_to
+from BalloonWorkbench.core.outline.drawing import SPECK, Drawing, checked, speck_note
+from BalloonWorkbench.core.outline.loops import scale_to
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.outline.segment import segment
 from BalloonWorkbench.core.outline.trace import STEP, trace
@@ -25,19 +27,25 @@ Decode = Callable[[Path], NDArray[np.uint8]]
 _LONGEST_SIDE = 1600  # px; more detail than this is below a fifth of a millimetre on a 300 mm balloon
 _SMALLEST_SIDE = 16  # px
 _MOST_BOUNDARY = 40  # times the longest side; a hundred fingers side by side have half of it
-# Relative to the area of the shape:
-_SMALLEST_HOLE = 0.005
-_SPECK = 0.01  # a separate part below this is a speck, above it another shape
-_GRAIN = 1e-4  # below this it is noise, which is not worth a remark
+_SMALLEST_HOLE = 0.005  # of the area of its shape
+_GRAIN = 1e-4  # of the area of the largest shape; below this it is noise, which is not worth a remark
+_THIN = 0.01  # mean width of another shape, of the larger dimension, below which it is a line
 
 
 def read_picture(
     path: str | Path, width: float | None, height: float | None, decode: Decode | None = None
 ) -> Outline:
-    """The silhouette in a picture file, `width` or `height` m large (inside both where both are given).
+    """The largest shape of `picture_drawing` alone."""
+    return picture_drawing(path, width, height, decode).largest
 
-    The lower left corner of its bounding box is the origin. Remarks on what was left out or closed are in the
-    outline's notes.
+
+def picture_drawing(
+    path: str | Path, width: float | None, height: float | None, decode: Decode | None = None
+) -> Drawing:
+    """The shapes in a picture file, `width` or `height` m large (inside both where both are given).
+
+    The lower left corner of their bounding box is the origin. Remarks on what was left out or closed are in
+    the notes.
 
     decode  pixels (h, w, 4) uint8 as red, green, blue, alpha of a file; OpenCV's without it
     Errors: InputError (file, size), PictureError (no shape), MissingPackageError (neither OpenCV nor decode)
@@ -46,12 +54,12 @@ def read_picture(
     if width is None and height is None:
         raise InputError("A picture has no size of its own. Give the width or the height of the balloon.")
     picture_size(path)
-    outline = outline_of(_shrink((decode or decode_with_opencv)(path)))
-    return check(scale_to(outline, width, height))
+    drawing = drawing_of(_shrink((decode or decode_with_opencv)(path)))
+    return checked(scale_to(drawing, width, height))
 
 
-def outline_of(rgba: NDArray[np.uint8]) -> Outline:
-    """The silhouette in pixels (h, w, 4) with the pixel as unit and its lower left corner as origin."""
+def drawing_of(rgba: NDArray[np.uint8]) -> Drawing:
+    """The shapes in pixels (h, w, 4) with the pixel as unit and their lower left corner as origin."""
     if min(rgba.shape[:2]) < _SMALLEST_SIDE:
         raise PictureError(
             f"The picture is too small to see a shape. Use {_SMALLEST_SIDE} pixels or more across."
@@ -66,35 +74,54 @@ def outline_of(rgba: NDArray[np.uint8]) -> Outline:
     main, area = next((loop, area) for loop, area in loops if area > 0)
     if len(main) > _MOST_BOUNDARY * max(rgba.shape[:2]):
         raise PictureError("The shape in the picture is too frayed to trace. Use a clearer picture.")
-    seen = [(loop, own) for loop, own in loops if abs(own) >= _GRAIN * area and loop is not main]
-    parts = [loop for loop, own in seen if own > 0]
-    holes = _holes_of(main, parts, [loop for loop, own in seen if own < 0])
-    large = [hole for hole in holes if _area(hole) >= _SMALLEST_HOLE * area]
-    notes += _notes(main, area, parts, len(holes) - len(large), rgba.shape)
-    traced = _simple([main, *large], STEP * max(rgba.shape[:2]))
-    corner = traced[0].min(axis=0)
-    return Outline(traced[0] - corner, tuple(hole - corner for hole in traced[1:]), tuple(notes))
+    seen = [(loop, own) for loop, own in loops if abs(own) >= _GRAIN * area]
+    shapes = [(loop, own) for loop, own in seen if own > 0]
+    owners = [shape for shape in shapes if shape[1] >= _SMALLEST_HOLE * area]
+    parts = [shape for shape in shapes if shape[1] >= SPECK * area]
+    large = max(float(np.ptp(loop, axis=0).max()) for loop, _ in parts)
+    lines = [loop for loop, own in parts if loop is not main and _mean_width(loop, own) < _THIN * large]
+    parts = [(loop, own) for loop, own in parts if not any(loop is line for line in lines)]
+    holes = [_holes_of(loop, own, owners, seen) for loop, own in parts]
+    wide = [
+        [hole for hole, size in mine if size >= _SMALLEST_HOLE * own] for (_, own), mine in zip(parts, holes)
+    ]
+    filled = sum(map(len, holes)) - sum(map(len, wide))
+    notes += _notes(
+        [loop for loop, _ in parts], lines, len(shapes) - len(parts) - len(lines), filled, rgba.shape
+    )
+    traced = _simple([[loop, *mine] for (loop, _), mine in zip(parts, wide)], STEP * max(rgba.shape[:2]))
+    corner = np.concatenate([loops[0] for loops in traced]).min(axis=0)
+    outlines = [Outline(outer - corner, tuple(hole - corner for hole in inner)) for outer, *inner in traced]
+    return Drawing((replace(outlines[0], notes=tuple(notes)), *outlines[1:]))
 
 
-def _holes_of(main: Floats, parts: list[Floats], holes: list[Floats]) -> list[Floats]:
-    """The holes that lie in the main shape and not in a part that lies in another hole of it."""
+def _holes_of(
+    shape: Floats, area: float, owners: list[tuple[Floats, float]], seen: list[tuple[Floats, float]]
+) -> list[tuple[Floats, float]]:
+    """The holes that lie in a shape and not in a smaller one that lies in another hole of it, with areas."""
+    holes = [(loop, -own) for loop, own in seen if own < 0 and -own < area]
     if not holes:
         return []
-    points = np.array([hole[0] for hole in holes])
-    width = np.array([np.ptp(hole[:, 0]) for hole in holes])
-    own = contains(main, points)
-    for part in parts:
-        own &= ~(contains(part, points) & (np.ptp(part[:, 0]) > width))
-    return [hole for hole, mine in zip(holes, own) if mine]
+    points, sizes = np.array([loop[0] for loop, _ in holes]), np.array([own for _, own in holes])
+    mine = contains(shape, points)
+    for other, its in owners:
+        if its < area and mine.any():
+            mine &= ~(contains(other, points) & (its > sizes))
+    return [hole for hole, own in zip(holes, mine) if own]
 
 
-def _simple(boundaries: list[Floats], radius: float) -> list[Floats]:
+def _mean_width(loop: Floats, area: float) -> float:
+    """Of a strip with this boundary and area."""
+    return 2.0 * area / float(np.linalg.norm(np.roll(loop, -1, axis=0) - loop, axis=1).sum())
+
+
+def _simple(shapes: list[list[Floats]], radius: float) -> list[list[Floats]]:
     """The traced loops; where smoothing would make thin parts touch, with less of it."""
     for ripple, tolerance in ((1.0, 0.2), (0.5, 0.1)):
-        traced = [trace(boundary, radius, ripple, tolerance) for boundary in boundaries]
-        if first_crossing(traced) is None:
+        traced = [[trace(loop, radius, ripple, tolerance) for loop in loops] for loops in shapes]
+        if first_crossing([loop for loops in traced for loop in loops]) is None:
             return traced
-    return [trace(boundary, radius, 0.0, 0.0) for boundary in boundaries]
+    return [[trace(loop, radius, 0.0, 0.0) for loop in loops] for loops in shapes]
 
 
 def _shrink(rgba: NDArray[np.uint8]) -> NDArray[np.uint8]:
@@ -108,10 +135,13 @@ def _shrink(rgba: NDArray[np.uint8]) -> NDArray[np.uint8]:
     return np.asarray((total + step * step // 2) // (step * step), dtype=np.uint8)
 
 
-def _notes(main: Floats, area: float, parts: list[Floats], filled: int, shape: tuple[int, ...]) -> list[str]:
-    """Remarks on what the outline leaves out of the picture."""
+def _notes(
+    parts: list[Floats], lines: list[Floats], specks: int, filled: int, shape: tuple[int, ...]
+) -> list[str]:
+    """Remarks on what the outlines leave out of the picture."""
     notes = []
-    (left, low), (right, high) = main.min(axis=0), main.max(axis=0)
+    points = np.concatenate(parts)
+    (left, low), (right, high) = points.min(axis=0), points.max(axis=0)
     at_border = zip(
         ("left", "right", "upper", "lower"), (left, shape[1] - right, shape[0] - high, low), strict=True
     )
@@ -121,24 +151,14 @@ def _notes(main: Floats, area: float, parts: list[Floats], filled: int, shape: t
             f"The shape touches the {' and the '.join(sides)} border of the picture; "
             "if it was cut off there, leave more margin."
         )
-    others = [part for part in parts if _area(part) >= _SPECK * area]
-    if others:
-        places = ", ".join(_place(other, shape) for other in others[:5]) + (
-            ", ..." if len(others) > 5 else ""
-        )
-        count = f"{len(others)} other shape{'s are' if len(others) > 1 else ' is'}"
-        notes.append(f"The largest shape is used; {count} left out ({places}).")
-    specks = len(parts) - len(others)
-    if specks:
-        notes.append(f"{specks} small speck{'s were' if specks > 1 else ' was'} dropped.")
+    if lines:
+        places = ", ".join(_place(line, shape) for line in lines[:5]) + (", ..." if len(lines) > 5 else "")
+        count = f"{len(lines)} thin line{'s are' if len(lines) > 1 else ' is'}"
+        notes.append(f"{count} left out ({places}).")
+    notes += speck_note(specks)
     if filled:
         notes.append(f"{filled} tiny hole{'s were' if filled > 1 else ' was'} filled.")
     return notes
-
-
-def _area(loop: Floats) -> float:
-    x, y = loop.T
-    return 0.5 * abs(float(np.dot(x, np.roll(y, -1)) - np.dot(np.roll(x, -1), y)))
 
 
 def _place(loop: Floats, shape: tuple[int, ...]) -> str:

@@ -1,16 +1,21 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Outlines written out as JSON: {"unit": "mm", "outer": [[x, y], ...], "holes": [[[x, y], ...], ...]}."""
+"""Outlines written out as JSON: {"unit": "mm", "outer": [[x, y], ...], "holes": [[[x, y], ...], ...]}.
+
+Several shapes: {"unit": "mm", "parts": [{"outer": ..., "holes": ...}, ...]}.
+"""
 
 from __future__ import annotations
 
 import json
 import math
+from dataclasses import replace
 from typing import Any, NoReturn
 
 import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
-from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.outline.drawing import Drawing
+from BalloonWorkbench.core.outline.outline import Outline, signed_area
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import LENGTH_UNITS
 
@@ -18,26 +23,35 @@ _UNITS = ("mm", "cm", "m", "in")
 _EXAMPLE = 'Write {"unit": "mm", "outer": [[0, 0], [300, 0], [150, 200]]}.'
 
 
-def read_points(data: bytes) -> Outline:
-    """The outline in a JSON text, as it is written: neither cleaned nor checked for crossings. InputError."""
+def read_points(data: bytes) -> Drawing:
+    """The shapes in a JSON text, as they are written: neither cleaned nor checked. InputError."""
     try:
         text = json.loads(data, parse_constant=_refuse)
     except (ValueError, RecursionError) as error:
         raise InputError(f"The JSON file cannot be read ({error}). {_EXAMPLE}") from None
-    if not isinstance(text, dict) or "outer" not in text:
+    if not isinstance(text, dict):
         raise InputError(f"The JSON file has no 'outer' loop. {_EXAMPLE}")
+    parts = text.get("parts", [text])
+    if not isinstance(parts, list) or not parts:
+        raise InputError(f"The 'parts' of the JSON file are not a list of shapes. {_EXAMPLE}")
     notes = () if "unit" in text else ("The JSON file does not name its unit; millimetres are assumed.",)
     unit = text.get("unit", "mm")
     if unit not in _UNITS:
         raise InputError(f"The JSON file has the unknown unit {unit!r}. Use one of {', '.join(_UNITS)}.")
-    holes = text.get("holes", [])
+    outlines = [_outline(part, LENGTH_UNITS[unit]) for part in parts]
+    outlines.sort(key=lambda outline: -abs(signed_area(outline.outer)))
+    return Drawing((replace(outlines[0], notes=notes), *outlines[1:]))
+
+
+def _outline(part: Any, factor: float) -> Outline:
+    if not isinstance(part, dict) or "outer" not in part:
+        raise InputError(f"The JSON file has no 'outer' loop. {_EXAMPLE}")
+    holes = part.get("holes", [])
     if not isinstance(holes, list):
         raise InputError(f"The 'holes' of the JSON file are not a list of loops. {_EXAMPLE}")
-    factor = LENGTH_UNITS[unit]
     return Outline(
-        _loop(text["outer"], "'outer'") * factor,
+        _loop(part["outer"], "'outer'") * factor,
         tuple(_loop(hole, f"hole {number}") * factor for number, hole in enumerate(holes, start=1)),
-        notes,
     )
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Any drawing file as an outline."""
+"""Any drawing file as outlines."""
 
 from __future__ import annotations
 
@@ -7,8 +7,9 @@ from pathlib import Path
 
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.outline.decode import is_picture
+from BalloonWorkbench.core.outline.drawing import Drawing
 from BalloonWorkbench.core.outline.outline import Outline
-from BalloonWorkbench.core.outline.picture import Decode, read_picture
+from BalloonWorkbench.core.outline.picture import Decode, picture_drawing
 from BalloonWorkbench.core.outline.vector import read_vector, vector_kind
 
 _PICTURE_SUFFIXES = {".png", ".jpg", ".jpeg", ".bmp", ".webp"}
@@ -17,10 +18,19 @@ _PICTURE_SUFFIXES = {".png", ".jpg", ".jpeg", ".bmp", ".webp"}
 def read_outline(
     path: str | Path, width: float | None = None, height: float | None = None, decode: Decode | None = None
 ) -> tuple[Outline, str]:
-    """The outline in a file, in metres, and what the file is: 'picture', 'svg', 'dxf' or 'json'.
+    """The largest shape of `read_drawing` alone, and what the file is."""
+    drawing, kind = read_drawing(path, width, height, decode)
+    return drawing.largest, kind
+
+
+def read_drawing(
+    path: str | Path, width: float | None = None, height: float | None = None, decode: Decode | None = None
+) -> tuple[Drawing, str]:
+    """The shapes in a file, in metres, and what the file is: 'picture', 'svg', 'dxf' or 'json'.
 
     The kind is told by the content, and by the name only where that says nothing. A picture needs a width or
-    a height [m]; the others have their own size, which these override. With both, the outline fits inside.
+    a height [m] of all of it; the others have their own size, which these override. With both, the drawing
+    fits inside.
 
     decode  reads pictures instead of OpenCV, see `read_picture`
     Errors: InputError and its kinds (no such file, not a drawing, no shape, size), MissingPackageError
@@ -41,7 +51,7 @@ def read_outline(
     if kind:
         return read_vector(path, width, height), kind
     if is_picture(head) or path.suffix.lower() in _PICTURE_SUFFIXES:
-        return read_picture(path, width, height, decode), "picture"
+        return picture_drawing(path, width, height, decode), "picture"
     raise InputError(
         f"'{path.name}' is not a drawing that can be read. Use PNG, JPEG, BMP, SVG, DXF or JSON."
     )

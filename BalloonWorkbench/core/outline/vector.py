@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Outlines from SVG, DXF and JSON files, at their own size."""
+"""Drawings from SVG, DXF and JSON files, at their own size."""
 
 from __future__ import annotations
 
 from pathlib import Path
 
 from BalloonWorkbench.core.errors import InputError
-from BalloonWorkbench.core.outline.chains import outline_from
+from BalloonWorkbench.core.outline.chains import drawing_from
+from BalloonWorkbench.core.outline.drawing import Drawing, checked
 from BalloonWorkbench.core.outline.dxf import read_dxf
-from BalloonWorkbench.core.outline.loops import check, scale_to
-from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.outline.loops import scale_to
 from BalloonWorkbench.core.outline.points import read_points
 from BalloonWorkbench.core.outline.svg import read_svg
 from BalloonWorkbench.core.units import from_mm
@@ -19,8 +19,8 @@ FLATNESS = from_mm(0.02)
 _MOST_BYTES = 64 << 20
 
 
-def read_vector(path: str | Path, width: float | None = None, height: float | None = None) -> Outline:
-    """The closed lines of a drawing: the largest as outline, those inside it as holes; checked.
+def read_vector(path: str | Path, width: float | None = None, height: float | None = None) -> Drawing:
+    """The closed lines of a drawing, those inside others as their holes; checked.
 
     At its own size, or scaled to `width` or `height` [m]; inside both where both are given.
     Errors: InputError (file, size), OutlineError (open, crossing, empty), MissingPackageError.
@@ -29,16 +29,16 @@ def read_vector(path: str | Path, width: float | None = None, height: float | No
     data = read_bytes(path)
     kind = vector_kind(path, data[:4096])
     if kind == "json":
-        outline = read_points(data)
+        drawing = read_points(data)
     elif kind == "svg":
         lines, filled, notes = read_svg(data, FLATNESS)
-        outline = outline_from(lines, notes, filled)
+        drawing = drawing_from(lines, notes, filled)
     elif kind == "dxf":
         lines, notes = read_dxf(path, FLATNESS)
-        outline = outline_from(lines, notes)
+        drawing = drawing_from(lines, notes)
     else:
         raise InputError(f"'{path.name}' is neither SVG, DXF nor JSON. Save the drawing as one of these.")
-    return check(scale_to(check(outline), width, height))
+    return checked(scale_to(checked(drawing), width, height))
 
 
 def vector_kind(path: Path, head: bytes) -> str | None:

@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The drawing: all of its shapes, each one balloon, in their places."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from BalloonWorkbench.core.errors import OutlineError
+from BalloonWorkbench.core.outline.crossings import contains, first_crossing
+from BalloonWorkbench.core.outline.loops import check
+from BalloonWorkbench.core.outline.outline import Outline, signed_area
+from BalloonWorkbench.core.types import Floats
+from BalloonWorkbench.core.units import place_text
+
+#: A separate shape below this share of the largest one's area is a speck: it is dropped.
+SPECK = 0.01
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """Outlines in one plane, the largest first, each the outline of a balloon of its own.
+
+    Remarks on the drawing as a whole are with the notes of the first one.
+    """
+
+    parts: tuple[Outline, ...]
+
+    @property
+    def largest(self) -> Outline:
+        """The outline that encloses most."""
+        return self.parts[0]
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """The remarks of all parts."""
+        return tuple(note for part in self.parts for note in part.notes)
+
+    @property
+    def size(self) -> tuple[float, float]:
+        """Width and height of the bounding box [m]."""
+        width, height = np.ptp(np.concatenate([part.outer for part in self.parts]), axis=0)
+        return float(width), float(height)
+
+    def map(self, transform: Callable[[Floats], Floats]) -> Drawing:
+        """The drawing with an orientation-keeping map of (n, 2) points applied to each loop."""
+        return Drawing(tuple(part.map(transform) for part in self.parts))
+
+
+def checked(drawing: Drawing) -> Drawing:
+    """The drawing with each outline checked, see `check`; OutlineError also where two of them meet."""
+    parts = tuple(check(part) for part in drawing.parts)
+    place = first_crossing([loop for part in parts for loop in part.loops]) if len(parts) > 1 else None
+    if place is not None:
+        raise OutlineError(f"Two shapes meet at {place_text(place)}; part them, or join them into one.")
+    return Drawing(parts)
+
+
+def arranged(loops: Sequence[Floats], notes: Sequence[str] = ()) -> Drawing:
+    """The drawing that closed loops (n, 2) of any sense make: what lies in a shape is a hole of it, what lies
+    in a hole is a shape again. Specks are dropped; the remarks then say so.
+    """
+    loops = sorted(loops, key=lambda loop: -abs(signed_area(loop)))
+    depth: list[int] = []
+    holes: dict[int, list[Floats]] = {}
+    for number, loop in enumerate(loops):
+        around = [
+            other
+            for other in range(number)
+            if _boxed(loops[other], loop) and _within(loops[other], loop, other in holes)
+        ]
+        depth.append(len(around))
+        shapes = [other for other in around if other in holes]
+        if depth[-1] % 2 and shapes:
+            holes[shapes[-1]].append(loop)
+        else:
+            holes[number] = []
+    most = abs(signed_area(loops[0]))
+    kept = [number for number in holes if abs(signed_area(loops[number])) >= SPECK * most]
+    remarks = (*notes, *speck_note(len(holes) - len(kept)))
+    return Drawing(
+        tuple(Outline(loops[number], tuple(holes[number]), () if number else remarks) for number in kept)
+    )
+
+
+def speck_note(count: int) -> list[str]:
+    """The remark that so many specks were dropped."""
+    return [f"{count} small speck{'s were' if count > 1 else ' was'} dropped."] if count else []
+
+
+def _boxed(outer: Floats, inner: Floats) -> bool:
+    """Whether the bounding boxes overlap."""
+    return bool(
+        (outer.min(axis=0) <= inner.max(axis=0)).all() and (inner.min(axis=0) <= outer.max(axis=0)).all()
+    )
+
+
+def _within(outer: Floats, inner: Floats, shape: bool) -> bool:
+    """Whether a loop lies in another one.
+
+    One that crosses a shape counts as its hole, one that crosses a hole does not lie in it: the check for
+    crossings then tells the user where.
+    """
+    inside = contains(outer, inner)
+    return bool(inside.any() if shape else inside.all())
