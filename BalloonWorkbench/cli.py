@@ -5,17 +5,28 @@ from __future__ import annotations
 
 import argparse
 import importlib.util
+import math
 import sys
 from collections.abc import Sequence
 from typing import Any, NoReturn, TextIO
 
 from BalloonWorkbench import __version__
 from BalloonWorkbench.core.errors import BalloonError, InputError
+from BalloonWorkbench.core.export.results import FORMATS
 from BalloonWorkbench.core.film.film import Film
-from BalloonWorkbench.core.film.library import DEFAULT_FILM, custom_film, film, films
-from BalloonWorkbench.core.job import DEFAULT_PRESSURE, Balloon, Settings, files, make_balloon
+from BalloonWorkbench.core.film.library import DEFAULT_FILM, custom_film, film, films, with_grain
+from BalloonWorkbench.core.job import (
+    DEFAULT_PRESSURE,
+    Balloon,
+    Settings,
+    files,
+    inflation_files,
+    make_balloon,
+)
 from BalloonWorkbench.core.outline.raster import opencv
-from BalloonWorkbench.core.units import parse_length, parse_pressure
+from BalloonWorkbench.core.solver.backend import SOLVERS
+from BalloonWorkbench.core.solver.model import BENDING_FLOOR, Model
+from BalloonWorkbench.core.units import parse_length, parse_pressure, parse_volume
 
 DOCUMENT = "balloon.FCStd"
 
@@ -57,8 +68,12 @@ def _parser() -> argparse.ArgumentParser:
         command.add_argument(
             "--height", metavar="LENGTH", help="of the drawing; with --width it fits inside both"
         )
-        command.add_argument(
+        load = command.add_mutually_exclusive_group()
+        load.add_argument(
             "--pressure", metavar="PRESSURE", default=str(DEFAULT_PRESSURE), help="such as 2kPa (the default)"
+        )
+        load.add_argument(
+            "--volume", metavar="VOLUME", help="such as 5l; the pressure is found that fills the balloon so"
         )
         command.add_argument(
             "--material", metavar="NAME", help=f"one of {', '.join(films())} (default {DEFAULT_FILM})"
@@ -71,8 +86,54 @@ def _parser() -> argparse.ArgumentParser:
         command.add_argument(
             "--mesh-size", metavar="LENGTH", help="edge length of the triangles, such as 6mm"
         )
-        command.add_argument("--no-native", action="store_true", help="use the NumPy solver")
+        command.add_argument(
+            "--young-across",
+            metavar="E",
+            type=float,
+            help="Young's modulus across the film's grain [Pa]",
+        )
+        command.add_argument(
+            "--grain",
+            metavar="DEGREES",
+            type=float,
+            help="the grain's angle from the x axis (default 0)",
+        )
+        command.add_argument(
+            "--results", choices=FORMATS, help="also write what each triangle does, for ParaView or NumPy"
+        )
+        command.add_argument(
+            "--frames", metavar="N", type=int, help="also write so many frames of the inflation, for ParaView"
+        )
+        _add_simulation(command)
     return parser
+
+
+def _add_simulation(command: argparse.ArgumentParser) -> None:
+    """Options for comparisons."""
+    group = command.add_argument_group("simulation")
+    solver = group.add_mutually_exclusive_group()
+    solver.add_argument(
+        "--solver",
+        choices=SOLVERS,
+        help="native (the usual one) and numpy are one method; newmark follows the inflation in time, slowly",
+    )
+    solver.add_argument(
+        "--no-native", action="store_const", const="numpy", dest="solver", help="same as --solver numpy"
+    )
+    group.add_argument(
+        "--plain-shell", action="store_true", help="film that carries compression instead of wrinkling"
+    )
+    group.add_argument("--no-bending", action="store_true", help="film without bending stiffness")
+    group.add_argument(
+        "--bending-floor",
+        metavar="D",
+        type=float,
+        default=BENDING_FLOOR,
+        help=f"least bending stiffness in p w^3, w the typical width (default {BENDING_FLOOR:g})",
+    )
+    group.add_argument(
+        "--two-panels", action="store_true", help="both panels, instead of one and its mirror image"
+    )
 
 
 def _run(options: argparse.Namespace) -> int:
@@ -81,8 +142,12 @@ def _run(options: argparse.Namespace) -> int:
         _film(options),
         parse_pressure(options.pressure),
         _length(options.mesh_size),
-        "numpy" if options.no_native else None,
+        options.solver,
         options.command == "design",
+        volume=None if options.volume is None else parse_volume(options.volume),
+        model=Model(
+            not options.plain_shell, not options.no_bending, options.bending_floor, options.two_panels
+        ),
     )
     line = _StatusLine(sys.stderr)
     try:
@@ -90,7 +155,9 @@ def _run(options: argparse.Namespace) -> int:
             options.input, settings, width=width, height=height, decode=_decode(), progress=line.show
         )
         line.show(1.0, "writing files")
-        contents = files(balloon)
+        contents = files(balloon, options.results)
+        if options.frames is not None:
+            contents.update(inflation_files(balloon, options.frames, line.show))
         if importlib.util.find_spec("FreeCAD") is not None:
             contents[DOCUMENT] = _document(options.input, balloon, width, height)
     finally:
@@ -106,10 +173,16 @@ def _length(text: str | None) -> float | None:
 def _film(options: argparse.Namespace) -> Film:
     own = (options.young, options.poisson, options.thickness)
     if all(value is None for value in own):
-        return film(options.material or DEFAULT_FILM)
-    if options.material is not None or any(value is None for value in own):
+        plain = film(options.material or DEFAULT_FILM)
+    elif options.material is not None or any(value is None for value in own):
         raise InputError("Give either --material, or all of --young, --poisson and --thickness.")
-    return custom_film(*own)
+    else:
+        plain = custom_film(*own)
+    if options.young_across is not None:
+        return with_grain(plain, options.young_across, math.radians(options.grain or 0.0))
+    if options.grain is not None:
+        raise InputError("Only a film with another stiffness across has a grain: give --young-across too.")
+    return plain
 
 
 def _decode() -> Any:
@@ -135,6 +208,8 @@ def _write(folder: str, contents: dict[str, bytes], balloon: Balloon) -> None:
     inflated, error = report["inflated"], report["design"]["silhouette_error_mm"]
     size = f"{inflated['width_mm']:.0f} x {inflated['height_mm']:.0f} x {inflated['thickness_mm']:.0f} mm"
     lines = [f"Balloon {size}, {1e3 * inflated['volume_m3']:.2f} l, solver {report['backend']}"]
+    if balloon.settings.volume is not None:
+        lines.append(f"Pressure {report['pressure_Pa']:.4g} Pa")
     if balloon.settings.correct:
         lines.append(
             f"Silhouette {error['mean']:.2f} mm off the drawing on average, {error['max']:.1f} mm at most"

@@ -129,7 +129,7 @@ def show(obj, wanted, design) -> None:
 
     settings = wanted.settings
     plain = build_pattern(design.pattern, settings.film.seal_width, intake=False)
-    told = report.build(wanted.source, settings.film, settings.pressure, design, plain)
+    told = report.build(wanted.source, settings.film, design, plain, settings.volume)
     del told["pattern"]  # the Pattern object has its own
     positions, triangles = balloon_mesh(design.inflation)
     obj.Mesh = mesh_from_arrays(to_mm(positions), triangles)

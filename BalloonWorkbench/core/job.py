@@ -14,14 +14,17 @@ from __future__ import annotations
 
 import json
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 from BalloonWorkbench.core import report
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.design.fit import fit, inflate_outline
+from BalloonWorkbench.core.design.to_volume import design_to_volume
 from BalloonWorkbench.core.export.dxf import dxf_bytes
 from BalloonWorkbench.core.export.preview import preview_png
+from BalloonWorkbench.core.export.results import frame_files, results_bytes
 from BalloonWorkbench.core.export.stl import stl_bytes
 from BalloonWorkbench.core.export.svg import svg_bytes
 from BalloonWorkbench.core.film.film import Film
@@ -31,6 +34,8 @@ from BalloonWorkbench.core.outline.picture import Decode
 from BalloonWorkbench.core.outline.read import read_outline
 from BalloonWorkbench.core.pattern.build import build_pattern
 from BalloonWorkbench.core.pattern.pattern import Pattern
+from BalloonWorkbench.core.solver.animation import inflate_in_time
+from BalloonWorkbench.core.solver.model import Model
 from BalloonWorkbench.core.types import Progress, no_progress
 
 DEFAULT_PRESSURE = 2000.0  # Pa
@@ -41,7 +46,7 @@ class Settings:
     """How a balloon is made.
 
     pressure [Pa]; mesh_size [m] and backend None where the engine chooses; correct False keeps the outline
-    itself as the pattern.
+    itself as the pattern; a volume [m3] takes the place of the pressure; model: what is simulated.
     """
 
     film: Film = field(default_factory=lambda: film(DEFAULT_FILM))
@@ -50,6 +55,8 @@ class Settings:
     backend: str | None = None
     correct: bool = True
     intake: bool = True
+    volume: float | None = None
+    model: Model = field(default_factory=Model)
 
 
 @dataclass(frozen=True)
@@ -86,30 +93,49 @@ def make_balloon(
         settings,
         design,
         pattern,
-        report.build(source, settings.film, settings.pressure, design, pattern),
+        report.build(source, settings.film, design, pattern, settings.volume),
     )
 
 
 def design_outline(outline: Outline, settings: Settings, progress: Progress = no_progress) -> Design:
     """The design of an outline: fitted to it, or with the outline as its pattern."""
-    work = fit if settings.correct else inflate_outline
-    return work(
-        outline,
-        settings.film,
-        settings.pressure,
+    work = partial(
+        fit if settings.correct else inflate_outline,
         mesh_size=settings.mesh_size,
         backend=settings.backend,
-        progress=progress,
+        model=settings.model,
     )
+    if settings.volume is not None:
+        return design_to_volume(work, outline, settings.film, settings.volume, progress=progress)
+    return work(outline, settings.film, settings.pressure, progress=progress)
 
 
-def files(balloon: Balloon) -> dict[str, bytes]:
-    """Contents of the files of a finished job, by name."""
+def files(balloon: Balloon, results: str | None = None) -> dict[str, bytes]:
+    """Contents of the files of a finished job, by name.
+
+    results: "vtu" or "npz" adds a file about every triangle.
+    """
     text = json.dumps(balloon.report, indent=2, ensure_ascii=False, allow_nan=False)
-    return {
+    contents = {
         "pattern.dxf": dxf_bytes(balloon.pattern),
         "pattern.svg": svg_bytes(balloon.pattern),
         "balloon.stl": stl_bytes(balloon.design.inflation),
         "preview.png": preview_png(balloon.design, balloon.pattern),
         "report.json": (text + "\n").encode(),
     }
+    if results is not None:
+        found = results_bytes(balloon.design.inflation, balloon.settings.film, results)
+        contents[f"results.{results}"] = found
+    return contents
+
+
+def inflation_files(balloon: Balloon, frames: int, progress: Progress = no_progress) -> dict[str, bytes]:
+    """Contents of the files that show so many frames of the balloon's inflation in time, by name.
+
+    Raises what inflate_in_time raises.
+    """
+    done, film = balloon.design.inflation, balloon.settings.film
+    blown, strip = inflate_in_time(
+        done.panel, film, done.report.pressure, frames=frames, model=done.report.model, progress=progress
+    )
+    return frame_files(blown, strip, film)

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from typing import Any
 
 import numpy as np
@@ -13,6 +13,8 @@ from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.mesh.quality import min_angles, signed_areas
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.pattern.pattern import Intake, Pattern
+from BalloonWorkbench.core.solver.film_state import film_state, thickness
+from BalloonWorkbench.core.solver.model import Model
 from BalloonWorkbench.core.units import to_mm
 
 SCHEMA = 1
@@ -27,14 +29,20 @@ class Source:
     outline: Outline
 
 
-def build(source: Source, film: Film, pressure: float, design: Design, pattern: Pattern) -> dict[str, Any]:
-    """The report as plain numbers, strings, lists and dicts; keys carry their units."""
+def build(
+    source: Source, film: Film, design: Design, pattern: Pattern, volume: float | None = None
+) -> dict[str, Any]:
+    """The report as plain numbers, strings, lists and dicts; keys carry their units.
+
+    volume [m3]: what was asked for instead of a pressure.
+    """
     inflation = design.inflation
     panel, solve = inflation.panel, inflation.report
     width, height = source.outline.size
     shown_width, shown_height = design.silhouette.size
     pattern_width, pattern_height = pattern.size
     error = design.residual
+    state = film_state(inflation, film)
     return {
         "schema": SCHEMA,
         "input": {
@@ -50,8 +58,10 @@ def build(source: Source, film: Film, pressure: float, design: Design, pattern: 
             "nu": film.poisson_ratio,
             "thickness_m": film.thickness,
             "areal_density_kg_m2": film.areal_density,
+            "grain": None if film.young_modulus_across is None else _grain(film, film.young_modulus_across),
         },
-        "pressure_Pa": pressure,
+        "pressure_Pa": solve.pressure,
+        "load": {"kind": "pressure" if volume is None else "volume", "target_volume_m3": volume},
         "backend": solve.backend,
         "mesh": {
             "vertices": len(panel.rest_positions),
@@ -59,6 +69,8 @@ def build(source: Source, film: Film, pressure: float, design: Design, pattern: 
             "min_angle_deg": float(np.degrees(min_angles(panel).min())),
         },
         "solve": {
+            "integrator": "Newmark in time" if solve.backend == "newmark" else "quasi-static Newton",
+            "options": _options(solve.model),
             "newton_steps": solve.newton_steps,
             "factorisations": solve.factorisations,
             "seconds": solve.seconds,
@@ -81,11 +93,13 @@ def build(source: Source, film: Film, pressure: float, design: Design, pattern: 
         },
         "inflated": {
             "volume_m3": inflation.volume,
-            "thickness_mm": to_mm(2.0 * float(inflation.positions[:, 2].max())),
+            "thickness_mm": to_mm(float(thickness(inflation).max())),
             "width_mm": to_mm(shown_width),
             "height_mm": to_mm(shown_height),
             "film_area_m2": 2.0 * float(signed_areas(panel.rest_positions, panel.triangles).sum()),
             "max_tension_N_per_m": float(inflation.tensions.max()),
+            "max_strain": float(state.strains.max()),
+            "area_shares": {kind.name.lower(): share for kind, share in state.shares().items()},
         },
         "pattern": {
             "width_mm": to_mm(pattern_width),
@@ -95,6 +109,16 @@ def build(source: Source, film: Film, pressure: float, design: Design, pattern: 
         },
         "warnings": [*design.warnings, *pattern.warnings],
     }
+
+
+def _grain(film: Film, across: float) -> dict[str, Any]:
+    return {"E_across_Pa": across, "angle_deg": float(np.degrees(film.grain_angle))}
+
+
+def _options(model: Model) -> dict[str, Any]:
+    """The options that are not as usual."""
+    usual = asdict(Model())
+    return {name: value for name, value in asdict(model).items() if value != usual[name]}
 
 
 def _intake(intake: Intake) -> dict[str, Any]:

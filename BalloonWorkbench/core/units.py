@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Lengths and pressures as people write them, and the way between millimetres and metres.
+"""Lengths, pressures and volumes as people write them, and the way between millimetres and metres.
 
 The core works in SI units; this is the one place where other units are turned into them and back.
 """
@@ -41,6 +41,8 @@ PRESSURE_UNITS = {
     "psi": 0.45359237 * 9.80665 / INCH**2,
 }
 
+VOLUME_UNITS = {"l": 1e-3, "litre": 1e-3, "litres": 1e-3, "ml": 1e-6, "cm3": 1e-6, "dm3": 1e-3, "m3": 1.0}
+
 _QUANTITY = re.compile(r"([+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?)\s*(.*)", re.IGNORECASE | re.DOTALL)
 
 Number = TypeVar("Number", float, NDArray[np.float64])
@@ -75,6 +77,11 @@ def parse_length(text: str | float) -> float:
 def parse_pressure(text: str | float) -> float:
     """'2kPa', '20 mbar', '5 psi', or a plain number in pascals -> Pa. InputError where it makes no sense."""
     return _parse(text, PRESSURE_UNITS, "pressure", "2kPa, 20mbar or 0.3psi")
+
+
+def parse_volume(text: str | float) -> float:
+    """'5l', '250 ml', or a plain number in cubic metres -> m3. InputError where it makes no sense."""
+    return _parse(text, VOLUME_UNITS, "volume", "5l, 250ml or 0.005m3")
 
 
 def _parse(text: str | float, units: dict[str, float], what: str, examples: str) -> float:

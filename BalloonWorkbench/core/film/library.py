@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+import math
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
@@ -54,6 +55,23 @@ def custom_film(young: float, poisson: float, thickness: float, areal_density: f
         areal_density=_within(areal_density, 1e-4, 20.0, "areal density", "kg/m2", "0.035"),
         title="Film of your own",
     )
+
+
+def with_grain(film: Film, young_across: float, angle: float = 0.0) -> Film:
+    """The film with another Young's modulus [Pa] across its grain, which runs at an angle [rad] from x.
+
+    Raises InputError for a modulus beyond what any film of this Poisson's ratio can have: its energy would
+    not be positive (Jones, Mechanics of Composite Materials, 2.4).
+    """
+    across = _within(young_across, 1e5, 1e12, "Young's modulus across the grain", "Pa", "2e9")
+    if film.poisson_ratio**2 * across >= 0.99 * film.young_modulus:
+        raise InputError(
+            f"The Young's modulus across the grain {across:g} Pa is too large for one along it of "
+            f"{film.young_modulus:g} Pa: turn the grain by 90 degrees and exchange the two."
+        )
+    if not math.isfinite(angle):
+        raise InputError(f"The grain's angle {angle:g} is no number: give degrees from the x axis.")
+    return replace(film, young_modulus_across=across, grain_angle=angle)
 
 
 @cache

@@ -49,7 +49,7 @@ def inflate_in_time(
 ) -> tuple[Inflation, tuple[Frame, ...]]:
     """The balloon at rest and so many frames of its inflation, the last of which is the balloon at rest.
 
-    Frames are even in movement, not in time: the panel swells in milliseconds, and may then creep for seconds.
+    Frames are even in movement, not in time: the panel swells in milliseconds and may then creep for seconds.
     With the film's mass per area m and the panel's size L the pressure rises to its full value in
     3 sqrt(m L / p), and the motion is damped with 2 / sqrt(m L / p). Raises as inflate does, and InputError
     for a film without mass or fewer than two frames.

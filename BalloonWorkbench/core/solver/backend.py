@@ -17,6 +17,8 @@ from BalloonWorkbench.core.solver import motion, native, newton
 from BalloonWorkbench.core.solver.problem import Energies, Equilibrium, FilmProblem, NewtonSettings
 from BalloonWorkbench.core.types import Floats, Progress
 
+SOLVERS = ("native", "numpy", "newmark")
+
 
 class Solve(Protocol):
     """Signature of a solver; see newton.solve."""

@@ -53,6 +53,11 @@ def film_problem(panel: Panel, film: Film, pressure: float, model: Model | None 
     Of both panels where the model asks for it.
     """
     model = model or Model()
+    if not 0.0 <= model.bending_floor <= 1.0:
+        raise InputError(
+            f"The bending floor must be between 0 and 1, not {model.bending_floor:g}. "
+            f"Usual is {BENDING_FLOOR:g}."
+        )
     size = float(np.ptp(panel.rest_positions, axis=0).max())
     fixed = np.zeros((len(panel.rest_positions), 5), dtype=bool)
     for seam in panel.seams:

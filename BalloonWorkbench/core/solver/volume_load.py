@@ -34,7 +34,7 @@ def search_pressure(
     """The result of solve(pressure [Pa]) that has a volume [m3], found by trying.
 
     unit is E t / L [Pa]. The volume rises with the pressure, but little once the film is taut: strides, then
-    a false position in the logarithm of the pressure, in which an end that stays twice counts half (Illinois).
+    a false position in the logarithm of the pressure; an end that stays twice counts half (Illinois).
     Raises InputError when the film would be limp at that volume, or stretched beyond what it can bear.
     """
     if not (math.isfinite(volume) and volume > 0.0):
