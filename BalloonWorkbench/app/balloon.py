@@ -4,11 +4,19 @@
 from __future__ import annotations
 
 from BalloonWorkbench.app import film, migrate, status
-from BalloonWorkbench.app.properties import Property, add_missing
+from BalloonWorkbench.app.properties import Property, add_missing, show_in_editor
 from BalloonWorkbench.app.stateless import Stateless
 
 FIT, INFLATE = "Fit to drawing", "Inflate as drawn"
-BACKENDS = {"Automatic": None, "Native": "native", "NumPy": "numpy"}
+PRESSURE, VOLUME = "Pressure", "Volume"
+TENSION_FIELD, PLAIN_SHELL = "Tension field", "Plain shell"
+BACKENDS = {"Automatic": None, "Native": "native", "NumPy": "numpy", "Newmark": "newmark"}
+CHOICES = {
+    "Mode": [FIT, INFLATE],
+    "Load": [PRESSURE, VOLUME],
+    "Model": [TENSION_FIELD, PLAIN_SHELL],
+    "Backend": list(BACKENDS),
+}
 DEFAULT_PRESSURE = 2.0  # kPa
 
 PROPERTIES = (
@@ -20,15 +28,41 @@ PROPERTIES = (
         "Correct the pattern until the balloon looks like the drawing, or not",
     ),
     Property("Pressure", "Pressure", "Inflation", "Pressure inside, above that outside", DEFAULT_PRESSURE),
+    Property(
+        "Enumeration", "Load", "Inflation", "What is given: the pressure, or the volume that it shall reach"
+    ),
+    Property("Volume", "TargetVolume", "Inflation", "Volume of the balloon, from which the pressure follows"),
     Property("Length", "MeshSize", "Inflation", "Size of the triangles; 0 is automatic"),
-    Property("Enumeration", "Backend", "Inflation", "Solver: compiled, NumPy, or the best there is"),
+    Property(
+        "Enumeration",
+        "Backend",
+        "Inflation",
+        "Solver: compiled, NumPy, or the best of them; Newmark follows the inflation in time, slowly",
+    ),
+    Property(
+        "Enumeration",
+        "Model",
+        "Simulation",
+        "Film that wrinkles where it is compressed, or a shell that does not, for comparison",
+    ),
+    Property("Bool", "Bending", "Simulation", "The film resists bending", True),
+    Property(
+        "Float", "BendingFloor", "Simulation", "Least bending stiffness, in units of the usual least one", 1.0
+    ),
+    Property(
+        "Bool", "TwoPanels", "Simulation", "Simulate both panels instead of one and its mirror image", False
+    ),
     *film.PROPERTIES,
     Property("Length", "InflatedWidth", "Result", "Width of the inflated balloon", result=True),
     Property("Length", "InflatedHeight", "Result", "Height of the inflated balloon", result=True),
     Property("Length", "InflatedThickness", "Result", "Thickness of the inflated balloon", result=True),
     Property("Volume", "Volume", "Result", "Volume of the inflated balloon", result=True),
     Property("Area", "FilmArea", "Result", "Area of film inside the welds, both panels", result=True),
+    Property("Pressure", "ActivePressure", "Result", "Pressure in the inflated balloon", result=True),
     Property("Float", "MaxTension", "Result", "Largest membrane tension in N/m", result=True),
+    Property("Float", "MaxStrain", "Result", "Largest strain of the film", result=True),
+    Property("Float", "WrinkledShare", "Result", "Part of the film's area that is wrinkled", result=True),
+    Property("Float", "SlackShare", "Result", "Part of the film's area that is slack", result=True),
     Property("Length", "ResidualMean", "Result", "Mean distance between drawing and silhouette", result=True),
     Property("Length", "ResidualP95", "Result", "Distance that 95 % of the silhouette keep to", result=True),
     Property(
@@ -59,23 +93,30 @@ class BalloonProxy(Stateless):
 
     def __init__(self, obj):
         add_missing(obj, (migrate.VERSION, *PROPERTIES))
-        obj.Mode = [FIT, INFLATE]
-        obj.Backend = list(BACKENDS)
+        offer_choices(obj)
         obj.Proxy = self
         film.set_choices(obj)
+        follow_load(obj)
 
     def onDocumentRestored(self, obj):
         from BalloonWorkbench.app import hooks
 
-        migrate.bring_up_to_date(obj, PROPERTIES)
+        if migrate.bring_up_to_date(obj, PROPERTIES):
+            offer_choices(obj)
         film.protect(obj)
+        follow_load(obj)
         hooks.dress(obj)
 
     def onChanged(self, obj, name):
         from BalloonWorkbench.app.host import is_replaying
 
-        if name == "Film" and not is_replaying(obj.Document):
+        edited = not is_replaying(obj.Document)
+        if name == "Film" and edited:
             film.follow_choice(obj)
+        if name == "Load" and "SolvedFor" in obj.PropertiesList:
+            if edited and obj.Load == VOLUME and not obj.TargetVolume:
+                obj.TargetVolume = obj.Volume
+            follow_load(obj)
 
     def execute(self, obj):
         from BalloonWorkbench.app import hooks
@@ -92,15 +133,32 @@ class BalloonProxy(Stateless):
             obj.Placement = obj.Outline.Placement
 
 
+def offer_choices(obj) -> None:
+    """Give the enumerations their entries; an older object keeps its choice."""
+    for name, choices in CHOICES.items():
+        present = obj.getEnumerationsOfProperty(name) or []
+        if present != choices:
+            chosen = getattr(obj, name) if present else choices[0]
+            setattr(obj, name, choices)
+            setattr(obj, name, chosen)
+
+
+def follow_load(obj) -> None:
+    """Show the pressure or the volume in the property editor: what is given."""
+    given = obj.Load == VOLUME
+    show_in_editor(obj, Pressure="hide" if given else "edit", TargetVolume="edit" if given else "hide")
+
+
 def request(obj):
     """What the object's values ask of the engine; InputError when they make no sense."""
     import os
 
     from BalloonWorkbench.app import shapes
-    from BalloonWorkbench.app.quantities import metres, pascals
+    from BalloonWorkbench.app.quantities import cubic_metres, metres, pascals
     from BalloonWorkbench.app.solve import Request
     from BalloonWorkbench.core.job import Settings
     from BalloonWorkbench.core.report import Source
+    from BalloonWorkbench.core.solver.model import BENDING_FLOOR, Model
 
     drawing = obj.Outline
     name = drawing.Source[0].Label if drawing.Source else os.path.basename(drawing.Drawing)
@@ -112,6 +170,13 @@ def request(obj):
             mesh_size=metres(obj.MeshSize) or None,
             backend=BACKENDS[obj.Backend],
             correct=obj.Mode == FIT,
+            volume=cubic_metres(obj.TargetVolume) if obj.Load == VOLUME else None,
+            model=Model(
+                tension_field=obj.Model == TENSION_FIELD,
+                bending=obj.Bending,
+                bending_floor=obj.BendingFloor * BENDING_FLOOR,
+                two_panels=obj.TwoPanels,
+            ),
         ),
     )
 
@@ -148,7 +213,10 @@ def _show_measures(obj, told) -> None:
     obj.InflatedThickness = inflated["thickness_mm"]
     obj.Volume = quantities.cubic_millimetres(inflated["volume_m3"])
     obj.FilmArea = quantities.square_millimetres(inflated["film_area_m2"])
-    obj.MaxTension = inflated["max_tension_N_per_m"]
+    obj.ActivePressure = quantities.kilopascals(told["pressure_Pa"])
+    obj.MaxTension, obj.MaxStrain = inflated["max_tension_N_per_m"], inflated["max_strain"]
+    obj.WrinkledShare = inflated["area_shares"]["wrinkled"]
+    obj.SlackShare = inflated["area_shares"]["slack"]
     obj.ResidualMean, obj.ResidualP95, obj.ResidualMax = error["mean"], error["p95"], error["max"]
     obj.Reached, obj.Converged = bool(design["reached"]), bool(told["solve"]["converged"])
     obj.Passes, obj.NewtonSteps = int(design["passes"]), int(told["solve"]["newton_steps"])

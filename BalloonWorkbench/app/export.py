@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Writing a pattern object as a file for the cutter."""
+"""Writing a pattern object as a file for the cutter, and what the simulation found as a file for science."""
 
 from __future__ import annotations
 
@@ -27,11 +27,38 @@ def export_pattern(pattern_obj, target) -> Path:
     kind = path.suffix.lower().lstrip(".")
     if kind not in FORMATS:
         raise ExportError(f"{path.name} is neither DXF nor SVG: let the name end in .dxf or .svg.")
-    if not status.is_ready(pattern_obj):
-        raise ExportError(
-            f"{pattern_obj.Label} is not up to date. {status.problem(pattern_obj)} "
-            "Repair that, recompute and export again."
-        )
+    _insist_on_ready(pattern_obj)
     pattern = build(pattern_obj)
     write_files(path.parent, {path.name: dxf_bytes(pattern) if kind == "dxf" else svg_bytes(pattern)})
     return path
+
+
+def export_results(balloon_obj, target) -> Path:
+    """Write what the film does in every triangle to a .vtu file (ParaView) or .npz file (NumPy); returns it.
+
+    The object keeps the shape alone: its balloon is computed once more. Raises ExportError for another
+    ending, a balloon that is not up to date, a place that cannot be written.
+    """
+    from BalloonWorkbench.app import hooks
+    from BalloonWorkbench.app.balloon import request
+    from BalloonWorkbench.core.export.files import write_files
+    from BalloonWorkbench.core.export.results import FORMATS as KINDS
+    from BalloonWorkbench.core.export.results import results_bytes
+
+    path = Path(target)
+    kind = path.suffix.lower().lstrip(".")
+    if kind not in KINDS:
+        raise ExportError(f"{path.name} is neither VTU nor NPZ: let the name end in .vtu or .npz.")
+    _insist_on_ready(balloon_obj)
+    wanted = request(balloon_obj)
+    with hooks.progress(f"Inflating {balloon_obj.Label}") as progress:
+        inflation = wanted.solve(progress).inflation
+    write_files(path.parent, {path.name: results_bytes(inflation, wanted.settings.film, kind)})
+    return path
+
+
+def _insist_on_ready(obj) -> None:
+    if not status.is_ready(obj):
+        raise ExportError(
+            f"{obj.Label} is not up to date. {status.problem(obj)} Repair that, recompute and export again."
+        )

@@ -15,6 +15,13 @@ PROPERTIES = (
     Property(
         "FloatConstraint", "PoissonRatio", "Film", "Poisson's ratio of the film", (0.3, 0.0, 0.49, 0.01)
     ),
+    Property(
+        "Pressure",
+        "YoungModulusAcross",
+        "Film",
+        "Young's modulus across the grain; 0 means no grain",
+    ),
+    Property("Angle", "GrainAngle", "Film", "Direction of the grain, from the x axis of the drawing"),
     Property("Length", "Thickness", "Film", "Thickness of the film"),
     Property("Float", "ArealDensity", "Film", "Weight of the film in kg per square metre"),
     Property("Length", "SealWidth", "Film", "Width of the weld that this film needs"),
@@ -68,11 +75,15 @@ def protect(obj) -> None:
 
 def write(obj, film) -> None:
     """The film's values, into the object's properties."""
+    from math import degrees
+
     from BalloonWorkbench.app.quantities import kilopascals
     from BalloonWorkbench.core.units import to_mm
 
     obj.YoungModulus = kilopascals(film.young_modulus)
     obj.PoissonRatio = film.poisson_ratio
+    obj.YoungModulusAcross = kilopascals(film.young_modulus_across or 0.0)
+    obj.GrainAngle = degrees(film.grain_angle)
     obj.Thickness = to_mm(film.thickness)
     obj.ArealDensity = film.areal_density
     obj.SealWidth = to_mm(film.seal_width)
@@ -85,13 +96,16 @@ def read(obj):
     """
     from dataclasses import replace
 
-    from BalloonWorkbench.app.quantities import metres, pascals
-    from BalloonWorkbench.core.film.library import custom_film, films
+    from BalloonWorkbench.app.quantities import metres, pascals, radians
+    from BalloonWorkbench.core.film.library import custom_film, films, with_grain
 
     own = custom_film(
         pascals(obj.YoungModulus), obj.PoissonRatio, metres(obj.Thickness), obj.ArealDensity or None
     )
     own = replace(own, seal_width=metres(obj.SealWidth))
+    across = pascals(obj.YoungModulusAcross)
+    if across:
+        own = with_grain(own, across, radians(obj.GrainAngle))
     known = films().get(obj.Film)
     return (
         own

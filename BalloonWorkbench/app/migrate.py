@@ -19,8 +19,8 @@ VERSION = Property(
 STEPS: tuple[Callable[[object], None], ...] = ()
 
 
-def bring_up_to_date(obj, properties: tuple[Property, ...]) -> None:
-    """Complete the object's properties and take it to the present schema.
+def bring_up_to_date(obj, properties: tuple[Property, ...]) -> bool:
+    """Complete the object's properties and take it to the present schema; True when that is done.
 
     An object of a newer release is left as it is, with a warning: it may know more than we do.
     """
@@ -28,9 +28,10 @@ def bring_up_to_date(obj, properties: tuple[Property, ...]) -> None:
         App.Console.PrintWarning(
             f"{obj.Label}: made by a newer Film Balloon workbench; update the workbench before changing it.\n"
         )
-        return
+        return False
     add_missing(obj, (VERSION, *properties))
     for step in STEPS[obj.SchemaVersion - 1 :]:
         step(obj)
     if obj.SchemaVersion != SCHEMA:
         obj.SchemaVersion = SCHEMA
+    return True

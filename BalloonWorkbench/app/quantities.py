@@ -28,6 +28,11 @@ def pascals(value) -> float:
     return number(value) * _KILO
 
 
+def cubic_metres(value) -> float:
+    """A volume property, quantity or number of mm3, in m3."""
+    return number(value) * units.MILLIMETRE**3
+
+
 def kilopascals(pressure: float) -> float:
     """Pa to the kPa that FreeCAD's pressure properties take."""
     return float(pressure) / _KILO
@@ -41,6 +46,11 @@ def length(value) -> float:
 def pressure(value) -> float:
     """kPa from a number of kPa, a quantity, or text such as "20 mbar"; InputError for other text."""
     return kilopascals(units.parse_pressure(value)) if isinstance(value, str) else number(value)
+
+
+def volume(value) -> float:
+    """mm3 from a number of mm3, a quantity, or text such as "5 l"; InputError for other text."""
+    return cubic_millimetres(units.parse_volume(value)) if isinstance(value, str) else number(value)
 
 
 def radians(value) -> float:

@@ -5,13 +5,14 @@ from __future__ import annotations
 
 import hashlib
 import json
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 
 import numpy as np
 
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.job import Settings, design_outline
 from BalloonWorkbench.core.report import Source
+from BalloonWorkbench.core.solver.model import Model
 from BalloonWorkbench.core.types import Progress, no_progress
 
 
@@ -41,11 +42,23 @@ class Request:
             settings.backend,
             settings.correct,
             [len(loop) for loop in outline.loops],
+            *self._unusual(),
         ]
         digest = hashlib.sha256(json.dumps(values).encode())
         for loop in outline.loops:
             digest.update((np.round(loop, 9) + 0.0).tobytes())  # + 0.0: no negative zeros
         return digest.hexdigest()
+
+    def _unusual(self) -> list[str]:
+        """Options that differ from the usual ones; none in the key of a balloon without."""
+        settings, film = self.settings, self.settings.film
+        usual = asdict(Model())
+        options = {name: value for name, value in asdict(settings.model).items() if value != usual[name]}
+        if settings.volume is not None:
+            options["volume"] = settings.volume
+        if film.young_modulus_across is not None:
+            options |= {"across": film.young_modulus_across, "grain": film.grain_angle}
+        return [f"{name}={value:.9g}" for name, value in options.items()]
 
     def solve(self, progress: Progress = no_progress) -> Design:
         """The balloon and its seam; BalloonError when there is none, Cancelled when progress says stop."""
