@@ -197,7 +197,7 @@ def _decode() -> Any:
 def _document(drawing: str, balloon: Balloon, width: float | None, height: float | None) -> bytes:
     from BalloonWorkbench.app.document import fcstd_bytes
 
-    return fcstd_bytes(drawing, balloon.settings, balloon.design, width=width, height=height)
+    return fcstd_bytes(drawing, balloon.settings, balloon.designs, width=width, height=height)
 
 
 def _write(folder: str, contents: dict[str, bytes], balloon: Balloon) -> None:
@@ -205,15 +205,17 @@ def _write(folder: str, contents: dict[str, bytes], balloon: Balloon) -> None:
 
     paths = write_files(folder, contents)
     report = balloon.report
-    inflated, error = report["inflated"], report["design"]["silhouette_error_mm"]
-    size = f"{inflated['width_mm']:.0f} x {inflated['height_mm']:.0f} x {inflated['thickness_mm']:.0f} mm"
-    lines = [f"Balloon {size}, {1e3 * inflated['volume_m3']:.2f} l, solver {report['backend']}"]
-    if balloon.settings.volume is not None:
-        lines.append(f"Pressure {report['pressure_Pa']:.4g} Pa")
-    if balloon.settings.correct:
-        lines.append(
-            f"Silhouette {error['mean']:.2f} mm off the drawing on average, {error['max']:.1f} mm at most"
-        )
+    lines = []
+    for part in report["parts"]:
+        inflated, error = part["inflated"], part["design"]["silhouette_error_mm"]
+        size = f"{inflated['width_mm']:.0f} x {inflated['height_mm']:.0f} x {inflated['thickness_mm']:.0f} mm"
+        lines.append(f"Balloon {size}, {1e3 * inflated['volume_m3']:.2f} l, solver {report['backend']}")
+        if balloon.settings.volume is not None:
+            lines.append(f"Pressure {part['pressure_Pa']:.4g} Pa")
+        if balloon.settings.correct:
+            lines.append(
+                f"Silhouette {error['mean']:.2f} mm off the drawing on average, {error['max']:.1f} mm at most"
+            )
     lines += [f"Note: {warning}" for warning in report["warnings"]]
     lines += [f"Wrote {path}" for path in paths]
     sys.stdout.write("\n".join(lines) + "\n")

@@ -9,11 +9,20 @@ from typing import NamedTuple
 
 import FreeCAD as App
 
-from BalloonWorkbench.app import film, hooks, status
-from BalloonWorkbench.app.balloon import BACKENDS, FIT, INFLATE, BalloonProxy
-from BalloonWorkbench.app.outline import OutlineProxy, set_drawing
+from BalloonWorkbench.app import balloon, film, hooks, pattern, status
+from BalloonWorkbench.app.balloon import (
+    BACKENDS,
+    FIT,
+    INFLATE,
+    PLAIN_SHELL,
+    TENSION_FIELD,
+    VOLUME,
+    BalloonProxy,
+)
+from BalloonWorkbench.app.outline import OutlineProxy, set_drawing, shape_count
 from BalloonWorkbench.app.pattern import PatternProxy
 from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.solver.model import BENDING_FLOOR, Model
 
 
 class Parts(NamedTuple):
@@ -28,6 +37,11 @@ def make(doc, label: str = "Balloon") -> Parts:
     """The three objects, linked and in a group of their own, still without a drawing; nothing is computed."""
     group = doc.addObject("App::DocumentObjectGroup", "BalloonGroup")
     group.Label = label
+    return _make_in(group)
+
+
+def _make_in(group) -> Parts:
+    doc = group.Document
     parts = Parts(
         doc.addObject("Part::Part2DObjectPython", "Outline"),
         doc.addObject("Mesh::FeaturePython", "Balloon"),
@@ -50,6 +64,7 @@ def balloon_from_picture(doc, path, width=None, height=None, **options) -> Parts
     width, height  number of mm, quantity or text such as "300 mm"; pictures need one of them
     options        see `configure`
 
+    A drawing with several shapes makes a balloon for each, see `companions`; the largest one is returned.
     Raises BalloonError when no balloon comes out; the document is then as before.
     """
     sizes = [_size(name, value) for name, value in (("width", width), ("height", height))]
@@ -63,6 +78,39 @@ def balloon_from_picture(doc, path, width=None, height=None, **options) -> Parts
         _finish(parts, options)
         unless_finished.pop_all()
     return parts
+
+
+def add_companions(parts: Parts) -> list[Parts]:
+    """Balloons for the other shapes of a drawing, in the same group, with the values of the first one.
+
+    They share its drawing: another width or file changes all of them. Nothing is computed. A drawing that
+    cannot be read has no other shapes.
+    """
+    group, first = parts.balloon.getParentGroup(), parts.outline
+    made = []
+    for number in range(2, shape_count(first) + 1):
+        other = _make_in(group)
+        for mine, its in zip(parts, other, strict=True):
+            its.Label = f"{mine.Label} {number}"
+        other.outline.Leader, other.outline.Part = first, number
+        _copy_values(parts.balloon, other.balloon, balloon.PROPERTIES)
+        _copy_values(parts.pattern, other.pattern, pattern.PROPERTIES)
+        made.append(other)
+    return made
+
+
+def companions(parts: Parts) -> list[Parts]:
+    """The other balloons of the same drawing, by the number of their shape."""
+    members = parts.balloon.getParentGroup().Group
+    found = [
+        Parts(obj.Balloon.Outline, obj.Balloon, obj)
+        for obj in members
+        if isinstance(getattr(obj, "Proxy", None), PatternProxy)
+        and obj.Balloon
+        and obj.Balloon.Outline
+        and obj.Balloon.Outline.Leader == parts.outline
+    ]
+    return sorted(found, key=lambda other: other.outline.Part)
 
 
 def balloon_from_sketch(doc, sketch, elements=(), **options) -> Parts:
@@ -88,6 +136,8 @@ def configure(
     correct: bool = True,
     backend: str | None = None,
     intake: bool = True,
+    volume=None,
+    model: Model | None = None,
 ) -> None:
     """Set the values of a balloon; those not given keep their defaults.
 
@@ -95,7 +145,9 @@ def configure(
     pressure   kPa, quantity or text such as "20 mbar"
     mesh_size  mm, quantity or text
     correct    fit the pattern to the drawing, or inflate the drawing as it is
-    backend    "native", "numpy" or None for the best there is
+    backend    "native", "numpy", "newmark" or None for the best there is
+    volume     mm3, quantity or text such as "5 l", from which the pressure follows
+    model      a core Model: what is simulated, for comparisons
 
     Raises InputError for an unknown material or backend and for text that is no quantity.
     """
@@ -111,23 +163,42 @@ def configure(
     obj.Mode = FIT if correct else INFLATE
     choices = [name for name, known in BACKENDS.items() if known == backend]
     if not choices:
-        raise InputError(f'There is no backend "{backend}": choose "native" or "numpy", or leave it out.')
+        known = ", ".join(f'"{name}"' for name in BACKENDS.values() if name)
+        raise InputError(f'There is no backend "{backend}": choose {known}, or leave it out.')
     obj.Backend = choices[0]
+    if volume is not None:
+        obj.TargetVolume = quantities.volume(volume)
+        obj.Load = VOLUME
+    if model is not None:
+        obj.Model = TENSION_FIELD if model.tension_field else PLAIN_SHELL
+        obj.Bending, obj.TwoPanels = model.bending, model.two_panels
+        obj.BendingFloor = model.bending_floor / BENDING_FLOOR
     parts.pattern.Intake = intake
 
 
 def discard(parts: Parts) -> None:
     """Take the objects and their group out of the document."""
     group = parts.balloon.getParentGroup()
-    for obj in (*reversed(parts), group):
+    others = [obj for other in reversed(companions(parts)) for obj in reversed(other)]
+    for obj in (*others, *reversed(parts), group):
         obj.Document.removeObject(obj.Name)
 
 
-def place_beside(parts: Parts) -> None:
-    """Lay the pattern to the right of the drawing, in its plane."""
-    gap = 0.1 * parts.pattern.PatternWidth.Value
-    shift = _own_extent(parts.outline).XMax + gap - _own_extent(parts.pattern).XMin
-    parts.pattern.Placement = parts.outline.Placement * App.Placement(App.Vector(shift, 0, 0), App.Rotation())
+def place_beside(*balloons: Parts) -> None:
+    """Lay the patterns of a drawing to the right of it, in its plane, none over another."""
+    from BalloonWorkbench.app.pattern import build
+    from BalloonWorkbench.core.pattern.layout import beside
+    from BalloonWorkbench.core.units import to_mm
+
+    shifts = [to_mm(shift) for shift in beside([build(parts.pattern) for parts in balloons])]
+    gap = 0.1 * max(parts.pattern.PatternWidth.Value for parts in balloons)
+    left = min(
+        _own_extent(parts.pattern).XMin + shift[0] for parts, shift in zip(balloons, shifts, strict=True)
+    )
+    right = max(_own_extent(parts.outline).XMax for parts in balloons)
+    for parts, shift in zip(balloons, shifts, strict=True):
+        place = App.Vector(right + gap - left + shift[0], shift[1], 0)
+        parts.pattern.Placement = parts.outline.Placement * App.Placement(place, App.Rotation())
 
 
 def _own_extent(obj):
@@ -139,17 +210,18 @@ def _own_extent(obj):
 
 def _finish(parts: Parts, options) -> None:
     configure(parts, **options)
-    compute(parts)
+    compute(parts, *add_companions(parts))
 
 
-def compute(parts: Parts) -> None:
-    """Compute a new balloon and lay its pattern beside it; InputError with the reason when there is none."""
-    parts.balloon.Document.recompute()
-    for obj in parts:
+def compute(*balloons: Parts) -> None:
+    """Compute new balloons of a drawing and lay their patterns beside it; InputError where there is none."""
+    doc = balloons[0].balloon.Document
+    doc.recompute()
+    for obj in (obj for parts in balloons for obj in parts):
         if not status.is_ready(obj):
             raise InputError(status.problem(obj))
-    place_beside(parts)
-    parts.balloon.Document.recompute()
+    place_beside(*balloons)
+    doc.recompute()
 
 
 def _size(name: str, value) -> float:
@@ -160,3 +232,10 @@ def _size(name: str, value) -> float:
     if value is not None and not size > 0.0:
         raise InputError(f"The {name} is {size:g} mm: give one above 0, for example 300 mm.")
     return size
+
+
+def _copy_values(source, target, properties) -> None:
+    """Give an object the wanted values of another one, its links aside."""
+    for item in properties:
+        if not item.result and item.type != "Link":
+            setattr(target, item.name, getattr(source, item.name))

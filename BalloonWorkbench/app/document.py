@@ -10,27 +10,28 @@ import FreeCAD as App
 
 from BalloonWorkbench.app import balloon, create
 from BalloonWorkbench.app.outline import set_drawing
-from BalloonWorkbench.app.quantities import kilopascals
+from BalloonWorkbench.app.quantities import cubic_millimetres, kilopascals
 from BalloonWorkbench.core.export.files import write_files
 from BalloonWorkbench.core.units import to_mm
 
 
-def save_fcstd(path, drawing, settings, design, *, width=None, height=None) -> None:
-    """Write a document with the live objects of a balloon; see `fcstd_bytes`.
+def save_fcstd(path, drawing, settings, designs, *, width=None, height=None) -> None:
+    """Write a document with the live objects of balloons; see `fcstd_bytes`.
 
     Raises ExportError when the file cannot be written.
     """
     target = Path(path)
-    content = fcstd_bytes(drawing, settings, design, label=target.stem, width=width, height=height)
+    content = fcstd_bytes(drawing, settings, designs, label=target.stem, width=width, height=height)
     write_files(target.parent, {target.name: content})
 
 
-def fcstd_bytes(drawing, settings, design, *, label: str = "balloon", width=None, height=None) -> bytes:
-    """A document with the live objects of a balloon: they can be edited and recomputed in FreeCAD.
+def fcstd_bytes(drawing, settings, designs, *, label: str = "balloon", width=None, height=None) -> bytes:
+    """A document with the live objects of balloons: they can be edited and recomputed in FreeCAD.
 
     drawing        the file the outline was read from; a copy goes into the document
     settings       the job's settings
-    design         the core's result for them; it is taken over, not solved again
+    designs        the core's results for them, one for each shape of the drawing, in their order; they are
+                   taken over, not solved again
     label          name of the document
     width, height  of the drawing [m], as they were asked for; None where they were left open
 
@@ -50,11 +51,15 @@ def fcstd_bytes(drawing, settings, design, *, label: str = "balloon", width=None
             correct=settings.correct,
             backend=settings.backend,
             intake=settings.intake,
+            volume=None if settings.volume is None else cubic_millimetres(settings.volume),
+            model=settings.model,
         )
-        parts.outline.recompute()
-        if parts.outline.LoopCounts:
-            balloon.show(parts.balloon, balloon.request(parts.balloon), design)
-        create.compute(parts)
+        everyone = [parts, *create.add_companions(parts)]
+        for each, design in zip(everyone, designs):
+            each.outline.recompute()
+            if each.outline.LoopCounts:
+                balloon.show(each.balloon, balloon.request(each.balloon), design)
+        create.compute(*everyone)
         with tempfile.TemporaryDirectory() as folder:
             written = Path(folder) / f"{label}.FCStd"  # FreeCAD labels a document by its file
             doc.saveAs(str(written))

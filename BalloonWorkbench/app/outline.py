@@ -94,6 +94,16 @@ def has_drawing(obj) -> bool:
     return bool(leader(obj).Source or leader(obj).Drawing)
 
 
+def shape_count(obj) -> int:
+    """How many shapes the drawing of an outline has; 0 where it cannot be read."""
+    from BalloonWorkbench.core.errors import BalloonError
+
+    try:
+        return len(read_all(obj)[0].parts) if has_drawing(obj) else 0
+    except BalloonError:
+        return 0
+
+
 def read(obj):
     """The outline, what it was read from, and the placement of a linked source (None for a drawing)."""
     from BalloonWorkbench.core.errors import OutlineError

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The main job: a drawing in, a balloon and its cutter-ready pattern out.
+"""The main job: a drawing in, its balloons and their cutter-ready patterns out.
 
-1. read the drawing as an outline                       outline/read.py
+1. read the drawing as outlines, and for each of them   outline/read.py
 2. mesh a first pattern                                 mesh/triangulate.py
 3. inflate it: film, sealed seam, pressure              solver/inflate.py
 4. correct the pattern until its silhouette is          design/fit.py
@@ -29,10 +29,12 @@ from BalloonWorkbench.core.export.stl import stl_bytes
 from BalloonWorkbench.core.export.svg import svg_bytes
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.film.library import DEFAULT_FILM, film
+from BalloonWorkbench.core.outline.drawing import Drawing
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.outline.picture import Decode
-from BalloonWorkbench.core.outline.read import read_outline
+from BalloonWorkbench.core.outline.read import read_drawing
 from BalloonWorkbench.core.pattern.build import build_pattern
+from BalloonWorkbench.core.pattern.layout import on_one_sheet
 from BalloonWorkbench.core.pattern.pattern import Pattern
 from BalloonWorkbench.core.solver.animation import inflate_in_time
 from BalloonWorkbench.core.solver.model import Model
@@ -60,14 +62,36 @@ class Settings:
 
 
 @dataclass(frozen=True)
+class Part:
+    """One shape of the drawing as a balloon."""
+
+    design: Design
+    pattern: Pattern
+
+
+@dataclass(frozen=True)
 class Balloon:
     """A finished job: what was drawn, what was found, and the report for people and programs."""
 
-    drawing: Outline
+    drawing: Drawing
     settings: Settings
-    design: Design
-    pattern: Pattern
+    parts: tuple[Part, ...]
     report: dict[str, Any]
+
+    @property
+    def design(self) -> Design:
+        """The design of the largest shape."""
+        return self.parts[0].design
+
+    @property
+    def designs(self) -> list[Design]:
+        """The designs of all shapes, the largest first."""
+        return [part.design for part in self.parts]
+
+    @property
+    def patterns(self) -> list[Pattern]:
+        """The patterns of all shapes, where the drawing has them."""
+        return [part.pattern for part in self.parts]
 
 
 def make_balloon(
@@ -79,21 +103,29 @@ def make_balloon(
     decode: Decode | None = None,
     progress: Progress = no_progress,
 ) -> Balloon:
-    """Design the balloon of a drawing file, width and height [m] as in read_outline.
+    """Design a balloon for each shape in a drawing file; width and height [m] as in read_drawing.
 
     decode reads pictures where OpenCV is missing. Raises BalloonError of some kind for anything a user can
     mend.
     """
-    drawing, kind = read_outline(path, width, height, decode)
-    design = design_outline(drawing, settings, progress)
-    pattern = build_pattern(design.pattern, settings.film.seal_width, intake=settings.intake)
-    source = report.Source(Path(path).name, kind, drawing)
-    return Balloon(
-        drawing,
-        settings,
-        design,
-        pattern,
-        report.build(source, settings.film, design, pattern, settings.volume),
+    drawing, kind = read_drawing(path, width, height, decode)
+    parts, told = [], []
+    for number, outline in enumerate(drawing.parts):
+        design = design_outline(outline, settings, _share(progress, number, len(drawing.parts)))
+        pattern = build_pattern(design.pattern, settings.film.seal_width, intake=settings.intake)
+        source = report.Source(Path(path).name, kind, outline)
+        parts.append(Part(design, pattern))
+        told.append(report.build(source, settings.film, design, pattern, settings.volume))
+    sheet = on_one_sheet([part.pattern for part in parts])
+    return Balloon(drawing, settings, tuple(parts), report.together(told, drawing, sheet))
+
+
+def _share(progress: Progress, number: int, count: int) -> Progress:
+    """The progress of one of several balloons within that of all."""
+    if count == 1:
+        return progress
+    return lambda fraction, text: progress(
+        (number + fraction) / count, f"balloon {number + 1} of {count}, {text}"
     )
 
 
@@ -115,17 +147,19 @@ def files(balloon: Balloon, results: str | None = None) -> dict[str, bytes]:
 
     results: "vtu" or "npz" adds a file about every triangle.
     """
+    sheet = on_one_sheet(balloon.patterns)
     text = json.dumps(balloon.report, indent=2, ensure_ascii=False, allow_nan=False)
     contents = {
-        "pattern.dxf": dxf_bytes(balloon.pattern),
-        "pattern.svg": svg_bytes(balloon.pattern),
-        "balloon.stl": stl_bytes(balloon.design.inflation),
-        "preview.png": preview_png(balloon.design, balloon.pattern),
+        "pattern.dxf": dxf_bytes(sheet),
+        "pattern.svg": svg_bytes(sheet),
+        "balloon.stl": stl_bytes([design.inflation for design in balloon.designs]),
+        "preview.png": preview_png(balloon.designs, balloon.patterns),
         "report.json": (text + "\n").encode(),
     }
     if results is not None:
-        found = results_bytes(balloon.design.inflation, balloon.settings.film, results)
-        contents[f"results.{results}"] = found
+        for number, design in enumerate(balloon.designs, start=1):
+            name = f"results.{results}" if number == 1 else f"results-{number}.{results}"
+            contents[name] = results_bytes(design.inflation, balloon.settings.film, results)
     return contents
 
 

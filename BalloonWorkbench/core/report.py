@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
@@ -11,13 +12,16 @@ import numpy as np
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.mesh.quality import min_angles, signed_areas
+from BalloonWorkbench.core.outline.drawing import Drawing
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.pattern.pattern import Intake, Pattern
 from BalloonWorkbench.core.solver.film_state import film_state, thickness
 from BalloonWorkbench.core.solver.model import Model
 from BalloonWorkbench.core.units import to_mm
 
-SCHEMA = 1
+SCHEMA = 2
+#: What the report tells of each shape of the drawing.
+_OF_A_PART = ("pressure_Pa", "mesh", "solve", "design", "inflated", "pattern", "warnings")
 
 
 @dataclass(frozen=True)
@@ -29,10 +33,46 @@ class Source:
     outline: Outline
 
 
+def together(parts: Sequence[dict[str, Any]], drawing: Drawing, sheet: Pattern) -> dict[str, Any]:
+    """The report of a whole drawing, from those of its shapes and the pattern sheet that all of them make.
+
+    What is told of a single shape is that of the largest one; `parts` has it for all, the largest first.
+    """
+    width, height = drawing.size
+    sheet_width, sheet_height = sheet.size
+    corner = np.concatenate([part.outer for part in drawing.parts]).min(axis=0)
+    return {
+        **parts[0],
+        "input": {
+            **parts[0]["input"],
+            "width_mm": to_mm(width),
+            "height_mm": to_mm(height),
+            "holes": sum(len(part.holes) for part in drawing.parts),
+            "shapes": len(drawing.parts),
+        },
+        "sheet": {
+            "width_mm": to_mm(sheet_width),
+            "height_mm": to_mm(sheet_height),
+            "seam_length_mm": to_mm(sheet.seam_length),
+        },
+        "warnings": list(dict.fromkeys(text for part in parts for text in part["warnings"])),
+        "parts": [
+            {
+                "outline": {
+                    "at_mm": to_mm(outline.outer.min(axis=0) - corner).tolist(),
+                    **{key: part["input"][key] for key in ("width_mm", "height_mm", "holes")},
+                },
+                **{key: part[key] for key in _OF_A_PART},
+            }
+            for part, outline in zip(parts, drawing.parts, strict=True)
+        ],
+    }
+
+
 def build(
     source: Source, film: Film, design: Design, pattern: Pattern, volume: float | None = None
 ) -> dict[str, Any]:
-    """The report as plain numbers, strings, lists and dicts; keys carry their units.
+    """The report of one shape as plain numbers, strings, lists and dicts; keys carry their units.
 
     volume [m3]: what was asked for instead of a pressure.
     """

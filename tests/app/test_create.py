@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Making balloons from scripts: values, texts with units, and a document left alone when it fails."""
 
+import json
+import math
 from pathlib import Path
 
 import pytest
@@ -8,6 +10,7 @@ import sketches
 
 from BalloonWorkbench.app import create, status
 from BalloonWorkbench.app.balloon import request
+from BalloonWorkbench.app.outline import set_drawing
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.film.library import film
@@ -78,6 +81,62 @@ def test_several_shapes(doc):
         assert parts.balloon.Mesh.isSolid()
         assert parts.balloon.ResidualMean.Value < 0.015 * parts.outline.SizeX.Value
     assert len({obj.Name for obj in doc.Objects}) == len(doc.Objects) == 3 * 5
+
+
+def two_discs(path, larger=50):
+    """A drawing of two discs, 40 mm apart."""
+    loops = [
+        [[x + r * math.cos(a), r * math.sin(a)] for a in (k * math.pi / 30 for k in range(60))]
+        for x, r in ((0, 30), (70 + larger, larger))
+    ]
+    path.write_text(json.dumps({"unit": "mm", "parts": [{"outer": loop} for loop in loops]}))
+    return path
+
+
+def test_each_shape_of_a_drawing_is_a_balloon(doc, tmp_path):
+    parts = create.balloon_from_picture(
+        doc, two_discs(tmp_path / "discs.json"), mesh_size=7, pressure=3, correct=False
+    )
+    (other,) = create.companions(parts)
+    assert [obj.Status for obj in (*parts, *other)] == [status.READY] * 6
+    assert parts.balloon.getParentGroup().Group == [*parts, *other]
+    assert [each.outline.SizeX.Value for each in (parts, other)] == pytest.approx([100, 60], rel=0.01)
+    assert other.balloon.Pressure == parts.balloon.Pressure
+    # Mylar balloon: volume in proportion to the cube of the radius
+    assert parts.balloon.Volume.Value / other.balloon.Volume.Value == pytest.approx((5 / 3) ** 3, rel=0.02)
+    boxes = [each.pattern.Shape.BoundBox for each in (parts, other)]
+    assert min(box.XMin for box in boxes) > max(each.outline.Shape.BoundBox.XMax for each in (parts, other))
+    assert not boxes[0].intersect(boxes[1])
+    # the drawing is shared
+    parts.outline.Width = 0.5 * 200
+    doc.recompute()
+    assert [each.outline.SizeX.Value for each in (parts, other)] == pytest.approx([50, 30], rel=0.01)
+    create.discard(parts)
+    assert doc.Objects == []
+
+
+def test_shape_that_is_gone_from_the_drawing(doc, tmp_path):
+    parts = create.balloon_from_picture(doc, two_discs(tmp_path / "discs.json"), mesh_size=14, correct=False)
+    (other,) = create.companions(parts)
+    set_drawing(parts.outline, HEART)
+    parts.outline.Width = 100
+    doc.recompute()
+    assert parts.outline.Status == status.READY
+    assert "1 shape" in status.problem(other.outline)
+    assert other.balloon.Volume.Value > 0  # is kept
+
+
+def test_separate_loops_of_a_sketch(doc):
+    loops = [*sketches.polygon((0, 0), (60, 0), (60, 60), (0, 60))]
+    loops += sketches.polygon((90, 0), (130, 0), (130, 40), (90, 40))
+    sketch = sketches.sketch(doc, *loops)
+    sketch.Placement.Base.z = 7
+    parts = create.balloon_from_sketch(doc, sketch, mesh_size=10, correct=False)
+    (other,) = create.companions(parts)
+    assert [each.outline.Shape.Area for each in (parts, other)] == pytest.approx([3600, 1600])
+    assert other.outline.Shape.BoundBox.XMin == pytest.approx(90)
+    assert other.outline.Placement.Base.z == pytest.approx(7)
+    assert other.balloon.Status == status.READY
 
 
 def failing(doc, words, make):

@@ -138,18 +138,18 @@ def test_object_of_a_newer_release_is_left_alone(reopened):
 def job():
     """What the command line has at hand when it writes a document."""
     settings = Settings(mesh_size=0.014)
-    return settings, make_balloon(HEART, settings, width=0.12).design
+    return settings, make_balloon(HEART, settings, width=0.12).designs
 
 
 def test_command_line_result_becomes_a_document(job, tmp_path, no_solver):
-    settings, design = job
+    settings, designs = job
     path = tmp_path / "balloon.FCStd"
-    save_fcstd(path, HEART, settings, design, width=0.12)
+    save_fcstd(path, HEART, settings, designs, width=0.12)
     assert [entry.name for entry in tmp_path.iterdir()] == ["balloon.FCStd"]
     document = App.openDocument(str(path))
     try:
         assert document.Label == "balloon"
-        assert document.Balloon.Volume.Value == pytest.approx(design.inflation.volume * 1e9)
+        assert document.Balloon.Volume.Value == pytest.approx(designs[0].inflation.volume * 1e9)
         assert [document.getObject(name).Status for name in PROXIES] == [status.READY] * 3
         for name in PROXIES:
             document.getObject(name).touch()
@@ -160,9 +160,9 @@ def test_command_line_result_becomes_a_document(job, tmp_path, no_solver):
 
 
 def test_document_that_cannot_be_written(job, tmp_path):
-    settings, design = job
+    settings, designs = job
     before = list(App.listDocuments())
     (tmp_path / "file").write_text("no folder")
     with pytest.raises(ExportError, match="write"):
-        save_fcstd(tmp_path / "file" / "balloon.FCStd", HEART, settings, design, width=0.12)
+        save_fcstd(tmp_path / "file" / "balloon.FCStd", HEART, settings, designs, width=0.12)
     assert list(App.listDocuments()) == before

@@ -40,7 +40,7 @@ def test_design_writes_all_its_files(heart: Path) -> None:
     assert {path.name for path in heart.iterdir()} >= FILES
 
 
-def test_report_holds_what_schema_1_promises(heart: Path) -> None:
+def test_report_holds_what_schema_2_promises(heart: Path) -> None:
     report = json.loads((heart / "report.json").read_text(encoding="utf-8"))
     wanted = {
         "input": "file kind width_mm height_mm holes",
@@ -55,7 +55,7 @@ def test_report_holds_what_schema_1_promises(heart: Path) -> None:
         assert set(report[group]) >= set(names.split()), group
     assert set(report["design"]["silhouette_error_mm"]) == {"mean", "p95", "max"}
     assert set(report["pattern"]["intake"]) == {"width_mm", "length_mm", "angle_deg", "at_mm"}
-    assert report["schema"] == 1
+    assert report["schema"] == 2
     assert report["pressure_Pa"] == 2000.0
     assert report["backend"] == "native"
     assert report["input"]["width_mm"] == pytest.approx(300.0)
@@ -120,6 +120,58 @@ def test_same_input_writes_the_same_bytes(square: Path, tmp_path: Path) -> None:
         assert cli.main(["inflate", str(square), "--out", str(tmp_path / name), "--mesh-size", "20mm"]) == 0
     for file in FILES - {"report.json"}:  # which holds the seconds
         assert (tmp_path / "one" / file).read_bytes() == (tmp_path / "two" / file).read_bytes(), file
+
+
+@pytest.fixture(scope="module")
+def pair(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A square beside a smaller one, inflated as they are."""
+    folder = tmp_path_factory.mktemp("pair")
+    small = (0.5 * np.array(SQUARE["outer"]) + [260, 50]).tolist()
+    text = {"unit": "mm", "parts": [{"outer": small}, {"outer": SQUARE["outer"]}]}
+    (folder / "pair.json").write_text(json.dumps(text))
+    words = ["inflate", str(folder / "pair.json"), "--out", str(folder / "out"), "--mesh-size", "10mm"]
+    assert cli.main(words) == 0
+    return folder / "out"
+
+
+def test_two_shapes_are_two_balloons_in_one_report(pair: Path) -> None:
+    report = json.loads((pair / "report.json").read_text())
+    assert report["input"]["shapes"] == 2
+    assert report["input"]["width_mm"] == pytest.approx(360.0)
+    large, small = report["parts"]
+    assert [part["outline"]["at_mm"] for part in (large, small)] == [[0.0, 0.0], [260.0, 50.0]]
+    for part, side in ((large, 0.2), (small, 0.1)):
+        assert part["inflated"]["volume_m3"] == pytest.approx(0.2027 * side**3, rel=0.03)  # teabag
+    for group in ("mesh", "solve", "design", "inflated", "pattern"):
+        assert report[group] == large[group]
+
+
+def test_two_shapes_are_two_closed_meshes_in_their_places(pair: Path) -> None:
+    data = (pair / "balloon.stl").read_bytes()
+    facets = np.frombuffer(data[84:], dtype=np.dtype([("n", "<f4", 3), ("v", "<f4", (3, 3)), ("a", "<u2")]))
+    corners = facets["v"].astype(float)
+    right = corners[:, :, 0].mean(axis=1) > 230.0
+    report = json.loads((pair / "report.json").read_text())
+    for mine, part in ((~right, report["parts"][0]), (right, report["parts"][1])):
+        volume = np.einsum("ij,ij->", corners[mine, 0], np.cross(corners[mine, 1], corners[mine, 2])) / 6.0
+        assert volume * 1e-9 == pytest.approx(part["inflated"]["volume_m3"], rel=0.02)
+
+
+def test_two_shapes_are_two_patterns_on_one_sheet(pair: Path) -> None:
+    import ezdxf
+
+    report = json.loads((pair / "report.json").read_text())
+    space = ezdxf.readfile(pair / "pattern.dxf").modelspace()
+    cuts = [np.array(list(line.get_points("xy"))) for line in space.query('LWPOLYLINE[layer=="CUT"]')]
+    assert len(cuts) == 2
+    for points, part in zip(cuts, report["parts"], strict=True):
+        size = (part["pattern"]["width_mm"], part["pattern"]["height_mm"])
+        assert np.ptp(points, axis=0) == pytest.approx(size, abs=1e-3)
+    boxes = sorted((points.min(axis=0).tolist(), points.max(axis=0).tolist()) for points in cuts)
+    (_, (left, _)), ((right, _), _) = boxes
+    assert right > left + 5.0
+    svg = (pair / "pattern.svg").read_text()
+    assert svg.count('id="CUT"') == 1
 
 
 def test_pattern_reads_back_as_an_outline(heart: Path) -> None:

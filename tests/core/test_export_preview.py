@@ -29,7 +29,7 @@ def near(pixels: np.ndarray, red: float, green: float, blue: float, tolerance: f
 @pytest.mark.parametrize("name", ["heart", "ring", "L", "neck"])
 def test_cards_hold_what_they_say(name: str) -> None:
     design = designed(NAMED[name], 600)
-    pixels = pixels_of(preview_png(design, build_pattern(design.pattern, 0.005)))
+    pixels = pixels_of(preview_png([design], [build_pattern(design.pattern, 0.005)]))
     assert pixels.shape == (1000, 1800, 3)
     # Between and around the cards nothing is drawn: no text runs over.
     for gap in (
@@ -55,12 +55,12 @@ def test_cards_hold_what_they_say(name: str) -> None:
 def test_same_design_same_bytes() -> None:
     design = designed(NAMED["star"], 400)
     pattern = build_pattern(design.pattern, 0.005)
-    assert preview_png(design, pattern) == preview_png(design, pattern)
+    assert preview_png([design], [pattern]) == preview_png([design], [pattern])
 
 
 def test_balloon_picture_shows_the_shape() -> None:
     """Opaque where the balloon is, with the hole of a ring open, over a shadow that fades out."""
-    ring = balloon_picture(designed(NAMED["ring"], 600).inflation, 0.005, 300, 400)
+    ring = balloon_picture([designed(NAMED["ring"], 600).inflation], 0.005, 300, 400)
     assert ring.shape == (400, 300, 4)
     assert ring.min() >= 0.0
     assert ring.max() <= 1.0

@@ -58,7 +58,7 @@ def test_cone_by_hand() -> None:
 
 def test_binary_file(inflation: Inflation) -> None:
     positions, triangles = balloon_mesh(inflation)
-    content = stl_bytes(inflation)
+    content = stl_bytes([inflation])
     assert not content.startswith(b"solid")  # would be taken for a text file
     assert int.from_bytes(content[80:84], "little") == len(triangles)
     assert len(content) == 84 + 50 * len(triangles)
@@ -77,4 +77,4 @@ def test_binary_file(inflation: Inflation) -> None:
     assert enclosed_volume(corners.astype(float) / 1000.0, index.reshape(-1, 3)) == pytest.approx(
         inflation.volume, rel=1e-4
     )
-    assert stl_bytes(inflation) == content
+    assert stl_bytes([inflation]) == content

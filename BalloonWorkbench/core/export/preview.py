@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import io
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -11,8 +12,9 @@ import numpy as np
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.errors import MissingPackageError
 from BalloonWorkbench.core.export.render import balloon_picture
-from BalloonWorkbench.core.export.sheet import LAYERS, Sheet, lay_out
+from BalloonWorkbench.core.export.sheet import LAYERS, Path, lay_out
 from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.pattern.layout import on_one_sheet
 from BalloonWorkbench.core.pattern.pattern import Pattern, Role
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import to_mm
@@ -27,8 +29,11 @@ _LEFT, _MIDDLE = 480, 540
 _NAMES = {Role.CUT: "cut", Role.CUT_INNER: "cut inside", Role.SEAL: "weld"}
 
 
-def preview_png(design: Design, pattern: Pattern) -> bytes:
-    """A PNG of 1800 x 1000 pixels; same bytes for same input. MissingPackageError without matplotlib."""
+def preview_png(designs: Sequence[Design], patterns: Sequence[Pattern]) -> bytes:
+    """A PNG of 1800 x 1000 pixels of all balloons of a drawing; same bytes for same input.
+
+    MissingPackageError without matplotlib.
+    """
     try:
         from matplotlib.backends.backend_agg import FigureCanvasAgg
         from matplotlib.figure import Figure
@@ -42,10 +47,11 @@ def preview_png(design: Design, pattern: Pattern) -> bytes:
     tall = _HEIGHT - 2 * _MARGIN
     second = _MARGIN + _LEFT + _GAP
     third = second + _MIDDLE + _GAP
-    _drawing(_card(figure, _MARGIN, _MARGIN + half + _GAP, _LEFT, half, "Drawing"), design)
-    _silhouette(_card(figure, _MARGIN, _MARGIN, _LEFT, half, "Inflated over the drawing"), design)
-    _pattern(_card(figure, second, _MARGIN, _MIDDLE, tall, "Pattern, cut two"), lay_out(pattern), pattern)
-    _balloon(_card(figure, third, _MARGIN, _WIDTH - _MARGIN - third, tall, "Balloon"), design, pattern)
+    _drawing(_card(figure, _MARGIN, _MARGIN + half + _GAP, _LEFT, half, "Drawing"), designs)
+    _silhouette(_card(figure, _MARGIN, _MARGIN, _LEFT, half, "Inflated over the drawing"), designs)
+    _pattern(_card(figure, second, _MARGIN, _MIDDLE, tall, "Pattern, cut two"), patterns)
+    title = "Balloon" if len(designs) == 1 else f"{len(designs)} balloons"
+    _balloon(_card(figure, third, _MARGIN, _WIDTH - _MARGIN - third, tall, title), designs, patterns)
     stream = io.BytesIO()
     canvas.print_png(stream, metadata={"Software": None})
     return stream.getvalue()
@@ -96,9 +102,11 @@ def _area(axes: Any, outline: Outline, frame: _Frame, **style: Any) -> None:
     axes.add_patch(PathPatch(Path(points, codes), joinstyle="round", **style))
 
 
-def _common_frame(axes: Any, design: Design) -> _Frame:
+def _common_frame(axes: Any, designs: Sequence[Design]) -> _Frame:
     """The same scale for the drawing and for what is laid over it."""
-    points = to_mm(np.concatenate([design.target.outer, design.silhouette.outer]))
+    points = to_mm(
+        np.concatenate([part.outer for design in designs for part in (design.target, design.silhouette)])
+    )
     return _Frame(points.min(axis=0), points.max(axis=0), _box(axes, 34, 62, 34, 66))
 
 
@@ -108,41 +116,50 @@ def _box(
     return left, bottom, axes.get_xlim()[1] - right, axes.get_ylim()[1] - top
 
 
-def _drawing(axes: Any, design: Design) -> None:
-    _area(axes, design.target, _common_frame(axes, design), fc=_DRAWING, ec="none")
-    width, height = to_mm(np.array(design.target.size))
-    holes = len(design.target.holes)
+def _drawing(axes: Any, designs: Sequence[Design]) -> None:
+    frame = _common_frame(axes, designs)
+    for design in designs:
+        _area(axes, design.target, frame, fc=_DRAWING, ec="none")
+    width, height = to_mm(np.ptp(np.concatenate([design.target.outer for design in designs]), axis=0))
+    holes = sum(len(design.target.holes) for design in designs)
+    shapes = "" if len(designs) == 1 else f", {len(designs)} shapes"
     inside = "" if not holes else ", 1 hole" if holes == 1 else f", {holes} holes"
-    _caption(axes, f"{width:.0f} × {height:.0f} mm{inside}")
+    _caption(axes, f"{width:.0f} × {height:.0f} mm{shapes}{inside}")
 
 
-def _silhouette(axes: Any, design: Design) -> None:
-    frame = _common_frame(axes, design)
-    _area(axes, design.silhouette, frame, fc=_BALLOON, ec="none", alpha=0.30)
-    _area(axes, design.silhouette, frame, fc="none", ec=_BALLOON, lw=1.6)
-    _area(axes, design.target, frame, fc="none", ec=_DRAWING, lw=1.2, ls=(0, (4, 2.5)))
-    off = design.residual
+def _silhouette(axes: Any, designs: Sequence[Design]) -> None:
+    frame = _common_frame(axes, designs)
+    for design in designs:
+        _area(axes, design.silhouette, frame, fc=_BALLOON, ec="none", alpha=0.30)
+        _area(axes, design.silhouette, frame, fc="none", ec=_BALLOON, lw=1.6)
+        _area(axes, design.target, frame, fc="none", ec=_DRAWING, lw=1.2, ls=(0, (4, 2.5)))
+    worst = max(designs, key=lambda design: design.residual.mean / max(design.target.size))
+    off = worst.residual
     mean, p95, most = (to_mm(value) for value in (off.mean, off.p95, off.max))
-    share = 100.0 * off.mean / max(design.target.size[0], 1e-12)
+    share = 100.0 * off.mean / max(*worst.target.size, 1e-12)
+    error = "error" if len(designs) == 1 else "worst"
     _caption(
         axes,
-        f"error: mean {mean:.2g} mm ({share:.2g} %), 95 % {p95:.2g} mm, max {most:.2g} mm",
-        _SOFT if design.reached else "#b3541e",
+        f"{error}: mean {mean:.2g} mm ({share:.2g} %), 95 % {p95:.2g} mm, max {most:.2g} mm",
+        _SOFT if all(design.reached for design in designs) else "#b3541e",
     )
 
 
-def _pattern(axes: Any, sheet: Sheet, pattern: Pattern) -> None:
+def _pattern(axes: Any, patterns: Sequence[Pattern]) -> None:
+    pattern = on_one_sheet(patterns)
+    sheet = lay_out(pattern)
     frame = _Frame(np.zeros(2), np.array([sheet.width, sheet.height]), _box(axes, 74, 150, 40, 84))
+    rings = {role: [_drawn(path, frame) for path in sheet.of(role)] for role in (Role.CUT, Role.CUT_INNER)}
+    # A shape may lie in the hole of another: the larger ones first.
+    for points, color in sorted(
+        [(points, "#fbeef0") for points in rings[Role.CUT]]
+        + [(points, _CARD) for points in rings[Role.CUT_INNER]],
+        key=lambda item: -float(np.ptp(item[0], axis=0).prod()),
+    ):
+        axes.fill(*points.T, color=color)
     for path in sheet.paths:
-        x, y = frame(np.concatenate([path.points, path.points[:1]]) if path.closed else path.points).T
-        if path.role is Role.CUT:
-            axes.fill(x, y, color="#fbeef0")
-        if path.role is Role.CUT_INNER:
-            axes.fill(x, y, color=_CARD)
-    for path in sheet.paths:
-        x, y = frame(np.concatenate([path.points, path.points[:1]]) if path.closed else path.points).T
         style: dict[str, Any] = {"lw": 1.5} if path.role is not Role.SEAL else {"lw": 1.0, "ls": (0, (5, 2))}
-        axes.plot(x, y, color=LAYERS[path.role].rgb, solid_joinstyle="round", **style)
+        axes.plot(*_drawn(path, frame).T, color=LAYERS[path.role].rgb, solid_joinstyle="round", **style)
     low, high = frame(np.zeros(2)), frame(np.array([sheet.width, sheet.height]))
     _dimension(axes, (low[0], low[1] - 26), (high[0], low[1] - 26), f"{sheet.width:.0f} mm")
     _dimension(axes, (low[0] - 26, low[1]), (low[0] - 26, high[1]), f"{sheet.height:.0f} mm", rotation=90)
@@ -152,13 +169,17 @@ def _pattern(axes: Any, sheet: Sheet, pattern: Pattern) -> None:
         axes.plot([left, left + 24], [62, 62], color=LAYERS[role].rgb, lw=2.0)
         axes.text(left + 32, 62, _NAMES[role], color=_SOFT, fontsize=11, va="center")
         left += 60 + 8 * len(_NAMES[role])
-    neck = "no intake"
-    if pattern.intake is not None:
-        neck = f"intake {to_mm(pattern.intake.width):.0f} mm wide inside"
+    widths = [part.intake.width for part in patterns if part.intake is not None]
+    neck = f"intake {to_mm(max(widths)):.0f} mm wide inside" if widths else "no intake"
     _caption(
         axes,
         f"weld {to_mm(pattern.seal_width):.2g} mm wide, {to_mm(pattern.seam_length):.0f} mm long, {neck}",
     )
+
+
+def _drawn(path: Path, frame: _Frame) -> Floats:
+    """Points (n, 2) of a path on the card, a closed one with its first point repeated."""
+    return frame(np.concatenate([path.points, path.points[:1]]) if path.closed else path.points)
 
 
 def _dimension(
@@ -192,17 +213,16 @@ def _scale_bar(axes: Any, scale: float) -> None:
     )
 
 
-def _balloon(axes: Any, design: Design, pattern: Pattern) -> None:
+def _balloon(axes: Any, designs: Sequence[Design], patterns: Sequence[Pattern]) -> None:
     width, height = axes.get_xlim()[1], axes.get_ylim()[1]
     box = (14, 56, width - 14, height - 64)
-    picture = balloon_picture(
-        design.inflation, pattern.seal_width, int(box[2] - box[0]), int(box[3] - box[1])
-    )
+    inflations = [design.inflation for design in designs]
+    picture = balloon_picture(inflations, patterns[0].seal_width, int(box[2] - box[0]), int(box[3] - box[1]))
     axes.imshow(picture, extent=(box[0], box[2], box[1], box[3]), interpolation="nearest", zorder=2)
     axes.set_xlim(0, width)
     axes.set_ylim(0, height)
-    positions = design.inflation.positions
+    positions = np.concatenate([inflation.positions for inflation in inflations])
     across, up, _ = to_mm(np.ptp(positions, axis=0))
     thick = to_mm(2.0 * float(positions[:, 2].max()))
-    litres = 1e3 * design.inflation.volume
+    litres = 1e3 * sum(inflation.volume for inflation in inflations)
     _caption(axes, f"{across:.0f} × {up:.0f} × {thick:.0f} mm, {litres:.3g} litres")

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A shaded picture of the balloon: metallic film under studio lights, drawn with NumPy alone."""
+"""A shaded picture of balloons: metallic film under studio lights, drawn with NumPy alone."""
 
 from __future__ import annotations
+
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -16,10 +18,10 @@ _FILM = np.array([0.86, 0.12, 0.22])
 _WELD = np.array([0.78, 0.10, 0.19])
 
 
-def balloon_picture(inflation: Inflation, seal_width: float, width: int, height: int) -> Floats:
-    """RGBA (height, width, 4), values 0..1: the balloon upright, with its weld, over a soft shadow."""
+def balloon_picture(inflations: Sequence[Inflation], seal_width: float, width: int, height: int) -> Floats:
+    """RGBA (height, width, 4), values 0..1: the balloons upright, with their welds, over a soft shadow."""
     size = np.array([width, height]) * _OVERSAMPLING
-    positions, triangles, normals, colours = _surface(inflation, seal_width)
+    positions, triangles, normals, colours = _surface(inflations, seal_width)
     middle = 0.5 * (positions.min(axis=0) + positions.max(axis=0))
     reach = float(np.linalg.norm(np.ptp(positions, axis=0)))
     turn = _rotation()
@@ -54,18 +56,21 @@ def balloon_picture(inflation: Inflation, seal_width: float, width: int, height:
     return _reduced(image)
 
 
-def _surface(inflation: Inflation, seal_width: float) -> tuple[Floats, Ints, Floats, Floats]:
+def _surface(inflations: Sequence[Inflation], seal_width: float) -> tuple[Floats, Ints, Floats, Floats]:
     """Positions, triangles, vertex normals and colours of both halves and of the weld around them."""
-    panel = inflation.panel
-    upper, top = panel.triangles, inflation.positions
-    up = _vertex_normals(top, upper)
     mirror = np.array([1.0, 1.0, -1.0])
-    count = len(top)
-    parts = [(top, upper, up, _FILM), (top * mirror, upper[:, ::-1] + count, up * mirror, _FILM)]
-    for seam in panel.seams:
-        start = sum(len(part[0]) for part in parts)
-        parts.append(_weld(top[seam, :2], seal_width, start, mirror[2]))
-        parts.append(_weld(top[seam, :2], seal_width, start + 2 * len(seam), 1.0))
+    parts: list[tuple[Floats, Ints, Floats, Floats]] = []
+    start = 0
+    for inflation in inflations:
+        upper, top = inflation.panel.triangles, inflation.positions
+        up, count = _vertex_normals(top, upper), len(top)
+        parts.append((top, upper + start, up, _FILM))
+        parts.append((top * mirror, upper[:, ::-1] + start + count, up * mirror, _FILM))
+        start += 2 * count
+        for seam in inflation.panel.seams:
+            for side in (-1.0, 1.0):
+                parts.append(_weld(top[seam, :2], seal_width, start, side))
+                start += 2 * len(seam)
     return (
         np.concatenate([part[0] for part in parts]),
         np.concatenate([part[1] for part in parts]),

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The inflated balloon as one closed mesh, and as a binary STL file."""
+"""Inflated balloons as closed meshes, and as a binary STL file."""
 
 from __future__ import annotations
+
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -42,11 +44,11 @@ def enclosed_volume(positions: Floats, triangles: Ints) -> float:
     return float(np.einsum("ij,ij->", a, np.cross(b, c))) / 6.0
 
 
-def stl_bytes(inflation: Inflation) -> bytes:
-    """A binary STL file of the closed balloon in millimetres."""
-    positions, triangles = balloon_mesh(inflation)
-    facets = np.zeros(len(triangles), dtype=_FACET)
-    facets["corners"] = to_mm(positions)[triangles]
+def stl_bytes(inflations: Sequence[Inflation]) -> bytes:
+    """A binary STL file of closed balloons in millimetres."""
+    corners = [positions[triangles] for positions, triangles in map(balloon_mesh, inflations)]
+    facets = np.zeros(sum(map(len, corners)), dtype=_FACET)
+    facets["corners"] = to_mm(np.concatenate(corners))
     a, b, c = (facets["corners"][:, k].astype(np.float64) for k in range(3))
     normal = np.cross(b - a, c - a)
     length = np.linalg.norm(normal, axis=1, keepdims=True)

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 
 import numpy as np
@@ -81,3 +81,11 @@ class Pattern:
     def of(self, role: Role) -> tuple[Contour, ...]:
         """The contours of one role."""
         return tuple(contour for contour in self.contours if contour.role is role)
+
+    def moved(self, shift: Floats) -> Pattern:
+        """The pattern moved by a shift (2,) [m]."""
+        return replace(
+            self,
+            contours=tuple(replace(contour, points=contour.points + shift) for contour in self.contours),
+            intake=None if self.intake is None else replace(self.intake, at=self.intake.at + shift),
+        )
