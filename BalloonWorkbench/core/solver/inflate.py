@@ -24,8 +24,6 @@ from BalloonWorkbench.core.types import Floats, Progress, no_progress
 WARM_STRETCH = 1.08
 #: The lower half is the upper one mirrored in the plane of the seam.
 MIRROR = np.array([1.0, 1.0, -1.0])
-#: Two panels start a little twisted, so that a balloon that wants to warp can.
-TWIST = 1e-3
 
 
 def inflate(
@@ -69,7 +67,7 @@ def inflate(
     if model.two_panels:
         positions, directors = (np.concatenate([half, half * MIRROR]) for half in (positions, directors))
         x, y = (positions - positions.mean(axis=0))[:, :2].T
-        positions[:, 2] += TWIST * x * y
+        positions[:, 2] += model.twist * x * y
     rest = solver.solve(problem, positions, directors, levels, settings or NewtonSettings(), progress)
 
     energies = solver.energies(problem, rest.positions, rest.directors)

@@ -24,7 +24,7 @@ SEAM_FLOOR = 1e-6
 SEAM_CEILING = 1e-5
 #: Round a hole the film pulls the band taut, so that it keeps all of its rigidity. Without it a ring is
 #: unstable: a curved tube wants to curve more (Siefert et al., PNAS 116 (2019) 16692), a closed one kinks.
-HOLE_FLOOR = 1e-3
+HOLE_FLOOR = 1e-2
 #: The continuation begins with a film this soft and grows by this factor.
 SOFTEST = 6.0
 STIFFENING = 5.0
@@ -39,12 +39,14 @@ class Model:
     bending_floor  smallest flexural rigidity, in p w^3
     two_panels     both panels are simulated, tied at the seam; False: one, with its rim in the plane of
     symmetry
+    twist          how far two panels start from their plane of symmetry, so that a balloon that wants to warp can
     """
 
     tension_field: bool = True
     bending: bool = True
     bending_floor: float = BENDING_FLOOR
     two_panels: bool = False
+    twist: float = 1e-3
 
 
 def film_problem(panel: Panel, film: Film, pressure: float, model: Model | None = None) -> FilmProblem:
