@@ -15,6 +15,7 @@ from __future__ import annotations
 
 import time
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
@@ -24,6 +25,7 @@ from BalloonWorkbench.core.design.course import Course, SeamNodes, seam_nodes
 from BalloonWorkbench.core.design.design import Design, Residual
 from BalloonWorkbench.core.design.mixing import AndersonMixing
 from BalloonWorkbench.core.design.silhouette import silhouette
+from BalloonWorkbench.core.design.twins import nearer, twinned
 from BalloonWorkbench.core.errors import MeshError
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.mesh.panel import Panel
@@ -33,6 +35,7 @@ from BalloonWorkbench.core.mesh.triangulate import triangulate
 from BalloonWorkbench.core.outline.loops import check
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.outline.sampling import arc_lengths
+from BalloonWorkbench.core.outline.symmetry import exact_mirror, mirrored
 from BalloonWorkbench.core.solver.inflate import inflate
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.solver.model import Model
@@ -72,15 +75,20 @@ def fit(
     mesh_size: float | None = None,
     backend: str | None = None,
     model: Model | None = None,
+    symmetric: bool = True,
     progress: Progress = no_progress,
 ) -> Design:
     """The pattern whose inflated silhouette is the target, as nearly as film allows.
 
-    pressure [Pa]; mesh_size [m] of the pattern, None for about VERTICES vertices. Raises what check,
+    pressure [Pa]; mesh_size [m] of the pattern, None for about VERTICES vertices; symmetric: a symmetric
+    target gets a symmetric pattern, unless the balloon buckles and another comes nearer. Raises what check,
     triangulate and inflate raise; Cancelled when progress returns False.
     """
     began = time.perf_counter()
     target = check(target)
+    mirror = exact_mirror(target) if symmetric else None
+    if mirror is not None:
+        target = mirrored(target, mirror)
     size = max(target.size)
     centre = target.outer.mean(axis=0)
 
@@ -90,12 +98,14 @@ def fit(
     fine = mesh_size or size_for(target.map(grow), VERTICES)
     edge = COARSENING * fine if target.map(grow).area > WORTHWHILE * fine**2 else fine
     course = Course.begun(target, grow, min(0.25 * fine, size / 400.0))
+    course, twins = twinned(course, mirror)
     mixing = AndersonMixing(GAIN)
     best: _Pass | None = None
     last: _Pass | None = None
     previous: _Pass | None = None  # whose mesh may still serve
     stalled = passes = meshes = halvings = 0
     while passes < MOST_PASSES and stalled <= PATIENCE:
+        course = twins.matched(course)
         try:
             share = _part(progress, passes)
             current = _try(target, course, previous, film, pressure, edge, backend, model, share)
@@ -130,7 +140,11 @@ def fit(
         raise MeshError(
             "The pattern becomes too thin for its mesh. Widen the thin parts, or use a finer mesh."
         )
-    return _design(target, best, passes, meshes, time.perf_counter() - began)
+    design = _design(target, best, passes, meshes, time.perf_counter() - began)
+    if mirror is None or design.reached:
+        return design
+    again = partial(fit, mesh_size=mesh_size, backend=backend, model=model, symmetric=False)
+    return nearer(design, again(target, film, pressure, progress=_later(progress, passes)))
 
 
 def inflate_outline(
@@ -252,3 +266,9 @@ def _part(progress: Progress, number: int) -> Progress:
         return progress(1.0 - 0.7 ** (number + fraction), f"pass {number + 1}: {text}")
 
     return report
+
+
+def _later(progress: Progress, passes: int) -> Progress:
+    """Progress of a second correction, after so many passes of the first."""
+    before: float = 1.0 - 0.7**passes
+    return lambda fraction, text: progress(before + (1.0 - before) * fraction, text)

@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A symmetric drawing gets a symmetric pattern."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from drawn_shapes import NAMED, corners_of, hole
+
+from BalloonWorkbench.core.design.compare import residual
+from BalloonWorkbench.core.design.design import Design
+from BalloonWorkbench.core.design.fit import fit
+from BalloonWorkbench.core.design.twins import nearer
+from BalloonWorkbench.core.film.library import film
+from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.outline.picture import read_picture
+from BalloonWorkbench.core.outline.symmetry import AUTO, Mirror, find_mirror, symmetric
+from BalloonWorkbench.core.pattern.build import build_pattern
+
+PICTURES = Path(__file__).parents[2] / "resources" / "examples" / "pictures"
+
+
+def designed(outline: Outline) -> Design:
+    return fit(outline, film("mylar"), 2000.0, mesh_size=max(outline.size) / 18.0)
+
+
+def picture(name: str) -> Outline:
+    drawing = read_picture(PICTURES / f"{name}.png", 0.3, None)
+    return symmetric(getattr(drawing, "largest", drawing), AUTO, drawn=True)
+
+
+def away(outline: Outline, mirror: Mirror) -> float:
+    """Largest distance from the mirror image of a corner to the nearest corner [m]."""
+    points = np.concatenate(outline.loops)
+    return max(float(np.linalg.norm(points - image, axis=1).min()) for image in mirror.reflect(points))
+
+
+@pytest.mark.parametrize("name", ["heart", "butterfly", "rocket"])
+def test_pattern_of_a_symmetric_picture_is_symmetric(name: str) -> None:
+    drawing = picture(name)
+    mirror = find_mirror(drawing)
+    design = designed(drawing)
+    assert design.reached
+    assert away(design.pattern, mirror) < 1e-12
+    assert residual(drawing, design.silhouette).mean < 0.003 * 0.3
+
+
+def test_pattern_of_a_constructed_shape_at_an_angle_is_symmetric() -> None:
+    """A wedge with two eyes beside its axis and a slot across it, turned by 33 degrees."""
+    angle = np.radians(33.0)
+    turn = np.array([[np.cos(angle), np.sin(angle)], [-np.sin(angle), np.cos(angle)]])
+    slot = corners_of((-0.06, -0.02), (-0.02, -0.02), (-0.02, 0.02), (-0.06, 0.02)).outer[::-1]
+    drawing = Outline(
+        corners_of((0.15, 0.0), (-0.1, 0.13), (-0.1, -0.13)).outer,
+        (hole(0.012, -0.07, 0.065), hole(0.012, -0.07, -0.065), np.ascontiguousarray(slot)),
+    ).map(lambda loop: loop @ turn)
+    design = fit(drawing, film("mylar"), 2000.0, mesh_size=0.014)
+    mirror = Mirror(np.zeros(2), angle, 0.0)
+    assert len(design.pattern.holes) == 3
+    assert away(design.pattern, mirror) < 1e-9
+
+
+def test_welds_and_cuts_are_symmetric_within_their_simplification() -> None:
+    drawing = picture("heart")
+    mirror = find_mirror(drawing)
+    pattern = build_pattern(designed(drawing).pattern, 0.005, intake=False)
+    for contour in pattern.contours:
+        image = Outline(mirror.reflect(contour.points)[::-1])
+        assert residual(Outline(contour.points), image).max < 12e-6
+
+
+def test_pattern_of_another_shape_is_left_alone() -> None:
+    uneven = corners_of((0.0, 0.0), (0.3, 0.0), (0.3, 0.1), (0.12, 0.1), (0.12, 0.2), (0.0, 0.2))
+    free, held = (
+        fit(uneven, film("mylar"), 2000.0, mesh_size=0.02, symmetric=choice) for choice in (False, True)
+    )
+    assert free.pattern.outer.tobytes() == held.pattern.outer.tobytes()
+
+
+def test_where_the_balloon_buckles_the_nearer_pattern_wins_and_says_so() -> None:
+    design = fit(NAMED["disc"], film("mylar"), 2000.0, mesh_size=0.06)
+    off = design.residual
+    better, worse = (replace(design, residual=replace(off, mean=factor * off.mean)) for factor in (0.5, 2.0))
+    assert nearer(design, worse).warnings == design.warnings
+    assert any("not symmetric" in text for text in nearer(design, better).warnings)
+    assert nearer(design, better).residual == better.residual
+
+
+def test_the_coarse_start_of_large_designs_stays_symmetric() -> None:
+    """Fine meshes begin on coarse ones; the course is the same."""
+    design = fit(NAMED["star"], film("mylar"), 2000.0, mesh_size=0.0075)
+    assert away(design.pattern, Mirror(np.zeros(2), 0.5 * np.pi, 0.0)) < 1e-12
