@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The task panel of a balloon: drawing, film and pressure, pattern, result.
+"""The task panel of a balloon: drawing, film and pressure, pattern, simulation, result.
 
 The objects exist while the panel is open, inside one undo step: OK keeps it, Cancel takes it back.
 The engine works in a thread; the document is touched in the main thread alone.
@@ -20,6 +20,7 @@ from BalloonWorkbench.gui.panels.file_box import FileBox
 from BalloonWorkbench.gui.panels.film_box import FilmBox
 from BalloonWorkbench.gui.panels.pattern_box import PatternBox
 from BalloonWorkbench.gui.panels.result_box import ResultBox
+from BalloonWorkbench.gui.panels.simulation_box import SimulationBox
 from BalloonWorkbench.gui.panels.sketch_box import SketchBox
 from BalloonWorkbench.gui.panels.watch import Watch
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, icon, translate
@@ -42,12 +43,15 @@ class BalloonPanel:
         self.closing = False
         self.drawing = (SketchBox if sketch or parts.outline.Source else FileBox)(parts.outline)
         self.film = FilmBox(parts.balloon)
+        self.simulation = SimulationBox(parts.balloon)
         self.pattern = PatternBox(parts.pattern)
         self.result = ResultBox()
-        self.form = [_tabs(self.drawing, self.film, self.pattern), self.result]
+        self.boxes = (self.drawing, self.film, self.pattern, self.simulation)
+        self.form = [_tabs(*self.boxes), self.result]
         self.drawing.changed.connect(self.trace)
         self.drawing.refused.connect(lambda text: self.result.show_message(text, warning=True))
         self.film.changed.connect(self.values_changed)
+        self.simulation.changed.connect(self.values_changed)
         self.pattern.changed.connect(self.pattern_changed)
         self.result.wanted.connect(self.apply)
         self.result.stopped.connect(self.stop)
@@ -89,7 +93,7 @@ class BalloonPanel:
             self.worker.stop()
             self.worker.wait()
             self.worker = None
-        for box in (self.drawing, self.film, self.pattern):
+        for box in self.boxes:
             box.release()
         Gui.Control.closeDialog()
 
@@ -115,7 +119,7 @@ class BalloonPanel:
         """Bring everything up to date; True when that is done, False when it takes a while or fails."""
         if self.worker is not None:
             return False
-        for box in (self.drawing, self.film, self.pattern):
+        for box in self.boxes:
             box.finish_typing()
         if not self.trace():
             self.closing = False
@@ -175,7 +179,7 @@ class BalloonPanel:
 
     def show_state(self):
         """Show what the objects say."""
-        for box in (self.drawing, self.film, self.pattern):
+        for box in self.boxes:
             box.refresh()
         self.result.show_result(self.parts)
 

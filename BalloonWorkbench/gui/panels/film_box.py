@@ -3,18 +3,21 @@
 
 from __future__ import annotations
 
+from BalloonWorkbench.app.balloon import VOLUME
+from BalloonWorkbench.app.film import CUSTOM
 from BalloonWorkbench.gui.panels.fields import Fields
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 
 
 class FilmBox(QtWidgets.QWidget):
-    """Edits a balloon's film, pressure and solver. `changed` follows each edit."""
+    """Edits a balloon's film and pressure. `changed` follows each edit."""
 
     changed = QtCore.Signal()
 
     def __init__(self, balloon):
         super().__init__()
         self.setWindowTitle(translate("Film"))
+        self.balloon = balloon
         self.fields = Fields(balloon, self)
         film = self.fields.choice("Film")
         _describe(film)
@@ -23,11 +26,16 @@ class FilmBox(QtWidgets.QWidget):
         form.addRow(translate("Film"), film)
         form.addRow(translate("Young's modulus"), self.fields.quantity("YoungModulus", "kPa", 1e5))
         form.addRow(translate("Poisson's ratio"), self.fields.number("PoissonRatio", 0.01, 3))
+        self._grain = [
+            (translate("E across the grain"), self.fields.quantity("YoungModulusAcross", "kPa", 1e5)),
+            (translate("Grain"), self.fields.quantity("GrainAngle", "deg", 5.0)),
+        ]
+        for text, field in self._grain:
+            form.addRow(text, field)
+        self._form = form
         form.addRow(translate("Thickness"), self.fields.quantity("Thickness", "mm", 0.005))
         form.addRow(translate("Pressure"), self.fields.quantity("Pressure", "kPa", 0.1))
         form.addRow(translate("Mode"), self.fields.choice("Mode"))
-        form.addRow(translate("Mesh size"), self.fields.quantity("MeshSize", "mm", 1.0))
-        form.addRow(translate("Solver"), self.fields.choice("Backend"))
         self.fields.changed.connect(lambda name: self.changed.emit())
 
     def finish_typing(self) -> None:
@@ -39,6 +47,12 @@ class FilmBox(QtWidgets.QWidget):
 
     def refresh(self) -> None:
         self.fields.refresh()
+        own = self.balloon.Film == CUSTOM  # the library's films have no grain
+        for _, field in self._grain:
+            field.setVisible(own)
+            self._form.labelForField(field).setVisible(own)
+        if self.balloon.Load == VOLUME:
+            self.fields.widget("Pressure").setEnabled(False)
 
 
 def _describe(combo) -> None:

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from BalloonWorkbench.app import status
+from BalloonWorkbench.app.balloon import VOLUME
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, icon, translate
 
 _ICON = 16
@@ -117,11 +118,20 @@ def measures(balloon, pattern) -> list[tuple[str, str]]:
     """Names and values of what a user wants to know about a balloon."""
     width, height = balloon.InflatedWidth.Value, balloon.InflatedHeight.Value
     mean, largest = balloon.ResidualMean.Value, balloon.ResidualMax.Value
-    return [
+    told = [
         (translate("Size"), f"{width:.1f} x {height:.1f} mm"),
         (translate("Thickness"), f"{balloon.InflatedThickness.Value:.1f} mm"),
         (translate("Volume"), f"{balloon.Volume.Value * 1e-6:.3g} l"),
         (translate("Off the drawing"), translate("{:.2f} mm, at most {:.2f} mm").format(mean, largest)),
         (translate("Pattern"), f"{pattern.PatternWidth.Value:.1f} x {pattern.PatternHeight.Value:.1f} mm"),
+        (translate("Film"), _state(balloon)),
         (translate("Solver"), balloon.ActiveBackend),
     ]
+    if balloon.Load == VOLUME:
+        told.append((translate("Pressure"), f"{balloon.ActivePressure.Value:.3g} kPa"))
+    return told
+
+
+def _state(balloon) -> str:
+    wrinkled, slack = 100 * balloon.WrinkledShare, 100 * balloon.SlackShare
+    return translate("{:.0f} % wrinkled, {:.0f} % slack").format(wrinkled, slack)
