@@ -5,7 +5,7 @@ SHELL := /bin/bash
 .DEFAULT_GOAL := help
 PYTHON := .venv/bin/python
 
-.PHONY: help setup native demo test test-core test-app test-gui lint format validation bench fuzz freecad clean
+.PHONY: help setup native demo test test-core test-app test-gui matrix lint format validation bench fuzz freecad clean
 
 help: ## List these targets
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' $(MAKEFILE_LIST) | expand -t 12
@@ -29,6 +29,9 @@ test: native ## Check the code, run all tests; logs go to build/logs
 # BALLOON_TESTS="tests/gui/test_window_starts.py -x" make test-gui
 test-core test-app test-gui: test-%: native
 	@tools/test.sh $*
+
+matrix: native ## Run the tests of app and gui with FreeCAD 1.0 and 1.1, in roots of their Debian; as root
+	@tools/matrix.sh app gui
 
 lint: setup ## Check style, types and formatting
 	@tools/test.sh lint

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # test.sh STEP...   steps: lint core app gui
-# Runs every step, also after one has failed. Each leaves build/logs/STEP.log.
+# Runs every step, also after one has failed. Each leaves build/logs/STEP.log, with SUITE after its name if set.
 set -uo pipefail
 cd "$(dirname "$(realpath "$0")")/.." || exit 1
 logs=build/logs
@@ -54,7 +54,7 @@ summary=()
 for step in "$@"; do
     echo "== $step"
     started=$SECONDS
-    log=$logs/$step.log
+    log=$logs/$step${SUITE:-}.log
     "$step" </dev/null 2>&1 | tee "$log"
     status=${PIPESTATUS[0]}
     [ "$step" = lint ] || [ "$status" -ne 0 ] || pytest_has_ended "$log" || status=1

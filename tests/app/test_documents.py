@@ -38,18 +38,24 @@ def reopened(saved):
     App.closeDocument(name)
 
 
+# FreeCAD 1.x writes these anew when it reads a document
+FREECADS_OWN = ("Proxy", "_ElementMapVersion", "AttacherEngine", "ShapeMaterial")
+
+
 def state(document):
     """All values of the three objects, shapes and meshes as numbers."""
     held = {}
     for name in PROXIES:
         obj = document.getObject(name)
         for own in obj.PropertiesList:
+            if own in FREECADS_OWN:
+                continue
             value = getattr(obj, own)
             if own == "Shape":
                 value = (len(value.Wires), len(value.Edges), round(value.Length, 6), round(value.Area, 4))
             elif own == "Mesh":
                 value = np.array([(point.x, point.y, point.z) for point in value.Points]).tobytes()
-            elif own in ("Proxy", "Drawing", "Source", "Outline", "Balloon"):
+            elif own in ("Drawing", "Source", "Outline", "Balloon"):
                 value = value is not None
             elif isinstance(getattr(value, "Value", value), float):
                 value = float(f"{getattr(value, 'Value', value):.12g}")  # a file may lose the last digit
