@@ -6,16 +6,28 @@
 namespace film {
 namespace {
 
-// The others are at most microseconds away, unless the processor is busy elsewhere.
-template <typename Condition>
-void wait_until(const Condition& condition) {
-    for (int tries = 0; !condition(); ++tries) {
-        if (tries > 4000)
-            std::this_thread::yield();
-    }
-}
+constexpr int kTries = 2000; // some microseconds: sleep and wake take longer
 
 } // namespace
+
+template <typename Condition>
+void Workers::wait_until(const Condition& condition) {
+    for (int tries = 0; tries < kTries; ++tries) {
+        if (condition())
+            return;
+    }
+    std::unique_lock<std::mutex> lock(mutex_);
+    ++asleep_;
+    met_.wait(lock, condition);
+    --asleep_;
+}
+
+void Workers::wake() {
+    if (asleep_ > 0) {
+        const std::lock_guard<std::mutex> lock(mutex_); // whoever counts as asleep waits by now
+        met_.notify_all();
+    }
+}
 
 Workers::Workers(int count) {
     try {
@@ -77,17 +89,20 @@ int Workers::gather(int thread) {
     return members_;
 }
 
+// The counters are changed and read in one order for all threads: nobody falls asleep after the last call.
 void Workers::meet(int thread) {
     if (thread == 0) {
         const int others = members_ - 1;
-        wait_until([&] { return arrived_.load(std::memory_order_acquire) == others; });
-        arrived_.store(0, std::memory_order_relaxed);
-        meeting_.fetch_add(1, std::memory_order_release);
-        return;
+        wait_until([&] { return arrived_ == others; });
+        arrived_ = 0;
+        ++meeting_;
+        wake();
+    } else {
+        const unsigned meeting = meeting_;
+        ++arrived_;
+        wake();
+        wait_until([&] { return meeting_ != meeting; });
     }
-    const unsigned meeting = meeting_.load(std::memory_order_relaxed);
-    arrived_.fetch_add(1, std::memory_order_acq_rel);
-    wait_until([&] { return meeting_.load(std::memory_order_acquire) != meeting; });
 }
 
 } // namespace film

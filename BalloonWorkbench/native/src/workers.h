@@ -34,16 +34,21 @@ public:
 
 private:
     void wait_for_work();
+    // Tries for a moment, then sleeps until another thread has called wake.
+    template <typename Condition>
+    void wait_until(const Condition& condition);
+    void wake();
 
     std::vector<std::thread> threads_;
     std::mutex mutex_;
-    std::condition_variable changed_;
+    std::condition_variable changed_, met_;
     const std::function<void(int)>* work_ = nullptr; // null while nobody may join
     unsigned round_ = 0;
     bool stopping_ = false;
     int members_ = 1; // at work
     std::atomic<int> arrived_{0};
     std::atomic<unsigned> meeting_{0};
+    std::atomic<int> asleep_{0};
 };
 
 } // namespace film
