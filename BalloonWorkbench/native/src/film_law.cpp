@@ -15,18 +15,22 @@ FilmLaw::FilmLaw(const film_material& material)
 }
 
 MembraneResponse FilmLaw::response(const Eigen::Vector3d& strain) const {
-    if (!tension_field_) {
-        const Eigen::Vector3d stress = stiffness_ * strain;
-        return {0.5 * stress.dot(strain), stress, stiffness_};
-    }
-    return orthotropic_ ? orthotropic_tension_field(strain, grain_) : tension_field(strain, poisson_);
+    if (tension_field_)
+        return orthotropic_tension_field(strain, grain_);
+    const Eigen::Vector3d stress = stiffness_ * strain;
+    return {0.5 * stress.dot(strain), stress, stiffness_};
 }
 
-double FilmLaw::energy(const Eigen::Vector3d& strain) const {
-    if (tension_field_ && !orthotropic_) {
-        return tension_field_energy(strain, poisson_);
+void FilmLaw::one_by_one(const Vec4 (&strain)[3], FourResponses& responses) const {
+    for (int lane = 0; lane < 4; ++lane) {
+        const MembraneResponse one = response({strain[0][lane], strain[1][lane], strain[2][lane]});
+        responses.energy[lane] = one.energy;
+        for (int i = 0; i < 3; ++i) {
+            responses.stress[i][lane] = one.stress[i];
+            for (int j = 0; j < 3; ++j)
+                responses.tangent[i][j][lane] = one.tangent(i, j);
+        }
     }
-    return response(strain).energy;
 }
 
 } // namespace film

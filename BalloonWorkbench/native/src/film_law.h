@@ -11,10 +11,19 @@ class FilmLaw {
 public:
     explicit FilmLaw(const film_material& material);
 
-    MembraneResponse response(const Eigen::Vector3d& strain) const;
-    double energy(const Eigen::Vector3d& strain) const;
+    // With whole, stress and tangent, else the energy density alone.
+    template <bool Whole>
+    FILM_INLINE void respond(const Vec4 (&strain)[3], FourResponses& response) const {
+        if (tension_field_ && !orthotropic_)
+            tension_field<Whole>(strain, poisson_, response);
+        else
+            one_by_one(strain, response);
+    }
 
 private:
+    MembraneResponse response(const Eigen::Vector3d& strain) const;
+    void one_by_one(const Vec4 (&strain)[3], FourResponses& response) const;
+
     double poisson_;
     bool orthotropic_, tension_field_;
     Grain grain_;

@@ -193,10 +193,6 @@ FILM_INLINE void add_body(const double* source, int source_height, int rows, int
     }
 }
 
-FILM_INLINE double sum_of(const Vec4& v) {
-    return (v[0] + v[2]) + (v[1] + v[3]);
-}
-
 template <int R>
 FILM_INLINE void forward_strip(const FrontShape& shape, int row, int last, const double* factor,
                                const double* pivots, double* values) {

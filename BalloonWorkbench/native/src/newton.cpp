@@ -28,14 +28,14 @@ double next_shift(double shift, double length) {
 
 // The Newton step with the smallest tried shift that makes the Hessian positive definite; false when none
 // does.
-bool find_step(Cholesky& factor, const SymmetricMatrix& hessian, const Eigen::VectorXd& gradient,
+bool find_step(Cholesky& factor, const BlockMatrix& hessian, const Eigen::VectorXd& gradient,
                const Eigen::VectorXd& mass, double& shift, int32_t& factorisations, Eigen::VectorXd& step) {
     Eigen::VectorXd diagonal;
     step = -gradient;
     for (;;) {
         diagonal = shift * mass;
         ++factorisations;
-        if (factor.factorise_and_solve(hessian.valuePtr(), diagonal.data(), step.data()))
+        if (factor.factorise_and_solve(hessian.values().data(), diagonal.data(), step.data()))
             return true;
         shift = std::max(shift * kShiftGrowth, kFirstShift);
         if (!(shift <= kLargestShift))
@@ -49,8 +49,8 @@ film_result newton(Shell& shell, State& state, const std::vector<double>& levels
                    const std::function<bool(double)>& progress) {
     film_result result{0, 0, 0};
     const unsigned threads = std::min(std::max(std::thread::hardware_concurrency(), 1u), kThreads);
-    Cholesky factor(shell.pattern(), shell.blocks(), static_cast<int>(threads));
-    SymmetricMatrix hessian = shell.pattern();
+    BlockMatrix hessian = shell.hessian();
+    Cholesky factor(hessian.pattern(), shell.blocks(), static_cast<int>(threads));
     Eigen::VectorXd gradient, step;
     const Eigen::VectorXd mass = shell.masses(kDirectorShift);
     double shift = kSmallestShift;

@@ -5,10 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "blocks.h"
-#include "dkt.h"
-#include "film_law.h"
-#include "symmetric_matrix.h"
+#include "block_matrix.h"
+#include "film_element.h"
 
 namespace film {
 
@@ -37,18 +35,18 @@ public:
           const uint8_t* fixed, const double* loads, const int32_t* tied, int hinges,
           const int32_t* seam_hinges, const double* hinge_rigidities, const film_material& material);
 
-    int vertices() const { return static_cast<int>(vertex_area_.size()); }
-    int count() const { return count_; }
-    void set_membrane_stiffness(double stiffness) { material_.membrane_stiffness = stiffness; }
+    int vertices() const { return static_cast<int>(number_.size()); }
+    int count() const { return static_cast<int>(blocks_.block_of_unknown.size()); }
+    void set_membrane_stiffness(double stiffness) { scales_.membrane_stiffness = stiffness; }
 
     Energies energies(const State& state) const;
 
-    // Fills the gradient and the lower triangle of the Hessian in the free unknowns.
+    // Fills the gradient and the Hessian in the free unknowns.
     void derivatives(const State& state, const Frames& frames, Eigen::VectorXd& gradient,
-                     SymmetricMatrix& hessian) const;
+                     BlockMatrix& hessian) const;
 
-    // An all-zero matrix with the pattern of the Hessian; the diagonal entry is the first of each column.
-    const SymmetricMatrix& pattern() const { return pattern_; }
+    // An all-zero Hessian.
+    BlockMatrix hessian() const;
 
     // The unknowns of each vertex, at its place in the flat film.
     const Blocks& blocks() const { return blocks_; }
@@ -60,43 +58,31 @@ public:
     State moved(const State& state, const Frames& frames, const Eigen::VectorXd& step, double length) const;
 
 private:
-    static constexpr int kFilmUnknowns = 15, kBandUnknowns = 6;
-
-    struct Triangle {
-        std::array<int, 3> corner;
-        std::array<int, kFilmUnknowns> unknown; // x y z of the corners, then two turns of each; -1 when held
-        Matrix32 shape;                         // gradients of the area coordinates
-        double area;
-        Matrix6 rotation_stiffness;
-    };
     struct Hinge {
         std::array<int, 3> vertex;
-        std::array<int, kBandUnknowns> unknown;
-        Eigen::Matrix<double, 2, kBandUnknowns> kink; // of the edges around the middle vertex
+        Eigen::Matrix<double, 2, 6> kink; // of the edges around the middle vertex
         double stiffness;
     };
 
-    Eigen::Matrix<double, 3, 2> deformation_gradient(const Triangle& triangle,
-                                                     const Vectors& positions) const;
-    void build_pattern();
-    void add_film(const Triangle& triangle, const int* slot, const State& state, const Frames& frames,
-                  Eigen::VectorXd& gradient, double* values) const;
-    static Eigen::Matrix<double, kBandUnknowns, 1> band_positions(const Hinge& hinge,
-                                                                  const Vectors& positions);
-    void add_band(const Hinge& hinge, const int* slot, const Vectors& positions, Eigen::VectorXd& gradient,
-                  double* values) const;
+    void number_unknowns(const uint8_t* fixed, const int32_t* tied);
+    Hinge hinge(const int32_t* vertices, double rigidity) const;
+    Eigen::Vector2d rest(int vertex) const { return {blocks_.points[vertex][0], blocks_.points[vertex][1]}; }
+    // Whether the unknowns of a vertex are a block of five.
+    bool whole(int vertex) const;
+    int gather(size_t first_triangle, const State& state, FourTriangles& film) const;
+    void scatter(size_t triangle, int lane, const FourElements& elements, Eigen::VectorXd& gradient,
+                 BlockMatrix& hessian) const;
+    void add_band(const Hinge& hinge, const Vectors& positions, Eigen::VectorXd& gradient,
+                  BlockMatrix& hessian) const;
 
-    film_material material_;
+    FilmScales scales_;
     FilmLaw law_;
-    std::vector<Triangle> triangles_;
+    const FilmKernels& kernels_;
+    std::vector<std::array<int, 3>> triangles_; // their corners
     std::vector<Hinge> hinges_;
-    std::vector<double> vertex_area_;
-    std::vector<std::array<int, 5>> number_; // of the unknowns of each vertex
-    Vectors loads_;
-    int count_ = 0;
+    std::vector<std::array<int, 5>> number_; // of the unknowns of each vertex, -1 where held
+    Vectors loads_;                          // none, or one a vertex
     Blocks blocks_;
-    SymmetricMatrix pattern_;
-    std::vector<int> film_slots_, band_slots_; // where each lower element entry goes, -1 for none
 };
 
 } // namespace film

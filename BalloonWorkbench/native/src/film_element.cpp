@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// Membrane and bending depend on the positions through F = dx/dX alone, with columns f[0] and f[1]: their
+// Hessian is formed in these six numbers and the directors and then spread over the corners.
+#include "film_element.h"
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wpsabi" // all that pass Vec4 are inlined
+#endif
+
+namespace film {
+namespace {
+
+FILM_INLINE Vec4 dot(const Vec4 (&a)[3], const Vec4 (&b)[3]) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+FILM_INLINE void cross(const Vec4 (&a)[3], const Vec4 (&b)[3], Vec4 (&result)[3]) {
+    for (int i = 0; i < 3; ++i)
+        result[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
+}
+
+// What both kinds of evaluation begin with.
+struct Kinematics {
+    Vec4 area;
+    Vec4 shape[3][2]; // gradients of the area coordinates
+    Vec4 f[2][3];
+    Vec4 strain[3];      // E11, E22, 2 E12
+    Vec4 rotation[3][2]; // of the directors against the triangle, at each corner
+};
+
+FILM_INLINE void measure(const FourTriangles& film, Kinematics& k) {
+    Vec4 edge[3][2]; // opposite to each corner
+    for (int a = 0; a < 3; ++a) {
+        for (int i = 0; i < 2; ++i)
+            edge[a][i] = film.rest[(a + 2) % 3][i] - film.rest[(a + 1) % 3][i];
+    }
+    const Vec4 double_area = edge[1][0] * edge[2][1] - edge[1][1] * edge[2][0];
+    const Vec4 inverse = 1.0 / double_area;
+    k.area = 0.5 * double_area;
+    for (int a = 0; a < 3; ++a) {
+        k.shape[a][0] = -edge[a][1] * inverse;
+        k.shape[a][1] = edge[a][0] * inverse;
+    }
+    for (int i = 0; i < 3; ++i) {
+        const Vec4 first = film.position[1][i] - film.position[0][i];
+        const Vec4 second = film.position[2][i] - film.position[0][i];
+        for (int c = 0; c < 2; ++c)
+            k.f[c][i] = k.shape[1][c] * first + k.shape[2][c] * second;
+    }
+    k.strain[0] = 0.5 * (dot(k.f[0], k.f[0]) - 1.0);
+    k.strain[1] = 0.5 * (dot(k.f[1], k.f[1]) - 1.0);
+    k.strain[2] = dot(k.f[0], k.f[1]);
+    for (int a = 0; a < 3; ++a) {
+        for (int c = 0; c < 2; ++c)
+            k.rotation[a][c] = dot(film.director[a], k.f[c]);
+    }
+}
+
+// Curvatures (b_x,x; b_y,y; b_x,y + b_y,x) in the middle of each side from the rotations at the corners: the
+// discrete Kirchhoff triangle of Batoz, Bathe and Ho (1980) with w = 0. There the rotation in the middle of a
+// side is (3 n n^T - 1) / 4 times the sum of those at its ends, n being the normal of the side.
+struct Curvatures {
+    Vec4 from[3][3][3][2]; // side opposite to a corner, curvature, corner, rotation
+};
+
+FILM_INLINE void bend(const Kinematics& k, Curvatures& curvatures) {
+    Vec4 normal[3][3]; // 1.5 n n^T of each side: xx, yy, xy
+    for (int a = 0; a < 3; ++a) {
+        const Vec4 x = k.shape[a][0], y = k.shape[a][1], scale = 1.5 / (x * x + y * y);
+        normal[a][0] = scale * x * x;
+        normal[a][1] = scale * y * y;
+        normal[a][2] = scale * x * y;
+    }
+    for (int m = 0; m < 3; ++m) {
+        const Vec4(&g)[2] = k.shape[m];
+        for (int corner = 0; corner < 3; ++corner) {
+            const int other = 3 - m - corner; // for a corner at the side: its other end
+            Vec4 through[3];                  // what the middles of the sides pass on, as above
+            for (int i = 0; i < 3; ++i)
+                through[i] = corner == m ? normal[(m + 1) % 3][i] + normal[(m + 2) % 3][i]
+                                         : normal[other][i] - normal[m][i];
+            Vec4 own[2] = {};
+            if (corner == m) {
+                through[0] = through[0] - 2.0;
+                through[1] = through[1] - 2.0;
+            } else {
+                own[0] = k.shape[corner][0];
+                own[1] = k.shape[corner][1];
+            }
+            curvatures.from[m][0][corner][0] = through[0] * g[0] + own[0];
+            curvatures.from[m][0][corner][1] = through[2] * g[0];
+            curvatures.from[m][1][corner][0] = through[2] * g[1];
+            curvatures.from[m][1][corner][1] = through[1] * g[1] + own[1];
+            curvatures.from[m][2][corner][0] = through[0] * g[1] + through[2] * g[0] + own[1];
+            curvatures.from[m][2][corner][1] = through[2] * g[1] + through[1] * g[0] + own[0];
+        }
+    }
+}
+
+FILM_INLINE void energies_body(const FourTriangles& film, const FilmLaw& law, double nu,
+                               FourEnergies& energies) {
+    Kinematics k;
+    measure(film, k);
+    FourResponses response;
+    law.respond<false>(k.strain, response);
+    energies.membrane = k.area * response.energy;
+
+    Curvatures curvatures;
+    bend(k, curvatures);
+    Vec4 sum{};
+    for (int m = 0; m < 3; ++m) { // the middles of the sides integrate a quadratic exactly
+        Vec4 kappa[3] = {};
+        for (int i = 0; i < 3; ++i) {
+            for (int a = 0; a < 3; ++a)
+                kappa[i] = kappa[i] + curvatures.from[m][i][a][0] * k.rotation[a][0]
+                           + curvatures.from[m][i][a][1] * k.rotation[a][1];
+        }
+        sum = sum + kappa[0] * kappa[0] + kappa[1] * kappa[1] + 2.0 * nu * kappa[0] * kappa[1]
+              + 0.5 * (1.0 - nu) * kappa[2] * kappa[2];
+    }
+    energies.bending = k.area * sum * (1.0 / 6.0);
+
+    Vec4 normal[3];
+    cross(film.position[1], film.position[2], normal);
+    energies.volume = dot(film.position[0], normal) * (1.0 / 6.0);
+}
+
+// Bending stiffness in the rotations at the corners.
+FILM_INLINE void bending_stiffness(const Kinematics& k, const FilmScales& scales, Vec4 (&stiffness)[6][6]) {
+    Curvatures curvatures;
+    bend(k, curvatures);
+    const Vec4 scale = k.area * (scales.flexural_rigidity / 3.0);
+    const double nu = scales.poisson_ratio;
+    for (int i = 0; i < 6; ++i) {
+        Vec4 moment[3][3]; // at the middle of each side
+        for (int m = 0; m < 3; ++m) {
+            const Vec4 x = curvatures.from[m][0][i / 2][i % 2], y = curvatures.from[m][1][i / 2][i % 2];
+            moment[m][0] = scale * (x + nu * y);
+            moment[m][1] = scale * (y + nu * x);
+            moment[m][2] = scale * (0.5 * (1.0 - nu)) * curvatures.from[m][2][i / 2][i % 2];
+        }
+        for (int j = 0; j <= i; ++j) {
+            Vec4 sum{};
+            for (int m = 0; m < 3; ++m) {
+                for (int c = 0; c < 3; ++c)
+                    sum = sum + moment[m][c] * curvatures.from[m][c][j / 2][j % 2];
+            }
+            stiffness[i][j] = stiffness[j][i] = sum;
+        }
+    }
+}
+
+// The Hessian in F and the turns of the directors, and what the gradient is made of.
+struct Tangent {
+    Vec4 pull[2][3];        // by f
+    Vec4 turn[3][2];        // by the turns
+    Vec4 stretch[3][3][3];  // by f[0] twice, f[1] and f[0], f[1] twice
+    Vec4 mixed[3][2][2][3]; // corner, turn; by f
+    Vec4 turns[3][2][3][2]; // by the turns of two corners
+};
+
+FILM_INLINE void add_membrane(const Kinematics& k, const FilmLaw& law, double stiffness, Tangent& tangent) {
+    FourResponses response;
+    law.respond<true>(k.strain, response);
+    const Vec4 scale = k.area * stiffness;
+    const Vec4(&f)[2][3] = k.f;
+    Vec4 s[3], c[3][3];
+    for (int i = 0; i < 3; ++i) {
+        s[i] = scale * response.stress[i];
+        for (int j = 0; j < 3; ++j)
+            c[i][j] = scale * response.tangent[i][j];
+    }
+    for (int i = 0; i < 3; ++i) {
+        tangent.pull[0][i] = s[0] * f[0][i] + s[2] * f[1][i];
+        tangent.pull[1][i] = s[1] * f[1][i] + s[2] * f[0][i];
+        // stresses that come with a change of f[0][i] and of f[1][i]
+        Vec4 by[2][3];
+        for (int j = 0; j < 3; ++j) {
+            by[0][j] = c[j][0] * f[0][i] + c[j][2] * f[1][i];
+            by[1][j] = c[j][1] * f[1][i] + c[j][2] * f[0][i];
+        }
+        for (int j = 0; j < 3; ++j) {
+            tangent.stretch[0][i][j] = by[0][0] * f[0][j] + by[0][2] * f[1][j];
+            tangent.stretch[1][i][j] = by[1][0] * f[0][j] + by[1][2] * f[1][j];
+            tangent.stretch[2][i][j] = by[1][1] * f[1][j] + by[1][2] * f[0][j];
+        }
+        tangent.stretch[0][i][i] = tangent.stretch[0][i][i] + s[0];
+        tangent.stretch[1][i][i] = tangent.stretch[1][i][i] + s[2];
+        tangent.stretch[2][i][i] = tangent.stretch[2][i][i] + s[1];
+    }
+}
+
+// Gauss-Newton: without the second derivatives of the rotations.
+FILM_INLINE void add_bending(const FourTriangles& film, const Kinematics& k, const FilmScales& scales,
+                             Tangent& tangent) {
+    Vec4 stiffness[6][6];
+    bending_stiffness(k, scales, stiffness);
+    for (int a = 0; a < 3; ++a) {
+        Vec4 slope[2][2]; // of the rotations by the turns
+        for (int t = 0; t < 2; ++t) {
+            for (int c = 0; c < 2; ++c)
+                slope[t][c] = dot(film.frame[a][t], k.f[c]);
+        }
+        Vec4 moment[2];
+        for (int c = 0; c < 2; ++c) {
+            moment[c] = Vec4{};
+            for (int b = 0; b < 3; ++b)
+                moment[c] = moment[c] + stiffness[2 * a + c][2 * b] * k.rotation[b][0]
+                            + stiffness[2 * a + c][2 * b + 1] * k.rotation[b][1];
+            Vec4 by[2][3] = {}; // change of this moment with f
+            for (int i = 0; i < 3; ++i) {
+                tangent.pull[c][i] = tangent.pull[c][i] + moment[c] * film.director[a][i];
+                for (int b = 0; b < 3; ++b) {
+                    by[0][i] = by[0][i] + stiffness[2 * a + c][2 * b] * film.director[b][i];
+                    by[1][i] = by[1][i] + stiffness[2 * a + c][2 * b + 1] * film.director[b][i];
+                }
+            }
+            for (int i = 0; i < 3; ++i) {
+                for (int j = 0; j < 3; ++j) {
+                    tangent.stretch[c][i][j] = tangent.stretch[c][i][j] + film.director[a][i] * by[0][j];
+                    if (c == 1)
+                        tangent.stretch[2][i][j] = tangent.stretch[2][i][j] + film.director[a][i] * by[1][j];
+                }
+            }
+            for (int t = 0; t < 2; ++t) {
+                for (int i = 0; i < 3; ++i) {
+                    for (int e = 0; e < 2; ++e) {
+                        const Vec4 before = c == 0 ? Vec4{} : tangent.mixed[a][t][e][i];
+                        tangent.mixed[a][t][e][i] = before + slope[t][c] * by[e][i];
+                    }
+                }
+            }
+        }
+        for (int t = 0; t < 2; ++t) {
+            tangent.turn[a][t] = moment[0] * slope[t][0] + moment[1] * slope[t][1];
+            Vec4 row[6]; // change of all moments with this turn
+            for (int i = 0; i < 6; ++i)
+                row[i] = slope[t][0] * stiffness[2 * a][i] + slope[t][1] * stiffness[2 * a + 1][i];
+            for (int b = 0; b < 3; ++b) {
+                for (int u = 0; u < 2; ++u)
+                    tangent.turns[a][t][b][u] = row[2 * b] * dot(film.frame[b][u], k.f[0])
+                                                + row[2 * b + 1] * dot(film.frame[b][u], k.f[1]);
+            }
+        }
+    }
+}
+
+FILM_INLINE void derivatives_body(const FourTriangles& film, const FilmLaw& law, const FilmScales& scales,
+                                  FourElements& elements) {
+    Kinematics k;
+    measure(film, k);
+    Tangent tangent;
+    add_membrane(k, law, scales.membrane_stiffness, tangent);
+    add_bending(film, k, scales, tangent);
+
+    const double nodal = scales.pressure / 6.0; // the pressure's energy is - p times the volume
+    for (int a = 0; a < 3; ++a) {
+        const Vec4(&g)[2] = k.shape[a];
+        Vec4 normal[3];
+        cross(film.position[(a + 1) % 3], film.position[(a + 2) % 3], normal);
+        for (int i = 0; i < 3; ++i)
+            elements.force[a][i] = g[0] * tangent.pull[0][i] + g[1] * tangent.pull[1][i] - nodal * normal[i];
+        for (int t = 0; t < 2; ++t)
+            elements.force[a][3 + t] = tangent.turn[a][t];
+    }
+    for (int pair = 0; pair < 6; ++pair) {
+        const int a = FourElements::kPairs[pair][0], b = FourElements::kPairs[pair][1];
+        const Vec4(&g)[2] = k.shape[a];
+        const Vec4(&h)[2] = k.shape[b];
+        Vec4(&block)[5][5] = elements.stiffness[pair];
+        for (int i = 0; i < 3; ++i) {
+            for (int j = 0; j < 3; ++j)
+                block[i][j] = g[0] * (h[0] * tangent.stretch[0][i][j] + h[1] * tangent.stretch[1][j][i])
+                              + g[1] * (h[0] * tangent.stretch[1][i][j] + h[1] * tangent.stretch[2][i][j]);
+            for (int t = 0; t < 2; ++t) {
+                block[i][3 + t] = g[0] * tangent.mixed[b][t][0][i] + g[1] * tangent.mixed[b][t][1][i];
+                block[3 + t][i] = h[0] * tangent.mixed[a][t][0][i] + h[1] * tangent.mixed[a][t][1][i];
+            }
+        }
+        for (int t = 0; t < 2; ++t) {
+            for (int u = 0; u < 2; ++u)
+                block[3 + t][3 + u] = tangent.turns[a][t][b][u];
+        }
+        if (a != b) { // the pressure turns with the film
+            const Vec4(&third)[3] = film.position[3 - a - b];
+            const double sign = a - b == 2 ? nodal : -nodal;
+            for (int i = 0; i < 3; ++i) {
+                const int j = (i + 1) % 3, l = (i + 2) % 3;
+                block[j][i] = block[j][i] + sign * third[l];
+                block[i][j] = block[i][j] - sign * third[l];
+            }
+        }
+    }
+}
+
+// The same functions compiled for one instruction set.
+#define FILM_ELEMENT_KERNELS(NAME, TARGET)                                                                   \
+    TARGET void energies_##NAME(const FourTriangles& film, const FilmLaw& law, double nu,                    \
+                                FourEnergies& energies) {                                                    \
+        energies_body(film, law, nu, energies);                                                              \
+    }                                                                                                        \
+    TARGET void derivatives_##NAME(const FourTriangles& film, const FilmLaw& law, const FilmScales& scales,  \
+                                   FourElements& elements) {                                                 \
+        derivatives_body(film, law, scales, elements);                                                       \
+    }                                                                                                        \
+    constexpr FilmKernels NAME{energies_##NAME, derivatives_##NAME};
+
+FILM_ELEMENT_KERNELS(portable, )
+#if defined(__GNUC__) && defined(__x86_64__)
+#define FILM_HAS_AVX2
+FILM_ELEMENT_KERNELS(avx2, __attribute__((target("avx2,fma"))))
+#endif
+
+} // namespace
+
+const FilmKernels& film_kernels() {
+#ifdef FILM_HAS_AVX2
+    static const bool has_avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+    if (has_avx2)
+        return avx2;
+#endif
+    return portable;
+}
+
+} // namespace film
