@@ -12,7 +12,7 @@ import pytest
 from solver_cases import PRESSURE, film, panel
 
 from BalloonWorkbench.core.errors import InputError
-from BalloonWorkbench.core.export.results import SERIES, frame_files, results, results_bytes
+from BalloonWorkbench.core.export.results import frame_files, results, results_bytes
 from BalloonWorkbench.core.solver.animation import inflate_in_time
 from BalloonWorkbench.core.solver.film_state import film_state
 from BalloonWorkbench.core.solver.inflate import inflate
@@ -120,7 +120,7 @@ def test_lower_panel_has_results_of_its_own() -> None:
 def test_frames_are_a_series_in_time() -> None:
     balloon, strip = inflate_in_time(panel("disc", 150), film(300), PRESSURE, frames=12)
     files = frame_files(balloon, strip, film(300))
-    sets = list(ElementTree.fromstring(files.pop(SERIES)).iter("DataSet"))
+    sets = list(ElementTree.fromstring(files.pop("inflation.pvd")).iter("DataSet"))
     assert [item.attrib["file"] for item in sets] == sorted(files)
     times = [float(item.attrib["timestep"]) for item in sets]
     np.testing.assert_allclose(times, [frame.time for frame in strip], rtol=1e-8)

@@ -38,7 +38,6 @@ from BalloonWorkbench.core.types import Floats, Ints
 from BalloonWorkbench.core.units import to_mm
 
 FORMATS = ("vtu", "npz")
-SERIES = "inflation.pvd"
 
 _MIRROR = np.array([1.0, 1.0, -1.0])
 
@@ -91,11 +90,13 @@ def results_bytes(inflation: Inflation, film: Film, kind: str) -> bytes:
     return stream.getvalue()
 
 
-def frame_files(inflation: Inflation, frames: Sequence[Frame], film: Film) -> dict[str, bytes]:
-    """Files of a balloon's inflation by name: SERIES, and one VTK file of results for each frame."""
+def frame_files(
+    inflation: Inflation, frames: Sequence[Frame], film: Film, stem: str = "inflation"
+) -> dict[str, bytes]:
+    """Files of a balloon's inflation by name: <stem>.pvd, and one VTK file of results for each frame."""
     digits = len(str(len(frames)))
-    names = [f"inflation-{number:0{digits}d}.vtu" for number in range(1, len(frames) + 1)]
-    files = {SERIES: pvd_bytes([frame.time for frame in frames], names)}
+    names = [f"{stem}-{number:0{digits}d}.vtu" for number in range(1, len(frames) + 1)]
+    files = {f"{stem}.pvd": pvd_bytes([frame.time for frame in frames], names)}
     for name, frame in zip(names, frames, strict=True):
         then = replace(inflation, positions=frame.positions, lower=frame.lower)
         files[name] = results_bytes(then, film, "vtu")
