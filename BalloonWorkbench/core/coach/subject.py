@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the rules look at: a drawing, its film and a gauge; and how findings are put into words."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from BalloonWorkbench.core.coach.findings import Finding, Repair
+from BalloonWorkbench.core.coach.gauge import NARROW_GROWTH, Gauge
+from BalloonWorkbench.core.coach.places import ThinPart, thin_parts
+from BalloonWorkbench.core.coach.repairs import repaired
+from BalloonWorkbench.core.coach.rules import rules
+from BalloonWorkbench.core.errors import OutlineError
+from BalloonWorkbench.core.film.film import Film
+from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.types import Floats
+from BalloonWorkbench.core.units import to_mm
+
+#: Thickness of a tube of film over its flat width.
+TUBE = 2.0 / np.pi
+
+
+@dataclass(frozen=True)
+class Subject:
+    """A balloon to be judged; lengths in m.
+
+    fitted  the pattern is corrected until the balloon looks like the outline; else the outline is the pattern
+    """
+
+    outline: Outline
+    film: Film
+    gauge: Gauge
+    fitted: bool
+    intake_width: float
+
+    @property
+    def size(self) -> float:
+        """Larger dimension [m]."""
+        return max(self.outline.size)
+
+    @property
+    def growth(self) -> float:
+        """Flat width of the film over drawn width, in narrow parts."""
+        return NARROW_GROWTH if self.fitted else 1.0
+
+    @cached_property
+    def scales(self) -> dict[str, float]:
+        """Values of the names that limits are given in."""
+        return {
+            "one": 1.0,
+            "seal width": self.film.seal_width,
+            "intake width": self.intake_width,
+            "balloon thickness": self.gauge.thickest,
+        }
+
+    def width_for(self, thickness: float) -> float:
+        """Drawn width of a narrow part that becomes so thick."""
+        return thickness / (TUBE * self.growth)
+
+    def thin(self, width: float) -> list[ThinPart]:
+        """The parts drawn narrower than a width."""
+        return thin_parts(self.outline, width)
+
+    def finding(
+        self,
+        rule: str,
+        measured: float,
+        place: Floats,
+        extent: tuple[Floats, ...],
+        repair: Repair | None = None,
+        /,
+        **words: str,
+    ) -> Finding | None:
+        """What a rule says about a measure; None where all is well.
+
+        A repair that cannot be made is left out.
+        """
+        found = rules()[rule].judge(measured, self.scales)
+        if found is None:
+            return None
+        severity, limit = found
+        text = rules()[rule].sentence.format(**words)
+        at = (float(place[0]), float(place[1]))
+        return Finding(rule, severity, text, at, extent, measured, limit, self._possible(repair))
+
+    def _possible(self, repair: Repair | None) -> Repair | None:
+        if repair is None:
+            return None
+        try:
+            repaired(self.outline, repair)
+        except OutlineError:
+            return None
+        return repair
+
+
+def mm(length: float) -> str:
+    """A length in a sentence."""
+    value = to_mm(length)
+    return f"{value:.1f} mm" if value < 10.0 else f"{value:.0f} mm"
+
+
+def percent(share: float) -> str:
+    """A share in a sentence."""
+    return f"{100.0 * share:.0f} %"

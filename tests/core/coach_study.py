@@ -1,0 +1,204 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the coach says beside what the simulation shows.
+
+What makes a finding true is measured on the inflated mesh at a place, by means of its own:
+
+    thin_arm      thinner than two seals or a fifth of the balloon, along the middle of the arm
+    choked_neck   less room across than a tube of film of 1.5 times the intake's width
+    flat_tip      no place as thick as two seals within 7 % of the size
+    notch         mean tension within a thirtieth of the size at least 3 times the median
+    warping_ring  both panels simulated, started twisted: the seam leaves its plane by 8 % of the size
+    flat_shape    V / A^1.5 below 0.4 of the disc's
+    hidden_intake necks with less room than the intake part it from more than half of the film
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+
+import numpy as np
+import shapely
+from drawn_flaws import Flawed
+from scipy.interpolate import LinearNDInterpolator
+from scipy.spatial import cKDTree
+
+from BalloonWorkbench.core.coach.coach import INTAKE_WIDTH, advise
+from BalloonWorkbench.core.coach.findings import Advice, Finding
+from BalloonWorkbench.core.film.library import film
+from BalloonWorkbench.core.mesh.panel import Panel
+from BalloonWorkbench.core.mesh.quality import signed_areas
+from BalloonWorkbench.core.mesh.sizing import size_for
+from BalloonWorkbench.core.mesh.triangulate import triangulate
+from BalloonWorkbench.core.solver.inflate import inflate
+from BalloonWorkbench.core.solver.model import Model
+from BalloonWorkbench.core.types import Floats
+
+FILM = film("mylar")
+PRESSURE = 2000.0
+VERTICES = 500
+SEALS = 2.0 * FILM.seal_width
+DISC = 1.218524 / np.pi**1.5
+TWIST = 0.3
+
+
+class Truth:
+    """The simulated balloon of an outline that is its own pattern."""
+
+    def __init__(self, case: Flawed) -> None:
+        self.case = case
+        self.panel = triangulate(case.outline, size_for(case.outline, VERTICES))
+        self.balloon = inflate(self.panel, FILM, PRESSURE)
+        self.size = max(case.outline.size)
+        self.flat = self.panel.rest_positions
+        self.thick = 2.0 * self.balloon.positions[:, 2]
+        self.at = LinearNDInterpolator(self.flat, self.balloon.positions)
+        self.areas = signed_areas(self.flat, self.panel.triangles)
+        self.centres = self.flat[self.panel.triangles].mean(axis=1)
+        tension = self.balloon.tensions[:, 0]
+        order = np.argsort(tension)
+        share = np.cumsum(self.areas[order])
+        self.tension = tension / tension[order][np.searchsorted(share, 0.5 * share[-1])]
+        self.film = shapely.Polygon(case.outline.outer, list(case.outline.holes))
+
+    def thickness(self, points: Floats) -> float:
+        """Median along a line [m]."""
+        return float(np.nanmedian(2.0 * self.at(points)[:, 2]))
+
+    def tube(self, place: Floats) -> float:
+        """Flat width of the tube with the room of the narrowest section through a place [m]."""
+        lines = []
+        for angle in np.radians(np.arange(0.0, 180.0, 3.0)):
+            ray = self.size * np.array([np.cos(angle), np.sin(angle)])
+            cuts = shapely.LineString([place - ray, place + ray]).intersection(self.film)
+            lines.append(min(shapely.get_parts(cuts), key=lambda one: one.distance(shapely.Point(place))))
+        start, end = shapely.get_coordinates(min(lines, key=lambda one: one.length))[[0, -1]]
+        points = self.at(start + np.linspace(0.002, 0.998, 101)[:, None] * (end - start))
+        points = points[np.isfinite(points[:, 0])]
+        step = np.linalg.norm(np.diff(points[:, :2], axis=0), axis=1)
+        return float(np.sqrt(np.pi * ((points[1:, 2] + points[:-1, 2]) @ step)))
+
+    def flat_length(self, apex: Floats) -> float:
+        """Distance from a tip to the first place as thick as two seals, relative to the size."""
+        away, angle = np.meshgrid(np.linspace(0.0, 0.4, 201), np.radians(np.arange(0.0, 360.0, 5.0)))
+        fan = apex + self.size * away[..., None] * np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+        thick = np.nan_to_num(2.0 * self.at(fan)[..., 2]) >= SEALS
+        return float(away[thick].min()) if thick.any() else 1.0
+
+    def peak(self, place: Floats) -> float:
+        """Mean tension near a place over the median."""
+        near = np.linalg.norm(self.centres - place, axis=1) < self.size / 30.0
+        if not near.any():
+            near[np.argmin(np.linalg.norm(self.centres - place, axis=1))] = True
+        return float(self.tension[near] @ self.areas[near] / self.areas[near].sum())
+
+    def peaks(self) -> Iterator[Floats]:
+        """Places of the outer rim with a tension peak, the highest first, each with its surroundings."""
+        rim = self.flat[self.panel.seams[0]]
+        values = np.array([self.peak(place) for place in rim])
+        left = values >= 3.0
+        while left.any():
+            best = int(np.argmax(np.where(left, values, 0.0)))
+            yield rim[best]
+            left &= np.linalg.norm(rim - rim[best], axis=1) > self.size / 12.0
+
+    def warp(self) -> float:
+        """Height of the seam of both panels, simulated from a twisted start, relative to the size."""
+        both = inflate(self.panel, FILM, PRESSURE, model=Model(two_panels=True, twist=TWIST))
+        return float(np.ptp(both.positions[np.concatenate(self.panel.seams), 2]) / self.size)
+
+    def puffiness(self) -> float:
+        """V / A^1.5 relative to a disc's."""
+        return float(self.balloon.volume / self.areas.sum() ** 1.5 / DISC)
+
+    def entered(self) -> float:
+        """Part of the film that the intake opens into before a neck narrower than it."""
+        loop = self.case.outline.outer
+        centre = np.asarray(self.film.centroid.coords[0])
+        at = shapely.Point(loop[np.argmax(np.linalg.norm(loop - centre, axis=1))])
+        rooms = self.film
+        for rule, line in self.case.sites:
+            if rule == "choked_neck" and self.tube(line[0]) < INTAKE_WIDTH:
+                rooms = rooms.difference(shapely.box(line[0, 0] - 1e-5, -1.0, line[0, 0] + 1e-5, 1.0))
+        entered = min(shapely.get_parts(rooms), key=at.distance)
+        return float(entered.area / self.film.area)
+
+    def holds(self, rule: str, place: Floats) -> bool:
+        """Whether the simulation shows at a place (k, 2) what a rule says."""
+        where = place[0]
+        measured: dict[str, Callable[[], bool]] = {
+            "thin_arm": lambda: self.thickness(place) < max(SEALS, 0.2 * self.thick.max()),
+            "choked_neck": lambda: self.tube(where) < 1.5 * INTAKE_WIDTH,
+            "flat_tip": lambda: self.flat_length(where) > 0.07,
+            "notch": lambda: self.peak(where) >= 3.0,
+            "warping_ring": lambda: self.warp() > 0.08,
+            "flat_shape": lambda: self.puffiness() < 0.4,
+            "hidden_intake": lambda: self.entered() < 0.5,
+        }
+        return measured[rule]()
+
+
+@dataclass
+class Score:
+    """Counts of one rule."""
+
+    right: int = 0
+    wrong: int = 0
+    found: int = 0
+    missed: int = 0
+    stray: list[str] = field(default_factory=list)
+
+    @property
+    def precision(self) -> float:
+        """Part of the findings that the simulation confirms."""
+        return self.right / max(self.right + self.wrong, 1)
+
+    @property
+    def recall(self) -> float:
+        """Part of the places where the simulation shows it that are found."""
+        return self.found / max(self.found + self.missed, 1)
+
+
+def compared(case: Flawed, scores: dict[str, Score], name: str = "") -> tuple[Advice, Truth]:
+    """Advice on a shape before any simulation, counted against what its simulation shows."""
+    truth = Truth(case)
+    advice = advise(case.outline, FILM, fitted=False)
+    count(case, truth, advice, scores, name)
+    return advice, truth
+
+
+def count(case: Flawed, truth: Truth, advice: Advice, scores: dict[str, Score], name: str = "") -> None:
+    """Count right and wrong findings, and places found and missed."""
+    for finding in advice.findings:
+        score = scores[finding.rule]
+        if truth.holds(finding.rule, np.array([finding.place])):
+            score.right += 1
+        else:
+            score.wrong += 1
+            score.stray.append(f"{name} wrong at {finding.place}: {finding.text}")
+    whole = np.zeros((1, 2))
+    sites = [*case.sites, *(("notch", place[None]) for place in truth.peaks())]
+    sites += [(rule, whole) for rule in ("flat_shape", "hidden_intake")]
+    for rule, line in sites:
+        if not truth.holds(rule, line):
+            continue
+        if any(finding.rule == rule and _near(finding, line, truth.size) for finding in advice.findings):
+            scores[rule].found += 1
+        else:
+            scores[rule].missed += 1
+            scores[rule].stray.append(f"{name} missed at {line.mean(axis=0)}")
+
+
+def _near(finding: Finding, line: Floats, size: float) -> bool:
+    if finding.rule in ("flat_shape", "hidden_intake", "warping_ring"):
+        return True
+    return float(cKDTree(line).query(finding.place)[0]) < size / 15.0
+
+
+def new_scores() -> dict[str, Score]:
+    """A score for each rule that comes up."""
+    return defaultdict(Score)
+
+
+__all__ = ["Flawed", "Panel", "Score", "Truth", "compared", "count", "new_scores"]
