@@ -191,3 +191,16 @@ def test_state_of_a_film_with_grain_is_that_of_a_strip_under_one_tension() -> No
     along = turn[:, :2] @ (stretch @ n)
     np.testing.assert_allclose(np.abs(state.direction @ along), np.linalg.norm(along), rtol=1e-9)
     assert state.shares() == {State.SLACK: 0.0, State.WRINKLED: pytest.approx(1.0), State.TAUT: 0.0}
+
+
+def test_two_panels_start_from_a_balloon_that_lies_aslant(square) -> None:
+    """The panels stay together at the seam, so that the volume is that of a closed surface."""
+    both = inflate(square, film(500), PRESSURE, model=Model(two_panels=True))
+    aslant = both.positions + np.outer(0.05 * both.positions[:, 0] + 0.02, (0.0, 0.0, 1.0))
+    again = inflate(
+        square, film(500), PRESSURE, model=Model(two_panels=True), start=replace(both, positions=aslant)
+    )
+    assert again.lower is not None
+    seam = square.seams[0]
+    np.testing.assert_allclose(again.lower[seam], again.positions[seam], atol=1e-12)
+    assert again.volume == pytest.approx(both.volume, rel=1e-3)

@@ -68,6 +68,8 @@ def inflate(
         positions, directors = (np.concatenate([half, half * MIRROR]) for half in (positions, directors))
         x, y = (positions - positions.mean(axis=0))[:, :2].T
         positions[:, 2] += model.twist * x * y
+        assert problem.tied is not None
+        positions = positions[problem.tied]  # the seam of an earlier result is not quite in the plane
     rest = solver.solve(problem, positions, directors, levels, settings or NewtonSettings(), progress)
 
     energies = solver.energies(problem, rest.positions, rest.directors)
@@ -102,5 +104,6 @@ def _stretched(start: Inflation, panel: Panel) -> Floats:
     """Positions (n, 3) of an earlier result, moved with the panel and stretched until nothing is slack."""
     positions = start.positions.copy()
     positions[:, :2] += panel.rest_positions - start.panel.rest_positions
+    positions[:, 2] -= positions[np.concatenate(panel.seams), 2].mean()
     centre = positions.mean(axis=0) * (1.0, 1.0, 0.0)
     return centre + WARM_STRETCH * (positions - centre)
