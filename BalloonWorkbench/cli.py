@@ -84,19 +84,16 @@ def _parser() -> argparse.ArgumentParser:
         command.add_argument("--poisson", metavar="NU", type=float, help="its Poisson's ratio")
         command.add_argument("--thickness", metavar="T", type=float, help="its thickness [m]")
         command.add_argument(
-            "--mesh-size", metavar="LENGTH", help="edge length of the triangles, such as 6mm"
-        )
-        command.add_argument(
             "--young-across",
             metavar="E",
             type=float,
-            help="Young's modulus across the film's grain [Pa]",
+            help="modulus across the grain, for films with one [Pa]",
         )
         command.add_argument(
-            "--grain",
-            metavar="DEGREES",
-            type=float,
-            help="the grain's angle from the x axis (default 0)",
+            "--grain", metavar="DEGREES", type=float, help="the grain's angle from the x axis (default 0)"
+        )
+        command.add_argument(
+            "--mesh-size", metavar="LENGTH", help="edge length of the triangles, such as 6mm"
         )
         command.add_argument(
             "--results", choices=FORMATS, help="also write what each triangle does, for ParaView or NumPy"
@@ -138,17 +135,7 @@ def _add_simulation(command: argparse.ArgumentParser) -> None:
 
 def _run(options: argparse.Namespace) -> int:
     width, height = _length(options.width), _length(options.height)
-    settings = Settings(
-        _film(options),
-        parse_pressure(options.pressure),
-        _length(options.mesh_size),
-        options.solver,
-        options.command == "design",
-        volume=None if options.volume is None else parse_volume(options.volume),
-        model=Model(
-            not options.plain_shell, not options.no_bending, options.bending_floor, options.two_panels
-        ),
-    )
+    settings = _settings(options)
     line = _StatusLine(sys.stderr)
     try:
         balloon = make_balloon(
@@ -164,6 +151,20 @@ def _run(options: argparse.Namespace) -> int:
         line.clear()
     _write(options.out, contents, balloon)
     return 0
+
+
+def _settings(options: argparse.Namespace) -> Settings:
+    return Settings(
+        _film(options),
+        parse_pressure(options.pressure),
+        _length(options.mesh_size),
+        options.solver,
+        options.command == "design",
+        volume=None if options.volume is None else parse_volume(options.volume),
+        model=Model(
+            not options.plain_shell, not options.no_bending, options.bending_floor, options.two_panels
+        ),
+    )
 
 
 def _length(text: str | None) -> float | None:

@@ -157,19 +157,33 @@ def files(balloon: Balloon, results: str | None = None) -> dict[str, bytes]:
         "report.json": (text + "\n").encode(),
     }
     if results is not None:
-        for number, design in enumerate(balloon.designs, start=1):
-            name = f"results.{results}" if number == 1 else f"results-{number}.{results}"
-            contents[name] = results_bytes(design.inflation, balloon.settings.film, results)
+        for number, design in enumerate(balloon.designs):
+            found = results_bytes(design.inflation, balloon.settings.film, results)
+            contents[f"{_numbered('results', number)}.{results}"] = found
     return contents
 
 
 def inflation_files(balloon: Balloon, frames: int, progress: Progress = no_progress) -> dict[str, bytes]:
-    """Contents of the files that show so many frames of the balloon's inflation in time, by name.
+    """Contents of the files that show so many frames of each balloon's inflation in time, by name.
 
     Raises what inflate_in_time raises.
     """
-    done, film = balloon.design.inflation, balloon.settings.film
-    blown, strip = inflate_in_time(
-        done.panel, film, done.report.pressure, frames=frames, model=done.report.model, progress=progress
-    )
-    return frame_files(blown, strip, film)
+    film = balloon.settings.film
+    contents: dict[str, bytes] = {}
+    for number, design in enumerate(balloon.designs):
+        panel, solved = design.inflation.panel, design.inflation.report
+        blown, strip = inflate_in_time(
+            panel,
+            film,
+            solved.pressure,
+            frames=frames,
+            model=solved.model,
+            progress=_share(progress, number, len(balloon.parts)),
+        )
+        contents |= frame_files(blown, strip, film, _numbered("inflation", number))
+    return contents
+
+
+def _numbered(name: str, number: int) -> str:
+    """The name of a file about one of several shapes; the largest, number 0, has the plain one."""
+    return name if number == 0 else f"{name}-{number + 1}"

@@ -86,7 +86,8 @@ def fit(
     """
     began = time.perf_counter()
     target = check(target)
-    mirror = exact_mirror(target) if symmetric else None
+    # a film with a grain aslant makes no symmetric balloon
+    mirror = exact_mirror(target) if symmetric and film.young_modulus_across is None else None
     if mirror is not None:
         target = mirrored(target, mirror)
     size = max(target.size)
