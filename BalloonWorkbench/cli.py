@@ -11,8 +11,10 @@ from collections.abc import Sequence
 from typing import Any, NoReturn, TextIO
 
 from BalloonWorkbench import __version__
+from BalloonWorkbench.core.design.size_goal import SizeGoal
 from BalloonWorkbench.core.errors import BalloonError, InputError
 from BalloonWorkbench.core.export.results import FORMATS
+from BalloonWorkbench.core.film.filling import DEFAULT_GAS, Filling, gas, gases
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.film.library import DEFAULT_FILM, custom_film, film, films, with_grain
 from BalloonWorkbench.core.job import (
@@ -24,9 +26,16 @@ from BalloonWorkbench.core.job import (
     make_balloon,
 )
 from BalloonWorkbench.core.outline.raster import opencv
+from BalloonWorkbench.core.outline.symmetry import AUTO, CHOICES
 from BalloonWorkbench.core.solver.backend import SOLVERS
 from BalloonWorkbench.core.solver.model import BENDING_FLOOR, Model
-from BalloonWorkbench.core.units import parse_length, parse_pressure, parse_volume
+from BalloonWorkbench.core.units import (
+    parse_length,
+    parse_mass,
+    parse_pressure,
+    parse_temperature,
+    parse_volume,
+)
 
 DOCUMENT = "balloon.FCStd"
 
@@ -64,10 +73,7 @@ def _parser() -> argparse.ArgumentParser:
             "input", metavar="INPUT", help="PNG, JPEG or BMP picture, or SVG, DXF or JSON outline"
         )
         command.add_argument("--out", metavar="DIR", required=True, help="folder for the files")
-        command.add_argument("--width", metavar="LENGTH", help="of the drawing, such as 300mm or 12in")
-        command.add_argument(
-            "--height", metavar="LENGTH", help="of the drawing; with --width it fits inside both"
-        )
+        _add_size(command)
         load = command.add_mutually_exclusive_group()
         load.add_argument(
             "--pressure", metavar="PRESSURE", default=str(DEFAULT_PRESSURE), help="such as 2kPa (the default)"
@@ -103,6 +109,42 @@ def _parser() -> argparse.ArgumentParser:
         )
         _add_simulation(command)
     return parser
+
+
+def _add_size(command: argparse.ArgumentParser) -> None:
+    """What decides the size: lengths of the drawing, or what the balloon has to hold or to carry."""
+    command.add_argument("--width", metavar="LENGTH", help="of the drawing, such as 300mm or 12in")
+    command.add_argument(
+        "--height", metavar="LENGTH", help="of the drawing; with --width it fits inside both"
+    )
+    goal = command.add_mutually_exclusive_group()
+    goal.add_argument(
+        "--target-volume",
+        metavar="LITRES",
+        help="instead of a width: make it so large that it holds this, such as 10 or 0.5ft3",
+    )
+    goal.add_argument(
+        "--target-lift",
+        metavar="GRAMS",
+        help="instead of a width: make it so large that it carries this besides itself, such as 5 or 0.1N",
+    )
+    command.add_argument(
+        "--gas",
+        metavar="NAME",
+        default=DEFAULT_GAS,
+        help=f"that fills it: {', '.join(gases())} (default {DEFAULT_GAS})",
+    )
+    command.add_argument(
+        "--gas-temperature", metavar="T", help="such as 80C; by default that of the air, 80C for warm-air"
+    )
+    command.add_argument("--air-temperature", metavar="T", default="20C", help="around it (default 20C)")
+    command.add_argument("--altitude", metavar="LENGTH", default="0m", help="above the sea (default 0m)")
+    command.add_argument(
+        "--symmetry",
+        choices=CHOICES,
+        default=AUTO,
+        help="auto (the default) evens out a picture that is nearly mirror symmetric, force any drawing",
+    )
 
 
 def _add_simulation(command: argparse.ArgumentParser) -> None:
@@ -145,6 +187,8 @@ def _run(options: argparse.Namespace) -> int:
         contents = files(balloon, options.results)
         if options.frames is not None:
             contents.update(inflation_files(balloon, options.frames, line.show))
+        if settings.goal is not None:
+            width = balloon.drawing.size[0]
         if importlib.util.find_spec("FreeCAD") is not None:
             contents[DOCUMENT] = _document(options.input, balloon, width, height)
     finally:
@@ -164,11 +208,29 @@ def _settings(options: argparse.Namespace) -> Settings:
         model=Model(
             not options.plain_shell, not options.no_bending, options.bending_floor, options.two_panels
         ),
+        symmetry=options.symmetry,
+        goal=_goal(options),
+        filling=Filling(
+            gas(options.gas),
+            None if options.gas_temperature is None else parse_temperature(options.gas_temperature),
+            parse_temperature(options.air_temperature),
+            parse_length(options.altitude),
+        ),
     )
 
 
 def _length(text: str | None) -> float | None:
     return None if text is None else parse_length(text)
+
+
+def _goal(options: argparse.Namespace) -> SizeGoal | None:
+    if options.target_volume is None and options.target_lift is None:
+        return None
+    if options.width is not None or options.height is not None:
+        raise InputError("A target decides the size: leave out --width and --height.")
+    if options.target_volume is not None:
+        return SizeGoal(volume=parse_volume(options.target_volume, "l"))
+    return SizeGoal(lift=parse_mass(options.target_lift, "g"))
 
 
 def _film(options: argparse.Namespace) -> Film:
@@ -217,9 +279,19 @@ def _write(folder: str, contents: dict[str, bytes], balloon: Balloon) -> None:
             lines.append(
                 f"Silhouette {error['mean']:.2f} mm off the drawing on average, {error['max']:.1f} mm at most"
             )
+        lines.append(_lift_line(part["lift"]))
     lines += [f"Note: {warning}" for warning in report["warnings"]]
     lines += [f"Wrote {path}" for path in paths]
     sys.stdout.write("\n".join(lines) + "\n")
+
+
+def _lift_line(lift: dict[str, Any]) -> str:
+    weight, gas_name = f"Weight {lift['weight_g']:.3g} g", lift["gas"]
+    if lift["floats"]:
+        return f"{weight}; filled with {gas_name} it carries {lift['lift_g']:.3g} g"
+    if lift["floats_from_width_mm"] is None:
+        return f"{weight}; it does not float with {gas_name}"
+    return f"{weight}; filled with {gas_name} it floats from {lift['floats_from_width_mm']:.0f} mm width on"
 
 
 class _StatusLine:

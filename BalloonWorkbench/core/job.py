@@ -13,7 +13,7 @@
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -21,19 +21,24 @@ from typing import Any
 from BalloonWorkbench.core import report
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.design.fit import fit, inflate_outline
+from BalloonWorkbench.core.design.size_goal import START_WIDTH, Buoyancy, SizeGoal, design_to_size
 from BalloonWorkbench.core.design.to_volume import design_to_volume
+from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.export.dxf import dxf_bytes
 from BalloonWorkbench.core.export.preview import preview_png
 from BalloonWorkbench.core.export.results import frame_files, results_bytes
 from BalloonWorkbench.core.export.stl import stl_bytes
 from BalloonWorkbench.core.export.svg import svg_bytes
+from BalloonWorkbench.core.film.filling import Filling
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.film.library import DEFAULT_FILM, film
 from BalloonWorkbench.core.outline.drawing import Drawing
+from BalloonWorkbench.core.outline.loops import scale_to
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.outline.picture import Decode
 from BalloonWorkbench.core.outline.read import read_drawing
-from BalloonWorkbench.core.pattern.build import build_pattern
+from BalloonWorkbench.core.outline.symmetry import AUTO, symmetric
+from BalloonWorkbench.core.pattern.build import build_pattern, usual_pattern
 from BalloonWorkbench.core.pattern.layout import on_one_sheet
 from BalloonWorkbench.core.pattern.pattern import Pattern
 from BalloonWorkbench.core.solver.animation import inflate_in_time
@@ -49,6 +54,7 @@ class Settings:
 
     pressure [Pa]; mesh_size [m] and backend None where the engine chooses; correct False keeps the outline
     itself as the pattern; a volume [m3] takes the place of the pressure; model: what is simulated.
+    symmetry: AUTO, OFF or FORCE of outline/symmetry.py; goal: what the size has to give; filling: what lifts.
     """
 
     film: Film = field(default_factory=lambda: film(DEFAULT_FILM))
@@ -59,6 +65,9 @@ class Settings:
     intake: bool = True
     volume: float | None = None
     model: Model = field(default_factory=Model)
+    symmetry: str = AUTO
+    goal: SizeGoal | None = None
+    filling: Filling = field(default_factory=Filling)
 
 
 @dataclass(frozen=True)
@@ -105,19 +114,35 @@ def make_balloon(
 ) -> Balloon:
     """Design a balloon for each shape in a drawing file; width and height [m] as in read_drawing.
 
-    decode reads pictures where OpenCV is missing. Raises BalloonError of some kind for anything a user can
-    mend.
+    With a goal, the largest shape is brought to the size that meets it, and the others with it. decode reads
+    pictures where OpenCV is missing. Raises BalloonError of some kind for anything a user can mend.
     """
+    settings.filling.lightness()  # a mistake shows before the work
+    if settings.goal is not None and width is None and height is None:
+        width = START_WIDTH
     drawing, kind = read_drawing(path, width, height, decode)
-    parts, told = [], []
-    for number, outline in enumerate(drawing.parts):
-        design = design_outline(outline, settings, _share(progress, number, len(drawing.parts)))
+    parts = tuple(symmetric(part, settings.symmetry, drawn=kind == "picture") for part in drawing.parts)
+    drawing = scale_to(replace(drawing, parts=parts), width, height)
+    count = len(drawing.parts)
+    designs = [design_outline(drawing.largest, settings, _share(progress, 0, count))]
+    if settings.goal is not None:
+        scale = max(designs[0].target.size) / max(drawing.largest.size)
+        drawing = drawing.map(lambda loop: loop * scale)
+    alike = replace(settings, goal=None)
+    for number, outline in enumerate(drawing.parts[1:], start=1):
+        designs.append(design_outline(outline, alike, _share(progress, number, count)))
+    made, told = [], []
+    for design, outline in zip(designs, drawing.parts, strict=True):
         pattern = build_pattern(design.pattern, settings.film.seal_width, intake=settings.intake)
         source = report.Source(Path(path).name, kind, outline)
-        parts.append(Part(design, pattern))
-        told.append(report.build(source, settings.film, design, pattern, settings.volume))
-    sheet = on_one_sheet([part.pattern for part in parts])
-    return Balloon(drawing, settings, tuple(parts), report.together(told, drawing, sheet))
+        made.append(Part(design, pattern))
+        told.append(
+            report.build(
+                source, settings.film, design, pattern, settings.volume, settings.filling, settings.goal
+            )
+        )
+    sheet = on_one_sheet([part.pattern for part in made])
+    return Balloon(drawing, settings, tuple(made), report.together(told, drawing, sheet))
 
 
 def _share(progress: Progress, number: int, count: int) -> Progress:
@@ -137,9 +162,38 @@ def design_outline(outline: Outline, settings: Settings, progress: Progress = no
         backend=settings.backend,
         model=settings.model,
     )
+    if settings.goal is not None:
+        return _design_to_goal(outline, settings, settings.goal, progress)
     if settings.volume is not None:
         return design_to_volume(work, outline, settings.film, settings.volume, progress=progress)
     return work(outline, settings.film, settings.pressure, progress=progress)
+
+
+def _design_to_goal(outline: Outline, settings: Settings, goal: SizeGoal, progress: Progress) -> Design:
+    """The design of an outline at the size that meets the goal."""
+    if settings.volume is not None:
+        raise InputError("A volume to inflate to and a goal for the size exclude each other: leave one out.")
+
+    def work(outline: Outline, *, start: Design | None, progress: Progress) -> Design:
+        if not settings.correct:
+            return design_outline(outline, replace(settings, goal=None), progress)
+        return fit(
+            outline,
+            settings.film,
+            settings.pressure,
+            mesh_size=settings.mesh_size,
+            backend=settings.backend,
+            model=settings.model,
+            start=start,
+            progress=progress,
+        )
+
+    buoyancy = Buoyancy(
+        settings.filling.lightness(settings.pressure),
+        settings.film.areal_density,
+        lambda seam: usual_pattern(seam, settings.film, settings.intake).film_area,
+    )
+    return design_to_size(work, outline, goal, buoyancy, corrected=settings.correct, progress=progress)
 
 
 def files(balloon: Balloon, results: str | None = None) -> dict[str, bytes]:

@@ -10,6 +10,8 @@ from typing import Any
 import numpy as np
 
 from BalloonWorkbench.core.design.design import Design
+from BalloonWorkbench.core.design.size_goal import Buoyancy, SizeGoal, scaling_of
+from BalloonWorkbench.core.film.filling import Filling
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.mesh.quality import min_angles, signed_areas
 from BalloonWorkbench.core.outline.drawing import Drawing
@@ -17,11 +19,11 @@ from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.pattern.pattern import Intake, Pattern
 from BalloonWorkbench.core.solver.film_state import film_state, thickness
 from BalloonWorkbench.core.solver.model import Model
-from BalloonWorkbench.core.units import to_mm
+from BalloonWorkbench.core.units import to_grams, to_mm
 
 SCHEMA = 2
 #: What the report tells of each shape of the drawing.
-_OF_A_PART = ("pressure_Pa", "mesh", "solve", "design", "inflated", "pattern", "warnings")
+_OF_A_PART = ("pressure_Pa", "mesh", "solve", "design", "inflated", "lift", "pattern", "warnings")
 
 
 @dataclass(frozen=True)
@@ -70,11 +72,18 @@ def together(parts: Sequence[dict[str, Any]], drawing: Drawing, sheet: Pattern) 
 
 
 def build(
-    source: Source, film: Film, design: Design, pattern: Pattern, volume: float | None = None
+    source: Source,
+    film: Film,
+    design: Design,
+    pattern: Pattern,
+    volume: float | None = None,
+    filling: Filling | None = None,
+    goal: SizeGoal | None = None,
 ) -> dict[str, Any]:
     """The report of one shape as plain numbers, strings, lists and dicts; keys carry their units.
 
-    volume [m3]: what was asked for instead of a pressure.
+    volume [m3]: what was asked for instead of a pressure; filling: what lifts, helium by default; goal: what
+    decided the size, None for the drawing's own.
     """
     inflation = design.inflation
     panel, solve = inflation.panel, inflation.report
@@ -141,6 +150,8 @@ def build(
             "max_strain": float(state.strains.max()),
             "area_shares": {kind.name.lower(): share for kind, share in state.shares().items()},
         },
+        "goal": None if goal is None else _goal(goal),
+        "lift": _lift(design, film, pattern, filling or Filling()),
         "pattern": {
             "width_mm": to_mm(pattern_width),
             "height_mm": to_mm(pattern_height),
@@ -148,6 +159,28 @@ def build(
             "intake": None if pattern.intake is None else _intake(pattern.intake),
         },
         "warnings": [*design.warnings, *pattern.warnings],
+    }
+
+
+def _goal(goal: SizeGoal) -> dict[str, Any]:
+    return {"volume_m3": goal.volume, "lift_g": None if goal.lift is None else to_grams(goal.lift)}
+
+
+def _lift(design: Design, film: Film, pattern: Pattern, filling: Filling) -> dict[str, Any]:
+    """What the balloon weighs, what it carries, and from which width of the drawing on it floats."""
+    lightness = filling.lightness(design.inflation.report.pressure)
+    buoyancy = Buoyancy(lightness, film.areal_density, lambda seam: pattern.film_area)
+    scaling = scaling_of(design, buoyancy)
+    lift, scale = scaling.lift_at(1.0, buoyancy), scaling.floating(buoyancy)
+    return {
+        "gas": filling.gas.name,
+        "gas_temperature_K": filling.temperature,
+        "air_temperature_K": filling.air_temperature,
+        "altitude_m": filling.altitude,
+        "weight_g": to_grams(scaling.weight_at(1.0, buoyancy)),
+        "lift_g": to_grams(lift),
+        "floats": lift > 0.0,
+        "floats_from_width_mm": None if scale is None else to_mm(scale * design.target.size[0]),
     }
 
 

@@ -41,7 +41,19 @@ PRESSURE_UNITS = {
     "psi": 0.45359237 * 9.80665 / INCH**2,
 }
 
-VOLUME_UNITS = {"l": 1e-3, "litre": 1e-3, "litres": 1e-3, "ml": 1e-6, "cm3": 1e-6, "dm3": 1e-3, "m3": 1.0}
+VOLUME_UNITS = {
+    "l": 1e-3,
+    "litre": 1e-3,
+    "litres": 1e-3,
+    "ml": 1e-6,
+    "cm3": 1e-6,
+    "dm3": 1e-3,
+    "m3": 1.0,
+    "ft3": (12 * INCH) ** 3,
+}
+
+#: A lift may be given as a force; a kilogram weighs 9.80665 N.
+MASS_UNITS = {"g": 1e-3, "gram": 1e-3, "grams": 1e-3, "kg": 1.0, "oz": 28.349523125e-3, "n": 1.0 / 9.80665}
 
 _QUANTITY = re.compile(r"([+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?)\s*(.*)", re.IGNORECASE | re.DOTALL)
 
@@ -79,15 +91,41 @@ def parse_pressure(text: str | float) -> float:
     return _parse(text, PRESSURE_UNITS, "pressure", "2kPa, 20mbar or 0.3psi")
 
 
-def parse_volume(text: str | float) -> float:
-    """'5l', '250 ml', or a plain number in cubic metres -> m3. InputError where it makes no sense."""
-    return _parse(text, VOLUME_UNITS, "volume", "5l, 250ml or 0.005m3")
+def parse_volume(text: str | float, plain: str = "m3") -> float:
+    """'5l', '250 ml', or a number in the plain unit -> m3. InputError where it makes no sense."""
+    return _parse(text, VOLUME_UNITS, "volume", "5l, 250ml or 0.005m3", plain)
 
 
-def _parse(text: str | float, units: dict[str, float], what: str, examples: str) -> float:
+def parse_mass(text: str | float, plain: str = "kg") -> float:
+    """'5g', '0.1 oz', '0.05N' or a number in the plain unit -> kg. InputError where it makes no sense."""
+    return _parse(text, MASS_UNITS, "mass", "5g, 0.2oz or 0.05N", plain)
+
+
+def parse_temperature(text: str | float) -> float:
+    """'20C', '68F', '293K', or a plain number in kelvins -> K. InputError where it makes no sense."""
+    match = _QUANTITY.fullmatch(str(text).strip())
+    unit = match[2].strip().lstrip("°").lower() if match else "?"
+    if match is None or unit not in ("", "k", "c", "f"):
+        raise InputError(f"'{text}' is not a temperature; write it as 20C, 68F or 293K.")
+    value = float(match[1])
+    kelvin = {"": value, "k": value, "c": value + 273.15, "f": (value + 459.67) / 1.8}[unit]
+    if not kelvin > 0.0:
+        raise InputError(f"'{text}' is colder than anything; write a temperature as 20C, 68F or 293K.")
+    return kelvin
+
+
+def to_grams(kilograms: float) -> float:
+    """Kilograms to grams."""
+    return 1e3 * kilograms
+
+
+def _parse(
+    text: str | float, units: dict[str, float], what: str, examples: str, plain: str | None = None
+) -> float:
     match = _QUANTITY.fullmatch(str(text).strip())
     # "MPa" and "mPa" differ by nine powers of ten, so neither is guessed from the other: both are refused.
-    factor = units.get(match[2].strip().lower()) if match and match[2].strip() else 1.0
+    unit = (match[2].strip().lower() if match else "") or plain or ""
+    factor = units.get(unit) if unit else 1.0
     value = float(match[1]) * factor if match and factor is not None else math.nan
     if not math.isfinite(value):
         raise InputError(f"'{text}' is not a {what}; write it as {examples}.")

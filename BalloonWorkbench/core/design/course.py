@@ -41,6 +41,13 @@ class Course:
         """The pattern as an outline."""
         return Outline(self.pattern[0], self.pattern[1:])
 
+    def resized(self, pattern: Outline, scale: float) -> Course | None:
+        """The course with the pattern of the same course at another size; None where that was sampled
+        otherwise."""
+        if [len(loop) for loop in pattern.loops] != [len(loop) for loop in self.pattern]:
+            return None
+        return replace(self, pattern=tuple(scale * loop for loop in pattern.loops))
+
     def moved(self, fields: tuple[Floats, ...]) -> Course:
         """The course with its pattern moved by fields, one (n, 2) for each loop.
 

@@ -76,12 +76,14 @@ def fit(
     backend: str | None = None,
     model: Model | None = None,
     symmetric: bool = True,
+    start: Design | None = None,
     progress: Progress = no_progress,
 ) -> Design:
     """The pattern whose inflated silhouette is the target, as nearly as film allows.
 
     pressure [Pa]; mesh_size [m] of the pattern, None for about VERTICES vertices; symmetric: a symmetric
-    target gets a symmetric pattern, unless the balloon buckles and another comes nearer. Raises what check,
+    target gets a symmetric pattern, unless the balloon buckles and another comes nearer; start: a design of
+    the same drawing at another size, from whose pattern the correction sets out. Raises what check,
     triangulate and inflate raise; Cancelled when progress returns False.
     """
     began = time.perf_counter()
@@ -100,6 +102,8 @@ def fit(
     edge = COARSENING * fine if target.map(grow).area > WORTHWHILE * fine**2 else fine
     course = Course.begun(target, grow, min(0.25 * fine, size / 400.0))
     course, twins = twinned(course, mirror)
+    if start is not None and (known := course.resized(start.pattern, size / max(start.target.size))):
+        course, edge = known, fine
     mixing = AndersonMixing(GAIN)
     best: _Pass | None = None
     last: _Pass | None = None

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.pattern.intake import Neck, place_neck
@@ -82,6 +83,16 @@ def build_pattern(
         sum(_length(weld.points, weld.closed) for weld in welds),
         tuple(warnings),
     )
+
+
+def usual_pattern(seam: Outline, film: Film, intake: bool = True) -> Pattern:
+    """The pattern as it is made unless told otherwise: for its weight. Without an intake that has no room."""
+    try:
+        return build_pattern(seam, film.seal_width, intake=intake)
+    except InputError:
+        if not intake:
+            raise
+        return build_pattern(seam, film.seal_width, intake=False)
 
 
 def _inner(hole: Any, seal_width: float, margin: float, warnings: list[str]) -> list[Contour]:

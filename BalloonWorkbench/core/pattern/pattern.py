@@ -8,6 +8,7 @@ from enum import Enum
 
 import numpy as np
 
+from BalloonWorkbench.core.outline.outline import signed_area
 from BalloonWorkbench.core.types import Floats
 
 
@@ -71,6 +72,15 @@ class Pattern:
         low, high = self.bounds
         width, height = high - low
         return float(width), float(height)
+
+    @property
+    def film_area(self) -> float:
+        """Area of the piece of film [m2]."""
+        whole, cut_out = (
+            sum(abs(signed_area(contour.points)) for contour in self.of(role))
+            for role in (Role.CUT, Role.CUT_INNER)
+        )
+        return whole - cut_out
 
     @property
     def roles(self) -> tuple[Role, ...]:
