@@ -88,7 +88,8 @@ def show(obj, pattern) -> None:
     from BalloonWorkbench.core.pattern.pattern import Role
     from BalloonWorkbench.core.units import to_mm
 
-    outer, inner, welds = (pattern.of(role) for role in (Role.CUT, Role.CUT_INNER, Role.SEAL))
+    outer, inner = pattern.of(Role.CUT), pattern.of(Role.CUT_INNER)
+    welds = (*pattern.of(Role.SEAL), *pattern.of(Role.WELD))
     sheet = Part.Face([shapes.wire(contour.points) for contour in (*outer, *inner)])
     obj.Shape = Part.makeCompound([sheet, *(shapes.wire(weld.points, weld.closed) for weld in welds)])
     obj.Roles = [contour.role.value for contour in (*outer, *inner, *welds)]

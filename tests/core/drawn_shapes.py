@@ -3,9 +3,12 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from BalloonWorkbench.core.outline.outline import Outline, signed_area
+from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.types import Floats
 
 TURN = np.linspace(0.0, 2.0 * np.pi, 720, endpoint=False)
@@ -48,6 +51,40 @@ def letter_s() -> Outline:
 
 def corners_of(*points: tuple[float, float]) -> Outline:
     return Outline(oriented(np.array(points, dtype=float)))
+
+
+def _arc(x: float, y: float, radius: float, first: float, last: float, up: float = 0.0) -> list[Any]:
+    """Points of an arc between angles in degrees; of an ellipse with another radius upward."""
+    turn = np.radians(np.linspace(first, last, 61))
+    return np.column_stack([x + radius * np.cos(turn), y + (up or radius) * np.sin(turn)]).tolist()
+
+
+#: Middle lines of letters 1.2 high.
+_STROKES: dict[str, list[list[Any]]] = {
+    "A": [[(0, 0), (0.45, 1.2), (0.9, 0)], [(0.18, 0.42), (0.72, 0.42)]],
+    "B": [
+        [(0, 0), (0, 1.2), (0.35, 1.2), *_arc(0.35, 0.9, 0.3, 90, -90), (0, 0.6)],
+        [(0, 0.6), (0.4, 0.6), *_arc(0.4, 0.3, 0.3, 90, -90), (0, 0)],
+    ],
+    "O": [_arc(0.5, 0.6, 0.42, 0, 360, 0.6)],
+    "P": [[(0, 0), (0, 1.2), (0.4, 1.2), *_arc(0.4, 0.88, 0.32, 90, -90), (0, 0.56)]],
+    "8": [_arc(0.4, 0.92, 0.28, 0, 360), _arc(0.4, 0.32, 0.34, 0, 360)],
+}
+LETTERS = tuple(_STROKES)
+
+
+def letter(name: str, height: float = 0.3) -> Outline:
+    """A letter with holes, drawn with a round pen."""
+    package = shapely()
+    lines = [package.LineString(stroke) for stroke in _STROKES[name]]
+    area = package.union_all([line.buffer(0.125, quad_segs=16) for line in lines]).simplify(5e-4)
+    low_x, low_y, _, high_y = area.bounds
+
+    def placed(ring: Any, counter_clockwise: bool) -> Floats:
+        points = (np.asarray(ring.coords)[:-1] - (low_x, low_y)) * height / (high_y - low_y)
+        return oriented(points, counter_clockwise)
+
+    return Outline(placed(area.exterior, True), tuple(placed(ring, False) for ring in area.interiors))
 
 
 NAMED: dict[str, Outline] = {

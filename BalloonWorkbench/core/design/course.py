@@ -14,6 +14,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from BalloonWorkbench.core.design.correspondence import locate
+from BalloonWorkbench.core.design.weld_lines import WeldLine, weld_lines
 from BalloonWorkbench.core.mesh.panel import Panel
 from BalloonWorkbench.core.outline.crossings import first_crossing
 from BalloonWorkbench.core.outline.outline import Outline
@@ -25,28 +26,48 @@ _CORNER = np.radians(30.0)
 
 @dataclass(frozen=True)
 class Course:
-    """drawing and pattern: loops (n, 2) m, one beside the other."""
+    """drawing and pattern: loops (n, 2) m, one beside the other.
+
+    The last `spots` of the loops are spot welds; lines: the welds inside.
+    """
 
     drawing: tuple[Floats, ...]
     pattern: tuple[Floats, ...]
+    spots: int = 0
+    lines: tuple[WeldLine, ...] = ()
 
     @staticmethod
     def begun(target: Outline, grow: Callable[[Floats], Floats], spacing: float) -> Course:
         """The course whose pattern is the drawing grown, sampled `spacing` apart with its corners kept."""
         drawing = tuple(resample(loop, spacing) for loop in target.loops)
-        return Course(drawing, tuple(grow(loop) for loop in drawing))
+        lines = weld_lines(target, drawing, spacing)
+        return Course(
+            drawing,
+            tuple(grow(loop) for loop in drawing),
+            len(target.spots),
+            tuple(replace(line, pattern=grow(line.pattern)) for line in lines),
+        )
 
     @property
     def outline(self) -> Outline:
         """The pattern as an outline."""
-        return Outline(self.pattern[0], self.pattern[1:])
+        last = len(self.pattern) - self.spots
+        return Outline(
+            self.pattern[0],
+            self.pattern[1:last],
+            welds=tuple(line.pattern for line in self.lines),
+            spots=self.pattern[last:],
+        )
 
     def resized(self, pattern: Outline, scale: float) -> Course | None:
         """The course with the pattern of the same course at another size; None where that was sampled
         otherwise."""
         if [len(loop) for loop in pattern.loops] != [len(loop) for loop in self.pattern]:
             return None
-        return replace(self, pattern=tuple(scale * loop for loop in pattern.loops))
+        lines = [
+            replace(line, pattern=scale * weld) for line, weld in zip(self.lines, pattern.welds, strict=True)
+        ]
+        return replace(self, pattern=tuple(scale * loop for loop in pattern.loops), lines=tuple(lines))
 
     def moved(self, fields: tuple[Floats, ...]) -> Course:
         """The course with its pattern moved by fields, one (n, 2) for each loop.
@@ -62,7 +83,7 @@ class Course:
             )
             place = first_crossing(loops)
             if place is None:
-                return replace(self, pattern=loops)
+                return replace(self, pattern=loops, lines=tuple(line.tied(loops) for line in self.lines))
             reach = 0.01 * (1.0 + attempt) * float(np.ptp(loops[0], axis=0).max())
             strength = [
                 share * (1.0 - 0.5 * np.exp(-(np.linalg.norm(loop - place, axis=1) ** 2) / reach**2))
@@ -78,7 +99,10 @@ class Course:
             if place is not None:
                 share *= np.exp(-(np.linalg.norm(its - place, axis=1, keepdims=True) ** 2) / reach**2)
             loops.append(mine + share * (its - mine))
-        return replace(self, pattern=tuple(loops))
+        lines = [
+            mine.toward(its).tied(tuple(loops)) for mine, its in zip(self.lines, earlier.lines, strict=True)
+        ]
+        return replace(self, pattern=tuple(loops), lines=tuple(lines))
 
 
 @dataclass(frozen=True)

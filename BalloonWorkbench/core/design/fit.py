@@ -26,6 +26,7 @@ from BalloonWorkbench.core.design.design import Design, Residual
 from BalloonWorkbench.core.design.mixing import AndersonMixing
 from BalloonWorkbench.core.design.silhouette import silhouette
 from BalloonWorkbench.core.design.twins import nearer, twinned
+from BalloonWorkbench.core.design.weld_lines import weld_lines
 from BalloonWorkbench.core.errors import MeshError
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.mesh.panel import Panel
@@ -90,6 +91,8 @@ def fit(
     target = check(target)
     # a film with a grain aslant makes no symmetric balloon
     mirror = exact_mirror(target) if symmetric and film.young_modulus_across is None else None
+    if target.welds or target.spots:  # which need not lie as the outline does
+        mirror = None
     if mirror is not None:
         target = mirrored(target, mirror)
     size = max(target.size)
@@ -166,7 +169,8 @@ def inflate_outline(
     began = time.perf_counter()
     pattern = check(pattern)
     edge = mesh_size or size_for(pattern, VERTICES)
-    course = Course(pattern.loops, pattern.loops)
+    lines = weld_lines(pattern, pattern.loops, 0.25 * edge)
+    course = Course(pattern.loops, pattern.loops, len(pattern.spots), lines)
     only = _try(pattern, course, None, film, pressure, edge, backend, model, progress)
     return _design(pattern, only, 0, 1, time.perf_counter() - began)
 
@@ -198,7 +202,11 @@ def _try(
 def _moved(previous: _Pass, course: Course) -> Panel | None:
     """The panel of the previous pass with its rim on the new pattern; None when it has to be meshed anew."""
     loops = zip(previous.nodes, course.pattern, strict=True)
-    return move_rim(previous.panel, [node.placed_on(loop) for node, loop in loops])
+    welds = [
+        line.at(before.along(previous.panel.rest_positions[weld]))
+        for line, before, weld in zip(course.lines, previous.course.lines, previous.panel.welds, strict=True)
+    ]
+    return move_rim(previous.panel, [node.placed_on(loop) for node, loop in loops], welds)
 
 
 def _aligned(course: Course, nodes: tuple[SeamNodes, ...], inflation: Inflation) -> Inflation:
@@ -233,6 +241,12 @@ def _corrected(current: _Pass, mixing: AndersonMixing, edge: float, size: float)
     )
     length = np.linalg.norm(step, axis=1, keepdims=True)
     step *= np.minimum(1.0, CLAMP * size / np.maximum(length, 1e-300))
+    panel, positions = current.panel, current.inflation.positions[:, :2]
+    lines = [
+        line.corrected(panel.rest_positions[weld], positions[weld], edge, CLAMP * size)
+        for line, weld in zip(course.lines, panel.welds, strict=True)
+    ]
+    course = replace(course, lines=tuple(lines))
     return course.moved(tuple(np.split(step, np.cumsum([len(loop) for loop in course.pattern])[:-1])))
 
 

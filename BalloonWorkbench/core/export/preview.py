@@ -26,7 +26,7 @@ _DRAWING, _BALLOON = "#39424f", "#d81e3f"
 # Cards in pixels from the lower left: x, y, width, height.
 _MARGIN, _GAP = 26, 20
 _LEFT, _MIDDLE = 480, 540
-_NAMES = {Role.CUT: "cut", Role.CUT_INNER: "cut inside", Role.SEAL: "weld"}
+_NAMES = {Role.CUT: "cut", Role.CUT_INNER: "cut inside", Role.SEAL: "weld", Role.WELD: "weld inside"}
 
 
 def preview_png(designs: Sequence[Design], patterns: Sequence[Pattern]) -> bytes:
@@ -158,7 +158,8 @@ def _pattern(axes: Any, patterns: Sequence[Pattern]) -> None:
     ):
         axes.fill(*points.T, color=color)
     for path in sheet.paths:
-        style: dict[str, Any] = {"lw": 1.5} if path.role is not Role.SEAL else {"lw": 1.0, "ls": (0, (5, 2))}
+        welded = path.role in (Role.SEAL, Role.WELD)
+        style: dict[str, Any] = {"lw": 1.0, "ls": (0, (5, 2))} if welded else {"lw": 1.5}
         axes.plot(*_drawn(path, frame).T, color=LAYERS[path.role].rgb, solid_joinstyle="round", **style)
     low, high = frame(np.zeros(2)), frame(np.array([sheet.width, sheet.height]))
     _dimension(axes, (low[0], low[1] - 26), (high[0], low[1] - 26), f"{sheet.width:.0f} mm")

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from BalloonWorkbench.core.solver.folds import slit
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.types import Bools, Floats, Ints
 
@@ -62,12 +63,13 @@ def _surface(inflations: Sequence[Inflation], seal_width: float) -> tuple[Floats
     parts: list[tuple[Floats, Ints, Floats, Floats]] = []
     start = 0
     for inflation in inflations:
-        upper, top = inflation.panel.triangles, inflation.positions
+        panel, origin = slit(inflation.panel)
+        upper, top = panel.triangles, inflation.positions[origin]
         up, count = _vertex_normals(top, upper), len(top)
         parts.append((top, upper + start, up, _FILM))
         parts.append((top * mirror, upper[:, ::-1] + start + count, up * mirror, _FILM))
         start += 2 * count
-        for seam in inflation.panel.seams:
+        for seam in panel.seams:
             for side in (-1.0, 1.0):
                 parts.append(_weld(top[seam, :2], seal_width, start, side))
                 start += 2 * len(seam)

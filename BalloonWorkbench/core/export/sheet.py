@@ -27,6 +27,7 @@ LAYERS = {
     Role.CUT: Layer(1, "#ff0000"),
     Role.CUT_INNER: Layer(5, "#0000ff"),
     Role.SEAL: Layer(6, "#ff00ff"),
+    Role.WELD: Layer(3, "#00a000"),
 }
 
 

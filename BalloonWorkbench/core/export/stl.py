@@ -8,6 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from BalloonWorkbench.core.mesh.quality import locked
+from BalloonWorkbench.core.solver.folds import slit
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.types import Floats, Ints
 from BalloonWorkbench.core.units import to_mm
@@ -19,20 +20,22 @@ _FACET = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute
 def balloon_mesh(inflation: Inflation) -> tuple[Floats, Ints]:
     """Positions (N, 3) [m] and triangles (M, 3) of both halves, joined at the seam, outward orientation.
 
-    Every edge belongs to two triangles. Triangles with all vertices on the seam (at sharp tips) lie flat in
-    both halves, enclose nothing and are left out.
+    Every edge belongs to two triangles. At a weld inside, the balloons on its two sides have vertices of
+    their own in the same places. Triangles with all vertices on the seam (at sharp tips) lie flat in both
+    halves, enclose nothing and are left out.
     """
-    panel = inflation.panel
+    panel, origin = slit(inflation.panel)
     upper = panel.triangles[~locked(panel)]
-    seam = np.concatenate(panel.seams)
-    count = len(inflation.positions)
+    sealed = panel.sealed
+    count = len(origin)
     mirror = np.arange(count, 2 * count)
-    mirror[seam] = seam
+    mirror[sealed] = sealed
+    top = inflation.positions[origin]
     if inflation.lower is not None:
-        positions = np.concatenate([inflation.positions, inflation.lower])
+        positions = np.concatenate([top, inflation.lower[origin]])
     else:
-        positions = np.concatenate([inflation.positions, inflation.positions * np.array([1.0, 1.0, -1.0])])
-        positions[seam, 2] = 0.0
+        positions = np.concatenate([top, top * np.array([1.0, 1.0, -1.0])])
+        positions[sealed, 2] = 0.0
     triangles = np.concatenate([upper, mirror[upper][:, ::-1]])
     used, renumbered = np.unique(triangles, return_inverse=True)
     return positions[used], renumbered.reshape(-1, 3).astype(np.int32)

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The seams of a mesh: vertices evenly spaced along each loop, corners kept."""
+"""The seams and welds of a mesh: vertices evenly spaced along each loop and line, corners kept."""
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
@@ -10,12 +11,26 @@ import numpy as np
 from BalloonWorkbench.core.errors import MeshError
 from BalloonWorkbench.core.mesh.sizing import SizeField
 from BalloonWorkbench.core.outline.crossings import first_crossing
-from BalloonWorkbench.core.outline.sampling import arc_lengths, corners, point_at
-from BalloonWorkbench.core.types import Floats
+from BalloonWorkbench.core.outline.sampling import arc_lengths, corners, line_lengths, point_at, point_on
+from BalloonWorkbench.core.types import Floats, Ints
 from BalloonWorkbench.core.units import to_mm
 
 #: Turn within about an edge length that makes a corner [rad].
 _CORNER = np.radians(30.0)
+
+
+@dataclass(frozen=True)
+class Weld:
+    """A weld's own vertices (k, 2), and the numbers of the seam vertices at which it begins and ends."""
+
+    points: Floats
+    begin: int | None
+    end: int | None
+
+    def chain(self, first: int) -> Ints:
+        """Its vertices in order, where its own ones are numbered from `first`."""
+        ends = [[] if at is None else [at] for at in (self.begin, self.end)]
+        return np.array([*ends[0], *range(first, first + len(self.points)), *ends[1]], dtype=np.int32)
 
 
 def seam_points(loops: tuple[Floats, ...], field: SizeField) -> tuple[tuple[Floats, ...], SizeField]:
@@ -37,6 +52,51 @@ def seam_points(loops: tuple[Floats, ...], field: SizeField) -> tuple[tuple[Floa
         field = SizeField(field.size, (*field.groups, (closer, place[None])))
         seams = tuple(_resampled(loop, field) for loop in loops)
     return seams, field
+
+
+def weld_points(welds: tuple[Floats, ...], seams: tuple[Floats, ...], field: SizeField) -> list[Weld]:
+    """Resampled welds. An end nearer to a seam than half an edge becomes that vertex of the seam.
+
+    Raises MeshError where welds or seams meet at this size.
+    """
+    rim = np.concatenate(seams)
+    taken = np.zeros(len(rim), dtype=bool)
+    found = []
+    for line in welds:
+        points = _resampled_line(line, field)
+        ends = []
+        for end in (0, -1):
+            away = np.where(taken, np.inf, np.linalg.norm(rim - points[end], axis=1))
+            nearest = int(np.argmin(away))
+            at_rim = away[nearest] < 0.6 * float(field.at(points[end : end + 1 or None])[0])
+            taken[nearest] |= at_rim
+            ends.append(nearest if at_rim else None)
+        found.append(Weld(points[ends[0] is not None : len(points) - (ends[1] is not None)], *ends))
+    place = first_crossing(seams, [weld.points for weld in found if len(weld.points) > 1]) if found else None
+    if place is not None:
+        x, y = to_mm(place)
+        raise MeshError(
+            f"A weld runs too near to another one or to the outline at ({x:.1f}, {y:.1f}) mm for this mesh:"
+            " move it away, or use a smaller mesh size.",
+            (float(place[0]), float(place[1])),
+        )
+    return found
+
+
+def _resampled_line(line: Floats, field: SizeField) -> Floats:
+    """An open line (n, 2) with even edges, two at least, its ends and corners kept."""
+    at = line_lengths(line)
+    turn = np.diff(np.unwrap(np.arctan2(*np.diff(line, axis=0).T[::-1])))
+    stops = np.concatenate([at[:1], at[1:-1][np.abs(turn) > _CORNER], at[-1:]])
+    pieces = []
+    for low, high in pairwise(stops):
+        fine = np.linspace(low, high, max(64, int(4.0 * (high - low) / field.smallest)))
+        density = 1.0 / field.at(point_on(line, at, fine))
+        count = np.append(0.0, np.cumsum(0.5 * (density[1:] + density[:-1]) * np.diff(fine)))
+        edges = max(round(float(count[-1])), 2 if len(stops) == 2 else 1)
+        even = np.interp(np.linspace(0.0, count[-1], edges + 1)[:-1], count, fine)
+        pieces.append(point_on(line, at, even))
+    return np.concatenate([*pieces, line[-1:]])
 
 
 def _resampled(loop: Floats, field: SizeField) -> Floats:

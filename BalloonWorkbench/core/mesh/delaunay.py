@@ -14,12 +14,16 @@ except ImportError:  # scipy with boundary recovery does the same, more slowly
     pythoncdt = None
 
 
-def triangulate_points(points: Floats, loops: tuple[Ints, ...]) -> Ints:
+def triangulate_points(points: Floats, loops: tuple[Ints, ...], lines: tuple[Ints, ...] = ()) -> Ints:
     """Triangles (m, 3), counter-clockwise, that fill the area between loops of vertex indices.
 
+    Steps along open lines of vertex indices become edges too.
     points (n, 2); no vertex is added. Raises MeshError when loops cross or vertices coincide.
     """
-    segments = np.concatenate([np.stack([loop, np.roll(loop, -1)], axis=1) for loop in loops])
+    segments = np.concatenate(
+        [np.stack([loop, np.roll(loop, -1)], axis=1) for loop in loops]
+        + [np.stack([line[:-1], line[1:]], axis=1) for line in lines]
+    )
     if pythoncdt is None:
         from BalloonWorkbench.core.mesh.recovery import recovered_delaunay
 

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from BalloonWorkbench.core.mesh.sizing import SizeField
@@ -14,10 +16,15 @@ _ROW = np.sqrt(3.0) / 2.0
 _CLEARANCE = 0.62
 
 
-def lattice(seams: tuple[Floats, ...], field: SizeField) -> Floats:
-    """Points (k, 2) inside the seams, spaced like the field: one lattice per half octave of size."""
+def lattice(seams: tuple[Floats, ...], field: SizeField, lines: Sequence[Floats] = ()) -> Floats:
+    """Points (k, 2) inside the seams, spaced like the field: one lattice per half octave of size.
+
+    They keep off open lines as off the seams.
+    """
     low, high = seams[0].min(axis=0), seams[0].max(axis=0)
-    boundary = np.concatenate([subdivided(seam, 4) for seam in seams])
+    boundary = np.concatenate(
+        [*(subdivided(seam, 4) for seam in seams), *(subdivided(line, 4)[:-3] for line in lines)]
+    )
     tree = kd_tree(boundary)
     levels = int(np.ceil(2.0 * np.log2(field.size / field.smallest) - 1e-6)) if field.groups else 0
     cells = np.ceil((high - low) / field.size).astype(int) + 1

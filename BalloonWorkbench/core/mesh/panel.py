@@ -5,6 +5,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from BalloonWorkbench.core.types import Floats, Ints
 
 
@@ -16,8 +18,15 @@ class Panel:
     triangles       (m, 3) vertex indices, counter-clockwise
     seams           vertex indices of each boundary loop in order: the outer loop first
                     (counter-clockwise), then the holes (clockwise)
+    welds           vertex indices along each line inside at which both films are sealed together
     """
 
     rest_positions: Floats
     triangles: Ints
     seams: tuple[Ints, ...]
+    welds: tuple[Ints, ...] = ()
+
+    @property
+    def sealed(self) -> Ints:
+        """The vertices at which both films are sealed together, in ascending order."""
+        return np.unique(np.concatenate([*self.seams, *self.welds]))

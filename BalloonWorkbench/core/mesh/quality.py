@@ -60,9 +60,9 @@ def worn(panel: Panel) -> Bools:
 
 
 def locked(panel: Panel) -> Bools:
-    """Which triangles (m,) have all three vertices on a seam: pressure cannot lift them."""
+    """Which triangles (m,) have all three vertices on a seam or weld: pressure cannot lift them."""
     on_seam = np.zeros(len(panel.rest_positions), dtype=bool)
-    on_seam[np.concatenate(panel.seams)] = True
+    on_seam[panel.sealed] = True
     return on_seam[panel.triangles].all(axis=1)
 
 

@@ -18,38 +18,49 @@ _EDITS = (1, 3, 5, 7)
 _TINY = 1e-300
 
 
-def relax(points: Floats, loops: tuple[Ints, ...], field: SizeField) -> tuple[Floats, Ints]:
-    """An even mesh of the seam vertices (which come first and stay) and some interior ones.
+def relax(
+    points: Floats, loops: tuple[Ints, ...], field: SizeField, lines: tuple[Ints, ...] = ()
+) -> tuple[Floats, Ints]:
+    """An even mesh of the vertices on loops and open lines (which come first and stay) and interior ones.
 
     Vertices move to the mean of the surrounding circumcentres, weighted by area: optimal Delaunay smoothing
     (Chen & Holst, Computer Methods in Applied Mechanics and Engineering 200 (2011) 967-984).
     Returns points and triangles.
     """
-    fixed = sum(len(loop) for loop in loops)
-    triangles = triangulate_points(points, loops)
+    fixed = _fixed(loops, lines)
+    triangles = triangulate_points(points, loops, lines)
     for sweep in range(_SWEEPS):
         points = _smoothed(points, fixed, triangles, field)
         if sweep in _EDITS:
             kept = _uncrowded(points, fixed, triangles, field)
-            points = np.concatenate([points[kept], _missing(points, loops, triangles, field)])
-        triangles = triangulate_points(points, loops)
-    points, triangles = _repaired(*_unlocked(points, loops, triangles, field), loops)
-    return _unlocked(points, loops, triangles, field)
+            points = np.concatenate([points[kept], _missing(points, loops, triangles, field, lines)])
+        triangles = triangulate_points(points, loops, lines)
+    points, triangles = _repaired(*_unlocked(points, loops, triangles, field, lines), loops, lines)
+    return _unlocked(points, loops, triangles, field, lines)
 
 
-def chord_middles(points: Floats, loops: tuple[Ints, ...], triangles: Ints) -> Floats:
+def _fixed(loops: tuple[Ints, ...], lines: tuple[Ints, ...]) -> int:
+    """How many vertices lie on loops and lines."""
+    return 1 + max(int(chain.max()) for chain in (*loops, *lines))
+
+
+def chord_middles(
+    points: Floats, loops: tuple[Ints, ...], triangles: Ints, lines: tuple[Ints, ...] = ()
+) -> Floats:
     """Where to add vertices (k, 2) so that no inner edge joins two vertices of the seam, sharp tips excepted.
 
     Such an edge is held down at both ends and pinches the balloon, a triangle of three of them cannot rise.
     """
-    fixed = sum(len(loop) for loop in loops)
-    following = np.empty(fixed, dtype=np.int32)
+    fixed = _fixed(loops, lines)
+    following = np.full((3, fixed), -1, dtype=np.int32)
     for loop in loops:
-        following[loop] = np.roll(loop, -1)
+        following[0, loop] = np.roll(loop, -1)
+    for line in lines:  # which has film on both sides
+        following[1, line[:-1]], following[2, line[1:]] = line[1:], line[:-1]
     near = triangles[(triangles < fixed).sum(axis=1) >= 2]
     starts, ends = np.roll(near, -1, axis=1), np.roll(near, -2, axis=1)  # the edge opposite to each corner
     joins = (starts < fixed) & (ends < fixed)
-    on_seam = joins & (following[np.where(joins, starts, 0)] == ends)
+    on_seam = joins & (following[:, np.where(joins, starts, 0)] == ends).any(axis=0)
     length = np.where(joins & ~on_seam, edge_lengths(points, near), 0.0)
     longest, row = length.argmax(axis=1), np.arange(len(near))
     tip = (on_seam.sum(axis=1) == 2) & (corner_angles(points, near)[row, longest] < SHARP)
@@ -61,15 +72,15 @@ def chord_middles(points: Floats, loops: tuple[Ints, ...], triangles: Ints) -> F
 
 
 def _unlocked(
-    points: Floats, loops: tuple[Ints, ...], triangles: Ints, field: SizeField
+    points: Floats, loops: tuple[Ints, ...], triangles: Ints, field: SizeField, lines: tuple[Ints, ...]
 ) -> tuple[Floats, Ints]:
     """With vertices added on the chords of the seam until there are none."""
     for _ in range(8):
-        middles = _spread(chord_middles(points, loops, triangles), field)
+        middles = _spread(chord_middles(points, loops, triangles, lines), field)
         if not len(middles):
             break
         points = np.concatenate([points, middles])
-        triangles = triangulate_points(points, loops)
+        triangles = triangulate_points(points, loops, lines)
     return points, triangles
 
 
@@ -119,15 +130,17 @@ def _uncrowded(points: Floats, fixed: int, triangles: Ints, field: SizeField) ->
     return kept
 
 
-def _missing(points: Floats, loops: tuple[Ints, ...], triangles: Ints, field: SizeField) -> Floats:
+def _missing(
+    points: Floats, loops: tuple[Ints, ...], triangles: Ints, field: SizeField, lines: tuple[Ints, ...]
+) -> Floats:
     """Vertices to add: in triangles that are much too large, and where triangles would be locked."""
-    fixed = sum(len(loop) for loop in loops)
+    fixed = _fixed(loops, lines)
     middle = points[triangles].mean(axis=1)
     areas = signed_areas(points, triangles)
     sizes = field.at(middle)
     circumradius = edge_lengths(points, triangles).prod(axis=1) / (4.0 * np.maximum(areas, _TINY))
     wide = (circumradius > 0.95 * sizes) & (areas > 0.6 * sizes**2) & (triangles >= fixed).any(axis=1)
-    return _spread(np.concatenate([chord_middles(points, loops, triangles), middle[wide]]), field)
+    return _spread(np.concatenate([chord_middles(points, loops, triangles, lines), middle[wide]]), field)
 
 
 def _spread(points: Floats, field: SizeField) -> Floats:
@@ -142,9 +155,11 @@ def _spread(points: Floats, field: SizeField) -> Floats:
     return points[kept]
 
 
-def _repaired(points: Floats, triangles: Ints, loops: tuple[Ints, ...]) -> tuple[Floats, Ints]:
+def _repaired(
+    points: Floats, triangles: Ints, loops: tuple[Ints, ...], lines: tuple[Ints, ...]
+) -> tuple[Floats, Ints]:
     """Move the vertices of the worst triangles, one by one, to where their smallest angle grows."""
-    fixed = sum(len(loop) for loop in loops)
+    fixed = _fixed(loops, lines)
     directions = np.radians(np.arange(0.0, 360.0, 30.0))
     compass = np.stack([np.cos(directions), np.sin(directions)], axis=1)
     for _ in range(6):
@@ -171,7 +186,7 @@ def _repaired(points: Floats, triangles: Ints, loops: tuple[Ints, ...]) -> tuple
                 else:
                     reach *= 0.5
             points[vertex] = place
-        triangles = triangulate_points(points, loops)
+        triangles = triangulate_points(points, loops, lines)
         if not improved:
             break
     return points, triangles

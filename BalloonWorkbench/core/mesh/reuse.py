@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -19,21 +20,25 @@ _SHARPENING = 0.7
 _DELAUNAY_LOSS = 0.03
 
 
-def move_rim(panel: Panel, seam_positions: Sequence[Floats]) -> Panel | None:
-    """The panel with its seams at new positions (k, 2) [m], in the order of `panel.seams`.
+def move_rim(
+    panel: Panel, seam_positions: Sequence[Floats], weld_positions: Sequence[Floats] = ()
+) -> Panel | None:
+    """The panel with its seams at new positions (k, 2) [m], in the order of `panel.seams`, and its welds.
 
     Same connectivity; the interior follows by a harmonic displacement (cotangent weights of the old mesh), so
     a uniform stretch stays uniform. None when triangles turn over, get thin (15 R < L) or lose the Delaunay
     property: then the caller has to mesh anew.
     """
-    seam = np.concatenate(panel.seams)
     moved = panel.rest_positions.copy()
-    moved[seam] = np.concatenate([np.asarray(positions, dtype=np.float64) for positions in seam_positions])
+    # the seams last: they have the say where a weld ends on them
+    for chain, positions in (*zip(panel.welds, weld_positions), *zip(panel.seams, seam_positions)):
+        moved[chain] = positions
+    seam = panel.sealed
     free = np.setdiff1d(np.arange(len(moved)), seam)
     if len(free):
         shift = moved[seam] - panel.rest_positions[seam]
         moved[free] += _harmonic(panel, seam, free, shift)
-    result = Panel(moved, panel.triangles, panel.seams)
+    result = replace(panel, rest_positions=moved)
     if flipped(result).any() or (worn(result) & ~worn(panel)).any():
         return None
     before, after = min_angles(panel), min_angles(result)

@@ -10,7 +10,7 @@ import numpy as np
 from BalloonWorkbench.core.errors import MeshError
 from BalloonWorkbench.core.mesh.thickness import kd_tree, sampled, thickness
 from BalloonWorkbench.core.outline.outline import Outline
-from BalloonWorkbench.core.outline.sampling import arc_lengths
+from BalloonWorkbench.core.outline.sampling import arc_lengths, line_lengths, point_on
 from BalloonWorkbench.core.outline.thickness import min_width
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import mm_text, to_mm
@@ -79,6 +79,22 @@ def size_field(outline: Outline, size: float) -> SizeField:
     for loop in outline.loops:  # a small hole still gets eight edges
         points = sampled(loop, size)
         field = field.limited(points, np.full(len(points), arc_lengths(loop)[-1] / 8.0))
+    return _beside_welds(outline, field)
+
+
+def _beside_welds(outline: Outline, field: SizeField) -> SizeField:
+    """The field with smaller elements between a weld and what runs beside it."""
+    step = field.size / _SAMPLES_PER_SIZE
+    welds = []
+    for weld in outline.welds:
+        lengths = line_lengths(weld)
+        count = int(np.ceil(lengths[-1] / step)) + 1
+        welds.append(point_on(weld, lengths, np.linspace(0.0, lengths[-1], count)))
+    walls = [sampled(loop, step) for loop in outline.loops]
+    for number, points in enumerate(welds):
+        others = np.concatenate([*walls, *welds[:number], *welds[number + 1 :]])
+        away, _ = kd_tree(others).query(points)
+        field = field.limited(points, np.clip(away / _ACROSS, _CHANNEL_SHARE * field.size, field.size))
     return field
 
 

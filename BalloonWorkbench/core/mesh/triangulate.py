@@ -7,7 +7,8 @@ from itertools import pairwise
 
 import numpy as np
 
-from BalloonWorkbench.core.mesh.boundary import seam_points
+from BalloonWorkbench.core.mesh.boundary import seam_points, weld_points
+from BalloonWorkbench.core.mesh.chambers import check_connected
 from BalloonWorkbench.core.mesh.lattice import lattice
 from BalloonWorkbench.core.mesh.panel import Panel
 from BalloonWorkbench.core.mesh.relax import relax
@@ -19,13 +20,23 @@ def triangulate(outline: Outline, size: float) -> Panel:
     """Constrained Delaunay triangulation of an outline with edges about `size` [m] long.
 
     The seams run along the outline's loops, evenly spaced, with sharp corners kept; parts thinner than four
-    elements get smaller ones, down to size / 4. The vertices of the seams come first, loop by loop. Only at
-    tips sharper than 40 degrees a triangle has all its vertices on the seam.
-    Raises MeshError when the outline is too thin for the size or its parts touch.
+    elements get smaller ones, down to size / 4. The vertices of the seams come first, loop by loop, then
+    those of the welds. Only at tips sharper than 40 degrees a triangle has all its vertices on the seam.
+    Raises MeshError when the outline is too thin for the size or its parts touch, OutlineError when its welds
+    cut it in two.
     """
     field = size_field(outline, size)
     seams, field = seam_points(outline.loops, field)
-    starts = np.cumsum([0, *(len(seam) for seam in seams)])
-    loops = tuple(np.arange(first, last, dtype=np.int32) for first, last in pairwise(starts))
-    points, triangles = relax(np.concatenate([*seams, lattice(seams, field)]), loops, field)
-    return Panel(points, triangles, loops)
+    welds = weld_points(outline.welds, seams, field)
+    starts = np.cumsum([0, *(len(seam) for seam in seams), *(len(weld.points) for weld in welds)])
+    loops = tuple(
+        np.arange(first, last, dtype=np.int32) for first, last in pairwise(starts[: len(seams) + 1])
+    )
+    lines = tuple(weld.chain(int(first)) for weld, first in zip(welds, starts[len(seams) :]))
+    own = [weld.points for weld in welds]
+    inner = lattice(seams, field, [line for line in own if len(line)])
+    points, triangles = relax(np.concatenate([*seams, *own, inner]), loops, field, lines)
+    panel = Panel(points, triangles, loops, lines)
+    if lines:
+        check_connected(panel)
+    return panel

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where closed loops cross or touch themselves or each other."""
+"""Where closed loops and open lines cross or touch themselves or each other."""
 
 from __future__ import annotations
 
@@ -14,17 +14,23 @@ from BalloonWorkbench.core.types import Floats
 _CHUNK = 1_000_000
 
 
-def first_crossing(loops: Sequence[Floats]) -> Floats | None:
-    """A point (2,) where two segments of the closed loops (n, 2) meet that should not, or None.
+def first_crossing(loops: Sequence[Floats], lines: Sequence[Floats] = ()) -> Floats | None:
+    """A point (2,) where two segments of closed loops or open lines (n, 2) meet that should not, or None.
 
     Segments may share an end with their neighbour in the same loop; any other contact counts, also touching.
     """
-    start = np.concatenate(loops)
-    end = np.concatenate([np.roll(loop, -1, axis=0) for loop in loops])
+    start = np.concatenate([*loops, *(line[:-1] for line in lines)])
+    end = np.concatenate([*(np.roll(loop, -1, axis=0) for loop in loops), *(line[1:] for line in lines)])
     following = np.concatenate(
         [
-            offset + np.roll(np.arange(len(loop)), -1)
-            for loop, offset in zip(loops, _offsets(loops), strict=True)
+            *(
+                offset + np.roll(np.arange(len(loop)), -1)
+                for loop, offset in zip(loops, _offsets(loops), strict=True)
+            ),
+            *(
+                offset + np.append(np.arange(1, len(line) - 1), -1 - offset)
+                for line, offset in zip(lines, sum(map(len, loops)) + _offsets([n[1:] for n in lines]))
+            ),
         ]
     )
     for near, other in _candidates(start, end):
@@ -38,7 +44,7 @@ def first_crossing(loops: Sequence[Floats]) -> Floats | None:
 
 
 def _offsets(loops: Sequence[Floats]) -> NDArray[np.intp]:
-    return np.cumsum([0, *(len(loop) for loop in loops[:-1])])
+    return np.cumsum([0, *(len(loop) for loop in loops[:-1])], dtype=np.intp)
 
 
 def _candidates(start: Floats, end: Floats) -> Iterator[tuple[NDArray[np.intp], NDArray[np.intp]]]:

@@ -13,6 +13,7 @@ from BalloonWorkbench.core.outline.crossings import contains, first_crossing
 from BalloonWorkbench.core.outline.outline import Outline, signed_area
 from BalloonWorkbench.core.outline.sampling import CORNER_ANGLE, corners, resample, simplify, smooth
 from BalloonWorkbench.core.outline.thickness import min_width
+from BalloonWorkbench.core.outline.welds import valid_welds
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import mm_text, place_text
 
@@ -50,13 +51,16 @@ def check(outline: Outline) -> Outline:
     """The outline with repeated points and spikes removed, outer loop counter-clockwise, holes clockwise.
 
     OutlineError where a loop is empty, not finite, without area, crosses or touches itself or another one,
-    or where a hole is not inside the outer loop; the text gives the place in millimetres.
+    where a hole is not inside the outer loop, or a weld not in the film; the text gives the place in
+    millimetres.
     """
-    if not all(np.isfinite(loop).all() for loop in outline.loops):
+    if not all(np.isfinite(line).all() for line in (*outline.loops, *outline.welds)):
         raise OutlineError("The outline has a coordinate that is not a number; correct it in the drawing.")
     tolerance = _SAME_POINT * float(np.max(np.ptp(outline.outer, axis=0))) if len(outline.outer) else 0.0
     outer = _valid_loop(outline.outer, tolerance, 1, "outline")
-    holes = tuple(_valid_loop(hole, tolerance, -1, "hole") for hole in outline.holes)
+    cut = tuple(_valid_loop(hole, tolerance, -1, "hole") for hole in outline.holes)
+    spots = tuple(_valid_loop(spot, tolerance, -1, "closed weld") for spot in outline.spots)
+    holes = (*cut, *spots)
     meeting = first_crossing([outer, *holes]) if holes else None
     if meeting is not None:
         raise OutlineError(
@@ -67,7 +71,8 @@ def check(outline: Outline) -> Outline:
             raise OutlineError(f"The hole at {place_text(hole[0])} lies outside the outline; move it inside.")
         if any(contains(other, hole[:1])[0] for k, other in enumerate(holes) if k != number):
             raise OutlineError(f"The hole at {place_text(hole[0])} lies in another hole; remove one of them.")
-    return Outline(outer, holes, outline.notes)
+    welds = valid_welds(outline.welds, (outer, *holes), tolerance)
+    return Outline(outer, cut, outline.notes, welds, spots)
 
 
 def clean(loop: Floats, tolerance: float) -> Floats:

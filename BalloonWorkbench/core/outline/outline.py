@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -24,20 +24,24 @@ class Outline:
     outer  (n, 2) m, counter-clockwise, y up, first point not repeated
     holes  each (k, 2) m, clockwise
     notes  remarks for the user made while the outline was found (specks dropped, gaps closed, ...)
+    welds  open lines (k, 2) m inside, along which both films are sealed together
+    spots  closed lines (k, 2) m, clockwise, whose inside is sealed: holes that are not cut out
     """
 
     outer: Floats
     holes: tuple[Floats, ...] = ()
     notes: tuple[str, ...] = field(default=(), compare=False)
+    welds: tuple[Floats, ...] = ()
+    spots: tuple[Floats, ...] = ()
 
     @property
     def loops(self) -> tuple[Floats, ...]:
-        """The outer loop, then the holes."""
-        return (self.outer, *self.holes)
+        """The outer loop, then the holes, then the spots: where the free film ends."""
+        return (self.outer, *self.holes, *self.spots)
 
     @property
     def area(self) -> float:
-        """Area between the outer loop and the holes [m2]."""
+        """Area of the free film [m2]."""
         return sum(signed_area(loop) for loop in self.loops)
 
     @property
@@ -47,5 +51,16 @@ class Outline:
         return float(width), float(height)
 
     def map(self, transform: Callable[[Floats], Floats]) -> Outline:
-        """The outline with an orientation-keeping map of (n, 2) points applied to each loop."""
-        return Outline(transform(self.outer), tuple(transform(hole) for hole in self.holes), self.notes)
+        """The outline with an orientation-keeping map of (n, 2) points applied to each loop and weld."""
+        return Outline(
+            transform(self.outer),
+            tuple(transform(hole) for hole in self.holes),
+            self.notes,
+            tuple(transform(weld) for weld in self.welds),
+            tuple(transform(spot) for spot in self.spots),
+        )
+
+    def with_loops(self, loops: Sequence[Floats], welds: Sequence[Floats] = ()) -> Outline:
+        """Other loops, in the order of `loops`, and welds in the places of this outline's; without notes."""
+        last = 1 + len(self.holes)
+        return Outline(loops[0], tuple(loops[1:last]), (), tuple(welds), tuple(loops[last:]))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Points along closed loops: corners, even spacing, simplification and smoothing that leave corners alone."""
+"""Points along loops and lines: corners, even spacing, simplification, smoothing that leaves corners alone."""
 
 from __future__ import annotations
 
@@ -27,6 +27,16 @@ def point_at(loop: Floats, lengths: Floats, at: Floats) -> Floats:
     around = np.mod(at, lengths[-1])
     closed = np.vstack([loop, loop[:1]])
     return np.column_stack([np.interp(around, lengths, closed[:, k]) for k in (0, 1)])
+
+
+def line_lengths(line: Floats) -> Floats:
+    """Length along the open line (n, 2) up to each point: (n,)."""
+    return np.append(0.0, np.cumsum(np.linalg.norm(np.diff(line, axis=0), axis=1)))
+
+
+def point_on(line: Floats, lengths: Floats, at: Floats) -> Floats:
+    """Points (k, 2) of the open line at lengths `at` (k,); `lengths` is what `line_lengths(line)` gives."""
+    return np.column_stack([np.interp(at, lengths, line[:, k]) for k in (0, 1)])
 
 
 def corners(loop: Floats, angle: float = CORNER_ANGLE, reach: float = 0.0) -> NDArray[np.intp]:

@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from BalloonWorkbench.core.errors import InputError, OutlineError
+from BalloonWorkbench.core.outline.drawing import Drawing
 from BalloonWorkbench.core.outline.loops import check
 from BalloonWorkbench.core.outline.outline import Outline, signed_area
 from BalloonWorkbench.core.outline.sampling import arc_lengths, point_at
@@ -109,6 +110,11 @@ def symmetric(outline: Outline, choice: str, *, drawn: bool) -> Outline:
         off = f"{100.0 * mirror.error:.1f} % of its size"
         notes += (f"The drawing was made symmetric: its halves were {off} apart, the left one was kept.",)
     return replace(mirrored(outline, mirror), notes=notes)
+
+
+def evened(drawing: Drawing, choice: str, *, drawn: bool) -> Drawing:
+    """The drawing with each of its shapes as in `symmetric`."""
+    return replace(drawing, parts=tuple(symmetric(part, choice, drawn=drawn) for part in drawing.parts))
 
 
 def mirrored(outline: Outline, mirror: Mirror) -> Outline:

@@ -4,7 +4,8 @@
 Outward from the seam, which is the inner edge of the weld:
     seam + seal width / 2              SEAL, the middle of the weld
     seam + seal width + allowance      CUT; so the film ends half a seal width and the allowance past SEAL
-Holes the same way, into the hole.
+Holes the same way, into the hole. Welds inside the balloon lie where the panel has them:
+    WELD, the line along which the films stay together, closed round a spot
 """
 
 from __future__ import annotations
@@ -64,7 +65,9 @@ def build_pattern(
                 f"The balloon is nowhere {mm_text(intake_width)} wide behind its intake: choose another"
                 " intake angle or a narrower intake, else air enters slowly."
             )
-    contours: list[Contour] = []
+    contours = [Contour(Role.WELD, open_line(shapely().LineString(weld)), False) for weld in seam.welds] + [
+        Contour(Role.WELD, closed_loop(polygon(spot).exterior, False), True) for spot in seam.spots
+    ]
     for hole in holes:
         contours += _inner(hole, seal_width, margin, warnings)
     # Where the weld closes a bay of the outline, the rest of the bay is cut out like a hole.

@@ -18,6 +18,7 @@ class Role(str, Enum):
     CUT = "CUT"
     CUT_INNER = "CUT_INNER"
     SEAL = "SEAL"
+    WELD = "WELD"  # inside the balloon
 
 
 @dataclass(frozen=True)
@@ -49,7 +50,7 @@ class Intake:
 class Pattern:
     """One panel of the balloon as contours; cut two.
 
-    contours      inner ones (holes) first, the outer CUT last
+    contours      inner ones (welds, holes) first, the outer CUT last
     seam_length   m, length of the weld of all loops, intake mouth excluded
     warnings      one sentence each, for the user
     """
@@ -86,7 +87,7 @@ class Pattern:
     def roles(self) -> tuple[Role, ...]:
         """The roles that occur, in the order in which a machine takes them."""
         present = {contour.role for contour in self.contours}
-        return tuple(role for role in (Role.SEAL, Role.CUT_INNER, Role.CUT) if role in present)
+        return tuple(role for role in (Role.SEAL, Role.WELD, Role.CUT_INNER, Role.CUT) if role in present)
 
     def of(self, role: Role) -> tuple[Contour, ...]:
         """The contours of one role."""

@@ -64,11 +64,11 @@ def inflate_in_time(
     inflation = inflate(panel, film, pressure, backend=recording, model=model, progress=progress)
     size = float(np.ptp(panel.rest_positions, axis=0).max())
     unit = float(np.sqrt(film.areal_density * size / pressure))
-    upper = len(panel.rest_positions)
+    upper, half = len(panel.rest_positions), len(states[-1].positions) // 2
     strip = []
     for time in _times(states, frames):
         positions = _positions(states, time) * size
-        lower = positions[upper:] if len(positions) > upper else None
+        lower = positions[half : half + upper] if inflation.lower is not None else None
         strip.append(Frame(time * unit, positions[:upper], motion.ramped(time) * pressure, lower))
     last = replace(strip[-1], positions=inflation.positions, lower=inflation.lower)
     return inflation, (*strip[:-1], last)

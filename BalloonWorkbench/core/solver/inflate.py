@@ -13,6 +13,7 @@ from BalloonWorkbench.core.mesh.panel import Panel
 from BalloonWorkbench.core.solver import start as starts
 from BalloonWorkbench.core.solver.backend import Backend, backend_named
 from BalloonWorkbench.core.solver.dkt import gradients
+from BalloonWorkbench.core.solver.folds import slit
 from BalloonWorkbench.core.solver.inflation import Inflation, SolveReport
 from BalloonWorkbench.core.solver.kinematics import deformation_gradients, film_volume, green_strains
 from BalloonWorkbench.core.solver.membrane import principal_stresses
@@ -55,14 +56,17 @@ def inflate(
     solver = backend_named(backend)
     began = time.perf_counter()
     size = float(np.ptp(panel.rest_positions, axis=0).max())
-    problem = film_problem(panel, film, pressure, model)
+    upper, faces = len(panel.rest_positions), len(panel.triangles)
+    flat, origin = slit(panel)
+    problem = film_problem(flat, film, pressure, model, origin)
     stiffness_k = problem.membrane_stiffness
-    if start is None or len(start.positions) != len(panel.rest_positions):
-        positions = starts.dome(panel) / size
-        directors = starts.vertex_normals(positions, panel)
+    if start is None or len(start.positions) != upper:
+        positions = starts.dome(flat) / size
+        directors = starts.vertex_normals(positions, flat)
         levels = stiffness_levels(stiffness_k)
     else:
-        positions, directors = _stretched(start, panel) / size, start.directors
+        positions = _stretched(start, panel)[origin] / size
+        directors = np.concatenate([start.directors, starts.vertex_normals(positions, flat)[upper:]])
         levels = tuple(stiffness_k / 3.0**step for step in (3, 2, 1, 0))
     if model.two_panels:
         positions, directors = (np.concatenate([half, half * MIRROR]) for half in (positions, directors))
@@ -87,7 +91,6 @@ def inflate(
     )
     shape, _ = gradients(problem.rest_positions[problem.triangles])
     strains = green_strains(deformation_gradients(rest.positions, problem.triangles, shape))
-    upper, faces = len(panel.rest_positions), len(panel.triangles)
     halves = 1.0 if model.two_panels else 2.0
     return Inflation(
         panel,
@@ -96,7 +99,7 @@ def inflate(
         film.membrane_stiffness * principal_stresses(problem.membrane(strains).stress)[:faces],
         halves * film_volume(rest.positions, rest.directors, problem.triangles) * size**3,
         report,
-        rest.positions[upper:] * size if model.two_panels else None,
+        rest.positions[len(origin) :][:upper] * size if model.two_panels else None,
     )
 
 

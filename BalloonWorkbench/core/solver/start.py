@@ -16,7 +16,7 @@ DOME = 2.0 * np.sqrt(2.0) / np.pi
 
 
 def dome(panel: Panel) -> Floats:
-    """Positions (n, 3) over the flat panel: z = DOME sqrt(u), -Laplace(u) = 1, u = 0 on the seams."""
+    """Positions (n, 3) over the flat panel: z = DOME sqrt(u), -Laplace(u) = 1, u = 0 on seams and welds."""
     count = len(panel.rest_positions)
     corners = np.ascontiguousarray(panel.triangles.T, dtype=np.intp)  # as bincount takes them
     after, before = [1, 2, 0], [2, 0, 1]
@@ -28,7 +28,7 @@ def dome(panel: Panel) -> Floats:
         return np.bincount(corners.ravel(), corner_values.ravel(), count).astype(np.float64, copy=False)
 
     load = at_vertices(np.tile(areas / 3.0, 3))
-    held = np.concatenate(panel.seams)
+    held = panel.sealed
     load[held] = 0.0
 
     def laplace(values: Floats) -> Floats:

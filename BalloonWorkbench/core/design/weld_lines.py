@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Welds inside a balloon, carried from the drawing to the pattern.
+
+Like the rim, a weld of the pattern is moved until the inflated balloon has it where it was drawn. An end that
+was drawn at the rim goes along with the rim.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from BalloonWorkbench.core.design.correspondence import locate
+from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.outline.sampling import arc_lengths, line_lengths, point_at, point_on
+from BalloonWorkbench.core.types import Floats
+
+#: An end this near to a loop is at it, and this is how far it then stays away, relative to the outline.
+_AT_RIM, _HAIR = 6e-3, 4e-3
+
+
+@dataclass(frozen=True)
+class WeldLine:
+    """A weld: points (n, 2) m of the drawing and of the pattern, one beside the other.
+
+    ends  for its begin and its end the loop and the index along that to which it is tied, or None
+    """
+
+    drawing: Floats
+    pattern: Floats
+    ends: tuple[tuple[int, float] | None, tuple[int, float] | None] = (None, None)
+
+    def along(self, places: Floats) -> Floats:
+        """Indices (k,), with fractions, of the points of the pattern nearest to places (k, 2)."""
+        ahead = np.diff(self.pattern, axis=0)
+        offset = places[:, None] - self.pattern[None, :-1]
+        share = np.clip(
+            np.einsum("kij,ij->ki", offset, ahead) / np.einsum("ij,ij->i", ahead, ahead), 0.0, 1.0
+        )
+        away = np.linalg.norm(offset - share[:, :, None] * ahead, axis=2)
+        best = np.argmin(away, axis=1)
+        return np.asarray(best + share[np.arange(len(places)), best])
+
+    def at(self, index: Floats) -> Floats:
+        """Places (k, 2) on the pattern."""
+        return point_on(self.pattern, np.arange(len(self.pattern), dtype=np.float64), index)
+
+    def corrected(self, flat: Floats, inflated: Floats, width: float, most: float) -> WeldLine:
+        """The line with its pattern moved by what is left between drawing and balloon at its vertices (k, 2).
+
+        The differences are averaged over `width` along the line and are at most `most` [m].
+        """
+        index = self.along(flat)
+        order = np.argsort(index, kind="stable")
+        counter = np.arange(len(self.drawing), dtype=np.float64)
+        missing = point_on(self.drawing, counter, index[order]) - inflated[order]
+        at = np.interp(index[order], counter, line_lengths(self.drawing))
+        weight = np.exp(-0.5 * ((at[:, None] - at) / width) ** 2)
+        smooth = weight @ missing / weight.sum(axis=1)[:, None]
+        step = point_on(smooth, index[order], counter)
+        length = np.linalg.norm(step, axis=1, keepdims=True)
+        return replace(self, pattern=self.pattern + step * np.minimum(1.0, most / np.maximum(length, 1e-300)))
+
+    def tied(self, loops: tuple[Floats, ...]) -> WeldLine:
+        """The line with its tied ends beside where the loops are now; what is between them moves in part."""
+        pattern = self.pattern
+        share = line_lengths(pattern)[:, None] / line_lengths(pattern)[-1]
+        for end, weight in ((0, 1.0 - share), (-1, share)):
+            tie = self.ends[end]
+            if tie is None:
+                continue
+            loop = loops[tie[0]]
+            place = point_at(loop, np.arange(len(loop) + 1, dtype=np.float64), np.array([tie[1]]))[0]
+            inward = pattern[len(pattern) // 2] - place
+            inward *= (
+                _HAIR * float(np.ptp(loops[0], axis=0).max()) / max(float(np.linalg.norm(inward)), 1e-300)
+            )
+            pattern = pattern + weight * (place + inward - pattern[end])
+        return replace(self, pattern=pattern)
+
+    def toward(self, other: WeldLine) -> WeldLine:
+        """The line with its pattern half way to that of another."""
+        return replace(self, pattern=0.5 * (self.pattern + other.pattern))
+
+
+def weld_lines(target: Outline, loops: tuple[Floats, ...], spacing: float) -> tuple[WeldLine, ...]:
+    """The welds of a drawing, sampled `spacing` apart, tied to loops of it that are sampled too."""
+    size = float(np.ptp(loops[0], axis=0).max())
+    found = []
+    for weld in target.welds:
+        lengths = line_lengths(weld)
+        even = np.linspace(0.0, lengths[-1], max(3, int(np.ceil(lengths[-1] / spacing)) + 1))
+        points = point_on(weld, lengths, np.union1d(even, lengths))
+        found.append(WeldLine(points, points, (_tie(points[0], loops, size), _tie(points[-1], loops, size))))
+    return tuple(found)
+
+
+def _tie(end: Floats, loops: tuple[Floats, ...], size: float) -> tuple[int, float] | None:
+    for number, loop in enumerate(loops):
+        lengths = arc_lengths(loop)
+        at = locate(loop, end[None])
+        if np.linalg.norm(point_at(loop, lengths, at)[0] - end) < _AT_RIM * size:
+            index = np.interp(at, lengths, np.arange(len(loop) + 1, dtype=np.float64))
+            return number, float(index[0])
+    return None
