@@ -18,6 +18,7 @@ from BalloonWorkbench.core.errors import Cancelled, InputError
 from BalloonWorkbench.core.film.library import film, with_grain
 from BalloonWorkbench.core.job import Settings, design_outline, make_balloon
 from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.outline.symmetry import exact_mirror
 from BalloonWorkbench.core.solver.model import Model
 from BalloonWorkbench.core.solver.volume_load import search_pressure
 
@@ -217,3 +218,15 @@ def test_pressure_of_a_known_law_is_found(volume: float) -> None:
     assert found == pytest.approx(volume, rel=1e-4)
     assert tried[-1] == pytest.approx((volume - 1.0) * 2.5e4, rel=0.01)
     assert len(tried) <= 9
+
+
+def test_a_grain_aslant_makes_an_aslant_pattern() -> None:
+    """Of a rectangle, which looks the same in a mirror."""
+    grained = with_grain(film("pe"), 0.2 * film("pe").young_modulus, math.radians(30.0))
+    plain, aslant = (
+        design_outline(Outline(RECTANGLE), replace(COARSE, film=one, correct=True))
+        for one in (film("pe"), grained)
+    )
+    assert exact_mirror(plain.pattern) is not None
+    assert exact_mirror(aslant.pattern) is None
+    assert aslant.residual.mean < 0.01 * 0.2
