@@ -8,7 +8,7 @@ import time
 from pathlib import Path
 
 from speed import machine
-from validation import balloons, convergence, correction, plates, trade
+from validation import balloons, coach, convergence, correction, plates, trade
 from validation.report import Section, paragraphs
 
 DOCS = Path(__file__).resolve().parents[1] / "docs"
@@ -32,6 +32,7 @@ def main() -> int:
         lambda: convergence.convergence(DOCS / "images"),
         convergence.independence,
         lambda: correction.correction(DOCS / "images"),
+        coach.coach,
     ]
     sections: list[Section] = []
     for part in parts:

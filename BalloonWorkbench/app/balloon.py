@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from BalloonWorkbench.app import film, migrate, status
+from BalloonWorkbench.app import advice, film, migrate, status
 from BalloonWorkbench.app.properties import Property, add_missing, show_in_editor
 from BalloonWorkbench.app.stateless import Stateless
 
@@ -75,6 +75,7 @@ PROPERTIES = (
     Property("Integer", "Passes", "Result", "Corrections of the pattern", result=True),
     Property("Integer", "NewtonSteps", "Result", "Steps of the solver in the last inflation", result=True),
     Property("String", "ActiveBackend", "Result", "Solver that was used", result=True),
+    *advice.BALLOON_PROPERTIES,
     Property("StringList", "Warnings", "Result", "Remarks made during the design", result=True),
     Property("String", "Status", "Result", "Up to date, or what is wrong", result=True),
     Property("String", "Report", "Result", "The whole report as JSON", result=True, hidden=True),
@@ -195,12 +196,14 @@ def show(obj, wanted, design) -> None:
     settings = wanted.settings
     plain = build_pattern(design.pattern, settings.film.seal_width, intake=False)
     told = report.build(wanted.source, settings.film, design, plain, settings.volume)
+    told["advice"] = advice.told(design, settings.film)
     del told["pattern"]  # the Pattern object has its own
     positions, triangles = balloon_mesh(design.inflation)
     obj.Mesh = mesh_from_arrays(to_mm(positions), triangles)
     shapes.store(obj, "Seam", design.pattern)
     _show_measures(obj, told)
     obj.Warnings = list(design.warnings)
+    obj.Advice = advice.sentences(told["advice"])
     obj.Report = json.dumps(told, ensure_ascii=False)
     obj.SolvedFor = wanted.key()
 

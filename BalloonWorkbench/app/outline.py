@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from BalloonWorkbench.app import migrate, status
+from BalloonWorkbench.app import advice, migrate, status
 from BalloonWorkbench.app.properties import Property, add_missing, show_in_editor
 from BalloonWorkbench.app.stateless import Stateless
 
@@ -26,6 +26,7 @@ PROPERTIES = (
     Property(
         "Bool", "KeepAspect", "Drawing", "Fit inside width and height instead of stretching to both", True
     ),
+    *advice.OUTLINE_PROPERTIES,
     Property("String", "Kind", "Outline", "What the outline was read from", result=True),
     Property("Length", "SizeX", "Outline", "Width of the outline", result=True),
     Property("Length", "SizeY", "Outline", "Height of the outline", result=True),
@@ -70,6 +71,7 @@ class OutlineProxy(Stateless):
             return
         with status.reported(obj, has_result):
             outline, kind, placement = read(obj)
+            outline = advice.repair_outline(obj, outline, scales=not leader(obj).Source)
             show(obj, outline, kind)
             if placement is not None:
                 obj.Placement = placement

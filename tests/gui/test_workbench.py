@@ -7,8 +7,8 @@ import hands
 import pytest
 from PySide import QtSvg
 
-COMMANDS = ("FromPicture", "FromSketch", "ExportPattern")
-TEXTS = ["New balloon from picture", "New balloon from sketch", "Export pattern"]
+COMMANDS = ("FromPicture", "FromSketch", "Advice", "ExportPattern")
+TEXTS = ["New balloon from picture", "New balloon from sketch", "Advice", "Export pattern"]
 
 
 def test_workbench_has_a_name_and_an_icon(workbench):
@@ -43,11 +43,13 @@ def test_commands_are_offered_when_they_make_sense():
     assert {name: is_active() for name, is_active in active.items()} == {
         "FromPicture": True,
         "FromSketch": False,
+        "Advice": False,
         "ExportPattern": False,
     }
     App.newDocument("Empty")
     assert active["FromSketch"]()
     assert not active["ExportPattern"]()
+    assert not active["Advice"]()
     Gui.runCommand("BalloonWorkbench_FromPicture")
     hands.wait_until(hands.panel_is_open)
     assert not any(is_active() for is_active in active.values())

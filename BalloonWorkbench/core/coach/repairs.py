@@ -18,8 +18,8 @@ from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import place_text
 
 _ARC = 16  # segments of a quarter circle
-#: The pushed rim lies at (d^n + h^n)^(1/n) from the middle line: h near it, its own distance d farther off.
-_SHARP = 6.0
+#: Radius at the root of what was widened, in half its width.
+_ROOT = 0.7
 
 
 def repaired(outline: Outline, repair: Repair) -> Outline:
@@ -57,50 +57,25 @@ def _rounded(outline: Outline, repair: Repair) -> Outline:
 
 
 def _widened(outline: Outline, repair: Repair) -> Outline:
-    """The rim pushed away from the middle line of a part where it is nearer than half the wanted width."""
-    half = 0.5 * repair.size
-    area = whole(outline)
-    sight = area.buffer(0.02 * repair.was)
-    shapely().prepare(sight)
-    loops, moved = [], False
-    for loop in outline.loops:
-        dense = _dense(loop, repair.points, 0.2 * half, 4.0 * half)
-        nearest = _nearest(dense, repair.points)
-        away = dense - nearest
-        far = np.maximum(np.linalg.norm(away, axis=1), 1e-6 * half)
-        pushed = (far**_SHARP + half**_SHARP) ** (1.0 / _SHARP)
-        seen = far < 3.0 * half
-        seen[seen] = shapely().covers(
-            sight, shapely().linestrings(np.stack([nearest[seen], dense[seen]], axis=1))
-        )
-        moved |= bool((seen & (far < half)).any())
-        loops.append(nearest + away * np.where(seen, pushed / far, 1.0)[:, None])
-    if not moved:
-        raise OutlineError(_no_longer(repair, "there is no such part"))
-    return _with(outline, loops)
-
-
-def _dense(loop: Floats, line: Floats, spacing: float, reach: float) -> Floats:
-    """The loop with further points, `spacing` apart, where it comes within `reach` of a line [m]."""
-    ahead = np.roll(loop, -1, axis=0)
+    """The area with a disc of the wanted width drawn along the middle line of a part, its root rounded."""
     package = shapely()
-    near = package.distance(package.linestrings(np.stack([loop, ahead], axis=1)), package.LineString(line))
-    counts = np.where(near < reach, np.ceil(np.linalg.norm(ahead - loop, axis=1) / spacing), 1.0)
-    pieces = [
-        start + (np.arange(count) / count)[:, None] * (end - start)
-        for start, end, count in zip(loop, ahead, np.maximum(counts, 1.0), strict=True)
+    area, half = whole(outline), 0.5 * repair.size
+    line = package.LineString(repair.points)
+    if not area.buffer(0.1 * repair.was).covers(line):
+        raise OutlineError(_no_longer(repair, "there is no such part"))
+    band = line.buffer(half, quad_segs=_ARC)
+    if len(package.get_parts(band.intersection(area.buffer(1e-3 * half)))) > 1:
+        raise OutlineError(_no_longer(repair, "it would grow together with another part"))
+    wide = area.union(band)
+    closed = wide.buffer(_ROOT * half, quad_segs=_ARC).buffer(-_ROOT * half, quad_segs=_ARC)
+    roots = [
+        piece
+        for piece in package.get_parts(closed.difference(wide))
+        if piece.area > 1e-3 * half**2 and piece.distance(band) < 1e-3 * half
     ]
-    return np.concatenate(pieces)
-
-
-def _nearest(points: Floats, line: Floats) -> Floats:
-    """The nearest points (k, 2) on an open line."""
-    start, ahead = line[:-1], np.diff(line, axis=0)
-    share = np.einsum("kmi,mi->km", points[:, None] - start[None], ahead)
-    share = np.clip(share / np.maximum(np.einsum("mi,mi->m", ahead, ahead), 1e-300), 0.0, 1.0)
-    feet = start[None] + share[:, :, None] * ahead[None]
-    best = np.argmin(np.linalg.norm(points[:, None] - feet, axis=2), axis=1)
-    return np.asarray(feet[np.arange(len(points)), best])
+    rounded = package.union_all([wide, *(piece.buffer(1e-6 * half) for piece in roots)])
+    holes = len(outline.loops) - 1
+    return _outline(rounded if len(getattr(rounded, "interiors", ())) == holes else wide, outline)
 
 
 def _outline(area: Any, before: Outline) -> Outline:

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import FreeCADGui as Gui
 
+from BalloonWorkbench.gui.commands.advice import Advice
 from BalloonWorkbench.gui.commands.export_pattern import ExportPattern
 from BalloonWorkbench.gui.commands.from_picture import FromPicture
 from BalloonWorkbench.gui.commands.from_sketch import FromSketch
@@ -12,6 +13,7 @@ from BalloonWorkbench.gui.commands.from_sketch import FromSketch
 _COMMANDS = {
     "BalloonWorkbench_FromPicture": FromPicture,
     "BalloonWorkbench_FromSketch": FromSketch,
+    "BalloonWorkbench_Advice": Advice,
     "BalloonWorkbench_ExportPattern": ExportPattern,
 }
 

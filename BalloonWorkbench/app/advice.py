@@ -1,0 +1,162 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The coach in a document: its findings about a balloon, and the repairs that were taken.
+
+A repair belongs to the Outline: it is kept there, in the property Repairs, and applied to whatever is read
+from the drawing or the sketch, which themselves stay as they are. Taking an entry out takes the repair back.
+"""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from functools import lru_cache
+
+from BalloonWorkbench.app import status
+from BalloonWorkbench.app.properties import Property
+from BalloonWorkbench.core.errors import OutlineError
+
+OUTLINE_PROPERTIES = (
+    Property(
+        "StringList",
+        "Repairs",
+        "Drawing",
+        "What the coach has changed in the drawing, one repair each; delete an entry to take it back",
+    ),
+    Property(
+        "Float", "DrawnSize", "Drawing", "Larger dimension before repairs, in mm", result=True, hidden=True
+    ),
+)
+BALLOON_PROPERTIES = (
+    Property("StringList", "Advice", "Result", "What would make the balloon better", result=True),
+)
+
+_MOVED_INTAKE = "hidden_intake"
+
+
+def findings(parts) -> list:
+    """The core's findings about a balloon, the worst first.
+
+    Those of its simulation where that is up to date, else those predicted from its outline. Raises
+    BalloonError where the outline is of no use.
+    """
+    outline, balloon, pattern = parts
+    if not status.is_ready(outline):
+        return []
+    if status.is_ready(balloon) and is_solved(balloon):
+        found = stored(balloon)
+        if pattern.IntakeAuto or not pattern.Intake:
+            return found
+        own = [finding for finding in predicted(parts) if finding.rule == _MOVED_INTAKE]
+        return [finding for finding in found if finding.rule != _MOVED_INTAKE] + own
+    return predicted(parts)
+
+
+def is_solved(balloon) -> bool:
+    """The result belongs to the present values."""
+    from BalloonWorkbench.app.balloon import request
+
+    return bool(balloon.Report) and balloon.SolvedFor == request(balloon).key()
+
+
+def stored(balloon) -> list:
+    """The findings kept with a result."""
+    from BalloonWorkbench.core.advice import finding_from
+
+    return [finding_from(data) for data in json.loads(balloon.Report).get("advice", [])]
+
+
+def predicted(parts) -> list:
+    """The findings from the outline alone."""
+    from BalloonWorkbench.app.balloon import request
+    from BalloonWorkbench.app.quantities import metres, radians
+
+    pattern = parts.pattern
+    wanted = request(parts.balloon)
+    angle = None if pattern.IntakeAuto else radians(pattern.IntakeAngle)
+    return _predicted(_Key(wanted), metres(pattern.IntakeWidth), angle)
+
+
+class _Key:
+    """A request, the same as another one that asks for the same balloon."""
+
+    def __init__(self, wanted):
+        self.wanted = wanted
+        self._key = wanted.key()
+
+    def __eq__(self, other):
+        return isinstance(other, _Key) and self._key == other._key
+
+    def __hash__(self):
+        return hash(self._key)
+
+
+@lru_cache(maxsize=8)
+def _predicted(key: _Key, intake_width: float, intake_angle: float | None) -> list:
+    from BalloonWorkbench.core.coach.coach import advise
+
+    settings = key.wanted.settings
+    advice = advise(
+        key.wanted.source.outline,
+        settings.film,
+        fitted=settings.correct,
+        intake_width=intake_width,
+        intake_angle=intake_angle,
+    )
+    return list(advice.findings)
+
+
+def told(design, film) -> list[dict]:
+    """The findings about a design as plain data, for a report."""
+    from BalloonWorkbench.core.advice import advice_data
+    from BalloonWorkbench.core.coach.coach import advise_design
+
+    return advice_data(advise_design(design, film))
+
+
+def sentences(data: list[dict]) -> list[str]:
+    """Findings as lines of a property."""
+    return [f"{finding['severity']}: {finding['text']}" for finding in data]
+
+
+def take(parts, repair) -> None:
+    """Make a repair: a moved intake in the pattern, anything else in the outline; nothing is computed yet."""
+    import math
+
+    from BalloonWorkbench.core.advice import repair_data
+    from BalloonWorkbench.core.coach.findings import RepairKind
+
+    if repair.kind is RepairKind.MOVE_INTAKE:
+        parts.pattern.IntakeAuto = False
+        parts.pattern.IntakeAngle = math.degrees(repair.size)
+        return
+    entry = {**repair_data(repair), "of_mm": parts.outline.DrawnSize}
+    parts.outline.Repairs = [*parts.outline.Repairs, json.dumps(entry)]
+
+
+def repair_outline(obj, outline, scales: bool):
+    """The outline as read, with the object's repairs; one that no longer fits is left out, with a note.
+
+    scales  the drawing follows Width and Height, and its repairs with it; a sketch has its own size
+    """
+    from BalloonWorkbench.core.advice import repair_from
+    from BalloonWorkbench.core.coach.repairs import repaired, scaled
+    from BalloonWorkbench.core.units import to_mm
+
+    obj.DrawnSize = size = to_mm(max(outline.size))
+    for number, entry in enumerate(obj.Repairs, 1):
+        try:
+            data = json.loads(entry)
+            repair = repair_from(data)
+            factor = size / float(data["of_mm"]) if scales else 1.0
+        except (ValueError, KeyError, TypeError):
+            outline = _noted(outline, f"Repair {number} cannot be read: delete it from Repairs.")
+            continue
+        try:
+            outline = repaired(outline, scaled(repair, factor))
+        except OutlineError as error:
+            outline = _noted(outline, str(error))
+    return outline
+
+
+def _noted(outline, note: str):
+    return replace(outline, notes=(*outline.notes, note))

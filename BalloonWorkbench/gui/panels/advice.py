@@ -1,0 +1,168 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The panel of the coach: what it has found about a balloon, where, and a button that mends it.
+
+Choosing a finding marks its place in the 3D view. Each repair is one undo step of its own.
+"""
+
+from __future__ import annotations
+
+import FreeCAD as App
+import FreeCADGui as Gui
+
+from BalloonWorkbench.app import advice, status
+from BalloonWorkbench.core.advice import repair_text
+from BalloonWorkbench.core.errors import BalloonError
+from BalloonWorkbench.gui.marks import COLOURS, Marks
+from BalloonWorkbench.gui.panels.watch import Watch
+from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, icon, translate
+
+_DOT = 12  # px
+
+
+class AdvicePanel:
+    """Lists the findings about one balloon."""
+
+    def __init__(self, parts):
+        self.parts = parts
+        self.doc = parts.balloon.Document
+        self.found: list = []
+        self.is_open = True
+        self.marks = Marks(self.doc.Name)
+        self.form = QtWidgets.QWidget()
+        self.form.setObjectName("Advice")
+        self.form.setWindowTitle(translate("Advice"))
+        self.form.setWindowIcon(QtGui.QIcon(icon("advice")))
+        self.source = QtWidgets.QLabel()
+        self.source.setObjectName("AdviceSource")
+        self.source.setWordWrap(True)
+        self.list = QtWidgets.QListWidget()
+        self.list.setObjectName("Findings")
+        self.list.setWordWrap(True)
+        self.repair = QtWidgets.QPushButton()
+        self.repair.setObjectName("Repair")
+        self.message = QtWidgets.QLabel()
+        self.message.setObjectName("AdviceMessage")
+        self.message.setWordWrap(True)
+        column = QtWidgets.QVBoxLayout(self.form)
+        for widget in (self.source, self.list, self.repair, self.message):
+            column.addWidget(widget)
+        self.list.currentRowChanged.connect(self.choose)
+        self.repair.clicked.connect(lambda _checked=False: self.make_repair())
+        self.watch = Watch(parts, self.close)
+        self.follow = _Follow(self.doc.Name, self.refresh)
+        App.addDocumentObserver(self.follow)
+        self.refresh()
+
+    # the dialog
+
+    def getStandardButtons(self):
+        return int(QtWidgets.QDialogButtonBox.Close)
+
+    def isAllowedAlterDocument(self):
+        return True
+
+    def isAllowedAlterSelection(self):
+        return True
+
+    def isAllowedAlterView(self):
+        return True
+
+    def reject(self):
+        self.close()
+        return False
+
+    def close(self):
+        """Leave the document as it is."""
+        self.is_open = False
+        self.watch.remove()
+        App.removeDocumentObserver(self.follow)
+        self.marks.clear()
+        Gui.Control.closeDialog()
+
+    # the work
+
+    def refresh(self):
+        """Ask the coach again."""
+        if not self.is_open:
+            return
+        self.marks.clear()
+        self.message.setText("")
+        try:
+            self.found = advice.findings(self.parts)
+            measured = status.is_ready(self.parts.balloon) and advice.is_solved(self.parts.balloon)
+        except BalloonError as error:
+            self.found, measured = [], False
+            self.message.setText(str(error))
+        self.source.setText(
+            translate("Measured on the inflated balloon.")
+            if measured
+            else translate("Predicted from the outline; not inflated yet.")
+        )
+        self.list.blockSignals(True)
+        self.list.clear()
+        for finding in self.found:
+            item = QtWidgets.QListWidgetItem(_dot(finding.severity.value), finding.text)
+            item.setToolTip(finding.severity.value)
+            self.list.addItem(item)
+        self.list.blockSignals(False)
+        if not self.found and not self.message.text():
+            self.message.setText(status.problem(self.parts.outline) or translate("Nothing to improve."))
+        self.choose(self.list.currentRow())
+
+    def choose(self, row: int):
+        """Mark the place of a finding and offer its repair."""
+        finding = self.found[row] if 0 <= row < len(self.found) else None
+        repair = None if finding is None else finding.repair
+        self.repair.setEnabled(repair is not None)
+        self.repair.setText(translate("Repair") if repair is None else repair_text(repair))
+        if finding is None:
+            self.marks.clear()
+            return
+        outline = self.parts.outline
+        size = max(outline.SizeX.Value, outline.SizeY.Value)
+        height = 0.5 * self.parts.balloon.InflatedThickness.Value
+        self.marks.show(finding, outline.Placement, size, height)
+
+    def make_repair(self):
+        """Make the edit and let the document follow, in one undo step."""
+        repair = self.found[self.list.currentRow()].repair
+        self.marks.clear()
+        self.doc.openTransaction(repair_text(repair))
+        advice.take(self.parts, repair)
+        self.doc.recompute()
+        self.doc.commitTransaction()
+        self.refresh()
+        trouble = next((status.problem(obj) for obj in self.parts if not status.is_ready(obj)), "")
+        if trouble:
+            self.message.setText(trouble)
+
+
+class _Follow:
+    """Calls `changed` after undo and redo in a document."""
+
+    def __init__(self, name: str, changed):
+        self._name = name
+        self._changed = changed
+
+    def slotUndoDocument(self, doc):
+        self._later(doc)
+
+    def slotRedoDocument(self, doc):
+        self._later(doc)
+
+    def _later(self, doc):
+        if doc.Name == self._name:
+            QtCore.QTimer.singleShot(0, self._changed)  # the document is amid its change
+
+
+def _dot(severity: str):
+    """A round icon in the colour of a severity."""
+    picture = QtGui.QPixmap(_DOT, _DOT)
+    picture.fill(QtCore.Qt.transparent)
+    painter = QtGui.QPainter(picture)
+    painter.setRenderHint(QtGui.QPainter.Antialiasing)
+    painter.setPen(QtCore.Qt.NoPen)
+    painter.setBrush(QtGui.QColor.fromRgbF(*COLOURS[severity]))
+    painter.drawEllipse(1, 1, _DOT - 2, _DOT - 2)
+    painter.end()
+    return QtGui.QIcon(picture)
