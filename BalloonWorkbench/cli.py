@@ -281,6 +281,7 @@ def _write(folder: str, contents: dict[str, bytes], balloon: Balloon) -> None:
             )
         lines.append(_lift_line(part["lift"]))
     lines += [f"Note: {warning}" for warning in report["warnings"]]
+    lines += [_advice_line(finding) for part in report["parts"] for finding in part["advice"]]
     lines += [f"Wrote {path}" for path in paths]
     sys.stdout.write("\n".join(lines) + "\n")
 
@@ -292,6 +293,11 @@ def _lift_line(lift: dict[str, Any]) -> str:
     if lift["floats_from_width_mm"] is None:
         return f"{weight}; it does not float with {gas_name}"
     return f"{weight}; filled with {gas_name} it floats from {lift['floats_from_width_mm']:.0f} mm width on"
+
+
+def _advice_line(finding: dict[str, Any]) -> str:
+    x, y = finding["at_mm"]
+    return f"Advice, {finding['severity']}, at ({x:.0f}, {y:.0f}) mm: {finding['text']}"
 
 
 class _StatusLine:

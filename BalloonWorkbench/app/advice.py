@@ -27,6 +27,9 @@ OUTLINE_PROPERTIES = (
     ),
 )
 BALLOON_PROPERTIES = (
+    Property(
+        "Float", "Puffiness", "Result", "Roundness: 1 for a disc, 0 for a flat thing", result=True
+    ),
     Property("StringList", "Advice", "Result", "What would make the balloon better", result=True),
 )
 
@@ -59,10 +62,17 @@ def is_solved(balloon) -> bool:
 
 
 def stored(balloon) -> list:
-    """The findings kept with a result."""
+    """The findings kept with a result, on the outline; a goal may have made the balloon larger."""
     from BalloonWorkbench.core.advice import finding_from
+    from BalloonWorkbench.core.coach.repairs import finding_scaled
 
-    return [finding_from(data) for data in json.loads(balloon.Report).get("advice", [])]
+    report = json.loads(balloon.Report)
+    found = [finding_from(data) for data in report.get("advice", [])]
+    outline = balloon.Outline
+    if not found or not outline.SizeX:
+        return found
+    factor = outline.SizeX.Value / report["input"]["width_mm"]
+    return [finding_scaled(finding, factor) for finding in found]
 
 
 def predicted(parts) -> list:
@@ -105,12 +115,12 @@ def _predicted(key: _Key, intake_width: float, intake_angle: float | None) -> li
     return list(advice.findings)
 
 
-def told(design, film) -> list[dict]:
-    """The findings about a design as plain data, for a report."""
-    from BalloonWorkbench.core.advice import advice_data
+def told(design, film) -> dict:
+    """The advice on a design as plain data, for a report."""
+    from BalloonWorkbench.core.advice import advice_report
     from BalloonWorkbench.core.coach.coach import advise_design
 
-    return advice_data(advise_design(design, film))
+    return advice_report(advise_design(design, film))
 
 
 def sentences(data: list[dict]) -> list[str]:

@@ -196,14 +196,14 @@ def show(obj, wanted, design) -> None:
     settings = wanted.settings
     plain = build_pattern(design.pattern, settings.film.seal_width, intake=False)
     told = report.build(wanted.source, settings.film, design, plain, settings.volume)
-    told["advice"] = advice.told(design, settings.film)
+    told |= advice.told(design, settings.film)
     del told["pattern"]  # the Pattern object has its own
     positions, triangles = balloon_mesh(design.inflation)
     obj.Mesh = mesh_from_arrays(to_mm(positions), triangles)
     shapes.store(obj, "Seam", design.pattern)
     _show_measures(obj, told)
     obj.Warnings = list(design.warnings)
-    obj.Advice = advice.sentences(told["advice"])
+    obj.Advice, obj.Puffiness = advice.sentences(told["advice"]), told["puffiness"]
     obj.Report = json.dumps(told, ensure_ascii=False)
     obj.SolvedFor = wanted.key()
 

@@ -14,9 +14,12 @@ from BalloonWorkbench.core.units import from_mm, to_mm
 _DIGITS = 4  # of a mm
 
 
-def advice_data(advice: Advice) -> list[dict[str, Any]]:
-    """The findings, the worst first."""
-    return [finding_data(finding) for finding in advice.findings]
+def advice_report(advice: Advice) -> dict[str, Any]:
+    """What a report tells: the score, and the findings, the worst first."""
+    return {
+        "puffiness": advice.puffiness,
+        "advice": [finding_data(finding) for finding in advice.findings],
+    }
 
 
 def finding_data(finding: Finding) -> dict[str, Any]:

@@ -7,7 +7,8 @@
 4. correct the pattern until its silhouette is          design/fit.py
    the drawing, and repeat 3
 5. weld, cut and intake around the corrected seam       pattern/build.py
-6. files                                                export/
+6. say what would inflate badly                         coach/coach.py
+7. files                                                export/
 """
 
 from __future__ import annotations
@@ -19,6 +20,8 @@ from pathlib import Path
 from typing import Any
 
 from BalloonWorkbench.core import report
+from BalloonWorkbench.core.advice import advice_report
+from BalloonWorkbench.core.coach.coach import advise_design
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.design.fit import fit, inflate_outline
 from BalloonWorkbench.core.design.size_goal import START_WIDTH, Buoyancy, SizeGoal, design_to_size
@@ -136,11 +139,10 @@ def make_balloon(
         pattern = build_pattern(design.pattern, settings.film.seal_width, intake=settings.intake)
         source = report.Source(Path(path).name, kind, outline)
         made.append(Part(design, pattern))
-        told.append(
-            report.build(
-                source, settings.film, design, pattern, settings.volume, settings.filling, settings.goal
-            )
+        of_part = report.build(
+            source, settings.film, design, pattern, settings.volume, settings.filling, settings.goal
         )
+        told.append(of_part | advice_report(advise_design(design, settings.film)))
     sheet = on_one_sheet([part.pattern for part in made])
     return Balloon(drawing, settings, tuple(made), report.together(told, drawing, sheet))
 

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from BalloonWorkbench.core.coach.findings import Repair, RepairKind
+from BalloonWorkbench.core.coach.findings import Finding, Repair, RepairKind
 from BalloonWorkbench.core.coach.places import whole
 from BalloonWorkbench.core.errors import OutlineError
 from BalloonWorkbench.core.outline.loops import check
@@ -37,6 +37,17 @@ def scaled(repair: Repair, factor: float) -> Repair:
     """The same repair on an outline that was scaled about the origin."""
     length = 1.0 if repair.kind is RepairKind.MOVE_INTAKE else factor
     return Repair(repair.kind, repair.points * factor, repair.size * length, repair.was * factor)
+
+
+def finding_scaled(finding: Finding, factor: float) -> Finding:
+    """The same finding, in place and repair, on an outline that was scaled about the origin."""
+    x, y = finding.place
+    return replace(
+        finding,
+        place=(factor * x, factor * y),
+        extent=tuple(line * factor for line in finding.extent),
+        repair=None if finding.repair is None else scaled(finding.repair, factor),
+    )
 
 
 def _rounded(outline: Outline, repair: Repair) -> Outline:
