@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A polyline taken apart into what is meant to be straight, and the bent stretches between corners."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from BalloonWorkbench.core.types import Bools, Floats
+
+#: A vertex that turns by more is a corner [rad].
+CORNER = np.radians(25.0)
+#: An edge so many times as long as those beside it is meant to be straight, not a chord.
+_LONGER = 6.0
+#: The same when the arc that would follow from its ends rises by so many tolerances.
+_RISE = 5.0
+
+
+@dataclass(frozen=True)
+class Stretch:
+    """Points (n, 2) m without a corner between.
+
+    first, last  heading [rad] at the ends, None where it is free because a corner is there
+    straight     it is one straight edge
+    """
+
+    points: Floats
+    first: float | None
+    last: float | None
+    straight: bool
+
+
+def stretches(points: Floats, closed: bool, tolerance: float) -> tuple[Stretch, ...]:
+    """The stretches of a polyline (n, 2) m in their order; a closed one begins at a corner if it has one."""
+    points = _without_needless(points, closed)
+    if len(points) < 3:
+        return (Stretch(points, None, None, True),)
+    corner, straight = _marks(points, closed, tolerance)
+    edges = len(points) if closed else len(points) - 1
+    knots = corner.copy()
+    knots[:edges] |= straight
+    knots |= np.roll(np.append(straight, np.zeros(len(points) - edges, dtype=bool)), 1)
+    if closed and not knots.any():
+        half = len(points) // 2
+        heading = heading_at(np.roll(points, half, axis=0), half, tolerance)
+        return (Stretch(np.concatenate([points, points[:1]]), heading, heading, False),)
+    if closed:
+        begin = int(np.flatnonzero(corner if corner.any() else knots)[0])
+        around = np.arange(begin, begin + len(points) + 1) % len(points)
+        points, corner, knots = points[around], corner[around], knots[around]
+        straight = straight[around[:-1]]
+    chords = np.diff(points, axis=0)
+    headings = np.arctan2(chords[:, 1], chords[:, 0])
+    found = []
+    for low, high in pairwise(np.flatnonzero(knots)):
+        # where no corner is, a straight edge lies on the other side
+        first = None if corner[low] else float(headings[low - 1])
+        last = None if corner[high] else float(headings[high % len(headings)])
+        found.append(Stretch(points[low : high + 1], first, last, bool(high == low + 1 and straight[low])))
+    return tuple(found)
+
+
+def _without_needless(points: Floats, closed: bool) -> Floats:
+    """Without repeated points and without those amid a straight line."""
+    steps = np.diff(np.concatenate([points, points[:1]]) if closed else points, axis=0)
+    kept = np.hypot(steps[:, 0], steps[:, 1]) > 1e-9
+    points = points[kept if closed else np.append(True, kept)]
+    if len(points) < 3:
+        return points
+    back, ahead = points - np.roll(points, 1, axis=0), np.roll(points, -1, axis=0) - points
+    across = np.abs(back[:, 0] * ahead[:, 1] - back[:, 1] * ahead[:, 0])
+    needed = (across > 1e-8 * _norm(back + ahead)) | ((back * ahead).sum(axis=1) < 0.0)
+    if not closed:
+        needed[[0, -1]] = True
+    return points[needed]
+
+
+def _marks(points: Floats, closed: bool, tolerance: float) -> tuple[Bools, Bools]:
+    """Which vertices are corners, and which edges are straight."""
+    ahead = np.roll(points, -1, axis=0) - points
+    lengths = _norm(ahead)
+    turn = np.abs(_turn(np.roll(ahead, 1, axis=0), ahead))
+    corner = (turn > CORNER) & (np.abs(_wide_turn(points, closed, 10.0 * tolerance)) > CORNER)
+    if not closed:
+        corner[[0, -1]] = True
+        ahead, lengths = ahead[:-1], lengths[:-1]
+    edges = len(lengths)
+    after = np.roll(np.arange(len(points)), -1)[:edges]
+    before = np.where(corner[:edges], 0.0, np.roll(lengths, 1))
+    beyond = np.where(corner[after], 0.0, np.roll(lengths, -1))
+    rise = 0.125 * lengths * np.maximum((turn * ~corner)[:edges], (turn * ~corner)[after])
+    longer = (lengths > _LONGER * np.maximum(before, beyond)) & (lengths > 20.0 * tolerance)
+    straight = longer | (rise > _RISE * tolerance) | (corner[:edges] & corner[after])
+    # a vertex between two straight edges is a corner that somebody meant
+    around = straight if closed else np.append(straight, False)
+    return corner | (around & np.roll(around, 1)), straight
+
+
+def _wide_turn(points: Floats, closed: bool, reach: float) -> Floats:
+    """Turning (n,) from the chord of some length that ends at each vertex to the one that begins there."""
+    loop = np.concatenate([points, points, points, points[:1]]) if closed else points
+    along = np.append(0.0, np.cumsum(_norm(np.diff(loop, axis=0))))
+    here = along[len(points) : 2 * len(points)] if closed else along
+
+    def at(places: Floats) -> Floats:
+        return np.stack([np.interp(places, along, loop[:, k]) for k in range(2)], axis=1)
+
+    return _turn(points - at(here - reach), at(here + reach) - points)
+
+
+def heading_at(points: Floats, index: int, tolerance: float) -> float:
+    """Heading [rad] at a point amid others (n, 2), by the widest circle through it that fits around it."""
+    for reach in range(max(min(index, len(points) - 1 - index, len(points) // 6), 1), 0, -1):
+        three = points[[index - reach, index, index + reach]]
+        back, ahead = three[1] - three[0], three[2] - three[1]
+        # the tangent of the circle through three points, at the middle one
+        tangent = back / (back @ back) + ahead / (ahead @ ahead)
+        tangent /= np.hypot(tangent[0], tangent[1])
+        away = points[index - reach : index + reach + 1] - three[1]
+        square = (away * away).sum(axis=1)
+        beside = away[:, 1] * tangent[0] - away[:, 0] * tangent[1]
+        bend = 2.0 * beside[-1] / square[-1]
+        excess = bend * square - 2.0 * beside
+        off = np.abs(excess) / (1.0 + np.sqrt(np.maximum(1.0 + bend * excess, 0.0)))
+        if off.max() < 0.25 * tolerance:
+            break
+    return float(np.arctan2(tangent[1], tangent[0]))
+
+
+def _turn(before: Floats, after: Floats) -> Floats:
+    return np.arctan2(before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0], (before * after).sum(axis=1))
+
+
+def _norm(vectors: Floats) -> Floats:
+    return np.hypot(vectors[:, 0], vectors[:, 1])

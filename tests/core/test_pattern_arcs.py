@@ -1,0 +1,158 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Curves of lines and arcs: against formulas, and against shapely's distances to the polyline."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import shapely
+from drawn_shapes import NAMED, polar
+
+from BalloonWorkbench.core.pattern.arcs import TOLERANCE, fit_curve
+from BalloonWorkbench.core.pattern.build import build_pattern
+from BalloonWorkbench.core.pattern.curves import Curve, polyline
+
+FINE = 2e-7  # m, far below what is measured
+
+
+def line(points: np.ndarray, closed: bool) -> shapely.LineString:
+    return shapely.LinearRing(points) if closed else shapely.LineString(points)
+
+
+def apart(curve: Curve, points: np.ndarray) -> float:
+    """The largest distance between curve and polyline, both ways [m]."""
+    drawn, given = line(curve.flattened(FINE), curve.closed), line(points, curve.closed)
+    ways = ((drawn, given), (given, drawn))
+    return max(
+        float(shapely.distance(shapely.points(np.array(a.segmentize(1e-4).coords)), b).max()) for a, b in ways
+    )
+
+
+def kinks(curve: Curve) -> np.ndarray:
+    """Turning at the joints inside or all round [rad], from the ends of the flattened arcs."""
+    first, last = curve.headings
+    turns = np.abs(np.angle(np.exp(1j * (first - np.roll(last, 1)))))
+    return turns if curve.closed else turns[1:]
+
+
+def rounded(width: float, height: float, radius: float, step: float) -> np.ndarray:
+    quarter = np.radians(np.arange(0.0, 90.0 + step / 2, step))
+    corners = [
+        (width - radius, radius),
+        (width - radius, height - radius),
+        (radius, height - radius),
+        (radius, radius),
+    ]
+    return np.concatenate(
+        [np.array(at) + polar(radius, quarter - np.pi / 2 + k * np.pi / 2) for k, at in enumerate(corners)]
+    )
+
+
+@pytest.mark.parametrize("points", [24, 90, 720])
+@pytest.mark.parametrize("radius", [0.003, 0.15])
+def test_circle_is_a_few_arcs(points: int, radius: float) -> None:
+    turn = np.linspace(0.0, 2.0 * np.pi, points, endpoint=False)
+    loop = polar(radius, turn) + 0.2
+    if radius * (1.0 - np.cos(np.pi / points)) > TOLERANCE:
+        return  # a polygon
+    curve = fit_curve(loop, True)
+    assert len(curve) <= 4
+    assert not curve.corners.any()
+    assert curve.radii == pytest.approx(np.full(len(curve), radius), abs=0.3 * TOLERANCE)
+    assert curve.length == pytest.approx(2.0 * np.pi * radius, rel=1e-3)
+    assert apart(curve, loop) <= TOLERANCE
+
+
+@pytest.mark.parametrize("step", [2.0, 5.0])
+def test_rounded_rectangle_is_four_lines_and_four_arcs(step: float) -> None:
+    curve = fit_curve(np.roll(rounded(0.12, 0.08, 0.01, step), 7, axis=0), True)
+    lines = curve.bulges == 0.0
+    assert lines.sum() <= 5  # one may be divided where the curve begins
+    assert (~lines).sum() <= 5
+    assert curve.radii[~lines] == pytest.approx(np.full((~lines).sum(), 0.01), rel=1e-6)
+    assert np.abs(curve.turns[~lines]).sum() == pytest.approx(2.0 * np.pi)
+    assert kinks(curve).max() < 1e-6
+    area = shapely.Polygon(curve.flattened(1e-9)).area
+    assert area == pytest.approx(0.12 * 0.08 - (4.0 - np.pi) * 0.01**2, rel=1e-6)
+
+
+@pytest.mark.parametrize("name", ["square", "star", "spiky", "L", "wedge"])
+def test_polygons_stay_as_they_are(name: str) -> None:
+    """As they are, and begun amid an edge where the contour began."""
+    corners = NAMED[name].outer
+    loop = np.concatenate([0.5 * (corners[:1] + corners[-1:]), corners])
+    curve = fit_curve(loop, True)
+    assert not curve.bulges.any()
+    assert np.array_equal(curve.joints, loop)
+    assert list(curve.corners) == [False, *[True] * len(corners)]
+
+
+@pytest.mark.parametrize("name", ["disc", "heart", "flower", "S", "neck", "ring"])
+def test_smooth_patterns(name: str) -> None:
+    """Two-way distance, smooth joints, exact ends, far fewer segments than points."""
+    for contour in build_pattern(NAMED[name], 0.005).contours:
+        curve = fit_curve(contour.points, contour.closed)
+        assert apart(curve, contour.points) <= 1.01 * TOLERANCE
+        inner = curve.corners if contour.closed else curve.corners[1:-1]
+        assert kinks(curve)[~inner].max(initial=0.0) < np.radians(0.1)
+        assert len(curve) < 0.2 * len(contour.points)
+        if not contour.closed:
+            assert np.array_equal(curve.joints[[0, -1]], contour.points[[0, -1]])
+
+
+def test_corners_are_kept_exactly() -> None:
+    """Two half circles that meet in two tips."""
+    side = polar(0.1, np.radians(np.linspace(60, 120, 61)))[:-1] - [0.0, 0.1 * np.sin(np.pi / 3.0)]
+    lens = np.concatenate([side, -side])
+    curve = fit_curve(np.roll(lens, 30, axis=0), True)
+    sharp = curve.joints[curve.corners]
+    assert len(sharp) == 2
+    for tip in lens[[0, 60]]:
+        assert np.abs(sharp - tip).sum(axis=1).min() == 0.0
+    assert len(curve) <= 8
+
+
+def test_scattered_points_are_passed_within_the_tolerance() -> None:
+    random = np.random.default_rng(3)
+    loop = polar(
+        0.1 + random.uniform(-1.5e-5, 1.5e-5, 400), np.linspace(0.0, 2.0 * np.pi, 400, endpoint=False)
+    )
+    curve = fit_curve(loop, True)
+    assert apart(curve, loop) <= 1.01 * TOLERANCE
+    assert kinks(curve).max() < np.radians(0.1)
+    assert len(curve) <= 60
+
+
+def test_same_points_same_curve() -> None:
+    loop = NAMED["heart"].outer
+    one, two = fit_curve(loop, True), fit_curve(loop, True)
+    assert np.array_equal(one.joints, two.joints)
+    assert np.array_equal(one.bulges, two.bulges)
+
+
+def test_half_circle_by_hand() -> None:
+    """From (0, 0) over (1, -1) to (2, 0): bulge 1 turns left; closed by its diameter."""
+    curve = Curve(np.array([[0.0, 0.0], [2.0, 0.0]]), np.array([1.0, 0.0]), True)
+    assert curve.length == pytest.approx(np.pi + 2.0)
+    low, high = curve.bounds
+    assert low == pytest.approx([0.0, -1.0])
+    assert high == pytest.approx([2.0, 0.0])
+    assert curve.radii[0] == pytest.approx(1.0)
+    flat = curve.flattened(1e-6)
+    assert np.hypot(*(flat - [1.0, 0.0])[:-1].T) == pytest.approx(np.ones(len(flat) - 1))
+    assert flat[:, 1].min() == pytest.approx(-1.0, abs=1e-6)
+    assert curve.corners.all()
+    back = curve.reversed()
+    assert back.length == pytest.approx(curve.length)
+    assert back.bounds[0] == pytest.approx(low)
+    assert back.reversed().joints == pytest.approx(curve.joints)
+    cut = curve.split(0, 0.5)
+    assert cut.joints[1] == pytest.approx([1.0, -1.0])
+    assert cut.length == pytest.approx(curve.length)
+    assert list(cut.corners) == [True, False, True]
+
+
+def test_polyline_is_a_curve_of_lines() -> None:
+    curve = polyline(NAMED["star"].outer, True)
+    assert not curve.bulges.any()
+    assert np.array_equal(curve.flattened(1e-3), NAMED["star"].outer)
