@@ -113,7 +113,7 @@ def fit(
     previous: _Pass | None = None  # whose mesh may still serve
     stalled = passes = meshes = halvings = 0
     while passes < MOST_PASSES and stalled <= PATIENCE:
-        course = twins.matched(course)
+        course = twins.matched(course, None if last is None else last.course)
         try:
             share = _part(progress, passes)
             current = _try(target, course, previous, film, pressure, edge, backend, model, share)
@@ -138,7 +138,7 @@ def fit(
             stalled = 0
         if best is None or current.error.mean < best.error.mean:
             best = current
-        if edge == fine and current.error.mean <= ENOUGH * size:
+        if edge == fine and current.error.mean <= ENOUGH * size and _weld_error(current) <= CLOSE * size:
             break
         course = _corrected(current, mixing, edge, size)
         last = previous = current
@@ -197,6 +197,13 @@ def _try(
     placed = _aligned(course, nodes, inflation)
     shown = silhouette(placed)
     return _Pass(course, panel, nodes, placed, shown, residual(target, shown))
+
+
+def _weld_error(current: _Pass) -> float:
+    """Largest mean distance of a weld of the balloon from where it was drawn [m]; 0 without welds."""
+    positions = current.inflation.positions[:, :2]
+    lines = zip(current.course.lines, current.panel.welds, strict=True)
+    return max((line.mean_distance(positions[weld]) for line, weld in lines), default=0.0)
 
 
 def _moved(previous: _Pass, course: Course) -> Panel | None:

@@ -24,23 +24,20 @@ _AT_RIM, _HAIR = 6e-3, 4e-3
 class WeldLine:
     """A weld: points (n, 2) m of the drawing and of the pattern, one beside the other.
 
-    ends  for its begin and its end the loop and the index along that to which it is tied, or None
+    ends  for its begin and its end the number of the loop to which it is tied, or None
     """
 
     drawing: Floats
     pattern: Floats
-    ends: tuple[tuple[int, float] | None, tuple[int, float] | None] = (None, None)
+    ends: tuple[int | None, int | None] = (None, None)
 
     def along(self, places: Floats) -> Floats:
         """Indices (k,), with fractions, of the points of the pattern nearest to places (k, 2)."""
-        ahead = np.diff(self.pattern, axis=0)
-        offset = places[:, None] - self.pattern[None, :-1]
-        share = np.clip(
-            np.einsum("kij,ij->ki", offset, ahead) / np.einsum("ij,ij->i", ahead, ahead), 0.0, 1.0
-        )
-        away = np.linalg.norm(offset - share[:, :, None] * ahead, axis=2)
-        best = np.argmin(away, axis=1)
-        return np.asarray(best + share[np.arange(len(places)), best])
+        return _nearest(self.pattern, places)[0]
+
+    def mean_distance(self, inflated: Floats) -> float:
+        """Of vertices (k, 2) of the balloon from the drawing [m]."""
+        return float(_nearest(self.drawing, inflated)[1].mean())
 
     def at(self, index: Floats) -> Floats:
         """Places (k, 2) on the pattern."""
@@ -70,8 +67,8 @@ class WeldLine:
             tie = self.ends[end]
             if tie is None:
                 continue
-            loop = loops[tie[0]]
-            place = point_at(loop, np.arange(len(loop) + 1, dtype=np.float64), np.array([tie[1]]))[0]
+            loop = loops[tie]
+            place = point_at(loop, arc_lengths(loop), locate(loop, pattern[end][None]))[0]
             inward = pattern[len(pattern) // 2] - place
             inward *= (
                 _HAIR * float(np.ptp(loops[0], axis=0).max()) / max(float(np.linalg.norm(inward)), 1e-300)
@@ -96,11 +93,20 @@ def weld_lines(target: Outline, loops: tuple[Floats, ...], spacing: float) -> tu
     return tuple(found)
 
 
-def _tie(end: Floats, loops: tuple[Floats, ...], size: float) -> tuple[int, float] | None:
+def _nearest(line: Floats, places: Floats) -> tuple[Floats, Floats]:
+    """Indices (k,), with fractions, of the points of a line nearest to places (k, 2); how far they are."""
+    ahead = np.diff(line, axis=0)
+    offset = places[:, None] - line[None, :-1]
+    share = np.einsum("kij,ij->ki", offset, ahead) / np.einsum("ij,ij->i", ahead, ahead)
+    share = np.clip(share, 0.0, 1.0)
+    away = np.linalg.norm(offset - share[:, :, None] * ahead, axis=2)
+    row, best = np.arange(len(places)), np.argmin(away, axis=1)
+    return best + share[row, best], away[row, best]
+
+
+def _tie(end: Floats, loops: tuple[Floats, ...], size: float) -> int | None:
     for number, loop in enumerate(loops):
-        lengths = arc_lengths(loop)
-        at = locate(loop, end[None])
-        if np.linalg.norm(point_at(loop, lengths, at)[0] - end) < _AT_RIM * size:
-            index = np.interp(at, lengths, np.arange(len(loop) + 1, dtype=np.float64))
-            return number, float(index[0])
+        place = point_at(loop, arc_lengths(loop), locate(loop, end[None]))[0]
+        if np.linalg.norm(place - end) < _AT_RIM * size:
+            return number
     return None

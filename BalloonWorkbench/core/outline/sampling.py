@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Points along loops and lines: corners, even spacing, simplification, smoothing that leaves corners alone."""
+"""Points along loops and lines: corners, even spacing, simplification, smoothing that spares corners."""
 
 from __future__ import annotations
 

@@ -22,8 +22,9 @@ BENDING_FLOOR = 1e-6
 #: floor the rim folds at mesh scale; above the ceiling the band itself would wrinkle, which no beam shows.
 SEAM_FLOOR = 1e-6
 SEAM_CEILING = 1e-5
-#: Round a hole the film pulls the band taut, so that it keeps all of its rigidity. Without it a ring is
-#: unstable: a curved tube wants to curve more (Siefert et al., PNAS 116 (2019) 16692), a closed one kinks.
+#: Round a hole, and at a weld inside, the film pulls the band taut, so that it keeps all of its rigidity.
+#: Without it a weld sways and a ring is unstable: a curved tube wants to curve more (Siefert et al., PNAS 116
+#: (2019) 16692), a closed one kinks.
 #: Near twice what a weld of 5 mm with 2 mm of film beside it has round the hole of a letter 300 mm high; a
 #: fifth of it lets the letter O kink.
 HOLE_FLOOR = 1e-2
@@ -71,15 +72,16 @@ def film_problem(
     fixed[:, 3:] = not model.bending
     width = typical_width(panel)
     seams: tuple[Ints, ...] = ()
+    welds: tuple[Ints, ...] = ()
     seam_rigidities: tuple[float, ...] = ()
     if film.seal_width > 0.0:
         band = film.membrane_stiffness * film.seal_width**3 / 12.0  # the half of it that belongs to one panel
         relative = band / (pressure * width**4)
         outer, hole = min(max(relative, SEAM_FLOOR), SEAM_CEILING), max(relative, HOLE_FLOOR)
         seams = panel.seams
-        seam_rigidities = tuple(
-            rigidity * (width / size) ** 4 for rigidity in (outer, *[hole] * (len(panel.seams) - 1))
-        )
+        welds = panel.welds[::2] if tied is not None else ()  # of the two sides of each one
+        taut = len(panel.seams) - 1 + len(welds)
+        seam_rigidities = tuple(rigidity * (width / size) ** 4 for rigidity in (outer, *[hole] * taut))
     rigidity = 0.0
     if model.bending:
         floor = model.bending_floor * (width / size) ** 3
@@ -92,6 +94,7 @@ def film_problem(
         film.poisson_ratio,
         rigidity,
         seams=seams,
+        welds=welds,
         seam_rigidities=seam_rigidities,
         grain=grain_of(film),
         tension_field=model.tension_field,

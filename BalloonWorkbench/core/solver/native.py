@@ -106,8 +106,8 @@ def _solver(problem: FilmProblem) -> Iterator[tuple[ctypes.CDLL, ctypes.c_void_p
     fixed = np.ascontiguousarray(problem.fixed, dtype=np.uint8)
     tied = None if problem.tied is None else np.ascontiguousarray(problem.tied, dtype=np.int32)
     loads = None if problem.loads is None else np.ascontiguousarray(problem.loads, dtype=np.float64)
-    hinges = np.ascontiguousarray(seam_hinges(problem.seams))
-    rigidities = hinge_rigidities(problem.seams, problem.seam_rigidities)
+    hinges = np.ascontiguousarray(seam_hinges(problem.seams, problem.welds))
+    rigidities = hinge_rigidities(problem.seams, problem.seam_rigidities, problem.welds)
     grain = problem.grain
     material = _Material(
         problem.membrane_stiffness,

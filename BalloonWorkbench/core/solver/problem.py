@@ -25,10 +25,11 @@ class FilmProblem:
     """A film with its supports and loads.
 
     rest_positions (n, 2), triangles (m, 3); fixed (n, 5) True where x, y, z or one of the two turns of the
-    director is held; loads (n, 3) or None; seams: vertex loops that carry a sealed band,
-    and seam_rigidities: its E I for each of them. A grain makes the film orthotropic; tension_field False
-    makes it a plain shell, which carries compression. tied (n,): the vertex, itself or one before it, whose
-    position a vertex shares; each keeps its own director, so that the film can fold there.
+    director is held; loads (n, 3) or None; seams: vertex loops that carry a sealed band, welds: open lines of
+    vertices that do, and seam_rigidities: its E I for each of them. A grain makes the film orthotropic;
+    tension_field False makes it a plain shell, which carries compression. tied (n,): the vertex,
+    itself or one before it, whose position a vertex shares; each keeps its own director, so that the film can
+    fold there.
     """
 
     rest_positions: Floats
@@ -40,6 +41,7 @@ class FilmProblem:
     pressure: float = 1.0
     loads: Floats | None = None
     seams: tuple[Ints, ...] = ()
+    welds: tuple[Ints, ...] = ()
     seam_rigidities: tuple[float, ...] = ()
     grain: Grain | None = None
     tension_field: bool = True

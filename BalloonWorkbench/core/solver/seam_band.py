@@ -23,13 +23,19 @@ from BalloonWorkbench.core.types import Floats, Ints
 
 
 class SeamBand:
-    """The band along all seams of a panel; hinges (h, 3) are neighbours along a seam.
+    """The band along all seams and welds of a panel; hinges (h, 3) are neighbours along one of them.
 
-    rigidities: E I of the band for each seam.
+    rigidities: E I of the band for each seam, then for each weld, which is an open line.
     """
 
-    def __init__(self, rest_positions: Floats, seams: Sequence[Ints], rigidities: Sequence[float]) -> None:
-        self.hinges = seam_hinges(seams)
+    def __init__(
+        self,
+        rest_positions: Floats,
+        seams: Sequence[Ints],
+        rigidities: Sequence[float],
+        welds: Sequence[Ints] = (),
+    ) -> None:
+        self.hinges = seam_hinges(seams, welds)
         previous, middle, following = (rest_positions[self.hinges[:, corner]] for corner in range(3))
         before, after = middle - previous, following - middle
         length_before, length_after = np.linalg.norm(before, axis=1), np.linalg.norm(after, axis=1)
@@ -38,7 +44,7 @@ class SeamBand:
         turn = np.array([[cosine, -sine], [sine, cosine]]).transpose(2, 0, 1) / length_before[:, None, None]
         straight = np.eye(2)[None] / length_after[:, None, None]
         self._operator = np.concatenate([turn, -turn - straight, straight], axis=2)  # (h, 2, 6)
-        self._stiffness = 2.0 * hinge_rigidities(seams, rigidities) / (length_before + length_after)
+        self._stiffness = 2.0 * hinge_rigidities(seams, rigidities, welds) / (length_before + length_after)
 
     def _kinks(self, positions: Floats) -> Floats:
         return np.einsum("hij,hj->hi", self._operator, positions[self.hinges][:, :, :2].reshape(-1, 6))
@@ -54,14 +60,16 @@ class SeamBand:
         return force, np.matmul(np.swapaxes(weighted, 1, 2), self._operator)
 
 
-def seam_hinges(seams: Sequence[Ints]) -> Ints:
-    """Vertices before, at and after each vertex of the seams: (h, 3)."""
+def seam_hinges(seams: Sequence[Ints], welds: Sequence[Ints] = ()) -> Ints:
+    """Vertices before, at and after each vertex of the seams, and each but the ends of the welds: (h, 3)."""
     loops = [np.column_stack([np.roll(seam, 1), seam, np.roll(seam, -1)]) for seam in seams]
-    return np.concatenate([np.zeros((0, 3)), *loops]).astype(np.int32)
+    lines = [np.column_stack([weld[:-2], weld[1:-1], weld[2:]]) for weld in welds]
+    return np.concatenate([np.zeros((0, 3)), *loops, *lines]).astype(np.int32)
 
 
-def hinge_rigidities(seams: Sequence[Ints], rigidities: Sequence[float]) -> Floats:
-    """The rigidity of its seam for each hinge: (h,)."""
-    return np.repeat(
-        np.array(rigidities, dtype=np.float64), np.array([len(seam) for seam in seams], dtype=int)
-    )
+def hinge_rigidities(
+    seams: Sequence[Ints], rigidities: Sequence[float], welds: Sequence[Ints] = ()
+) -> Floats:
+    """The rigidity of its seam or weld for each hinge: (h,)."""
+    counts = [*(len(seam) for seam in seams), *(max(len(weld) - 2, 0) for weld in welds)]
+    return np.repeat(np.array(rigidities, dtype=np.float64), np.array(counts, dtype=int))

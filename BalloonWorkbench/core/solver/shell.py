@@ -65,7 +65,7 @@ class Shell:
             raise SolverError("The mesh has a vertex without triangles. Mesh the outline anew.")
         self._band: SeamBand | None = None
         if problem.seams:
-            self._band = SeamBand(rest_positions, problem.seams, problem.seam_rigidities)
+            self._band = SeamBand(rest_positions, problem.seams, problem.seam_rigidities, problem.welds)
 
         self.number, self.count = _numbered(fixed, problem.tied)
         at_corners = self.number[triangles]  # (m, 3, 5)
