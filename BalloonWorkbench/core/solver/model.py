@@ -116,7 +116,7 @@ def both_panels(problem: FilmProblem, sealed: Ints) -> FilmProblem:
     fixed[sealed, 2] = False
     tied[count + sealed] = one[sealed]
     grain = problem.grain
-    if grain is not None and abs(np.sin(2.0 * grain.angle)) > 1e-9:
+    if grain is not None and abs(np.sin(2.0 * grain.angle)) > 1e-6:
         raise InputError("Two panels with a grain aslant are no mirror images. Turn the grain along x or y.")
     return replace(
         problem,
