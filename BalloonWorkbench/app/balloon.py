@@ -3,8 +3,8 @@
 
 from __future__ import annotations
 
-from BalloonWorkbench.app import advice, film, migrate, status
-from BalloonWorkbench.app.properties import Property, add_missing, show_in_editor
+from BalloonWorkbench.app import advice, film, migrate, size_goal, status
+from BalloonWorkbench.app.properties import Property, add_missing, offer_choices, show_in_editor
 from BalloonWorkbench.app.stateless import Stateless
 
 FIT, INFLATE = "Fit to drawing", "Inflate as drawn"
@@ -16,6 +16,7 @@ CHOICES = {
     "Load": [PRESSURE, VOLUME],
     "Model": [TENSION_FIELD, PLAIN_SHELL],
     "Backend": list(BACKENDS),
+    **size_goal.CHOICES,
 }
 DEFAULT_PRESSURE = 2.0  # kPa
 
@@ -53,6 +54,7 @@ PROPERTIES = (
         "Bool", "TwoPanels", "Simulation", "Simulate both panels instead of one and its mirror image", False
     ),
     *film.PROPERTIES,
+    *size_goal.PROPERTIES,
     Property("Length", "InflatedWidth", "Result", "Width of the inflated balloon", result=True),
     Property("Length", "InflatedHeight", "Result", "Height of the inflated balloon", result=True),
     Property("Length", "InflatedThickness", "Result", "Thickness of the inflated balloon", result=True),
@@ -75,6 +77,7 @@ PROPERTIES = (
     Property("Integer", "Passes", "Result", "Corrections of the pattern", result=True),
     Property("Integer", "NewtonSteps", "Result", "Steps of the solver in the last inflation", result=True),
     Property("String", "ActiveBackend", "Result", "Solver that was used", result=True),
+    *size_goal.RESULTS,
     *advice.BALLOON_PROPERTIES,
     Property("StringList", "Warnings", "Result", "Remarks made during the design", result=True),
     Property("String", "Status", "Result", "Up to date, or what is wrong", result=True),
@@ -94,18 +97,20 @@ class BalloonProxy(Stateless):
 
     def __init__(self, obj):
         add_missing(obj, (migrate.VERSION, *PROPERTIES))
-        offer_choices(obj)
+        offer_choices(obj, CHOICES)
         obj.Proxy = self
         film.set_choices(obj)
         follow_load(obj)
+        size_goal.follow(obj)
 
     def onDocumentRestored(self, obj):
         from BalloonWorkbench.app import hooks
 
         if migrate.bring_up_to_date(obj, PROPERTIES):
-            offer_choices(obj)
+            offer_choices(obj, CHOICES)
         film.protect(obj)
         follow_load(obj)
+        size_goal.follow(obj)
         hooks.dress(obj)
 
     def onChanged(self, obj, name):
@@ -118,6 +123,10 @@ class BalloonProxy(Stateless):
             if edited and obj.Load == VOLUME and not obj.TargetVolume:
                 obj.TargetVolume = obj.Volume
             follow_load(obj)
+        if name in size_goal.CHOICES and "SolvedFor" in obj.PropertiesList:
+            if edited and name == "SizeGoal":
+                size_goal.begin(obj)
+            size_goal.follow(obj)
 
     def execute(self, obj):
         from BalloonWorkbench.app import hooks
@@ -129,19 +138,10 @@ class BalloonProxy(Stateless):
             if wanted.key() != obj.SolvedFor:
                 with hooks.progress(f"Inflating {obj.Label}") as progress:
                     show(obj, wanted, wanted.solve(progress))
+            size_goal.show_lift(obj)
             status.set_status(obj, _verdict(obj))
         if obj.Placement != obj.Outline.Placement:
             obj.Placement = obj.Outline.Placement
-
-
-def offer_choices(obj) -> None:
-    """Give the enumerations their entries; an older object keeps its choice."""
-    for name, choices in CHOICES.items():
-        present = obj.getEnumerationsOfProperty(name) or []
-        if present != choices:
-            chosen = getattr(obj, name) if present else choices[0]
-            setattr(obj, name, choices)
-            setattr(obj, name, chosen)
 
 
 def follow_load(obj) -> None:
@@ -172,6 +172,8 @@ def request(obj):
             backend=BACKENDS[obj.Backend],
             correct=obj.Mode == FIT,
             volume=cubic_metres(obj.TargetVolume) if obj.Load == VOLUME else None,
+            goal=size_goal.goal(obj),
+            filling=size_goal.filling(obj),
             model=Model(
                 tension_field=obj.Model == TENSION_FIELD,
                 bending=obj.Bending,
@@ -185,6 +187,7 @@ def request(obj):
 def show(obj, wanted, design) -> None:
     """Write a design into the object; the next recompute finds it and does not solve again."""
     import json
+    from dataclasses import replace
 
     from BalloonWorkbench.app import shapes
     from BalloonWorkbench.app.host import mesh_from_arrays
@@ -193,11 +196,13 @@ def show(obj, wanted, design) -> None:
     from BalloonWorkbench.core.pattern.build import build_pattern
     from BalloonWorkbench.core.units import to_mm
 
-    settings = wanted.settings
+    settings, source = wanted.settings, wanted.source
+    if settings.goal is not None:
+        source = replace(source, outline=design.target)
     plain = build_pattern(design.pattern, settings.film.seal_width, intake=False)
-    told = report.build(wanted.source, settings.film, design, plain, settings.volume)
+    told = report.build(source, settings.film, design, plain, settings.volume, goal=settings.goal)
     told |= advice.told(design, settings.film)
-    del told["pattern"]  # the Pattern object has its own
+    del told["pattern"], told["lift"]  # the Pattern object, and the properties, have their own
     positions, triangles = balloon_mesh(design.inflation)
     obj.Mesh = mesh_from_arrays(to_mm(positions), triangles)
     shapes.store(obj, "Seam", design.pattern)

@@ -8,8 +8,8 @@ from pathlib import Path
 
 import FreeCAD as App
 
-from BalloonWorkbench.app import balloon, create
-from BalloonWorkbench.app.outline import set_drawing
+from BalloonWorkbench.app import balloon, create, size_goal
+from BalloonWorkbench.app.outline import SYMMETRY, set_drawing
 from BalloonWorkbench.app.quantities import cubic_millimetres, kilopascals
 from BalloonWorkbench.core.export.files import write_files
 from BalloonWorkbench.core.units import to_mm
@@ -53,6 +53,10 @@ def fcstd_bytes(drawing, settings, designs, *, label: str = "balloon", width=Non
             intake=settings.intake,
             volume=None if settings.volume is None else cubic_millimetres(settings.volume),
             model=settings.model,
+        )
+        size_goal.set_filling(parts.balloon, settings.filling)
+        parts.outline.Symmetry = next(
+            title for title, choice in SYMMETRY.items() if choice == settings.symmetry
         )
         everyone = [parts, *create.add_companions(parts)]
         for each, design in zip(everyone, designs):

@@ -8,15 +8,19 @@ from BalloonWorkbench.app.quantities import metres
 _LONGEST_SIDE = 1600  # px; as fine as the engine looks
 
 
-def read_drawing(path: str, width, height, keep_aspect: bool = True):
+def read_drawing(path: str, width, height, keep_aspect: bool = True, symmetry: str = "auto"):
     """The shapes in a file and its kind; width and height are length properties or mm, 0 when free.
 
-    Raises BalloonError when there is no usable shape in the file.
+    symmetry is a choice of core/outline/symmetry.py. Raises BalloonError when there is no usable shape in the
+    file.
     """
     from BalloonWorkbench.core.outline import read
+    from BalloonWorkbench.core.outline.loops import scale_to
+    from BalloonWorkbench.core.outline.symmetry import evened
 
     wanted = metres(width) or None, metres(height) or None
     drawing, kind = read.read_drawing(path, *wanted, decode=_decoder())
+    drawing = scale_to(evened(drawing, symmetry, drawn=kind == "picture"), *wanted)
     if None in wanted or keep_aspect:
         return drawing, kind
     factors = [want / have for want, have in zip(wanted, drawing.size, strict=True)]

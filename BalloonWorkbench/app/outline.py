@@ -6,8 +6,10 @@ from __future__ import annotations
 from dataclasses import replace
 
 from BalloonWorkbench.app import advice, migrate, status
-from BalloonWorkbench.app.properties import Property, add_missing, show_in_editor
+from BalloonWorkbench.app.properties import Property, add_missing, offer_choices, show_in_editor
 from BalloonWorkbench.app.stateless import Stateless
+
+SYMMETRY = {"Automatic": "auto", "Off": "off", "Forced": "force"}
 
 PROPERTIES = (
     Property(
@@ -26,6 +28,12 @@ PROPERTIES = (
     Property(
         "Bool", "KeepAspect", "Drawing", "Fit inside width and height instead of stretching to both", True
     ),
+    Property(
+        "Enumeration",
+        "Symmetry",
+        "Drawing",
+        "Automatic evens out a nearly symmetric picture, Forced any drawing: its left half is mirrored",
+    ),
     *advice.OUTLINE_PROPERTIES,
     Property("String", "Kind", "Outline", "What the outline was read from", result=True),
     Property("Length", "SizeX", "Outline", "Width of the outline", result=True),
@@ -40,18 +48,23 @@ PROPERTIES = (
 )
 
 
+CHOICES = {"Symmetry": list(SYMMETRY)}
+
+
 class OutlineProxy(Stateless):
     """Behaviour of the Outline object (Part::Part2DObjectPython)."""
 
     def __init__(self, obj):
         add_missing(obj, (migrate.VERSION, *PROPERTIES))
+        offer_choices(obj, CHOICES)
         obj.Proxy = self
         self.follow_source(obj)
 
     def onDocumentRestored(self, obj):
         from BalloonWorkbench.app import hooks
 
-        migrate.bring_up_to_date(obj, PROPERTIES)
+        if migrate.bring_up_to_date(obj, PROPERTIES):
+            offer_choices(obj, CHOICES)
         hooks.dress(obj)
 
     def onChanged(self, obj, name):
@@ -62,7 +75,8 @@ class OutlineProxy(Stateless):
         """A sketch brings its own size: hide the wanted one. The leader has all of them."""
         mode = "hide" if obj.Source or obj.Leader else "edit"
         show_in_editor(obj, Drawing=mode, Width=mode, Height=mode, KeepAspect=mode)
-        show_in_editor(obj, Source="hide" if obj.Leader else "edit")
+        shared = "hide" if obj.Leader else "edit"
+        show_in_editor(obj, Source=shared, Symmetry=shared)
 
     def execute(self, obj):
         has_result = bool(obj.LoopCounts)
@@ -128,12 +142,14 @@ def read_all(obj):
     """All shapes of an outline's drawing, what it was read from, and the placement as for `read`."""
     if obj.Source:
         from BalloonWorkbench.app.sketch import drawing_of
+        from BalloonWorkbench.core.outline.symmetry import evened
 
         drawing, placement = drawing_of(*obj.Source)
-        return drawing, "sketch", placement
+        return evened(drawing, SYMMETRY[obj.Symmetry], drawn=False), "sketch", placement
     from BalloonWorkbench.app.drawing import read_drawing
 
-    drawing, kind = read_drawing(obj.Drawing, obj.Width, obj.Height, obj.KeepAspect)
+    choice = SYMMETRY[obj.Symmetry]
+    drawing, kind = read_drawing(obj.Drawing, obj.Width, obj.Height, obj.KeepAspect, choice)
     return drawing, kind, None
 
 

@@ -39,6 +39,16 @@ def add_missing(obj, properties: tuple[Property, ...]) -> None:
             setattr(obj, item.name, item.value)
 
 
+def offer_choices(obj, choices: dict[str, list[str]]) -> None:
+    """Give enumerations their entries; an older object keeps its choice."""
+    for name, entries in choices.items():
+        present = obj.getEnumerationsOfProperty(name) or []
+        if present != entries:
+            chosen = getattr(obj, name) if present else entries[0]
+            setattr(obj, name, entries)
+            setattr(obj, name, chosen)
+
+
 def show_in_editor(obj, **modes: str) -> None:
     """Set how properties appear in the editor: "edit", "show" (read-only) or "hide"."""
     for name, mode in modes.items():

@@ -58,6 +58,14 @@ class Request:
             options["volume"] = settings.volume
         if film.young_modulus_across is not None:
             options |= {"across": film.young_modulus_across, "grain": film.grain_angle}
+        if settings.goal is not None:
+            options |= {
+                f"goal {name}": value for name, value in asdict(settings.goal).items() if value is not None
+            }
+            options |= {
+                "lightness": settings.filling.lightness(settings.pressure),
+                "weight": film.areal_density,
+            }
         return [f"{name}={value:.9g}" for name, value in options.items()]
 
     def solve(self, progress: Progress = no_progress) -> Design:

@@ -40,10 +40,11 @@ from BalloonWorkbench.core.outline.loops import scale_to
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.outline.picture import Decode
 from BalloonWorkbench.core.outline.read import read_drawing
-from BalloonWorkbench.core.outline.symmetry import AUTO, symmetric
+from BalloonWorkbench.core.outline.symmetry import AUTO, evened
 from BalloonWorkbench.core.pattern.build import build_pattern, usual_pattern
 from BalloonWorkbench.core.pattern.layout import on_one_sheet
 from BalloonWorkbench.core.pattern.pattern import Pattern
+from BalloonWorkbench.core.rounded import rounded, rounded_outline
 from BalloonWorkbench.core.solver.animation import inflate_in_time
 from BalloonWorkbench.core.solver.model import Model
 from BalloonWorkbench.core.types import Progress, no_progress
@@ -124,8 +125,7 @@ def make_balloon(
     if settings.goal is not None and width is None and height is None:
         width = START_WIDTH
     drawing, kind = read_drawing(path, width, height, decode)
-    parts = tuple(symmetric(part, settings.symmetry, drawn=kind == "picture") for part in drawing.parts)
-    drawing = scale_to(replace(drawing, parts=parts), width, height)
+    drawing = scale_to(evened(drawing, settings.symmetry, drawn=kind == "picture"), width, height)
     count = len(drawing.parts)
     designs = [design_outline(drawing.largest, settings, _share(progress, 0, count))]
     if settings.goal is not None:
@@ -158,6 +158,7 @@ def _share(progress: Progress, number: int, count: int) -> Progress:
 
 def design_outline(outline: Outline, settings: Settings, progress: Progress = no_progress) -> Design:
     """The design of an outline: fitted to it, or with the outline as its pattern."""
+    outline, settings = rounded_outline(outline), rounded(settings)
     work = partial(
         fit if settings.correct else inflate_outline,
         mesh_size=settings.mesh_size,

@@ -23,8 +23,10 @@ from BalloonWorkbench.core.units import to_grams, to_mm
 
 SCHEMA = 2
 #: What the report tells of each shape of the drawing.
-_OF_A_PART = ("pressure_Pa", "mesh", "solve", "design", "inflated", "lift", "pattern", "warnings")
-_OF_A_PART += ("puffiness", "advice")
+_OF_A_PART = (
+    *("pressure_Pa", "mesh", "solve", "design", "inflated"),
+    *("lift", "pattern", "puffiness", "advice", "warnings"),
+)
 
 
 @dataclass(frozen=True)

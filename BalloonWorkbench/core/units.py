@@ -114,6 +114,11 @@ def parse_temperature(text: str | float) -> float:
     return kelvin
 
 
+def from_grams(grams: float) -> float:
+    """Grams to kilograms."""
+    return 1e-3 * grams
+
+
 def to_grams(kilograms: float) -> float:
     """Kilograms to grams."""
     return 1e3 * kilograms

@@ -92,13 +92,22 @@ class Course:
         return self
 
     def taken_back(self, earlier: Course, place: tuple[float, float] | None, reach: float) -> Course:
-        """The course with its pattern half way back to an earlier one, around a place or everywhere."""
-        loops = []
-        for mine, its in zip(self.pattern, earlier.pattern, strict=True):
-            share = np.full((len(mine), 1), 0.5)
-            if place is not None:
-                share *= np.exp(-(np.linalg.norm(its - place, axis=1, keepdims=True) ** 2) / reach**2)
-            loops.append(mine + share * (its - mine))
+        """The course with its pattern half way back to an earlier one, around a place or everywhere.
+
+        Where a part that went back would cross one that did not, more of it goes back.
+        """
+        for widening in range(8):
+            loops = []
+            for mine, its in zip(self.pattern, earlier.pattern, strict=True):
+                share = np.full((len(mine), 1), 0.5)
+                if place is not None:
+                    away = np.linalg.norm(its - place, axis=1, keepdims=True)
+                    share *= np.exp(-((away / (reach * 2.0**widening)) ** 2))
+                loops.append(mine + share * (its - mine))
+            if first_crossing(loops) is None:
+                break
+        else:
+            return earlier
         lines = [
             mine.toward(its).tied(tuple(loops)) for mine, its in zip(self.lines, earlier.lines, strict=True)
         ]

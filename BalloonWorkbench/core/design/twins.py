@@ -13,6 +13,7 @@ import numpy as np
 
 from BalloonWorkbench.core.design.course import Course
 from BalloonWorkbench.core.design.design import Design
+from BalloonWorkbench.core.outline.crossings import first_crossing
 from BalloonWorkbench.core.outline.sampling import point_at
 from BalloonWorkbench.core.outline.symmetry import Mirror
 from BalloonWorkbench.core.types import Floats, Ints
@@ -28,15 +29,21 @@ class Twins:
     loops: tuple[int, ...]
     points: tuple[Ints, ...]
 
-    def matched(self, course: Course) -> Course:
-        """The course with its pattern exactly symmetric; as it is where there is no axis."""
+    def matched(self, course: Course, earlier: Course | None = None) -> Course:
+        """The course with its pattern exactly symmetric; as it is where there is no axis.
+
+        Where the two halves would then cross, it goes back to an earlier one, which is symmetric too.
+        """
         if self.mirror is None:
             return course
         pattern = [
             0.5 * (mine + self.mirror.reflect(course.pattern[other][points]))
             for mine, other, points in zip(course.pattern, self.loops, self.points, strict=True)
         ]
-        return replace(course, pattern=tuple(pattern))
+        even = replace(course, pattern=tuple(pattern))
+        if earlier is None or first_crossing(pattern) is None:
+            return even
+        return even.taken_back(earlier, None, 0.0)
 
 
 FREE = Twins(None, (), ())

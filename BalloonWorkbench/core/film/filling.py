@@ -66,7 +66,7 @@ class Filling:
 
         Raises InputError for temperatures and altitudes out of all range.
         """
-        for what, kelvin in (("gas", self.temperature), ("air", self.air_temperature)):
+        for what, kelvin in (("air", self.air_temperature), ("gas", self.temperature)):
             if not _COLDEST <= kelvin <= _HOTTEST:
                 raise InputError(
                     f"The temperature of the {what}, {kelvin - ZERO_CELSIUS:.4g} degrees Celsius, is out of"

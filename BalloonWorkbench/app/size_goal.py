@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What decides a balloon's size, and what it weighs and carries.
+
+The Outline has the width that was drawn. A balloon with a goal is that drawing made larger or smaller about
+its origin: the Outline stays as it is, the Balloon and its Pattern have the size that meets the goal.
+"""
+
+from __future__ import annotations
+
+from BalloonWorkbench.app.properties import Property, show_in_editor
+
+WIDTH, VOLUME, LIFT = "Width", "Volume", "Lift"
+GASES = {"Helium": "helium", "Hydrogen": "hydrogen", "Warm air": "warm-air"}
+CHOICES = {"SizeGoal": [WIDTH, VOLUME, LIFT], "Gas": list(GASES)}
+
+PROPERTIES = (
+    Property(
+        "Enumeration",
+        "SizeGoal",
+        "Size",
+        "What decides the size: the outline as it is, a volume to hold or a load to carry",
+    ),
+    Property("Volume", "GoalVolume", "Size", "Volume that decides the size"),
+    Property(
+        "Float", "GoalLift", "Size", "What it shall carry besides itself, in grams; 0 makes it float just so"
+    ),
+    Property("Enumeration", "Gas", "Filling", "What fills it when it shall float"),
+    Property("Float", "GasTemperature", "Filling", "Of warm air, in degrees Celsius", 80.0),
+    Property("Float", "AirTemperature", "Filling", "Around the balloon, in degrees Celsius", 20.0),
+    Property("Distance", "Altitude", "Filling", "Height above the sea"),
+)
+RESULTS = (
+    Property("Float", "Weight", "Result", "Film of both panels with weld and intake, in grams", result=True),
+    Property(
+        "Float", "Lift", "Result", "What it carries with its gas, in grams; below 0 it sinks", result=True
+    ),
+    Property("Bool", "Floats", "Result", "It carries itself", result=True),
+    Property(
+        "Length", "FloatsFrom", "Result", "Width from which it carries itself; 0 when never", result=True
+    ),
+)
+
+
+def follow(obj) -> None:
+    """Offer only what has an effect."""
+    show_in_editor(
+        obj,
+        GoalVolume="edit" if obj.SizeGoal == VOLUME else "hide",
+        GoalLift="edit" if obj.SizeGoal == LIFT else "hide",
+        GasTemperature="edit" if GASES[obj.Gas] == "warm-air" else "hide",
+    )
+
+
+def begin(obj) -> None:
+    """A goal that was just chosen starts from what the balloon has."""
+    if obj.SizeGoal == VOLUME and not obj.GoalVolume:
+        obj.GoalVolume = obj.Volume
+    if obj.SizeGoal == LIFT and obj.GoalLift == 0.0 and obj.Lift > 0.0:
+        obj.GoalLift = obj.Lift
+
+
+def goal(obj):
+    """The core's goal, None where the outline's own size counts."""
+    from BalloonWorkbench.app.quantities import cubic_metres
+    from BalloonWorkbench.core.design.size_goal import SizeGoal
+    from BalloonWorkbench.core.units import from_grams
+
+    if obj.SizeGoal == VOLUME:
+        return SizeGoal(volume=cubic_metres(obj.GoalVolume))
+    return SizeGoal(lift=from_grams(obj.GoalLift)) if obj.SizeGoal == LIFT else None
+
+
+def filling(obj):
+    """The gas and the air around it."""
+    from BalloonWorkbench.app.quantities import metres
+    from BalloonWorkbench.core.film.filling import ZERO_CELSIUS, Filling, gas
+
+    name = GASES[obj.Gas]
+    return Filling(
+        gas(name),
+        obj.GasTemperature + ZERO_CELSIUS if name == "warm-air" else None,
+        obj.AirTemperature + ZERO_CELSIUS,
+        metres(obj.Altitude),
+    )
+
+
+def set_filling(obj, wanted) -> None:
+    """Write a filling into the object's properties."""
+    from BalloonWorkbench.core.film.filling import ZERO_CELSIUS
+    from BalloonWorkbench.core.units import to_mm
+
+    obj.Gas = next(title for title, name in GASES.items() if name == wanted.gas.name)
+    if wanted.gas.name == "warm-air":
+        obj.GasTemperature = wanted.temperature - ZERO_CELSIUS
+    obj.AirTemperature = wanted.air_temperature - ZERO_CELSIUS
+    obj.Altitude = to_mm(wanted.altitude)
+
+
+def show_lift(obj) -> None:
+    """Weight and lift of the balloon that is shown, for the film and the gas as they are now."""
+    from BalloonWorkbench.app import shapes
+    from BalloonWorkbench.app.film import read
+    from BalloonWorkbench.app.quantities import cubic_metres, metres, pascals
+    from BalloonWorkbench.core.design.size_goal import Buoyancy, Scaling
+    from BalloonWorkbench.core.pattern.build import usual_pattern
+    from BalloonWorkbench.core.units import to_grams, to_mm
+
+    own, seam = read(obj), shapes.stored(obj, "Seam")
+    area = usual_pattern(seam, own).film_area
+    lightness = filling(obj).lightness(pascals(obj.ActivePressure))
+    buoyancy = Buoyancy(lightness, own.areal_density, lambda seam: area)
+    width = metres(obj.InflatedWidth)
+    size = max(width, metres(obj.InflatedHeight))
+    scaling = Scaling(size, cubic_metres(obj.Volume), seam.area, area - seam.area)
+    lift, scale = scaling.lift_at(1.0, buoyancy), scaling.floating(buoyancy)
+    found = {
+        "Weight": to_grams(scaling.weight_at(1.0, buoyancy)),
+        "Lift": to_grams(lift),
+        "Floats": lift > 0.0,
+        "FloatsFrom": 0.0 if scale is None else to_mm(width * scale),
+    }
+    for name, value in found.items():
+        present = getattr(obj, name)
+        if getattr(present, "Value", present) != value:
+            setattr(obj, name, value)
