@@ -34,7 +34,7 @@ def drawing_of(source, elements: tuple[str, ...] = ()) -> tuple[Drawing, App.Pla
     frame = _frame(shape, np.concatenate(lines), size, source.Label)
     back = np.array(frame.inverse().Matrix.A).reshape(4, 4)
     flat = [from_mm(line @ back[:2, :3].T + back[:2, 3]) for line in lines]
-    return checked(drawing_from(flat)), source.getGlobalPlacement() * frame
+    return checked(drawing_from(flat, open_are_welds=True)), source.getGlobalPlacement() * frame
 
 
 def _shape(source, elements: tuple[str, ...]):

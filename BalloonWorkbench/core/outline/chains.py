@@ -4,11 +4,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from BalloonWorkbench.core.errors import OutlineError
-from BalloonWorkbench.core.outline.drawing import Drawing, arranged
+from BalloonWorkbench.core.outline.crossings import contains
+from BalloonWorkbench.core.outline.drawing import Drawing, arranged, with_welds
 from BalloonWorkbench.core.outline.loops import clean
 from BalloonWorkbench.core.outline.outline import signed_area
 from BalloonWorkbench.core.types import Floats
@@ -21,12 +23,18 @@ NEAR_END = from_mm(0.5)
 
 
 def drawing_from(
-    pieces: Sequence[Floats], notes: Sequence[str] = (), filled: Sequence[Floats] = ()
+    pieces: Sequence[Floats],
+    notes: Sequence[str] = (),
+    filled: Sequence[Floats] = (),
+    welds: Sequence[Floats] = (),
+    open_are_welds: bool = False,
 ) -> Drawing:
     """The shapes in the lines of a drawing, with the loops inside them as their holes.
 
     pieces  polylines (n, 2) m, joined where their ends meet
     filled  those of the pieces that enclose an area even where they stay open, by a straight line
+    welds   lines along which the films are sealed together, and single points, see `with_welds`
+    open_are_welds  so are lines inside a shape that stay open; else they are left out
     OutlineError where the lines close around nothing. The result is not checked for crossings.
     """
     remarks = list(notes)
@@ -49,9 +57,19 @@ def drawing_from(
                 f"away at {place_text(last)}. Close it."
             )
         raise OutlineError("The drawing has no closed line. Draw one, and turn texts and groups into paths.")
+    drawing = arranged(_without_twins(loops), remarks)
+    if open_are_welds:
+        inner = [line for line in rest if any(contains(part.outer, line).any() for part in drawing.parts)]
+        rest = [line for line in rest if not any(line is weld for weld in inner)]
+        welds = [*welds, *inner]
     if rest:
-        remarks.append(f"{len(rest)} open line{'s were' if len(rest) > 1 else ' was'} left out.")
-    return arranged(_without_twins(loops), remarks)
+        note = f"{len(rest)} open line{'s were' if len(rest) > 1 else ' was'} left out."
+        first = replace(drawing.largest, notes=(*drawing.largest.notes, note))
+        drawing = Drawing((first, *drawing.parts[1:]))
+    points = [line for line in welds if len(line) == 1]
+    closed, lines = join([line for line in welds if len(line) > 1], SAME_END)
+    rings = [np.concatenate([ring, ring[:1]]) for ring in closed]
+    return with_welds(drawing, [*lines, *rings, *points])
 
 
 def join(pieces: Sequence[Floats], tolerance: float) -> tuple[list[Floats], list[Floats]]:

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -12,6 +12,7 @@ from BalloonWorkbench.core.errors import OutlineError
 from BalloonWorkbench.core.outline.crossings import contains, first_crossing
 from BalloonWorkbench.core.outline.loops import check
 from BalloonWorkbench.core.outline.outline import Outline, signed_area
+from BalloonWorkbench.core.outline.welds import spot
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import place_text
 
@@ -83,6 +84,43 @@ def arranged(loops: Sequence[Floats], notes: Sequence[str] = ()) -> Drawing:
     return Drawing(
         tuple(Outline(loops[number], tuple(holes[number]), () if number else remarks) for number in kept)
     )
+
+
+def with_welds(drawing: Drawing, welds: Sequence[Floats]) -> Drawing:
+    """The drawing with welds in the shapes in which they lie; a remark tells of those that lie in none.
+
+    welds: lines (n, 2) m; one whose first point is repeated at the end is a spot, and so is a single point
+    """
+    inside: list[list[Floats]] = [[] for _ in drawing.parts]
+    astray = 0
+    for weld in welds:
+        owners = [
+            number
+            for number, part in enumerate(drawing.parts)
+            if contains(part.outer, weld).any() and not any(contains(hole, weld).all() for hole in part.holes)
+        ]
+        if owners:
+            inside[owners[-1]].append(weld)
+        else:
+            astray += 1
+    parts = [sealed(part, mine) for part, mine in zip(drawing.parts, inside, strict=True)]
+    if astray:
+        note = f"{astray} weld{'s' * (astray > 1)} outside the shapes left out."
+        parts[0] = replace(parts[0], notes=(*parts[0].notes, note))
+    return Drawing(tuple(parts))
+
+
+def sealed(outline: Outline, welds: Sequence[Floats]) -> Outline:
+    """The outline with welds added, told apart as in `with_welds`."""
+    lines, spots = list(outline.welds), list(outline.spots)
+    for weld in welds:
+        if len(weld) == 1:
+            spots.append(spot(weld[0]))
+        elif len(weld) > 3 and np.array_equal(weld[0], weld[-1]):
+            spots.append(weld[:-1])
+        else:
+            lines.append(weld)
+    return replace(outline, welds=tuple(lines), spots=tuple(spots))
 
 
 def speck_note(count: int) -> list[str]:

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from BalloonWorkbench.core.errors import InputError, MissingPackageError
+from BalloonWorkbench.core.outline.welds import LAYER
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import INCH, MILLIMETRE
 
@@ -31,8 +32,9 @@ _UNITS = {
 }
 
 
-def read_dxf(path: Path, tolerance: float) -> tuple[list[Floats], list[str]]:
-    """Lines (n, 2) m of the model space of a DXF file, closed ones with their first point repeated; remarks.
+def read_dxf(path: Path, tolerance: float) -> tuple[list[Floats], list[Floats], list[str]]:
+    """Lines (n, 2) m of the model space of a DXF file, closed ones with their first point repeated; those on
+    the layer of welds, and the points on it; remarks.
 
     Blocks are taken apart; layers that are off or frozen are left out.
 
@@ -53,10 +55,13 @@ def read_dxf(path: Path, tolerance: float) -> tuple[list[Floats], list[str]]:
         except ezdxf.DXFError:  # type: ignore[attr-defined]
             document, _ = recover.readfile(path)
         unit, notes = _unit(document)
-        lines = [line * unit for line in _lines(document, tolerance / unit)]
+        found = list(_lines(document, tolerance / unit))
+        lines, welds = (
+            [line * unit for layer, line in found if (layer == LAYER) == on] for on in (False, True)
+        )
     except (ezdxf.DXFError, OSError, ValueError, TypeError, LookupError, StopIteration):  # type: ignore[attr-defined]
         raise InputError(f"'{path.name}' is damaged or not a DXF file. Save it once more.") from None
-    return lines, notes
+    return lines, welds, notes
 
 
 def _unit(document: Any) -> tuple[float, list[str]]:
@@ -68,13 +73,19 @@ def _unit(document: Any) -> tuple[float, list[str]]:
     return MILLIMETRE, [f"The DXF file {named}; millimetres are assumed."]
 
 
-def _lines(document: Any, tolerance: float) -> Iterator[Floats]:
+def _lines(document: Any, tolerance: float) -> Iterator[tuple[str, Floats]]:
+    """The layer and the points of each line."""
     from ezdxf import disassemble
 
     shown = {layer.dxf.name.lower(): layer.is_on() and not layer.is_frozen() for layer in document.layers}
     total = 0
     for entity in disassemble.recursive_decompose(document.modelspace()):
-        if entity.dxftype() not in _LINES or not shown.get(entity.dxf.layer.lower(), True):
+        layer = entity.dxf.layer.lower()
+        if not shown.get(layer, True):
+            continue
+        if layer == LAYER and entity.dxftype() == "POINT":
+            yield layer, np.array([tuple(entity.dxf.location)[:2]], dtype=np.float64)
+        if entity.dxftype() not in _LINES:
             continue
         for points in _flatten(entity, tolerance):
             line = np.array([(point[0], point[1]) for point in points], dtype=np.float64)
@@ -84,7 +95,7 @@ def _lines(document: Any, tolerance: float) -> Iterator[Floats]:
                     "The DXF file has too many lines. Leave only the outline and its holes in it."
                 )
             if len(line) > 1 and np.isfinite(line).all():
-                yield line
+                yield layer, line
 
 
 def _flatten(entity: Any, tolerance: float) -> Iterator[Iterable[Any]]:

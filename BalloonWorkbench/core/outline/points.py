@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Outlines written out as JSON: {"unit": "mm", "outer": [[x, y], ...], "holes": [[[x, y], ...], ...]}.
 
-Several shapes: {"unit": "mm", "parts": [{"outer": ..., "holes": ...}, ...]}.
+Several shapes: {"unit": "mm", "parts": [{"outer": ..., "holes": ...}, ...]}. Beside "outer" there may be
+"welds": lines [[x, y], ...], closed ones with their first point repeated, and spots [[x, y]].
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ from typing import Any, NoReturn
 import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
-from BalloonWorkbench.core.outline.drawing import Drawing
+from BalloonWorkbench.core.outline.drawing import Drawing, sealed
 from BalloonWorkbench.core.outline.outline import Outline, signed_area
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import LENGTH_UNITS
@@ -46,22 +47,26 @@ def read_points(data: bytes) -> Drawing:
 def _outline(part: Any, factor: float) -> Outline:
     if not isinstance(part, dict) or "outer" not in part:
         raise InputError(f"The JSON file has no 'outer' loop. {_EXAMPLE}")
-    holes = part.get("holes", [])
-    if not isinstance(holes, list):
-        raise InputError(f"The 'holes' of the JSON file are not a list of loops. {_EXAMPLE}")
-    return Outline(
+    holes, welds = part.get("holes", []), part.get("welds", [])
+    for name, kind, lines in (("holes", "loops", holes), ("welds", "lines", welds)):
+        if not isinstance(lines, list):
+            raise InputError(f"The '{name}' of the JSON file are not a list of {kind}. {_EXAMPLE}")
+    plain = Outline(
         _loop(part["outer"], "'outer'") * factor,
         tuple(_loop(hole, f"hole {number}") * factor for number, hole in enumerate(holes, start=1)),
     )
+    lines = [_loop(weld, f"weld {number}", 1) * factor for number, weld in enumerate(welds, start=1)]
+    return sealed(plain, lines)
 
 
 def _refuse(constant: str) -> NoReturn:
     raise ValueError(f"{constant} is not a coordinate")
 
 
-def _loop(points: Any, what: str) -> Floats:
-    if not isinstance(points, list) or len(points) < 3:
-        raise InputError(f"The JSON file's {what} needs at least three points. {_EXAMPLE}")
+def _loop(points: Any, what: str, fewest: int = 3) -> Floats:
+    if not isinstance(points, list) or len(points) < fewest:
+        count = "three points" if fewest == 3 else "one point"
+        raise InputError(f"The JSON file's {what} needs at least {count}. {_EXAMPLE}")
     for number, point in enumerate(points, start=1):
         if not (isinstance(point, list) and len(point) == 2 and all(map(_is_number, point))):
             raise InputError(f"Point {number} of the JSON file's {what} is not a pair of numbers. {_EXAMPLE}")

@@ -13,16 +13,20 @@ from xml.parsers import expat
 import numpy as np
 
 from BalloonWorkbench.core.errors import InputError, MissingPackageError
+from BalloonWorkbench.core.outline.welds import LAYER
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import INCH
 
 _PIXEL = INCH / 96  # a CSS pixel, which is the unit of plain numbers
 _MOST_ELEMENTS = 100_000
 _XLINK = "{http://www.w3.org/1999/xlink}href"
+_LABEL = "{http://www.inkscape.org/namespaces/inkscape}label"
 
 
-def read_svg(data: bytes, tolerance: float) -> tuple[list[Floats], list[Floats], list[str]]:
-    """Lines (n, 2) m of an SVG document, y up; those of them that are filled though open; remarks.
+def read_svg(data: bytes, tolerance: float) -> tuple[list[Floats], list[Floats], list[Floats]]:
+    """Lines (n, 2) m of an SVG document, y up; those of them that are filled though open; welds.
+
+    What is named LAYER, or lies in a group or layer of that name, is a weld and not one of the lines.
 
     Closed lines come with their first point repeated at the end. Hidden elements and texts are left out.
 
@@ -42,7 +46,8 @@ def read_svg(data: bytes, tolerance: float) -> tuple[list[Floats], list[Floats],
         document = svgelements.SVG.parse(BytesIO(data), reify=False, ppi=96, width=width, height=height)
         lines: list[Floats] = []
         filled: list[Floats] = []
-        for element in document.elements():
+        welds: list[Floats] = []
+        for element, weld in _elements(document, False):
             if not isinstance(element, svgelements.Shape) or element.values.get("visibility") == "hidden":
                 continue
             path = svgelements.Path(element)
@@ -60,12 +65,22 @@ def read_svg(data: bytes, tolerance: float) -> tuple[list[Floats], list[Floats],
                 line = np.column_stack([x, height - y]) * _PIXEL
                 fills = element.fill is not None and element.fill.value is not None
                 closed = np.array_equal(line[0], line[-1])
-                lines.append(line)
-                if fills and not closed and len(line) > 2:
+                (welds if weld else lines).append(line)
+                if not weld and fills and not closed and len(line) > 2:
                     filled.append(line)
     except (ValueError, TypeError, ZeroDivisionError, AttributeError, LookupError) as error:
         raise InputError(f"The SVG file cannot be read ({error}). Save it as plain SVG once more.") from error
-    return lines, filled, []
+    return lines, filled, welds
+
+
+def _elements(group: Any, weld: bool) -> Iterator[tuple[Any, bool]]:
+    """All elements in a group of svgelements, and whether they are welds."""
+    for element in group:
+        names = (element.id, element.values.get(_LABEL)) if hasattr(element, "values") else ()
+        inside = weld or any(name is not None and name.lower() == LAYER for name in names)
+        yield element, inside
+        if isinstance(element, list):
+            yield from _elements(element, inside)
 
 
 def _harmless(data: bytes) -> ElementTree.Element:

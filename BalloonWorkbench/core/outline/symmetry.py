@@ -102,6 +102,8 @@ def symmetric(outline: Outline, choice: str, *, drawn: bool) -> Outline:
         raise InputError(f'There is no symmetry "{choice}": choose one of {", ".join(CHOICES)}.')
     if choice == OFF or (choice == AUTO and not drawn):
         return outline
+    if outline.welds or outline.spots:
+        raise InputError("A drawing with welds inside is not made symmetric: draw it so, and turn this off.")
     mirror = find_mirror(outline)
     if choice == AUTO and mirror.error > DRAWN:
         return outline

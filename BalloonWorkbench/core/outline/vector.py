@@ -31,11 +31,11 @@ def read_vector(path: str | Path, width: float | None = None, height: float | No
     if kind == "json":
         drawing = read_points(data)
     elif kind == "svg":
-        lines, filled, notes = read_svg(data, FLATNESS)
-        drawing = drawing_from(lines, notes, filled)
+        lines, filled, welds = read_svg(data, FLATNESS)
+        drawing = drawing_from(lines, (), filled, welds)
     elif kind == "dxf":
-        lines, notes = read_dxf(path, FLATNESS)
-        drawing = drawing_from(lines, notes)
+        lines, welds, notes = read_dxf(path, FLATNESS)
+        drawing = drawing_from(lines, notes, (), welds)
     else:
         raise InputError(f"'{path.name}' is neither SVG, DXF nor JSON. Save the drawing as one of these.")
     return checked(scale_to(checked(drawing), width, height))
