@@ -51,12 +51,12 @@ class Fields(QtCore.QObject):
         )
         return widget
 
-    def number(self, name: str, step: float, decimals: int):
-        """A spin box for a plain number."""
+    def number(self, name: str, step: float, decimals: int, most: float = 0.49):
+        """A spin box for a plain number from 0 on."""
         widget = QtWidgets.QDoubleSpinBox()
         widget.setDecimals(decimals)
         widget.setSingleStep(step)
-        widget.setMaximum(0.49)
+        widget.setMaximum(most)
         widget.setKeyboardTracking(False)
         self._add(name, widget, widget.setValue)
         widget.valueChanged.connect(lambda value: self._write(name, value))

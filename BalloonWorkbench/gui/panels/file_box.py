@@ -47,6 +47,7 @@ class FileBox(QtWidgets.QWidget):
         form.addRow(translate("Width"), self.fields.quantity("Width", "mm", 10.0))
         form.addRow(translate("Height"), self.fields.quantity("Height", "mm", 10.0))
         form.addRow(self.fields.check("KeepAspect", translate("Keep the proportions")))
+        form.addRow(translate("Symmetry"), self.fields.choice("Symmetry"))
         form.addRow(self.preview)
         form.addRow(self.notes)
         browse.clicked.connect(self._browse)

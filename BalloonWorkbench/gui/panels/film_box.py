@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from BalloonWorkbench.app import size_goal
 from BalloonWorkbench.app.balloon import VOLUME
 from BalloonWorkbench.app.film import CUSTOM
 from BalloonWorkbench.gui.panels.fields import Fields
@@ -10,7 +11,7 @@ from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 
 
 class FilmBox(QtWidgets.QWidget):
-    """Edits a balloon's film and pressure. `changed` follows each edit."""
+    """Edits a balloon's film, pressure and size. `changed` follows each edit."""
 
     changed = QtCore.Signal()
 
@@ -36,6 +37,14 @@ class FilmBox(QtWidgets.QWidget):
         form.addRow(translate("Thickness"), self.fields.quantity("Thickness", "mm", 0.005))
         form.addRow(translate("Pressure"), self.fields.quantity("Pressure", "kPa", 0.1))
         form.addRow(translate("Mode"), self.fields.choice("Mode"))
+        form.addRow(translate("Size from"), self.fields.choice("SizeGoal"))
+        self._goals = {
+            size_goal.VOLUME: self.fields.quantity("GoalVolume", "l", 1e5),
+            size_goal.LIFT: self.fields.number("GoalLift", 1.0, 1, 1e7),
+        }
+        form.addRow(translate("Volume"), self._goals[size_goal.VOLUME])
+        form.addRow(translate("Lift in g"), self._goals[size_goal.LIFT])
+        form.addRow(translate("Gas"), self.fields.choice("Gas"))
         self.fields.changed.connect(lambda name: self.changed.emit())
 
     def finish_typing(self) -> None:
@@ -48,9 +57,11 @@ class FilmBox(QtWidgets.QWidget):
     def refresh(self) -> None:
         self.fields.refresh()
         own = self.balloon.Film == CUSTOM  # the library's films have no grain
-        for _, field in self._grain:
-            field.setVisible(own)
-            self._form.labelForField(field).setVisible(own)
+        shown = {field: own for _, field in self._grain}
+        shown |= {field: self.balloon.SizeGoal == goal for goal, field in self._goals.items()}
+        for field, visible in shown.items():
+            field.setVisible(visible)
+            self._form.labelForField(field).setVisible(visible)
         if self.balloon.Load == VOLUME:
             self.fields.widget("Pressure").setEnabled(False)
 

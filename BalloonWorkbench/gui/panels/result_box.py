@@ -124,12 +124,23 @@ def measures(balloon, pattern) -> list[tuple[str, str]]:
         (translate("Volume"), f"{balloon.Volume.Value * 1e-6:.3g} l"),
         (translate("Off the drawing"), translate("{:.2f} mm, at most {:.2f} mm").format(mean, largest)),
         (translate("Pattern"), f"{pattern.PatternWidth.Value:.1f} x {pattern.PatternHeight.Value:.1f} mm"),
+        (translate("Weight"), _weight(balloon)),
         (translate("Film"), _state(balloon)),
         (translate("Solver"), balloon.ActiveBackend),
     ]
     if balloon.Load == VOLUME:
         told.append((translate("Pressure"), f"{balloon.ActivePressure.Value:.3g} kPa"))
     return told
+
+
+def _weight(balloon) -> str:
+    if balloon.Floats:
+        told = translate("{:.3g} g, carries {:.3g} g with {}")
+        return told.format(balloon.Weight, balloon.Lift, balloon.Gas.lower())
+    if not balloon.FloatsFrom:
+        return translate("{:.3g} g, never floats with {}").format(balloon.Weight, balloon.Gas.lower())
+    told = translate("{:.3g} g, floats from {:.0f} mm width on with {}")
+    return told.format(balloon.Weight, balloon.FloatsFrom.Value, balloon.Gas.lower())
 
 
 def _state(balloon) -> str:

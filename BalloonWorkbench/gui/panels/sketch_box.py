@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from BalloonWorkbench.gui.panels.fields import Fields
 from BalloonWorkbench.gui.panels.preview import Preview, notes_of
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.selection import SelectionWatch, selected_source
@@ -26,12 +27,17 @@ class SketchBox(QtWidgets.QWidget):
         self.pick.setCheckable(True)
         self.pick.setChecked(not outline.Source)
         self.pick.setToolTip(translate("While this is pressed, what you select becomes the source"))
+        self.fields = Fields(outline, self)
+        symmetry = QtWidgets.QFormLayout()
+        symmetry.addRow(translate("Symmetry"), self.fields.choice("Symmetry"))
         self.preview = Preview()
         self.notes = QtWidgets.QLabel()
         self.notes.setWordWrap(True)
         column = QtWidgets.QVBoxLayout(self)
         for widget in (self.source, self.pick, self.preview, self.notes):
             column.addWidget(widget)
+        column.insertLayout(2, symmetry)
+        self.fields.changed.connect(lambda name: self.changed.emit())
         self.pick.toggled.connect(self.refresh)
         self._selection = SelectionWatch(self._selected)
 
@@ -39,6 +45,7 @@ class SketchBox(QtWidgets.QWidget):
         """There is nothing to type."""
 
     def refresh(self, _checked: bool = False) -> None:
+        self.fields.refresh()
         if self.outline.Source:
             source, elements = self.outline.Source
             self.source.setText(" ".join([source.Label, *elements]))
@@ -48,7 +55,8 @@ class SketchBox(QtWidgets.QWidget):
         self.notes.setText(notes_of(self.outline))
 
     def release(self) -> None:
-        """Stop listening to the selection."""
+        """Stop listening to the selection; the panel closes."""
+        self.fields.release()
         self._selection.remove()
 
     def _selected(self) -> None:
