@@ -87,6 +87,12 @@ PROPERTIES = (
         "IntegerList", "SeamCounts", "Result", "Number of corners of each seam", result=True, hidden=True
     ),
     Property(
+        "VectorList", "SeamWeldPoints", "Result", "Corners of the welds inside", result=True, hidden=True
+    ),
+    Property(
+        "IntegerList", "SeamWeldCounts", "Result", "Number of corners of each weld", result=True, hidden=True
+    ),
+    Property(
         "String", "SolvedFor", "Result", "Label of the values the mesh belongs to", result=True, hidden=True
     ),
 )

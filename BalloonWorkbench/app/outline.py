@@ -45,6 +45,10 @@ PROPERTIES = (
     Property(
         "IntegerList", "LoopCounts", "Outline", "Number of corners of each loop", result=True, hidden=True
     ),
+    Property("VectorList", "LoopWeldPoints", "Outline", "Corners of all welds", result=True, hidden=True),
+    Property(
+        "IntegerList", "LoopWeldCounts", "Outline", "Number of corners of each weld", result=True, hidden=True
+    ),
 )
 
 

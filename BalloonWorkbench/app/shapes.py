@@ -7,6 +7,7 @@ import FreeCAD as App
 import numpy as np
 import Part
 
+from BalloonWorkbench.core.outline.drawing import sealed
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.units import from_mm, to_mm
 
@@ -23,19 +24,31 @@ def wire(points, closed: bool = True):
 
 
 def face(outline: Outline):
-    """The flat face between the outer loop and the holes, its wires in the order of the loops."""
-    return Part.Face([wire(loop) for loop in outline.loops])
+    """The flat face between the outer loop and the holes, its wires in the order of the loops; then welds."""
+    sheet = Part.Face([wire(loop) for loop in (outline.outer, *outline.holes)])
+    welds = [wire(weld, False) for weld in outline.welds] + [wire(spot) for spot in outline.spots]
+    return Part.makeCompound([sheet, *welds]) if welds else sheet
 
 
 def store(obj, prefix: str, outline: Outline) -> None:
-    """Keep the loops exactly, in <prefix>Points and <prefix>Counts; shapes lose the last digits in files."""
-    setattr(obj, prefix + "Points", [vector for loop in outline.loops for vector in vectors(loop)])
-    setattr(obj, prefix + "Counts", [len(loop) for loop in outline.loops])
+    """Keep the lines exactly: <prefix>Points and <prefix>Counts have the outer loop and the holes,
+    <prefix>WeldPoints and -Counts the welds, spots with their first point repeated at the end.
+
+    Shapes lose the last digits in files.
+    """
+    spots = [np.concatenate([spot, spot[:1]]) for spot in outline.spots]
+    for name, lines in (("", (outline.outer, *outline.holes)), ("Weld", (*outline.welds, *spots))):
+        setattr(obj, f"{prefix}{name}Points", [vector for line in lines for vector in vectors(line)])
+        setattr(obj, f"{prefix}{name}Counts", [len(line) for line in lines])
 
 
 def stored(obj, prefix: str) -> Outline:
     """The outline kept by `store`."""
-    points = np.array([(vector.x, vector.y) for vector in getattr(obj, prefix + "Points")])
-    ends = np.cumsum(getattr(obj, prefix + "Counts"))
-    outer, *holes = np.split(from_mm(points), ends[:-1])
-    return Outline(outer, tuple(holes))
+    outer, *holes = _lines(obj, prefix)
+    return sealed(Outline(outer, tuple(holes)), _lines(obj, prefix + "Weld"))
+
+
+def _lines(obj, prefix: str) -> list:
+    points = np.array([(vector.x, vector.y) for vector in getattr(obj, prefix + "Points")]).reshape(-1, 2)
+    counts = getattr(obj, prefix + "Counts")
+    return np.split(from_mm(points), np.cumsum(counts)[:-1]) if counts else []

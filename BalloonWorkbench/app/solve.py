@@ -45,8 +45,10 @@ class Request:
             *self._unusual(),
         ]
         digest = hashlib.sha256(json.dumps(values).encode())
-        for loop in outline.loops:
-            digest.update((np.round(loop, 9) + 0.0).tobytes())  # + 0.0: no negative zeros
+        for line in (*outline.loops, *outline.welds):
+            digest.update((np.round(line, 9) + 0.0).tobytes())  # + 0.0: no negative zeros
+        if outline.welds or outline.spots:
+            digest.update(json.dumps([len(outline.spots), *map(len, outline.welds)]).encode())
         return digest.hexdigest()
 
     def _unusual(self) -> list[str]:

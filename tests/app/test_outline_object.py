@@ -179,6 +179,22 @@ def test_ring_has_a_hole(doc, outline):
     assert outline.Shape.Area == pytest.approx(math.pi * (70**2 - 35**2), rel=3e-4)
 
 
+def test_open_line_in_a_sketch_is_a_weld(doc, outline):
+    outer = sketches.polygon((0, 0), (90, 0), (90, 60), (0, 60))
+    bent = [sketches.line((20, 30), (50, 30)), sketches.line((50, 30), (70, 40))]
+    outline.Source = sketches.sketch(doc, *outer, *bent)
+    doc.recompute()
+    assert outline.Status == status.READY
+    assert outline.Notes == []
+    assert outline.LoopWeldCounts == [3]
+    (weld,) = shapes.stored(outline, "Loop").welds
+    ends = sorted((weld[[0, -1]] * 1000).tolist())
+    assert ends == [pytest.approx([20, 30]), pytest.approx([70, 40])]
+    assert outline.Shape.Area == pytest.approx(90 * 60)
+    assert outline.Shape.Wires[-1].Length == pytest.approx(30 + math.hypot(20, 10))
+    kept(outline, lambda: outline.Source[0].addGeometry(sketches.line((10, 10), (100, 10))), "weld leaves")
+
+
 def test_part_chooses_among_several_shapes(doc, outline):
     small = sketches.polygon((200, 0), (220, 0), (220, 20))
     outline.Source = sketches.sketch(doc, *sketches.polygon((0, 0), (90, 0), (90, 90), (0, 90)), *small)

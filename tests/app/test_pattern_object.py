@@ -170,3 +170,29 @@ def test_stale_pattern_is_not_exported(pattern, tmp_path):
     with pytest.raises(ExportError, match=r"not up to date.*thickness"):
         export_pattern(pattern, tmp_path / "pattern.dxf")
     assert not list(tmp_path.iterdir())
+
+
+def test_weld_inside_reaches_the_file(doc, tmp_path):
+    """A sketch with an inner open line, and what is cut from it."""
+    import ezdxf
+    import sketches
+
+    from BalloonWorkbench.app import create
+
+    box = sketches.polygon((0, 0), (120, 0), (120, 80), (0, 80))
+    sketch = sketches.sketch(doc, *box, sketches.line((30, 40), (90, 40)))
+    welded = create.balloon_from_sketch(doc, sketch, mesh_size=9)
+    plain = create.balloon_from_sketch(doc, sketches.rectangle(doc, 120, 80), mesh_size=9)
+    assert welded.pattern.Roles.count("WELD") == 1
+    assert 0.4 < welded.balloon.Volume.Value / plain.balloon.Volume.Value < 0.8
+    lines = ezdxf.readfile(export_pattern(welded.pattern, tmp_path / "a.dxf")).modelspace()
+    (line,) = lines.query('LWPOLYLINE[layer=="WELD"]')
+    assert not line.closed
+    points = np.array(list(line.get_points("xy")))
+    assert np.linalg.norm(points[-1] - points[0]) == pytest.approx(60, rel=0.3)
+    # moving it makes another balloon of the same objects
+    before = welded.balloon.Volume.Value
+    sketch.movePoint(4, 1, sketches.vector(80, 40), 0)
+    doc.recompute()
+    assert welded.balloon.Status == status.READY
+    assert welded.balloon.Volume.Value > 1.05 * before
