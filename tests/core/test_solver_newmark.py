@@ -133,7 +133,7 @@ def drum() -> tuple[FilmProblem, Floats, Floats]:
 
 
 def test_drum_sounds_right() -> None:
-    """omega = pi sqrt(2 S / m) for a square film of side 1 at rest, S = k strain / (1 - nu) its even stress."""
+    """omega = pi sqrt(2 S / m) for a square film of side 1, S = k strain / (1 - nu) its even stress."""
     problem, positions, directors = drum()
     wave = np.prod(np.sin(np.pi * problem.rest_positions), axis=1)
     positions[:, 2] = 1e-4 * wave
