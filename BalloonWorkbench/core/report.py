@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from BalloonWorkbench.core.design.design import Design
+from BalloonWorkbench.core.design.design import Design, Stretch
 from BalloonWorkbench.core.design.size_goal import Buoyancy, SizeGoal, scaling_of
 from BalloonWorkbench.core.film.filling import Filling
 from BalloonWorkbench.core.film.film import Film
@@ -142,6 +142,7 @@ def build(
             },
             "relative_error": error.mean / max(width, height),
             "reached": design.reached,
+            "unreached": [_stretch(stretch) for stretch in design.unreached],
         },
         "inflated": {
             "volume_m3": inflation.volume,
@@ -195,6 +196,17 @@ def _options(model: Model) -> dict[str, Any]:
     """The options that are not as usual."""
     usual = asdict(Model())
     return {name: value for name, value in asdict(model).items() if value != usual[name]}
+
+
+def _stretch(stretch: Stretch) -> dict[str, Any]:
+    return {
+        "loop": stretch.loop,
+        "start_mm": to_mm(stretch.start),
+        "end_mm": to_mm(stretch.end),
+        "at_mm": [to_mm(float(value)) for value in stretch.middle],
+        "mean_mm": to_mm(stretch.mean),
+        "max_mm": to_mm(stretch.max),
+    }
 
 
 def _intake(intake: Intake) -> dict[str, Any]:

@@ -234,7 +234,7 @@ def test_welds_appear_where_they_are_drawn(designed) -> None:
     assert designed.residual.mean < 0.005 * 0.3
     for line, drawn in zip(designed.inflation.panel.welds, designed.target.welds, strict=True):
         points = shapely.points(designed.inflation.positions[line, :2])
-        assert shapely.distance(points, shapely.LineString(drawn)).max() < 0.01 * 0.3
+        assert shapely.distance(points, shapely.LineString(drawn)).max() < 0.012 * 0.3
     ends = designed.inflation.positions[designed.inflation.panel.welds[1][[0, -1]], :2]
     assert np.linalg.norm(ends - designed.target.welds[1][[0, -1]], axis=1).max() < 0.01 * 0.3
     assert designed.inflation.panel.welds[0][0] in designed.inflation.panel.seams[0]

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -11,24 +12,58 @@ from BalloonWorkbench.core.design.design import Residual
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.outline.sampling import arc_lengths, point_at
 from BalloonWorkbench.core.packages import shapely
-from BalloonWorkbench.core.types import Floats
+from BalloonWorkbench.core.types import Bools, Floats, Ints
 
 _SAMPLES = 1000  # along the longest loop
 
 
+@dataclass(frozen=True)
+class Misfit:
+    """How far two outlines are apart, place by place, both ways.
+
+    distances  (k,) from points of either outline to the other one [m]
+    loop       (k,) loop of the drawing where that is
+    share      (k,) how far round that loop, 0 to 1
+    """
+
+    distances: Floats
+    loop: Ints
+    share: Floats
+
+    def over(self, used: Bools | None = None) -> Residual:
+        """Mean, 95th percentile and maximum of all distances or of some (k,)."""
+        found = self.distances if used is None or not used.any() else self.distances[used]
+        return Residual(float(found.mean()), float(np.percentile(found, 95)), float(found.max()))
+
+
 def residual(drawing: Outline, shown: Outline) -> Residual:
     """Distances from each outline to the other one, at points evenly spaced along both [m]."""
-    spacing = max(float(arc_lengths(loop)[-1]) for loop in drawing.loops) / _SAMPLES
-    distances = np.concatenate([_distances(drawing, shown, spacing), _distances(shown, drawing, spacing)])
-    return Residual(float(distances.mean()), float(np.percentile(distances, 95)), float(distances.max()))
+    return misfit(drawing, shown).over()
 
 
-def _distances(one: Outline, other: Outline, spacing: float) -> Floats:
+def misfit(drawing: Outline, shown: Outline) -> Misfit:
+    """Distances from each outline to the other one, at points evenly spaced along both, place by place."""
     package = shapely()
-    curve = package.MultiLineString([np.vstack([loop, loop[:1]]) for loop in other.loops])
-    package.prepare(curve)
-    points = np.concatenate([evenly(loop, spacing) for loop in one.loops])
-    return np.asarray(package.distance(package.points(points), curve))
+    spacing = max(float(arc_lengths(loop)[-1]) for loop in drawing.loops) / _SAMPLES
+    here = [evenly(loop, spacing) for loop in drawing.loops]
+    there = package.points(np.concatenate([evenly(loop, spacing) for loop in shown.loops]))
+    rings = [package.LineString(np.vstack([loop, loop[:1]])) for loop in drawing.loops]
+    other = package.MultiLineString([np.vstack([loop, loop[:1]]) for loop in shown.loops])
+    for curve in (*rings, other):
+        package.prepare(curve)
+    away = np.array([package.distance(there, ring) for ring in rings])
+    nearest = np.argmin(away, axis=0)
+    share = np.empty(len(there))
+    for number, ring in enumerate(rings):
+        mine = nearest == number
+        share[mine] = package.line_locate_point(ring, there[mine], normalized=True)
+    return Misfit(
+        np.concatenate([package.distance(package.points(np.concatenate(here)), other), away.min(axis=0)]),
+        np.concatenate([np.repeat(np.arange(len(here)), [len(points) for points in here]), nearest]).astype(
+            np.int32
+        ),
+        np.concatenate([*(np.arange(len(points)) / len(points) for points in here), share]),
+    )
 
 
 def evenly(loop: Floats, spacing: float) -> Floats:

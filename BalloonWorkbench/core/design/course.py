@@ -8,12 +8,12 @@ corners and the detail of the drawing however coarse the mesh is.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from BalloonWorkbench.core.design.correspondence import locate
+from BalloonWorkbench.core.design.room import parted
 from BalloonWorkbench.core.design.weld_lines import WeldLine, weld_lines
 from BalloonWorkbench.core.mesh.panel import Panel
 from BalloonWorkbench.core.outline.crossings import first_crossing
@@ -37,16 +37,10 @@ class Course:
     lines: tuple[WeldLine, ...] = ()
 
     @staticmethod
-    def begun(target: Outline, grow: Callable[[Floats], Floats], spacing: float) -> Course:
-        """The course whose pattern is the drawing grown, sampled `spacing` apart with its corners kept."""
+    def begun(target: Outline, spacing: float) -> Course:
+        """The course whose pattern is the drawing itself, sampled `spacing` apart with its corners kept."""
         drawing = tuple(resample(loop, spacing) for loop in target.loops)
-        lines = weld_lines(target, drawing, spacing)
-        return Course(
-            drawing,
-            tuple(grow(loop) for loop in drawing),
-            len(target.spots),
-            tuple(replace(line, pattern=grow(line.pattern)) for line in lines),
-        )
+        return Course(drawing, drawing, len(target.spots), weld_lines(target, drawing, spacing))
 
     @property
     def outline(self) -> Outline:
@@ -69,18 +63,22 @@ class Course:
         ]
         return replace(self, pattern=tuple(scale * loop for loop in pattern.loops), lines=tuple(lines))
 
-    def moved(self, fields: tuple[Floats, ...]) -> Course:
+    def moved(self, fields: tuple[Floats, ...], zone: float, room: float) -> Course:
         """The course with its pattern moved by fields, one (n, 2) for each loop.
 
-        Where the pattern would cross itself, or turn so far that its neighbourhood would, the field is
-        weakened there until it does not.
+        Within `zone` [m] of a tip the pattern is bridged, and facing parts are kept `room` [m] apart. Where
+        the pattern would still cross itself, or turn so far that its neighbourhood would, the field is
+        weakened until it does not.
         """
         strength = [np.ones(len(loop)) for loop in self.pattern]
         for attempt in range(40):
-            loops = tuple(
-                loop + share[:, None] * field
-                for loop, share, field in zip(self.pattern, strength, fields, strict=True)
+            moved = tuple(
+                _bridged(drawing, loop + share[:, None] * field, zone)
+                for drawing, loop, share, field in zip(
+                    self.drawing, self.pattern, strength, fields, strict=True
+                )
             )
+            loops = parted(self.drawing, moved, room)
             place = first_crossing(loops)
             if place is None:
                 return replace(self, pattern=loops, lines=tuple(line.tied(loops) for line in self.lines))
@@ -114,6 +112,36 @@ class Course:
         return replace(self, pattern=tuple(loops), lines=tuple(lines))
 
 
+def _bridged(drawing: Floats, pattern: Floats, zone: float) -> Floats:
+    """The pattern (n, 2) with its displacement from the drawing linear between each tip and `zone` beside it.
+
+    In a tip the triangles are wider than the film can bulge: they stay flat, and what they show there is the
+    mesh and not the film. Followed, it would draw the tip out to a needle.
+    """
+    along = arc_lengths(drawing)
+    tips = _tips(drawing, zone)
+    if not len(tips):
+        return pattern
+    here, around = along[:-1], float(along[-1])
+    gap = np.abs(here[:, None] - here[tips])
+    sure = np.minimum(gap, around - gap).min(axis=1) > zone
+    sure[tips] = True
+    shift = (pattern - drawing)[sure]
+    return drawing + np.column_stack(
+        [np.interp(here, here[sure], shift[:, k], period=around) for k in (0, 1)]
+    )
+
+
+def _tips(drawing: Floats, reach: float) -> Ints:
+    """Indices of the corners of a loop at which the film, on the left of the loop, ends in a point."""
+    sharp = corners(drawing, _CORNER, 0.25 * reach)
+    along = arc_lengths(drawing)
+    here = along[sharp]
+    before, after = (point_at(drawing, along, here + way) for way in (-0.25 * reach, 0.25 * reach))
+    back, ahead = drawing[sharp] - before, after - drawing[sharp]
+    return sharp[back[:, 0] * ahead[:, 1] - back[:, 1] * ahead[:, 0] > 0.0].astype(np.int32)
+
+
 @dataclass(frozen=True)
 class SeamNodes:
     """Where the seam vertices of a panel lie along one loop of the course.
@@ -132,26 +160,15 @@ class SeamNodes:
         """The nodes' places (k, 2) on a sampled loop."""
         return point_at(loop, np.arange(len(loop) + 1, dtype=np.float64), self.index)
 
-    def spread(self, values: Floats, count: int) -> Floats:
-        """Node values (k, 2) interpolated at the `count` points of the sampled loop."""
-        order = np.argsort(self.index, kind="stable")
-        at, sorted_values = self.index[order], values[order]
-        at = np.concatenate([at[-1:] - count, at, at[:1] + count])
-        sorted_values = np.concatenate([sorted_values[-1:], sorted_values, sorted_values[:1]])
-        points = np.arange(count, dtype=np.float64)
-        return np.column_stack([np.interp(points, at, sorted_values[:, axis]) for axis in (0, 1)])
-
-    def smoothed(self, values: Floats, around: float, width: float) -> Floats:
-        """Node values (k, 2) averaged with a Gaussian of this width along the drawing.
-
-        around is the length of the drawing's loop.
-        """
-        gap = np.mod(self.lengths[:, None] - self.lengths[None] + 0.5 * around, around) - 0.5 * around
-        weight = np.exp(-0.5 * (gap / width) ** 2)
+    def field(self, values: Floats, drawing: Floats, width: float) -> Floats:
+        """Node values (k, d) averaged with a Gaussian of this width, at all points of the drawing: (n, d)."""
+        along = arc_lengths(drawing)
+        here, around = along[:-1], float(along[-1])
+        gap = np.abs(here[:, None] - self.lengths)
+        weight = np.exp(-0.5 * (np.minimum(gap, around - gap) / width) ** 2)
         share = np.empty(len(self.lengths))  # of the loop that belongs to each node
         order = np.argsort(self.lengths, kind="stable")
-        along = self.lengths[order]
-        steps = np.diff(np.append(along, along[0] + around))
+        steps = np.diff(np.append(self.lengths[order], self.lengths[order[0]] + around))
         share[order] = 0.5 * (steps + np.roll(steps, 1))
         weight *= np.maximum(share, 1e-12 * around)
         return np.asarray(weight @ values / weight.sum(axis=1)[:, None])

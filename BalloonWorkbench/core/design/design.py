@@ -5,8 +5,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.solver.inflation import Inflation
+from BalloonWorkbench.core.types import Floats
 
 
 @dataclass(frozen=True)
@@ -19,6 +22,29 @@ class Residual:
 
 
 @dataclass(frozen=True)
+class Stretch:
+    """A stretch of the drawing that the inflated outline does not reach.
+
+    loop        number of the drawing's loop: 0 the outer one, then the holes
+    start, end  arc lengths along it [m]; end is the larger one and may run past the loop's first point
+    points      (k, 2) the drawing from start to end [m]
+    mean, max   distances between drawing and inflated outline there [m]
+    """
+
+    loop: int
+    start: float
+    end: float
+    points: Floats
+    mean: float
+    max: float
+
+    @property
+    def middle(self) -> Floats:
+        """The point (2,) half way along."""
+        return np.asarray(self.points[len(self.points) // 2])
+
+
+@dataclass(frozen=True)
 class Design:
     """A balloon and the pattern it is made from.
 
@@ -28,6 +54,7 @@ class Design:
     silhouette  outline of the inflated balloon seen from above, in the drawing's frame
     meshes      how often the panel was meshed; in the other passes the mesh was moved
     reached     the silhouette is within the tolerance of the drawing
+    unreached   where the silhouette stays away from the drawing, the farthest first
     warnings    one sentence each, for the user
     """
 
@@ -41,3 +68,4 @@ class Design:
     seconds: float
     reached: bool
     warnings: tuple[str, ...]
+    unreached: tuple[Stretch, ...] = ()

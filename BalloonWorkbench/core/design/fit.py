@@ -19,11 +19,15 @@ from functools import partial
 
 import numpy as np
 
-from BalloonWorkbench.core.design.compare import alignment, loop_weights, residual
+from BalloonWorkbench.core.design.carry import carried
+from BalloonWorkbench.core.design.compare import Misfit, alignment, loop_weights, misfit
 from BalloonWorkbench.core.design.correspondence import goals
 from BalloonWorkbench.core.design.course import Course, SeamNodes, seam_nodes
-from BalloonWorkbench.core.design.design import Design, Residual
+from BalloonWorkbench.core.design.design import Design, Stretch
+from BalloonWorkbench.core.design.growth import grown
 from BalloonWorkbench.core.design.mixing import AndersonMixing
+from BalloonWorkbench.core.design.reach import Hopes, stretches
+from BalloonWorkbench.core.design.room import CUT_ROOM
 from BalloonWorkbench.core.design.silhouette import silhouette
 from BalloonWorkbench.core.design.twins import nearer, twinned
 from BalloonWorkbench.core.design.weld_lines import weld_lines
@@ -35,19 +39,22 @@ from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.mesh.triangulate import triangulate
 from BalloonWorkbench.core.outline.loops import check
 from BalloonWorkbench.core.outline.outline import Outline
-from BalloonWorkbench.core.outline.sampling import arc_lengths
 from BalloonWorkbench.core.outline.symmetry import exact_mirror, mirrored
 from BalloonWorkbench.core.solver.inflate import inflate
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.solver.model import Model
-from BalloonWorkbench.core.types import Floats, Progress, no_progress
+from BalloonWorkbench.core.types import Bools, Progress, no_progress
+from BalloonWorkbench.core.units import mm_text, to_mm
 
 VERTICES = 1500  # of an automatic mesh
 MOST_PASSES = 14
-FIRST_GROWTH = 1.22  # of the drawing, for the first pattern
+GUESS_VERTICES = 300  # of the mesh for the first pattern
+SAMPLES = 400  # of the drawing and the pattern along the larger dimension
 GAIN = 1.3  # a pattern of a disc must grow by 1.311 for a silhouette that grows by 1
 CLAMP = 0.05  # of the larger dimension, for one pass
 SMOOTHING = 1.0  # mesh sizes
+DRIFT = 2.0  # mesh sizes that seam vertices may slide along the drawing
+TIP = 2.0  # mesh sizes from a tip to where its sides are film and not mesh
 ENOUGH = 1e-3  # mean error, of the larger dimension, at which nothing more is gained
 COARSENING = 1.8  # of the mesh for the first passes
 WORTHWHILE = 700.0  # squares of the mesh size in the area, from which a coarser mesh saves time
@@ -55,7 +62,21 @@ CLOSE = 3e-3  # mean error, of the larger dimension, at which the wanted mesh ta
 REACHED = 1e-2
 STALLED = 0.9  # a pass that leaves more than this part of the best error brings nothing
 PATIENCE = 2  # such passes in a row
+SHORTER = 0.5  # gain after such a pass
+MOST_SENTENCES = 3  # about single stretches that are not reached
 MOST_HALVINGS = 8  # of a step that leads to a pattern without a mesh
+
+
+@dataclass(frozen=True)
+class _Work:
+    target: Outline
+    film: Film
+    pressure: float
+    edge: float
+    backend: str | None
+    model: Model | None
+    progress: Progress
+    lost: tuple[Bools, ...]  # points of the course that are given up
 
 
 @dataclass(frozen=True)
@@ -65,7 +86,7 @@ class _Pass:
     nodes: tuple[SeamNodes, ...]
     inflation: Inflation
     shown: Outline
-    error: Residual
+    misfit: Misfit
 
 
 def fit(
@@ -96,54 +117,51 @@ def fit(
     if mirror is not None:
         target = mirrored(target, mirror)
     size = max(target.size)
-    centre = target.outer.mean(axis=0)
-
-    def grow(loop: Floats) -> Floats:
-        return centre + FIRST_GROWTH * (loop - centre)
-
-    fine = mesh_size or size_for(target.map(grow), VERTICES)
-    edge = COARSENING * fine if target.map(grow).area > WORTHWHILE * fine**2 else fine
-    course = Course.begun(target, grow, min(0.25 * fine, size / 400.0))
-    course, twins = twinned(course, mirror)
-    if start is not None and (known := course.resized(start.pattern, size / max(start.target.size))):
-        course, edge = known, fine
-    mixing = AndersonMixing(GAIN)
+    room = 2.0 * film.seal_width + CUT_ROOM
+    drawn, twins = twinned(Course.begun(target, size / SAMPLES), mirror)
+    known = None if start is None else drawn.resized(start.pattern, size / max(start.target.size))
+    course = twins.matched(known or _first(drawn, target, mesh_size, room))
+    fine = mesh_size or size_for(course.outline, VERTICES)
+    edge = COARSENING * fine if known is None and course.outline.area > WORTHWHILE * fine**2 else fine
+    mixing, hopes = AndersonMixing(GAIN), Hopes(course, size)
     best: _Pass | None = None
     last: _Pass | None = None
     previous: _Pass | None = None  # whose mesh may still serve
     stalled = passes = meshes = halvings = 0
     while passes < MOST_PASSES and stalled <= PATIENCE:
+        work = _Work(target, film, pressure, edge, backend, model, _part(progress, passes), hopes.lost)
         course = twins.matched(course, None if last is None else last.course)
         try:
-            share = _part(progress, passes)
-            current = _try(target, course, previous, film, pressure, edge, backend, model, share)
+            current = _try(work, course, previous, last)
         except MeshError as error:
-            if edge == fine and last is None:
+            if last is None and (error.place is None or halvings == MOST_HALVINGS):
                 raise
             # a part is too thin for the coarse mesh, or the step made it so: take half of the step back there
             if edge > fine:
-                edge, previous = fine, None
+                edge, previous, hopes = fine, None, Hopes(course, size)
             halvings += 1
-            if last is not None:
-                course = course.taken_back(last.course, error.place, (2.0 + halvings) * edge)
+            earlier = drawn if last is None else last.course
+            course = course.taken_back(earlier, error.place, (2.0 + halvings) * edge)
             if halvings > MOST_HALVINGS:
                 break
             continue
         halvings = 0
         passes += 1
         meshes += previous is None or current.panel.triangles is not previous.panel.triangles
-        if best is not None and current.error.mean > STALLED * best.error.mean:
-            stalled += 1
-        else:
-            stalled = 0
-        if best is None or current.error.mean < best.error.mean:
+        found, least = (hopes.mean(one.misfit) if one else np.inf for one in (current, best))
+        stalled = stalled + 1 if found > STALLED * least else 0
+        last = current
+        if best is None or found < least:
             best = current
-        if edge == fine and current.error.mean <= ENOUGH * size and _weld_error(current) <= CLOSE * size:
+        else:  # the step went too far: a shorter one from where it began
+            mixing, last = AndersonMixing(GAIN * SHORTER**stalled), best
+        if edge == fine and found <= ENOUGH * size and _weld_error(current) <= CLOSE * size:
             break
-        course = _corrected(current, mixing, edge, size)
-        last = previous = current
-        if edge > fine and (current.error.mean <= CLOSE * size or stalled):
-            edge, previous, best, stalled, mixing = fine, None, None, 0, AndersonMixing(GAIN)
+        course = _corrected(last, mixing, hopes, edge, size, room)
+        previous = last
+        if edge > fine and (found <= CLOSE * size or stalled):
+            edge, previous, best, stalled = fine, None, None, 0
+            mixing, hopes = AndersonMixing(GAIN), Hopes(course, size)
     if best is None:
         raise MeshError(
             "The pattern becomes too thin for its mesh. Widen the thin parts, or use a finer mesh."
@@ -171,32 +189,64 @@ def inflate_outline(
     edge = mesh_size or size_for(pattern, VERTICES)
     lines = weld_lines(pattern, pattern.loops, 0.25 * edge)
     course = Course(pattern.loops, pattern.loops, len(pattern.spots), lines)
-    only = _try(pattern, course, None, film, pressure, edge, backend, model, progress)
-    return _design(pattern, only, 0, 1, time.perf_counter() - began)
+    lost = tuple(np.zeros(len(loop), dtype=np.bool_) for loop in pattern.loops)
+    work = _Work(pattern, film, pressure, edge, backend, model, progress, lost)
+    return _design(pattern, _try(work, course, None, None), 0, 1, time.perf_counter() - began)
 
 
-def _try(
-    target: Outline,
-    course: Course,
-    previous: _Pass | None,
-    film: Film,
-    pressure: float,
-    edge: float,
-    backend: str | None,
-    model: Model | None,
-    progress: Progress,
-) -> _Pass:
-    """Inflate the pattern of a course, on the mesh of the previous pass where that still serves."""
+def _first(course: Course, target: Outline, mesh_size: float | None, room: float) -> Course:
+    """The course of a drawing with the first pattern for it."""
+    edge = min(float(np.sqrt(target.area / (0.87 * GUESS_VERTICES))), mesh_size or np.inf)
+    panel = _meshed(target, edge)
+    shift = grown(panel)
+    shift -= shift[np.concatenate(panel.seams)].mean(axis=0)
+    fields = tuple(
+        node.field(shift[seam], drawing, SMOOTHING * edge)
+        for node, seam, drawing in zip(seam_nodes(course, panel), panel.seams, course.drawing, strict=True)
+    )
+    flat = panel.rest_positions
+    lines = [
+        line.corrected(flat[weld], flat[weld] - shift[weld], edge, max(target.size))
+        for line, weld in zip(course.lines, panel.welds, strict=True)
+    ]
+    return replace(course, lines=tuple(lines)).moved(fields, TIP * edge, room)
+
+
+def _meshed(outline: Outline, edge: float) -> Panel:
+    """A mesh of the drawing, finer where it is too thin: the pattern will be wider."""
+    for finer in (1.0, 0.5, 0.25):
+        try:
+            return triangulate(outline, finer * edge)
+        except MeshError:
+            pass
+    return triangulate(outline, 0.125 * edge)
+
+
+def _try(work: _Work, course: Course, previous: _Pass | None, last: _Pass | None) -> _Pass:
+    """Inflate the pattern of a course, on the mesh of the previous pass where that still serves.
+
+    Where it does not, the last balloon is carried over to a new mesh.
+    """
     panel = None if previous is None else _moved(previous, course)
+    start: Inflation | None
     if previous is not None and panel is not None:
         nodes, start = previous.nodes, previous.inflation
     else:
-        panel = triangulate(course.outline, edge)
-        nodes, start = seam_nodes(course, panel), None
-    inflation = inflate(panel, film, pressure, start=start, backend=backend, model=model, progress=progress)
-    placed = _aligned(course, nodes, inflation)
+        panel = triangulate(course.outline, work.edge)
+        nodes = seam_nodes(course, panel)
+        start = None if last is None else carried(last.inflation, panel)
+    inflation = inflate(
+        panel,
+        work.film,
+        work.pressure,
+        start=start,
+        backend=work.backend,
+        model=work.model,
+        progress=work.progress,
+    )
+    placed = _aligned(course, nodes, inflation, work.lost)
     shown = silhouette(placed)
-    return _Pass(course, panel, nodes, placed, shown, residual(target, shown))
+    return _Pass(course, panel, nodes, placed, shown, misfit(work.target, shown))
 
 
 def _weld_error(current: _Pass) -> float:
@@ -216,12 +266,22 @@ def _moved(previous: _Pass, course: Course) -> Panel | None:
     return move_rim(previous.panel, [node.placed_on(loop) for node, loop in loops], welds)
 
 
-def _aligned(course: Course, nodes: tuple[SeamNodes, ...], inflation: Inflation) -> Inflation:
-    """The balloon moved in its plane of symmetry to where the drawing is."""
+def _aligned(
+    course: Course, nodes: tuple[SeamNodes, ...], inflation: Inflation, lost: tuple[Bools, ...]
+) -> Inflation:
+    """The balloon moved in its plane of symmetry to where the drawing is, by what is not given up."""
     seams = inflation.panel.seams
     wanted = np.concatenate([node.placed_on(loop) for node, loop in zip(nodes, course.drawing, strict=True)])
     seam = np.concatenate([inflation.positions[loop, :2] for loop in seams])
     weights = loop_weights([inflation.panel.rest_positions[loop] for loop in seams])
+    sure = np.concatenate(
+        [
+            ~gone[np.rint(node.index).astype(np.int64) % len(gone)]
+            for node, gone in zip(nodes, lost, strict=True)
+        ]
+    )
+    if sure.any():
+        weights = weights * sure
     rotation, shift = alignment(seam, wanted, weights)
     positions, directors = inflation.positions.copy(), inflation.directors.copy()
     positions[:, :2] = positions[:, :2] @ rotation.T + shift
@@ -232,20 +292,19 @@ def _aligned(course: Course, nodes: tuple[SeamNodes, ...], inflation: Inflation)
     return replace(inflation, positions=positions, directors=directors, lower=lower)
 
 
-def _corrected(current: _Pass, mixing: AndersonMixing, edge: float, size: float) -> Course:
+def _corrected(
+    current: _Pass, mixing: AndersonMixing, hopes: Hopes, edge: float, size: float, room: float
+) -> Course:
     """The course with its pattern moved by the smoothed, mixed and clamped differences."""
     course = current.course
     differences = []
     for drawing, node, seam in zip(course.drawing, current.nodes, current.panel.seams, strict=True):
         points = current.inflation.positions[seam, :2]
-        expected = node.placed_on(drawing)
-        reach = 2.0 * edge + np.linalg.norm(points - expected, axis=1)
+        reach = np.full(len(points), DRIFT * edge)
         v = goals(drawing, points, node.lengths, node.corner_nodes, node.corners, reach) - points
-        around = float(arc_lengths(drawing)[-1])
-        differences.append(node.spread(node.smoothed(v, around, SMOOTHING * edge), len(drawing)))
-    step = mixing.step(np.concatenate(course.pattern).ravel(), np.concatenate(differences).ravel()).reshape(
-        -1, 2
-    )
+        differences.append(node.field(v, drawing, SMOOTHING * edge))
+    wanted = hopes.weighed(course, tuple(differences), 2.0 * edge)
+    step = mixing.step(np.concatenate(course.pattern).ravel(), np.concatenate(wanted).ravel()).reshape(-1, 2)
     length = np.linalg.norm(step, axis=1, keepdims=True)
     step *= np.minimum(1.0, CLAMP * size / np.maximum(length, 1e-300))
     panel, positions = current.panel, current.inflation.positions[:, :2]
@@ -254,33 +313,47 @@ def _corrected(current: _Pass, mixing: AndersonMixing, edge: float, size: float)
         for line, weld in zip(course.lines, panel.welds, strict=True)
     ]
     course = replace(course, lines=tuple(lines))
-    return course.moved(tuple(np.split(step, np.cumsum([len(loop) for loop in course.pattern])[:-1])))
+    stops = np.cumsum([len(loop) for loop in course.pattern])[:-1]
+    return course.moved(tuple(np.split(step, stops)), TIP * edge, room)
 
 
 def _design(target: Outline, best: _Pass, passes: int, meshes: int, seconds: float) -> Design:
     size = max(target.size)
+    error = best.misfit.over()
     warnings = []
     if not best.inflation.report.converged:
         warnings.append(
             "The simulation did not come to rest; the shape shown is its last good state. Try a coarser mesh."
         )
-    reached = best.error.mean <= REACHED * size
+    reached = error.mean <= REACHED * size
     if passes and not reached:
         warnings.append(
-            f"The inflated outline stays {1e3 * best.error.mean:.1f} mm from the drawing on average:"
+            f"The inflated outline stays {mm_text(error.mean)} from the drawing on average:"
             " film cannot follow this shape everywhere. Round off notches and widen thin parts."
         )
+    unreached = stretches(target, best.misfit) if passes else ()
+    warnings += [_sentence(stretch) for stretch in unreached[:MOST_SENTENCES]]
     return Design(
         target,
         best.course.outline,
         best.inflation,
         best.shown,
-        best.error,
+        error,
         passes,
         meshes,
         seconds,
         reached,
         (*target.notes, *warnings),
+        unreached,
+    )
+
+
+def _sentence(stretch: Stretch) -> str:
+    x, y = to_mm(stretch.middle)
+    return (
+        f"Near ({x:.0f}, {y:.0f}) mm the inflated outline stays up to {mm_text(stretch.max)} from the"
+        f" drawing, along {mm_text(stretch.end - stretch.start)}: film cannot follow it there. Round it off"
+        " or widen it."
     )
 
 

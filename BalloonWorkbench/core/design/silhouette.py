@@ -10,23 +10,55 @@ import numpy as np
 from BalloonWorkbench.core.outline.outline import Outline, signed_area
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.solver.inflation import Inflation
-from BalloonWorkbench.core.types import Floats
+from BalloonWorkbench.core.types import Floats, Ints
 
 
 def silhouette(inflation: Inflation) -> Outline:
-    """Outline of all projected triangles, with as many holes as the panel has [m].
+    """Outline of the balloon's shadow, with as many holes as the panel has [m].
 
-    Mirrored halves cast the same shadow, so the upper one is enough. Slivers between folds of the rim are no
-    holes.
+    What lies in the shadow lies below film that faces up, so the shadow is where the rim of that film winds
+    round at least once: a few hundred edges instead of all triangles. Mirrored halves cast the same shadow,
+    so the upper one is enough. Slivers between folds of the rim are no holes.
     """
     package = shapely()
     halves = [inflation.positions] if inflation.lower is None else [inflation.positions, inflation.lower]
-    corners = np.concatenate([half[inflation.panel.triangles][:, [0, 1, 2, 0], :2] for half in halves])
-    shadow = package.union_all(package.polygons(corners))
+    shadow = package.union_all([_shadow(half, inflation.panel.triangles) for half in halves])
     body = max(package.get_parts(shadow), key=lambda part: float(part.area))
     holes = sorted((_loop(ring) for ring in body.interiors), key=signed_area, reverse=True)
     wanted = len(inflation.panel.seams) - 1
     return Outline(_loop(body.exterior), tuple(hole[::-1] for hole in holes[:wanted]))
+
+
+def _shadow(positions: Floats, triangles: Ints) -> Any:
+    """The shadow (a polygon of shapely) of film whose triangles, seen from above, mostly turn one way."""
+    package = shapely()
+    starts, ends = _rim_of_upward_film(positions[:, :2], triangles)
+    lines = package.union_all(package.linestrings(np.stack([starts, ends], axis=1)))
+    faces = package.get_parts(package.polygonize(package.get_parts(lines)))
+    inside = package.get_coordinates(package.point_on_surface(faces))
+    return package.union_all(faces[_winding(starts, ends, inside) > 0])
+
+
+def _rim_of_upward_film(flat: Floats, triangles: Ints) -> tuple[Floats, Floats]:
+    """Directed edges (k, 2), (k, 2) with film that faces up on their left and none on their right."""
+    a, b, c = (flat[triangles[:, k]] for k in range(3))
+    one, other = b - a, c - a
+    up = triangles[one[:, 0] * other[:, 1] - one[:, 1] * other[:, 0] > 0.0].astype(np.int64)
+    edges = np.concatenate([up[:, [0, 1]], up[:, [1, 2]], up[:, [2, 0]]])
+    count = len(flat)
+    forth, back = edges @ (count, 1), edges @ (1, count)
+    rim = edges[~np.isin(forth, back)]
+    return flat[rim[:, 0]], flat[rim[:, 1]]
+
+
+def _winding(starts: Floats, ends: Floats, points: Floats) -> Ints:
+    """How often directed edges (k, 2), (k, 2) that make closed loops go round points (n, 2), each: (n,)."""
+    x, y = points.T[:, :, None]
+    (x1, y1), (x2, y2) = starts.T, ends.T
+    rising, falling = (y1 <= y) & (y < y2), (y2 <= y) & (y < y1)
+    left = (x2 - x1) * (y - y1) - (x - x1) * (y2 - y1)  # the point is left of the edge's line
+    turns = (rising & (left > 0.0)).astype(np.int32) - (falling & (left < 0.0)).astype(np.int32)
+    return np.asarray(turns.sum(axis=1), dtype=np.int32)
 
 
 def _loop(ring: Any) -> Floats:

@@ -22,7 +22,7 @@ from BalloonWorkbench.core.units import to_mm
 _WIDTH, _HEIGHT, _DPI = 1800, 1000, 100
 _PAPER, _CARD, _EDGE = "#eef0f4", "#ffffff", "#d5d9e1"
 _INK, _SOFT = "#232a36", "#6b7484"
-_DRAWING, _BALLOON = "#39424f", "#d81e3f"
+_DRAWING, _BALLOON, _UNREACHED = "#39424f", "#d81e3f", "#f2b705"
 # Cards in pixels from the lower left: x, y, width, height.
 _MARGIN, _GAP = 26, 20
 _LEFT, _MIDDLE = 480, 540
@@ -133,14 +133,18 @@ def _silhouette(axes: Any, designs: Sequence[Design]) -> None:
         _area(axes, design.silhouette, frame, fc=_BALLOON, ec="none", alpha=0.30)
         _area(axes, design.silhouette, frame, fc="none", ec=_BALLOON, lw=1.6)
         _area(axes, design.target, frame, fc="none", ec=_DRAWING, lw=1.2, ls=(0, (4, 2.5)))
+        for stretch in design.unreached:
+            x, y = frame(to_mm(stretch.points)).T
+            axes.plot(x, y, color=_UNREACHED, lw=5.0, alpha=0.8, solid_capstyle="round", zorder=3)
     worst = max(designs, key=lambda design: design.residual.mean / max(design.target.size))
     off = worst.residual
     mean, p95, most = (to_mm(value) for value in (off.mean, off.p95, off.max))
     share = 100.0 * off.mean / max(*worst.target.size, 1e-12)
     error = "error" if len(designs) == 1 else "worst"
+    marked = ", not reached: yellow" if any(design.unreached for design in designs) else ""
     _caption(
         axes,
-        f"{error}: mean {mean:.2g} mm ({share:.2g} %), 95 % {p95:.2g} mm, max {most:.2g} mm",
+        f"{error}: mean {mean:.2g} mm ({share:.2g} %), 95 % {p95:.2g} mm, max {most:.2g} mm{marked}",
         _SOFT if all(design.reached for design in designs) else "#b3541e",
     )
 

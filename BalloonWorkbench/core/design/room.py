@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Room for weld and cut: facing parts of the pattern keep apart."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from BalloonWorkbench.core.mesh.thickness import kd_tree
+from BalloonWorkbench.core.outline.sampling import arc_lengths
+from BalloonWorkbench.core.types import Floats, Ints
+
+#: Between two seams lie two welds, two allowances of 2 mm (pattern/build.py) and a strip of 1 mm that a blade
+#: can still cut out [m].
+CUT_ROOM = 0.005
+#: Points face each other across a bay when the way round it is this much longer; a notch of more than 39
+#: degrees is no bay, it closes by itself.
+_DETOUR = 3.0
+_FACING = 0.5  # cosine between the normals and the line across
+_TRIALS = 30
+_SLACK = 0.02  # of the room
+
+
+def parted(drawing: Sequence[Floats], pattern: Sequence[Floats], room: float) -> tuple[Floats, ...]:
+    """The loops (n, 2) of a pattern, pushed apart where they face each other across less than `room` [m].
+
+    Where the drawing itself has less room, that much is kept.
+    """
+    drawn = np.concatenate(drawing)
+    stops = np.cumsum([len(loop) for loop in pattern])[:-1]
+    for _ in range(_TRIALS):
+        points = np.concatenate(pattern)
+        one, other, missing = _too_near(drawn, pattern, points, room)
+        if not len(one):
+            break
+        push = np.zeros_like(points)
+        across = points[one] - points[other]
+        across *= (0.5 * missing / np.maximum(np.linalg.norm(across, axis=1), 1e-300))[:, None]
+        order = np.argsort(missing, kind="stable")  # of several pushes the largest is written last
+        both = np.stack([one, other], axis=1)[order].ravel()
+        push[both] = np.stack([across, -across], axis=1)[order].reshape(-1, 2)
+        pattern = [
+            loop + _spread(loop, share, room)
+            for loop, share in zip(pattern, np.split(push, stops), strict=True)
+        ]
+    return tuple(pattern)
+
+
+def _too_near(
+    drawn: Floats, pattern: Sequence[Floats], points: Floats, room: float
+) -> tuple[Ints, Ints, Floats]:
+    """Pairs of facing points (k,), (k,) and how much they are too near (k,)."""
+    pairs = kd_tree(points).query_pairs(room, output_type="ndarray")
+    one, other = pairs.T
+    normals = np.concatenate([_outward(loop) for loop in pattern])
+    lengths = [arc_lengths(loop) for loop in pattern]
+    along = np.concatenate([length[:-1] for length in lengths])
+    around = np.concatenate([np.full(len(length) - 1, length[-1]) for length in lengths])
+    owner = np.repeat(np.arange(len(pattern)), [len(loop) for loop in pattern])
+    across = points[other] - points[one]
+    distance = np.linalg.norm(across, axis=1)
+    missing = np.minimum(room, np.linalg.norm(drawn[other] - drawn[one], axis=1)) - distance
+    way = np.abs(along[one] - along[other])
+    way = np.where(owner[one] == owner[other], np.minimum(way, around[one] - way), np.inf)
+    facing = ((across * normals[one]).sum(axis=1) > _FACING * distance) & (
+        (across * normals[other]).sum(axis=1) < -_FACING * distance
+    )
+    found = facing & (way > _DETOUR * distance) & (missing > _SLACK * room)
+    order = np.lexsort((other[found], one[found]))
+    return one[found][order], other[found][order], missing[found][order]
+
+
+def _outward(loop: Floats) -> Floats:
+    """Unit normals (n, 2) away from the film, which lies on the left."""
+    along = np.roll(loop, -1, axis=0) - np.roll(loop, 1, axis=0)
+    along /= np.maximum(np.linalg.norm(along, axis=1, keepdims=True), 1e-300)
+    return np.column_stack([along[:, 1], -along[:, 0]])
+
+
+def _spread(loop: Floats, push: Floats, room: float) -> Floats:
+    """The push (n, 2) smoothed along the loop over a third of the room, so that it leaves no steps."""
+    if not push.any():
+        return push
+    lengths = arc_lengths(loop)
+    pushed = np.flatnonzero(push.any(axis=1))
+    gap = np.abs(lengths[:-1, None] - lengths[pushed])
+    weight = np.exp(-0.5 * (np.minimum(gap, lengths[-1] - gap) / (room / 3.0)) ** 2)
+    strongest = np.argmax(weight * np.linalg.norm(push[pushed], axis=1), axis=1)
+    row = np.arange(len(loop))
+    return np.asarray(push[pushed][strongest] * weight[row, strongest, None])
