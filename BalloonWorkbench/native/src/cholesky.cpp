@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace film {
 namespace {
@@ -30,6 +33,7 @@ Numbers::Numbers(size_t count) : bytes_(count * sizeof(double) + 63), memory_(ne
 struct Cholesky::Team {
     int index, count; // this thread among them
     Workers* workers;
+    double *panel, *stacks; // the front at work; updates of the branch at work
 
     void meet() const {
         if (count > 1)
@@ -45,9 +49,9 @@ struct Cholesky::Team {
     }
 };
 
-Cholesky::Cholesky(const SymmetricMatrix& lower, const Blocks& blocks, int threads)
+Cholesky::Cholesky(SymmetricMatrix lower, const Blocks& blocks, int threads)
     : plan_(lower, blocks), schedule_(plan_, threads), kernels_(front_kernels()), factor_(plan_.factor_size),
-      updates_(schedule_.update_size), vectors_(plan_.vector_size),
+      updates_(schedule_.shared_size), vectors_(plan_.vector_size),
       workers_(schedule_.shared() ? threads : 1) {
     size_t in_trunk = 0, in_branch = 0;
     for (int f : schedule_.trunk)
@@ -56,8 +60,14 @@ Cholesky::Cholesky(const SymmetricMatrix& lower, const Blocks& blocks, int threa
         for (int f = branch.first; f < branch.last; ++f)
             in_branch = std::max(in_branch, plan_.fronts[f].shape.panel_size());
     }
-    for (int thread = 0; thread < workers_.count(); ++thread)
-        scratch_.emplace_back(thread == 0 ? std::max(in_trunk, in_branch) : in_branch);
+    for (int thread = 0; thread < workers_.count(); ++thread) {
+        panels_.emplace_back(thread == 0 ? std::max(in_trunk, in_branch) : in_branch);
+        stacks_.emplace_back(schedule_.thread_size);
+    }
+    SymmetricMatrix().swap(lower);
+#ifdef __GLIBC__
+    malloc_trim(0); // the system gets back what the plan took for a moment, before it gives the factor
+#endif
 }
 
 bool Cholesky::factorise(const double* values, const double* diagonal) {
@@ -86,55 +96,55 @@ bool Cholesky::run(const double* values, const double* diagonal, double* right_h
 // Up the tree: the factor and the forward substitution. Down: the backward substitution.
 void Cholesky::work(int thread) {
     const std::vector<Schedule::Branch>& branches = schedule_.branches;
-    double* const scratch = scratch_[thread].data();
+    const Team alone{0, 1, nullptr, panels_[thread].data(), stacks_[thread].data()};
     for (size_t b = next_up_++; b < branches.size(); b = next_up_++) {
         for (int f = branches[b].first; f < branches[b].last && definite_.load(std::memory_order_relaxed);
              ++f) {
-            if (!go_up(f, {0, 1, nullptr}, scratch))
+            if (!go_up(f, alone))
                 definite_ = false;
         }
     }
-    const Team all{thread, workers_.gather(thread), &workers_};
+    const Team all{thread, workers_.gather(thread), &workers_, panels_[0].data(), nullptr};
     for (int f : schedule_.trunk) {
-        if (!definite_ || !go_up(f, all, scratch_[0].data()))
+        if (!definite_ || !go_up(f, all))
             return;
     }
     if (!definite_ || right_hand_side_ == nullptr)
         return;
     if (thread == 0) {
         for (auto f = schedule_.trunk.rbegin(); f != schedule_.trunk.rend(); ++f)
-            backward(*f, scratch);
+            backward(*f, alone.panel);
     }
     all.meet();
     for (size_t b = next_down_++; b < branches.size(); b = next_down_++) {
         for (int f = branches[b].last; f-- > branches[b].first;)
-            backward(f, scratch);
+            backward(f, alone.panel);
     }
 }
 
-bool Cholesky::go_up(int index, const Team& team, double* panel) {
-    if (values_ != nullptr && !factor(index, team, panel))
+bool Cholesky::go_up(int index, const Team& team) {
+    if (values_ != nullptr && !factor(index, team))
         return false;
     if (right_hand_side_ != nullptr && team.index == 0)
         forward(index);
     return true;
 }
 
-bool Cholesky::factor(int index, const Team& team, double* panel) {
-    assemble(index, team, panel);
-    if (!factor_panel(index, team, panel))
+bool Cholesky::factor(int index, const Team& team) {
+    assemble(index, team);
+    if (!factor_panel(index, team))
         return false;
     const FrontShape& shape = plan_.fronts[index].shape;
     const int height = shape.height() - shape.columns();
-    add_updates(index, false, shape.columns() + cut(height, height, team.index, team.count),
-                shape.columns() + cut(height, height, team.index + 1, team.count),
-                updates_.data() + schedule_.update_at[index]);
+    add_updates(index, team, false, shape.columns() + cut(height, height, team.index, team.count),
+                shape.columns() + cut(height, height, team.index + 1, team.count), update(index, team));
     team.meet();
     return true;
 }
 
 // Fills the panel of a front from the matrix and from what the children left.
-void Cholesky::assemble(int index, const Team& team, double* panel) {
+void Cholesky::assemble(int index, const Team& team) {
+    double* const panel = team.panel;
     const CholeskyPlan::Front& front = plan_.fronts[index];
     const size_t height = front.shape.height();
     const int first = cut(front.shape.height(), front.shape.columns(), team.index, team.count),
@@ -157,13 +167,13 @@ void Cholesky::assemble(int index, const Team& team, double* panel) {
             panel[k * (height + 1)] = 1.0;
     }
     team.meet();
-    add_updates(index, true, first, last, panel);
+    add_updates(index, team, true, first, last, panel);
     team.meet();
 }
 
 // Adds what the children left in the columns first .. last - 1 of a front, either to its pivots in the panel
 // or to its own update.
-void Cholesky::add_updates(int index, bool to_pivots, int first, int last, double* target) {
+void Cholesky::add_updates(int index, const Team& team, bool to_pivots, int first, int last, double* target) {
     const CholeskyPlan::Front& front = plan_.fronts[index];
     const int pivots = front.shape.columns(), origin = to_pivots ? 0 : pivots;
     const int height = front.shape.height() - origin;
@@ -183,8 +193,7 @@ void Cholesky::add_updates(int index, bool to_pivots, int first, int last, doubl
             if (columns <= 0)
                 continue;
             const int from = a->source + skip, to = a->target + skip;
-            const double* const source =
-                updates_.data() + schedule_.update_at[child] + static_cast<size_t>(from) * child_height;
+            const double* const source = update(child, team) + static_cast<size_t>(from) * child_height;
             kernels_.add(source + from, child_height, a->length - skip, columns, true, at(to, to), height);
             for (const CholeskyPlan::Transfer* b = a + 1; b < end; ++b)
                 kernels_.add(source + b->source, child_height, b->length, columns, false, at(b->target, to),
@@ -193,10 +202,10 @@ void Cholesky::add_updates(int index, bool to_pivots, int first, int last, doubl
     }
 }
 
-bool Cholesky::factor_panel(int index, const Team& team, double* panel) {
+bool Cholesky::factor_panel(int index, const Team& team) {
     const FrontShape& shape = plan_.fronts[index].shape;
     double* const factor = factor_.data() + plan_.fronts[index].factor;
-    double* const update = updates_.data() + schedule_.update_at[index];
+    double *const panel = team.panel, *const target = update(index, team);
     const int pivots = shape.pivot_groups, all = shape.groups();
     for (int first = 0; first < pivots; first += kBlock) {
         const Groups block{first, std::min(first + kBlock, pivots)};
@@ -216,13 +225,19 @@ bool Cholesky::factor_panel(int index, const Team& team, double* panel) {
                 if (in_panel)
                     kernels_.multiply(shape, block, columns, rows, false, factor, 0, panel, shape.height());
                 else
-                    kernels_.multiply(shape, block, columns, rows, first == 0, factor, pivots, update,
+                    kernels_.multiply(shape, block, columns, rows, first == 0, factor, pivots, target,
                                       kGroup * shape.update_groups);
             });
         }
         team.meet();
     }
     return true;
+}
+
+// Where a front leaves its update.
+double* Cholesky::update(int index, const Team& team) {
+    const size_t at = schedule_.update_at[index];
+    return at < schedule_.thread_size ? team.stacks + at : updates_.data() + (at - schedule_.thread_size);
 }
 
 void Cholesky::forward(int index) {
@@ -260,8 +275,8 @@ void Cholesky::backward(int index, double* scratch) {
 size_t Cholesky::bytes() const {
     size_t sum = plan_.bytes() + schedule_.update_at.capacity() * sizeof(size_t) + factor_.bytes()
                  + updates_.bytes() + vectors_.bytes();
-    for (const Numbers& scratch : scratch_)
-        sum += scratch.bytes();
+    for (size_t thread = 0; thread < panels_.size(); ++thread)
+        sum += panels_[thread].bytes() + stacks_[thread].bytes();
     return sum;
 }
 

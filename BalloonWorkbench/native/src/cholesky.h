@@ -27,7 +27,7 @@ private:
 class Cholesky {
 public:
     // The lower triangle gives the pattern, with the diagonal first in each column.
-    Cholesky(const SymmetricMatrix& lower, const Blocks& blocks, int threads);
+    Cholesky(SymmetricMatrix lower, const Blocks& blocks, int threads);
 
     // Factors the matrix with these values in its lower triangle, plus a diagonal one unless null; false when
     // it is not positive definite.
@@ -48,11 +48,12 @@ private:
 
     bool run(const double* values, const double* diagonal, double* right_hand_side);
     void work(int thread);
-    bool go_up(int index, const Team& team, double* panel);
-    bool factor(int index, const Team& team, double* panel);
-    void assemble(int index, const Team& team, double* panel);
-    void add_updates(int index, bool to_pivots, int first, int last, double* target);
-    bool factor_panel(int index, const Team& team, double* panel);
+    bool go_up(int index, const Team& team);
+    bool factor(int index, const Team& team);
+    void assemble(int index, const Team& team);
+    void add_updates(int index, const Team& team, bool to_pivots, int first, int last, double* target);
+    bool factor_panel(int index, const Team& team);
+    double* update(int index, const Team& team);
     void forward(int index);
     void backward(int index, double* scratch);
 
@@ -60,7 +61,7 @@ private:
     Schedule schedule_;
     const FrontKernels& kernels_;
     Numbers factor_, updates_, vectors_;
-    std::vector<Numbers> scratch_; // of each thread
+    std::vector<Numbers> panels_, stacks_; // of each thread
     Workers workers_;
     // for the work at hand
     const double* values_ = nullptr; // null when there is nothing to factor

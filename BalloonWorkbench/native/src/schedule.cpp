@@ -11,22 +11,17 @@ constexpr double kSharingPays = 2e5; // [ns]
 constexpr double kMeetings = 5e3;    // [ns] that threads lose on a front they share
 constexpr int kBranches = 16;        // tried, for each thread
 
-// Stacks of numbers, of which only the heights matter here.
-struct Stacks {
-    std::vector<size_t> height, highest;
+// A stack of numbers, of which only the height matters here.
+struct Stack {
+    size_t height = 0, highest = 0;
 
-    int add() {
-        height.push_back(0);
-        highest.push_back(0);
-        return static_cast<int>(height.size()) - 1;
-    }
-    size_t push(int stack, size_t size) {
-        const size_t at = height[stack];
-        height[stack] += size;
-        highest[stack] = std::max(highest[stack], height[stack]);
+    size_t push(size_t size) {
+        const size_t at = height;
+        height += size;
+        highest = std::max(highest, height);
         return at;
     }
-    void pop(int stack, size_t size) { height[stack] -= size; }
+    void pop(size_t size) { height -= size; }
 };
 
 } // namespace
@@ -90,38 +85,47 @@ void Schedule::grow_branches(const CholeskyPlan& plan, int threads) {
 }
 
 // Updates wait for the parent's work on two stacks, for fronts at even and at odd depths of the tree: those
-// that the parent takes are then always uppermost on one, and its own goes onto the other.
+// that the parent takes are then always uppermost on one, and its own goes onto the other. Each thread has
+// two for the branch at work, the trunk has two more, and what branches leave to the trunk lies beside them.
 void Schedule::place_updates(const CholeskyPlan& plan) {
     const std::vector<CholeskyPlan::Front>& fronts = plan.fronts;
-    std::vector<int> odd(fronts.size(), 0), stack_of(fronts.size());
+    std::vector<char> odd(fronts.size(), 0);
     for (size_t f = fronts.size(); f-- > 0;) {
         if (fronts[f].parent >= 0)
-            odd[f] = 1 - odd[fronts[f].parent];
+            odd[f] = !odd[fronts[f].parent];
     }
-    Stacks stacks;
-    const auto place = [&](int f, const std::array<int, 2>& pair) {
-        stack_of[f] = pair[odd[f]];
-        update_at[f] = stacks.push(stack_of[f], fronts[f].shape.update_size());
+    std::vector<char> left(fronts.size(), 0); // by a branch to the trunk
+    for (const Branch& branch : branches)
+        left[branch.last - 1] = 1;
+    const auto size = [&](int f) { return fronts[f].shape.update_size(); };
+    const auto place = [&](int f, std::array<Stack, 2>& stacks) {
+        if (!left[f])
+            update_at[f] = stacks[odd[f]].push(size(f));
         for (int k = 0; k < fronts[f].children; ++k) {
             const int child = plan.children[fronts[f].first_child + k];
-            stacks.pop(stack_of[child], fronts[child].shape.update_size());
+            if (!left[child])
+                stacks[odd[child]].pop(size(child));
         }
     };
+    std::array<Stack, 2> of_thread, of_trunk;
     for (const Branch& branch : branches) {
-        const std::array<int, 2> pair{stacks.add(), stacks.add()};
         for (int f = branch.first; f < branch.last; ++f)
-            place(f, pair);
+            place(f, of_thread);
     }
-    const std::array<int, 2> pair{stacks.add(), stacks.add()};
     for (int f : trunk)
-        place(f, pair);
-    std::vector<size_t> begin;
-    for (size_t size : stacks.highest) {
-        begin.push_back(update_size);
-        update_size += size;
+        place(f, of_trunk);
+
+    // one after the other: even and odd of a thread; even and odd of the trunk, and what is left to it
+    thread_size = of_thread[0].highest + of_thread[1].highest;
+    shared_size = of_trunk[0].highest + of_trunk[1].highest;
+    for (const Branch& branch : branches) {
+        for (int f = branch.first; f < branch.last; ++f)
+            update_at[f] += odd[f] ? of_thread[0].highest : 0;
+        update_at[branch.last - 1] = thread_size + shared_size;
+        shared_size += size(branch.last - 1);
     }
-    for (size_t f = 0; f < fronts.size(); ++f)
-        update_at[f] += begin[stack_of[f]];
+    for (int f : trunk)
+        update_at[f] += thread_size + (odd[f] ? of_trunk[0].highest : 0);
 }
 
 } // namespace film

@@ -5,7 +5,8 @@
 
 namespace film {
 
-// Who works on which fronts, and where each leaves its update. Nothing of the result depends on it.
+// Who works on which fronts, and where each leaves its update: in memory of the thread at work, or, where
+// others will take it, in memory of all. Nothing of the result depends on it.
 struct Schedule {
     // A whole subtree, the fronts first .. last - 1: for one thread.
     struct Branch {
@@ -17,10 +18,10 @@ struct Schedule {
 
     bool shared() const { return !trunk.empty(); }
 
-    std::vector<Branch> branches; // the longest first
-    std::vector<int> trunk;       // the fronts above them, for all threads together
-    std::vector<size_t> update_at;
-    size_t update_size = 0;
+    std::vector<Branch> branches;  // the longest first
+    std::vector<int> trunk;        // the fronts above them, for all threads together
+    std::vector<size_t> update_at; // from thread_size on it is in the memory of all
+    size_t thread_size = 0, shared_size = 0;
 
 private:
     void grow_branches(const CholeskyPlan& plan, int threads);
