@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <thread>
 
 #include "cholesky.h"
 
@@ -15,8 +14,6 @@ constexpr double kLevelTolerance = 0.02;
 constexpr double kSmallestShift = 1e-6, kFirstShift = 0.3, kLargestShift = 1e12;
 constexpr double kShiftGrowth = 8.0, kShiftDecay = 0.2, kDirectorShift = 0.1;
 constexpr double kSufficient = 2e-4, kShortest = 1e-3;
-
-constexpr unsigned kThreads = 4; // more find no work of their own
 
 double next_shift(double shift, double length) {
     if (length == 1.0)
@@ -48,9 +45,8 @@ bool find_step(Cholesky& factor, const BlockMatrix& hessian, const Eigen::Vector
 film_result newton(Shell& shell, State& state, const std::vector<double>& levels, const film_newton& settings,
                    const std::function<bool(double)>& progress) {
     film_result result{0, 0, 0};
-    const unsigned threads = std::min(std::max(std::thread::hardware_concurrency(), 1u), kThreads);
     BlockMatrix hessian = shell.hessian();
-    Cholesky factor(hessian.pattern(), shell.blocks(), static_cast<int>(threads));
+    Cholesky factor(hessian.pattern(), shell.blocks(), Workers::usual_count());
     Eigen::VectorXd gradient, step;
     const Eigen::VectorXd mass = shell.masses(kDirectorShift);
     double shift = kSmallestShift;

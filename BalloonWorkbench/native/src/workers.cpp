@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "workers.h"
 
+#include <algorithm>
 #include <system_error>
 
 namespace film {
 namespace {
 
-constexpr int kTries = 2000; // some microseconds: sleep and wake take longer
+constexpr int kTries = 2000;  // some microseconds: sleep and wake take longer
+constexpr unsigned kMost = 4; // more find no work of their own
 
 } // namespace
 
@@ -27,6 +29,10 @@ void Workers::wake() {
         const std::lock_guard<std::mutex> lock(mutex_); // whoever counts as asleep waits by now
         met_.notify_all();
     }
+}
+
+int Workers::usual_count() {
+    return static_cast<int>(std::min(std::max(std::thread::hardware_concurrency(), 1u), kMost));
 }
 
 Workers::Workers(int count) {

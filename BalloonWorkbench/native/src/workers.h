@@ -20,6 +20,9 @@ public:
     Workers(const Workers&) = delete;
     Workers& operator=(const Workers&) = delete;
 
+    // As many as find work of their own on this machine.
+    static int usual_count();
+
     int count() const { return static_cast<int>(threads_.size()) + 1; }
 
     // Runs work(0) on the calling thread, and work(1), work(2) ... on others as they come. Every work must
