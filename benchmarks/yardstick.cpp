@@ -6,9 +6,11 @@
 // yardstick FILE... reads matrices in the format of speed/tangent.py and prints a line of JSON for each.
 // Where a file goes on with the vertex of each unknown (int32), the number of vertices (int32) and their
 // places in the plane (float64, x y x y ...), it times the solver's own factorisation of the same matrix as
-// well.
+// well, and before all else measures its memory: growth to the peak for analysis, factor and solution on as
+// many threads as the solver takes.
 #include <cblas.h>
 #include <cholmod.h>
+#include <malloc.h>
 
 #include <cstdint>
 #include <cstdio>
@@ -57,6 +59,39 @@ private:
     }
 };
 
+film::SymmetricMatrix lower_triangle(const Matrix& matrix) {
+    const auto count = static_cast<Eigen::Index>(matrix.count());
+    film::SymmetricMatrix lower(count, count);
+    lower.resizeNonZeros(static_cast<Eigen::Index>(matrix.values.size()));
+    std::copy(matrix.starts.begin(), matrix.starts.end(), lower.outerIndexPtr());
+    std::copy(matrix.rows.begin(), matrix.rows.end(), lower.innerIndexPtr());
+    std::copy(matrix.values.begin(), matrix.values.end(), lower.valuePtr());
+    return lower;
+}
+
+// A line of /proc/self/status, in bytes.
+long long status(const std::string& name) {
+    std::ifstream file("/proc/self/status");
+    for (std::string word; file >> word;) {
+        long long kilobytes = 0;
+        if (word == name + ":" && file >> kilobytes)
+            return 1024 * kilobytes;
+    }
+    throw std::runtime_error("/proc/self/status has no " + name);
+}
+
+// How much memory this process needs for our factorisation, from the analysis on.
+long long peak_of_ours(const Matrix& matrix) {
+    const film::SymmetricMatrix lower = lower_triangle(matrix);
+    Eigen::VectorXd right = Eigen::VectorXd::Ones(lower.cols());
+    malloc_trim(0);
+    std::ofstream("/proc/self/clear_refs") << 5; // forgets the peak
+    const long long before = status("VmRSS");
+    film::Cholesky cholesky(lower, matrix.blocks, film::Workers::usual_count());
+    cholesky.factorise_and_solve(lower.valuePtr(), nullptr, right.data());
+    return status("VmHWM") - before;
+}
+
 // CHOLMOD's work on a matrix, in seconds.
 void time_cholmod(const Matrix& matrix) {
     std::vector<SuiteSparse_long> starts(matrix.starts.begin(), matrix.starts.end());
@@ -101,12 +136,8 @@ void time_cholmod(const Matrix& matrix) {
 }
 
 // The solver's own: on one thread, and on two by the clock.
-void time_ours(const Matrix& matrix) {
-    film::SymmetricMatrix lower(matrix.count(), matrix.count());
-    lower.resizeNonZeros(static_cast<Eigen::Index>(matrix.values.size()));
-    std::copy(matrix.starts.begin(), matrix.starts.end(), lower.outerIndexPtr());
-    std::copy(matrix.rows.begin(), matrix.rows.end(), lower.innerIndexPtr());
-    std::copy(matrix.values.begin(), matrix.values.end(), lower.valuePtr());
+void time_ours(const Matrix& matrix, long long peak) {
+    const film::SymmetricMatrix lower = lower_triangle(matrix);
     const double analyse = processor_seconds([&] { film::Cholesky(lower, matrix.blocks, 1); });
     film::Cholesky alone(lower, matrix.blocks, 1), both(lower, matrix.blocks, 2);
     Eigen::VectorXd right = Eigen::VectorXd::Ones(lower.cols());
@@ -122,8 +153,8 @@ void time_ours(const Matrix& matrix) {
     const double shared = median_clock_seconds([&] { both.factorise(lower.valuePtr(), nullptr); });
     std::printf(", \"ours\": {\"analyse_seconds\": %.6g, \"factor_seconds\": %.6g, \"solve_seconds\": %.6g, "
                 "\"factor_and_solve_seconds\": %.6g, \"two_threads_clock_seconds\": %.6g, "
-                "\"factor_entries\": %zu, \"bytes\": %zu}",
-                analyse, factorise, solve, together, shared, alone.factor_entries(), alone.bytes());
+                "\"factor_entries\": %zu, \"peak_bytes\": %lld}",
+                analyse, factorise, solve, together, shared, alone.factor_entries(), peak);
 }
 
 } // namespace
@@ -134,9 +165,12 @@ int main(int count, char** paths) {
         for (int k = 1; k < count; ++k) {
             const Matrix matrix(paths[k]);
             std::printf("{\"file\": \"%s\", \"unknowns\": %zu, ", paths[k], matrix.count());
+            const bool ours = !matrix.blocks.points.empty();
+            // first, while nothing else has used memory
+            const long long peak = ours ? peak_of_ours(matrix) : 0;
             time_cholmod(matrix);
-            if (!matrix.blocks.points.empty())
-                time_ours(matrix);
+            if (ours)
+                time_ours(matrix, peak);
             std::printf("}\n");
             std::fflush(stdout);
         }

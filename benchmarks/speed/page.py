@@ -87,10 +87,10 @@ def _rods(one: dict[str, Any], kind: str = "cold") -> float:
 
 
 def _beyond(one: dict[str, Any]) -> float | None:
-    """Bytes a vertex at the peak, without what our factorisation of the same matrix takes."""
+    """Bytes a vertex at the peak, without what our factorisation of the same matrix takes by itself."""
     if one["peak_bytes"] is None:
         return None
-    return float(one["peak_bytes"] - one["yardstick"]["ours"]["bytes"]) / one["vertices"]
+    return float(one["peak_bytes"] - one["yardstick"]["ours"]["peak_bytes"]) / one["vertices"]
 
 
 def growth(solves: list[dict[str, Any]]) -> dict[str, tuple[float, float]]:
@@ -209,9 +209,10 @@ def _solves(solves: list[dict[str, Any]]) -> str:
             )
         )
     note = (
-        "\nOur factorisation is the solver's own, of the same matrix on one thread. The peak is the growth of"
-        " the process in the first cold solve; beyond the factor is what remains without the memory that this"
-        " factorisation holds.\n"
+        "\nOur factorisation is the solver's own, of the same matrix on one thread. Peak memory is the growth"
+        " of the process during the first cold solve; beyond the factor is what remains of it without the"
+        " same growth of a fresh process that does nothing but analyse, factor and solve with this matrix"
+        " once, on as many threads as the solver takes.\n"
     )
     return _table(head, rows) + note
 
