@@ -27,9 +27,7 @@ OUTLINE_PROPERTIES = (
     ),
 )
 BALLOON_PROPERTIES = (
-    Property(
-        "Float", "Puffiness", "Result", "Roundness: 1 for a disc, 0 for a flat thing", result=True
-    ),
+    Property("Float", "Puffiness", "Result", "Roundness: 1 for a disc, 0 for a flat thing", result=True),
     Property("StringList", "Advice", "Result", "What would make the balloon better", result=True),
 )
 

@@ -26,8 +26,8 @@ from scipy.spatial import cKDTree
 
 from BalloonWorkbench.core.coach.coach import INTAKE_WIDTH, advise
 from BalloonWorkbench.core.coach.findings import Advice, Finding
+from BalloonWorkbench.core.design.fit import fit
 from BalloonWorkbench.core.film.library import film
-from BalloonWorkbench.core.mesh.panel import Panel
 from BalloonWorkbench.core.mesh.quality import signed_areas
 from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.mesh.triangulate import triangulate
@@ -44,17 +44,21 @@ TWIST = 0.3
 
 
 class Truth:
-    """The simulated balloon of an outline that is its own pattern."""
+    """The simulated balloon of an outline: fitted to it, or with the outline as its pattern."""
 
-    def __init__(self, case: Flawed) -> None:
+    def __init__(self, case: Flawed, fitted: bool = False) -> None:
         self.case = case
-        self.panel = triangulate(case.outline, size_for(case.outline, VERTICES))
-        self.balloon = inflate(self.panel, FILM, PRESSURE)
+        mesh_size = size_for(case.outline, VERTICES)
+        if fitted:
+            self.balloon = fit(case.outline, FILM, PRESSURE, mesh_size=1.2 * mesh_size).inflation
+        else:
+            self.balloon = inflate(triangulate(case.outline, mesh_size), FILM, PRESSURE)
+        self.panel = self.balloon.panel
         self.size = max(case.outline.size)
-        self.flat = self.panel.rest_positions
+        self.flat = self.balloon.positions[:, :2] if fitted else self.panel.rest_positions
         self.thick = 2.0 * self.balloon.positions[:, 2]
         self.at = LinearNDInterpolator(self.flat, self.balloon.positions)
-        self.areas = signed_areas(self.flat, self.panel.triangles)
+        self.areas = signed_areas(self.panel.rest_positions, self.panel.triangles)
         self.centres = self.flat[self.panel.triangles].mean(axis=1)
         tension = self.balloon.tensions[:, 0]
         order = np.argsort(tension)
@@ -160,10 +164,12 @@ class Score:
         return self.found / max(self.found + self.missed, 1)
 
 
-def compared(case: Flawed, scores: dict[str, Score], name: str = "") -> tuple[Advice, Truth]:
+def compared(
+    case: Flawed, scores: dict[str, Score], name: str = "", fitted: bool = False
+) -> tuple[Advice, Truth]:
     """Advice on a shape before any simulation, counted against what its simulation shows."""
-    truth = Truth(case)
-    advice = advise(case.outline, FILM, fitted=False)
+    truth = Truth(case, fitted)
+    advice = advise(case.outline, FILM, fitted=fitted)
     count(case, truth, advice, scores, name)
     return advice, truth
 
@@ -199,6 +205,3 @@ def _near(finding: Finding, line: Floats, size: float) -> bool:
 def new_scores() -> dict[str, Score]:
     """A score for each rule that comes up."""
     return defaultdict(Score)
-
-
-__all__ = ["Flawed", "Panel", "Score", "Truth", "compared", "count", "new_scores"]

@@ -190,9 +190,11 @@ def notches(outline: Outline) -> Iterator[Notch]:
             before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0], np.einsum("ij,ij->i", before, after)
         )
         taken = np.zeros(count, dtype=bool)
+        # a round hole turns everywhere; its corners turn more
+        least = _NOTCH_TURN + (0.0 if loop is outline.outer else 3.0 * np.pi * reach / float(lengths[-1]))
         spread = int(np.ceil(1.5 * reach / (lengths[-1] / count)))
         for k in np.argsort(-turn, kind="stable"):
-            if turn[k] < _NOTCH_TURN:
+            if turn[k] < least:
                 break
             if taken[k]:
                 continue

@@ -17,7 +17,7 @@ from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import place_text
 
-_ARC = 16  # segments of a quarter circle
+_ARC = 48  # segments of a quarter circle
 #: Radius at the root of what was widened, in half its width.
 _ROOT = 0.7
 
@@ -59,9 +59,7 @@ def _rounded(outline: Outline, repair: Repair) -> Outline:
     opened = area.buffer(-radius, quad_segs=_ARC).buffer(radius, quad_segs=_ARC)
     near = 0.25 * radius
     for pieces, change in ((closed.difference(area), area.union), (area.difference(opened), area.difference)):
-        # slivers along straight sides are the arcs of the buffers
-        sizeable = [piece for piece in package.get_parts(pieces) if piece.area > 1e-3 * radius**2]
-        touched = [piece for piece in sizeable if piece.distance(corner) < near]
+        touched = [piece for piece in _solid(pieces, radius) if piece.distance(corner) < near]
         if touched:
             return _outline(change(min(touched, key=corner.distance).buffer(1e-6 * radius)), outline)
     raise OutlineError(_no_longer(repair, "there is no such corner"))
@@ -75,18 +73,40 @@ def _widened(outline: Outline, repair: Repair) -> Outline:
     if not area.buffer(0.1 * repair.was).covers(line):
         raise OutlineError(_no_longer(repair, "there is no such part"))
     band = line.buffer(half, quad_segs=_ARC)
-    if len(package.get_parts(band.intersection(area.buffer(1e-3 * half)))) > 1:
-        raise OutlineError(_no_longer(repair, "it would grow together with another part"))
     wide = area.union(band)
+    if (_across(wide, line) > 1.1 * np.maximum(_across(area, line), repair.size)).any():
+        raise OutlineError(_no_longer(repair, "it would grow together with another part"))
     closed = wide.buffer(_ROOT * half, quad_segs=_ARC).buffer(-_ROOT * half, quad_segs=_ARC)
-    roots = [
-        piece
-        for piece in package.get_parts(closed.difference(wide))
-        if piece.area > 1e-3 * half**2 and piece.distance(band) < 1e-3 * half
-    ]
+    roots = [piece for piece in _solid(closed.difference(wide), half) if piece.distance(band) < 1e-3 * half]
     rounded = package.union_all([wide, *(piece.buffer(1e-6 * half) for piece in roots)])
     holes = len(outline.loops) - 1
     return _outline(rounded if len(getattr(rounded, "interiors", ())) == holes else wide, outline)
+
+
+def _solid(pieces: Any, radius: float) -> list[Any]:
+    """What discs of a radius add or take off, without slivers along the sides."""
+    package = shapely()
+    slight = 1e-3 * radius
+    solid = [piece for piece in package.get_parts(pieces.buffer(-slight)) if not piece.is_empty]
+    return [pieces.intersection(piece.buffer(0.1 * radius)) for piece in solid]
+
+
+def _across(area: Any, line: Any) -> Floats:
+    """Widths (9,) of an area square to a line, along its middle part."""
+    package = shapely()
+    at = np.linspace(0.2, 0.8, 9)
+    places = package.get_coordinates(package.line_interpolate_point(line, at, normalized=True))
+    ahead = package.get_coordinates(package.line_interpolate_point(line, at + 0.05, normalized=True)) - places
+    side = np.stack([-ahead[:, 1], ahead[:, 0]], axis=1)
+    side *= np.hypot(*np.ptp(package.get_coordinates(area.envelope), axis=0)) / np.linalg.norm(
+        side, axis=1, keepdims=True
+    )
+    cuts = package.intersection(package.linestrings(np.stack([places - side, places + side], axis=1)), area)
+    widths = [
+        min(package.get_parts(cut), key=package.Point(place).distance).length
+        for cut, place in zip(cuts, places, strict=True)
+    ]
+    return np.array(widths)
 
 
 def _outline(area: Any, before: Outline) -> Outline:

@@ -9,7 +9,7 @@ from functools import cached_property
 import numpy as np
 
 from BalloonWorkbench.core.coach.findings import Finding, Repair
-from BalloonWorkbench.core.coach.gauge import NARROW_GROWTH, Gauge
+from BalloonWorkbench.core.coach.gauge import FITTED_THICKNESS, NARROW_GROWTH, Gauge
 from BalloonWorkbench.core.coach.places import ThinPart, thin_parts
 from BalloonWorkbench.core.coach.repairs import repaired
 from BalloonWorkbench.core.coach.rules import rules
@@ -58,7 +58,7 @@ class Subject:
 
     def width_for(self, thickness: float) -> float:
         """Drawn width of a narrow part that becomes so thick."""
-        return thickness / (TUBE * self.growth)
+        return thickness / (TUBE * (FITTED_THICKNESS if self.fitted else 1.0))
 
     def thin(self, width: float) -> list[ThinPart]:
         """The parts drawn narrower than a width."""

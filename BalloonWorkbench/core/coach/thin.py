@@ -16,7 +16,7 @@ from BalloonWorkbench.core.types import Floats
 #: Parts are looked for up to this much wider than the limit: the prediction is not exact.
 _MARGIN = 1.15
 #: What is widened gets this much more than the limit asks for.
-_ENOUGH = 1.1
+_ENOUGH = 1.2
 #: From a tip, thickness is looked for in these directions off its middle, up to this part of the size.
 _FAN = np.radians([-25.0, -10.0, 0.0, 10.0, 25.0])
 _FARTHEST = 0.3
