@@ -11,12 +11,15 @@ import pytest
 from drawn_shapes import NAMED, corners_of, hole
 
 from BalloonWorkbench.core.design.compare import residual
+from BalloonWorkbench.core.design.course import Course
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.design.fit import fit
-from BalloonWorkbench.core.design.twins import nearer
+from BalloonWorkbench.core.design.twins import nearer, twinned
 from BalloonWorkbench.core.film.library import film
+from BalloonWorkbench.core.outline.crossings import first_crossing
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.outline.picture import read_picture
+from BalloonWorkbench.core.outline.sampling import resample
 from BalloonWorkbench.core.outline.symmetry import AUTO, Mirror, find_mirror, symmetric
 from BalloonWorkbench.core.pattern.build import build_pattern
 
@@ -87,6 +90,29 @@ def test_where_the_balloon_buckles_the_nearer_pattern_wins_and_says_so() -> None
     assert nearer(design, worse).warnings == design.warnings
     assert any("not symmetric" in text for text in nearer(design, better).warnings)
     assert nearer(design, better).residual == better.residual
+
+
+def test_what_is_taken_back_crosses_nothing() -> None:
+    """A strip 20 mm wide whose earlier place is 60 mm away: one side may not go back through the other."""
+    strip = resample(corners_of((0.0, 0.0), (0.3, 0.0), (0.3, 0.02), (0.0, 0.02)).outer, 0.002)
+    now, earlier = Course((strip,), (strip,)), Course((strip,), (strip + np.array([0.0, 0.06]),))
+    back = now.taken_back(earlier, (0.15, 0.06), 0.005)
+    assert first_crossing(back.pattern) is None
+    assert not np.allclose(back.pattern[0], strip)
+
+
+def test_halves_that_would_cross_go_back_together() -> None:
+    """A bow tie whose two points are pulled past each other, on one side more than on the other."""
+    drawing = corners_of((-0.1, -0.05), (0.1, -0.05), (0.02, 0.0), (0.1, 0.05), (-0.1, 0.05), (-0.02, 0.0))
+    course, twins = twinned(Course.begun(drawing, 0.004), find_mirror(drawing))
+    across = course.pattern[0].copy()
+    near = np.abs(course.drawing[0][:, 1]) < 0.02
+    left, right = near & (across[:, 0] < 0.0), near & (across[:, 0] > 0.0)
+    across[left, 0] += 0.07
+    across[right, 0] -= 0.03
+    even = twins.matched(replace(course, pattern=(across,)), course)
+    assert first_crossing(even.pattern) is None
+    assert away(even.outline, find_mirror(drawing)) < 1e-12
 
 
 def test_the_coarse_start_of_large_designs_stays_symmetric() -> None:

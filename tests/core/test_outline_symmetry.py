@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -163,6 +164,12 @@ def test_holes_are_mirrored_too() -> None:
     assert len(made.holes) == 3
     assert without_twin(made, mirror.point, mirror.angle) < 1e-12
     assert mirror.error < EXACT
+
+
+def test_welds_inside_are_not_mirrored() -> None:
+    welded = replace(NAMED["heart"], welds=(np.array([[-0.02, 0.0], [0.03, 0.01]]),))
+    with pytest.raises(InputError, match="welds inside"):
+        symmetric(welded, FORCE, drawn=False)
 
 
 def test_an_unknown_choice_is_refused() -> None:

@@ -96,7 +96,7 @@ def symmetric(outline: Outline, choice: str, *, drawn: bool) -> Outline:
 
     drawn  it comes from a picture. AUTO makes only such an outline symmetric, when it nearly is: lines that
            were constructed stay where they are. A note tells what was done.
-    Raises InputError for another choice.
+    Raises InputError for another choice, and for a drawing with welds inside.
     """
     if choice not in CHOICES:
         raise InputError(f'There is no symmetry "{choice}": choose one of {", ".join(CHOICES)}.')
@@ -104,6 +104,10 @@ def symmetric(outline: Outline, choice: str, *, drawn: bool) -> Outline:
         return outline
     if outline.welds or outline.spots:
         raise InputError("A drawing with welds inside is not made symmetric: draw it so, and turn this off.")
+    if outline.welds or outline.spots:
+        raise InputError(
+            "A drawing with welds inside cannot be made symmetric: draw it so, and leave the symmetry off."
+        )
     mirror = find_mirror(outline)
     if choice == AUTO and mirror.error > DRAWN:
         return outline
