@@ -17,6 +17,17 @@ Eigen::Matrix<double, 6, 1> flat_positions(const std::array<int, 3>& vertex, con
     return flat;
 }
 
+// Adds the numbers of a whole block, or what is not above its diagonal.
+template <bool Lower, typename Number>
+void add_block(int row_block, int column_block, BlockMatrix& hessian, const Number& number) {
+    double* const begin = hessian.at(hessian.begin(row_block, column_block));
+    for (int j = 0; j < 5; ++j) {
+        double* const column = begin + hessian.offset(column_block, 0, j);
+        for (int i = Lower ? j : 0; i < 5; ++i)
+            column[i] += number(i, j);
+    }
+}
+
 } // namespace
 
 Frames::Frames(const Vectors& directors) : first(directors.rows(), 3), second(directors.rows(), 3) {
@@ -210,14 +221,12 @@ void Shell::scatter(size_t triangle, int lane, const FourElements& elements, Eig
         const Vec4(&block)[5][5] = elements.stiffness[pair];
         const bool on_diagonal = pair < 3;
         if (whole(a) && whole(b) && (a == b) == on_diagonal) {
-            const bool swapped = a < b;
-            const int row_block = std::max(a, b), column_block = std::min(a, b);
-            double* const to = hessian.at(hessian.begin(row_block, column_block));
-            for (int j = 0; j < 5; ++j) {
-                double* const column = to + hessian.offset(column_block, 0, j);
-                for (int i = on_diagonal ? j : 0; i < 5; ++i)
-                    column[i] += (swapped ? block[j][i] : block[i][j])[lane];
-            }
+            if (on_diagonal)
+                add_block<true>(a, a, hessian, [&](int i, int j) { return block[i][j][lane]; });
+            else if (a > b)
+                add_block<false>(a, b, hessian, [&](int i, int j) { return block[i][j][lane]; });
+            else
+                add_block<false>(b, a, hessian, [&](int i, int j) { return block[j][i][lane]; });
             continue;
         }
         for (int i = 0; i < 5; ++i) {
