@@ -88,15 +88,32 @@ def add_companions(parts: Parts) -> list[Parts]:
     """
     group, first = parts.balloon.getParentGroup(), parts.outline
     made = []
+    present = {other.outline.Part for other in companions(parts)}
     for number in range(2, shape_count(first) + 1):
+        if number in present:
+            continue
         other = _make_in(group)
         for mine, its in zip(parts, other, strict=True):
             its.Label = f"{mine.Label} {number}"
         other.outline.Leader, other.outline.Part = first, number
-        _copy_values(parts.balloon, other.balloon, balloon.PROPERTIES)
-        _copy_values(parts.pattern, other.pattern, pattern.PROPERTIES)
+        _follow(parts, other)
         made.append(other)
     return made
+
+
+def match_companions(parts: Parts) -> None:
+    """Bring the other balloons of a drawing in line with it: one for each shape, with the first one's values.
+
+    Nothing is computed; a drawing that cannot be read changes nothing.
+    """
+    count = shape_count(parts.outline)
+    for other in companions(parts):
+        if 0 < count < other.outline.Part:
+            for obj in reversed(other):
+                obj.Document.removeObject(obj.Name)
+        else:
+            _follow(parts, other)
+    add_companions(parts)
 
 
 def companions(parts: Parts) -> list[Parts]:
@@ -234,8 +251,15 @@ def _size(name: str, value) -> float:
     return size
 
 
-def _copy_values(source, target, properties) -> None:
-    """Give an object the wanted values of another one, its links aside."""
-    for item in properties:
-        if not item.result and item.type != "Link":
-            setattr(target, item.name, getattr(source, item.name))
+def _follow(parts: Parts, other: Parts) -> None:
+    """Give a balloon the wanted values of another one of the same drawing."""
+    for source, target, properties in (
+        (parts.balloon, other.balloon, balloon.PROPERTIES),
+        (parts.pattern, other.pattern, pattern.PROPERTIES),
+    ):
+        for item in properties:
+            if item.result or item.type == "Link":
+                continue
+            value = getattr(source, item.name)
+            if getattr(target, item.name) != value:
+                setattr(target, item.name, value)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """New balloon from picture: the whole way through the panel."""
 
+import json
 from pathlib import Path
 
 import FreeCAD as App
@@ -220,4 +221,27 @@ def test_undo_closes_the_panel(panel):
     panel.undo()
     panel.undo()
     hands.wait_until(lambda: not hands.panel_is_open(), 5)
+    assert names(panel) == []
+
+
+def test_each_shape_of_the_drawing_becomes_a_balloon(panel, tmp_path):
+    def boxes(*sides):
+        parts = [
+            {"outer": [[x, 0], [x + side, 0], [x + side, side], [x, side]]} for x, side in zip((0, 90), sides)
+        ]
+        path = tmp_path / f"{len(sides)}.json"
+        path.write_text(json.dumps({"unit": "mm", "parts": parts}))
+        return str(path)
+
+    hands.type_into(hands.find("Drawing"), boxes(60, 40))
+    hands.type_into(hands.find("MeshSize"), "10 mm")
+    apply()
+    first, second = panel.Balloon, panel.Balloon001
+    assert [first.Status, second.Status] == [status.READY] * 2
+    # two equal square pillows but for their size
+    assert first.Volume.Value / second.Volume.Value == pytest.approx(1.5**3, rel=0.1)
+    hands.type_into(hands.find("Drawing"), boxes(60))
+    apply()
+    assert names(panel) == ["BalloonGroup", "Outline", "Balloon", "Pattern"]
+    hands.press("Cancel")
     assert names(panel) == []

@@ -15,6 +15,7 @@ import FreeCADGui as Gui
 from BalloonWorkbench.app import balloon as balloon_object
 from BalloonWorkbench.app import create, status
 from BalloonWorkbench.app.create import Parts
+from BalloonWorkbench.app.outline import leader
 from BalloonWorkbench.core.errors import BalloonError, Cancelled
 from BalloonWorkbench.gui.panels.file_box import FileBox
 from BalloonWorkbench.gui.panels.film_box import FilmBox
@@ -38,10 +39,11 @@ class BalloonPanel:
         self.parts = parts
         self.doc = parts.balloon.Document
         self.new_document = new_document
-        self.is_new = not parts.balloon.SolvedFor
+        self.is_new = self.was_new = not parts.balloon.SolvedFor
         self.worker: Worker | None = None
         self.closing = False
-        self.drawing = (SketchBox if sketch or parts.outline.Source else FileBox)(parts.outline)
+        outline = leader(parts.outline)
+        self.drawing = (SketchBox if sketch or outline.Source else FileBox)(outline)
         self.film = FilmBox(parts.balloon)
         self.simulation = SimulationBox(parts.balloon)
         self.pattern = PatternBox(parts.pattern)
@@ -103,6 +105,7 @@ class BalloonPanel:
         """Find the outline anew; True when there is one."""
         if self.is_new and self.parts.outline.Drawing:
             self.parts.balloon.getParentGroup().Label = Path(self.parts.outline.Drawing).stem
+        leader(self.parts.outline).recompute()
         self.parts.outline.recompute()
         self.show_state()
         return status.is_ready(self.parts.outline)
@@ -161,9 +164,12 @@ class BalloonPanel:
 
     def settle(self) -> bool:
         """Let the document follow the new values; True when the pattern is there."""
+        if self.was_new and not self.parts.outline.Leader:
+            create.match_companions(self.parts)  # the other shapes of the drawing
         self.doc.recompute()
         if self.is_new and status.is_ready(self.parts.pattern):
-            create.place_beside(self.parts)
+            ready = [other for other in create.companions(self.parts) if status.is_ready(other.pattern)]
+            create.place_beside(self.parts, *ready)
             self.doc.recompute()
             self.is_new = False
             Gui.SendMsgToActiveView("ViewFit")
