@@ -75,6 +75,11 @@ def stored(balloon) -> list:
 
 def predicted(parts) -> list:
     """The findings from the outline alone."""
+    return list(advice_before(parts).findings)
+
+
+def advice_before(parts):
+    """The core's advice from the outline alone, with the map of the thickness to be expected."""
     from BalloonWorkbench.app.balloon import request
     from BalloonWorkbench.app.quantities import metres, radians
 
@@ -99,18 +104,17 @@ class _Key:
 
 
 @lru_cache(maxsize=8)
-def _predicted(key: _Key, intake_width: float, intake_angle: float | None) -> list:
+def _predicted(key: _Key, intake_width: float, intake_angle: float | None):
     from BalloonWorkbench.core.coach.coach import advise
 
     settings = key.wanted.settings
-    advice = advise(
+    return advise(
         key.wanted.source.outline,
         settings.film,
         fitted=settings.correct,
         intake_width=intake_width,
         intake_angle=intake_angle,
     )
-    return list(advice.findings)
 
 
 def told(design, film) -> dict:

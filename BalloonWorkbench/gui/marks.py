@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Marks in the 3D view: lines over the shape and a ring round a place, coloured by how much it matters."""
+"""In the 3D view: marks on places, coloured by how much they matter, and a map of the thickness."""
 
 from __future__ import annotations
 
 import math
 
+import FreeCAD as App
 import FreeCADGui as Gui
 
 from BalloonWorkbench.core.units import to_mm
@@ -14,62 +15,90 @@ _RING = 0.03  # radius, of the size of the shape
 _ABOVE = 0.002  # the marks hover over the shape, of its size
 
 
-class Marks:
-    """What is marked on one balloon; `clear` takes it away."""
+class Overlay:
+    """A mark and a map over one balloon; `clear` takes them away."""
 
     def __init__(self, document_name: str):
         self._document_name = document_name
-        self._root = None
-        self._node = None
+        self._shown: dict[str, tuple] = {}  # root and node by what it is
 
-    def show(self, finding, placement, size: float, height: float) -> None:
+    def mark(self, finding, placement, size: float, height: float) -> None:
         """Mark a finding of the core instead of the last one.
 
         placement  of the outline; size of the shape and height over its plane [mm]
         """
         from pivy import coin
 
-        self.clear()
+        material = coin.SoBaseColor()
+        material.rgb.setValue(*COLOURS[finding.severity.value])
+        style = coin.SoDrawStyle()
+        style.lineWidth.setValue(4.0)
+        x, y = (to_mm(value) for value in finding.place)
+        radius = _RING * size
+        turn = [2.0 * math.pi * k / 48 for k in range(49)]
+        ring = [(x + radius * math.cos(angle), y + radius * math.sin(angle)) for angle in turn]
+        lines = [ring, *(to_mm(line).tolist() for line in finding.extent)]
+        above = height + _ABOVE * size
+        self._show("mark", [material, style, *(_line(coin, line, placement, above) for line in lines)])
+
+    def map(self, thickness_map, placement, height: float) -> None:
+        """Colour the shape by a thickness map of the core, from blue for nothing to red for the most."""
+        from pivy import coin
+
+        share = thickness_map.thickness / thickness_map.thickness.max()
+        colours = coin.SoMaterial()
+        colours.diffuseColor.setValues(0, len(share), [_colour(value) for value in share.tolist()])
+        binding = coin.SoMaterialBinding()
+        binding.value.setValue(coin.SoMaterialBinding.PER_VERTEX_INDEXED)
+        corners = _coordinates(coin, to_mm(thickness_map.points).tolist(), placement, height)
+        faces = coin.SoIndexedFaceSet()
+        numbers = [number for triangle in thickness_map.triangles.tolist() for number in (*triangle, -1)]
+        faces.coordIndex.setValues(0, len(numbers), numbers)
+        self._show("map", [colours, binding, corners, faces])
+
+    def clear(self, what: str = "") -> None:
+        """Take the mark or the map away, or both."""
+        for name in [name for name in self._shown if what in ("", name)]:
+            root, node = self._shown.pop(name)
+            if Gui.getDocument(self._document_name) is not None:
+                root.removeChild(node)
+
+    def _show(self, what: str, children) -> None:
+        from pivy import coin
+
+        self.clear(what)
         document = Gui.getDocument(self._document_name)
         view = document.activeView() if document is not None else None
         if view is None or not hasattr(view, "getSceneGraph"):
             return
         node = coin.SoSeparator()
-        material = coin.SoBaseColor()
-        material.rgb.setValue(*COLOURS[finding.severity.value])
-        style = coin.SoDrawStyle()
-        style.lineWidth.setValue(4.0)
         light = coin.SoLightModel()
         light.model.setValue(coin.SoLightModel.BASE_COLOR)
         pick = coin.SoPickStyle()
         pick.style.setValue(coin.SoPickStyle.UNPICKABLE)
-        for child in (light, material, style, pick):
+        for child in (light, pick, *children):
             node.addChild(child)
-        x, y = (to_mm(value) for value in finding.place)
-        radius = _RING * size
-        turn = [2.0 * math.pi * k / 48 for k in range(49)]
-        ring = [(x + radius * math.cos(angle), y + radius * math.sin(angle)) for angle in turn]
-        for line in (ring, *(to_mm(line).tolist() for line in finding.extent)):
-            node.addChild(_line(coin, line, placement, height + _ABOVE * size))
-        self._root, self._node = view.getSceneGraph(), node
-        self._root.addChild(node)
-
-    def clear(self) -> None:
-        """Take the mark away."""
-        if self._root is not None and Gui.getDocument(self._document_name) is not None:
-            self._root.removeChild(self._node)
-        self._root = self._node = None
+        root = view.getSceneGraph()
+        root.addChild(node)
+        self._shown[what] = root, node
 
 
 def _line(coin, points, placement, height: float):
-    import FreeCAD as App
-
     node = coin.SoSeparator()
+    line = coin.SoLineSet()
+    line.numVertices.setValue(len(points))
+    for child in (_coordinates(coin, points, placement, height), line):
+        node.addChild(child)
+    return node
+
+
+def _coordinates(coin, points, placement, height: float):
     places = [placement.multVec(App.Vector(x, y, height)) for x, y in points]
     coordinates = coin.SoCoordinate3()
     coordinates.point.setValues(0, len(places), [(place.x, place.y, place.z) for place in places])
-    line = coin.SoLineSet()
-    line.numVertices.setValue(len(places))
-    for child in (coordinates, line):
-        node.addChild(child)
-    return node
+    return coordinates
+
+
+def _colour(share: float) -> tuple[float, float, float]:
+    """Blue, cyan, green, yellow, red for 0 to 1."""
+    return tuple(min(max(1.5 - abs(4.0 * share - peak), 0.0), 1.0) for peak in (3.0, 2.0, 1.0))

@@ -83,6 +83,18 @@ def test_repair_is_one_undo_step(panel):
     assert hands.panel_is_open()
 
 
+def test_map_colours_the_shape(panel):
+    nodes = scene_nodes()
+    hands.click(hands.find("ThicknessMap"), x=8)
+    assert scene_nodes() == nodes + 1
+    assert "red" in hands.find("Legend").text()
+    image = hands.screenshot("advice-map")
+    row = [hands.QtGui.QColor(image.pixel(x, y)) for y in range(200, 900, 8) for x in range(500, 1300, 8)]
+    assert len([colour for colour in row if colour.blue() > 180 and colour.red() < 60]) > 20
+    hands.click(hands.find("ThicknessMap"), x=8)
+    assert scene_nodes() == nodes
+
+
 def test_finding_without_a_repair_offers_none(panel):
     findings = hands.find("Findings")
     findings.setCurrentRow(-1)

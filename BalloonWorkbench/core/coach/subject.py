@@ -10,7 +10,7 @@ import numpy as np
 
 from BalloonWorkbench.core.coach.findings import Finding, Repair
 from BalloonWorkbench.core.coach.gauge import FITTED_THICKNESS, NARROW_GROWTH, Gauge
-from BalloonWorkbench.core.coach.places import ThinPart, thin_parts
+from BalloonWorkbench.core.coach.places import ThinPart, simple_line, thin_parts
 from BalloonWorkbench.core.coach.repairs import repaired
 from BalloonWorkbench.core.coach.rules import rules
 from BalloonWorkbench.core.errors import OutlineError
@@ -21,6 +21,8 @@ from BalloonWorkbench.core.units import to_mm
 
 #: Thickness of a tube of film over its flat width.
 TUBE = 2.0 / np.pi
+#: Marks follow the outline to this part of the size.
+_DETAIL = 1e-3
 
 
 @dataclass(frozen=True)
@@ -62,7 +64,7 @@ class Subject:
 
     def thin(self, width: float) -> list[ThinPart]:
         """The parts drawn narrower than a width."""
-        return thin_parts(self.outline, width)
+        return thin_parts(self.outline, width) if width > 0.0 else []
 
     def finding(
         self,
@@ -84,7 +86,8 @@ class Subject:
         severity, limit = found
         text = rules()[rule].sentence.format(**words)
         at = (float(place[0]), float(place[1]))
-        return Finding(rule, severity, text, at, extent, measured, limit, self._possible(repair))
+        lines = tuple(simple_line(line, _DETAIL * self.size) for line in extent)
+        return Finding(rule, severity, text, at, lines, measured, limit, self._possible(repair))
 
     def _possible(self, repair: Repair | None) -> Repair | None:
         if repair is None:

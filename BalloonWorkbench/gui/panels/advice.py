@@ -12,7 +12,8 @@ import FreeCADGui as Gui
 from BalloonWorkbench.app import advice, status
 from BalloonWorkbench.core.advice import repair_text
 from BalloonWorkbench.core.errors import BalloonError
-from BalloonWorkbench.gui.marks import COLOURS, Marks
+from BalloonWorkbench.core.units import to_mm
+from BalloonWorkbench.gui.marks import COLOURS, Overlay
 from BalloonWorkbench.gui.panels.watch import Watch
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, icon, translate
 
@@ -27,7 +28,7 @@ class AdvicePanel:
         self.doc = parts.balloon.Document
         self.found: list = []
         self.is_open = True
-        self.marks = Marks(self.doc.Name)
+        self.overlay = Overlay(self.doc.Name)
         self.form = QtWidgets.QWidget()
         self.form.setObjectName("Advice")
         self.form.setWindowTitle(translate("Advice"))
@@ -40,13 +41,18 @@ class AdvicePanel:
         self.list.setWordWrap(True)
         self.repair = QtWidgets.QPushButton()
         self.repair.setObjectName("Repair")
+        self.map = QtWidgets.QCheckBox(translate("Show the thickness to be expected"))
+        self.map.setObjectName("ThicknessMap")
+        self.legend = QtWidgets.QLabel()
+        self.legend.setObjectName("Legend")
         self.message = QtWidgets.QLabel()
         self.message.setObjectName("AdviceMessage")
         self.message.setWordWrap(True)
         column = QtWidgets.QVBoxLayout(self.form)
-        for widget in (self.source, self.list, self.repair, self.message):
+        for widget in (self.source, self.list, self.repair, self.map, self.legend, self.message):
             column.addWidget(widget)
         self.list.currentRowChanged.connect(self.choose)
+        self.map.toggled.connect(lambda _checked: self.show_map())
         self.repair.clicked.connect(lambda _checked=False: self.make_repair())
         self.watch = Watch(parts, self.close)
         self.follow = _Follow(self.doc.Name, self.refresh)
@@ -76,7 +82,7 @@ class AdvicePanel:
         self.is_open = False
         self.watch.remove()
         App.removeDocumentObserver(self.follow)
-        self.marks.clear()
+        self.overlay.clear()
         Gui.Control.closeDialog()
 
     # the work
@@ -85,7 +91,7 @@ class AdvicePanel:
         """Ask the coach again."""
         if not self.is_open:
             return
-        self.marks.clear()
+        self.overlay.clear()
         self.message.setText("")
         try:
             self.found = advice.findings(self.parts)
@@ -108,6 +114,29 @@ class AdvicePanel:
         if not self.found and not self.message.text():
             self.message.setText(status.problem(self.parts.outline) or translate("Nothing to improve."))
         self.choose(self.list.currentRow())
+        self.show_map()
+
+    def show_map(self):
+        """Colour the shape by the thickness predicted from its outline, or stop that."""
+        self.overlay.clear("map")
+        self.legend.setVisible(self.map.isChecked())
+        if not self.map.isChecked() or not status.is_ready(self.parts.outline):
+            return
+        try:
+            found = advice.advice_before(self.parts).map
+        except BalloonError as error:
+            self.legend.setText(str(error))
+            return
+        self.legend.setText(
+            translate("Blue 0 mm, green {:.0f} mm, red {:.0f} mm").format(
+                *(to_mm(share * float(found.thickness.max())) for share in (0.5, 1.0))
+            )
+        )
+        self.overlay.map(found, self.parts.outline.Placement, self._height())
+
+    def _height(self) -> float:
+        """Of the balloon over its plane [mm]."""
+        return 0.5 * self.parts.balloon.InflatedThickness.Value
 
     def choose(self, row: int):
         """Mark the place of a finding and offer its repair."""
@@ -116,17 +145,16 @@ class AdvicePanel:
         self.repair.setEnabled(repair is not None)
         self.repair.setText(translate("Repair") if repair is None else repair_text(repair))
         if finding is None:
-            self.marks.clear()
+            self.overlay.clear("mark")
             return
         outline = self.parts.outline
         size = max(outline.SizeX.Value, outline.SizeY.Value)
-        height = 0.5 * self.parts.balloon.InflatedThickness.Value
-        self.marks.show(finding, outline.Placement, size, height)
+        self.overlay.mark(finding, outline.Placement, size, self._height())
 
     def make_repair(self):
         """Make the edit and let the document follow, in one undo step."""
         repair = self.found[self.list.currentRow()].repair
-        self.marks.clear()
+        self.overlay.clear()
         self.doc.openTransaction(repair_text(repair))
         advice.take(self.parts, repair)
         self.doc.recompute()
