@@ -15,3 +15,25 @@ def shapely() -> Any:
     except ImportError as error:
         raise MissingPackageError("Patterns need shapely: install it with pip install shapely.") from error
     return package
+
+
+def ezdxf() -> Any:
+    """The package ezdxf. Raises MissingPackageError."""
+    try:
+        import ezdxf as package
+    except ImportError as error:
+        raise MissingPackageError(
+            "Writing DXF needs ezdxf: install it with pip install ezdxf, or use the SVG file."
+        ) from error
+    return package
+
+
+def reportlab_canvas() -> Any:
+    """The class Canvas of the package reportlab. Raises MissingPackageError."""
+    try:
+        from reportlab.pdfgen.canvas import Canvas
+    except ImportError as error:
+        raise MissingPackageError(
+            "Writing PDF needs reportlab: install it with pip install reportlab, or use the SVG file."
+        ) from error
+    return Canvas

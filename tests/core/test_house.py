@@ -35,7 +35,7 @@ QT = {"PySide", "PySide2", "PySide6", "PyQt5", "PyQt6", "shiboken2", "shiboken6"
 #: The rooms of the core in the order of the data; a room uses only those before it.
 ROOMS = ["outline", "mesh", "film", "solver", "design", "pattern", "coach", "export"]
 
-OPTIONAL = ["cv2", "scipy", "ezdxf", "shapely", "pythoncdt", "matplotlib", "PIL"]
+OPTIONAL = ["cv2", "scipy", "ezdxf", "shapely", "pythoncdt", "matplotlib", "reportlab", "PIL"]
 
 
 def sources(*suffixes: str) -> list[Path]:

@@ -28,6 +28,10 @@ LAYERS = {
     Role.CUT_INNER: Layer(5, "#0000ff"),
     Role.SEAL: Layer(6, "#ff00ff"),
     Role.WELD: Layer(3, "#00a000"),
+    Role.MARK: Layer(30, "#ff8000"),
+    Role.ENGRAVE: Layer(7, "#000000"),
+    Role.PRINT: Layer(8, "#808080"),
+    Role.REGISTRATION: Layer(4, "#00ffff"),
 }
 
 

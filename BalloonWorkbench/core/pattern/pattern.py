@@ -13,12 +13,16 @@ from BalloonWorkbench.core.types import Floats
 
 
 class Role(str, Enum):
-    """What a machine does along a contour; the value is the layer's name."""
+    """What a machine does along a contour, in the order in which it is done; the value is the layer's name."""
 
-    CUT = "CUT"
-    CUT_INNER = "CUT_INNER"
+    REGISTRATION = "REGISTRATION"  # control bar, marks to find the sheet again
+    PRINT = "PRINT"
+    ENGRAVE = "ENGRAVE"  # labels
+    MARK = "MARK"  # notches, folds, alignment
     SEAL = "SEAL"
     WELD = "WELD"  # inside the balloon
+    CUT_INNER = "CUT_INNER"
+    CUT = "CUT"
 
 
 @dataclass(frozen=True)
@@ -87,7 +91,7 @@ class Pattern:
     def roles(self) -> tuple[Role, ...]:
         """The roles that occur, in the order in which a machine takes them."""
         present = {contour.role for contour in self.contours}
-        return tuple(role for role in (Role.SEAL, Role.WELD, Role.CUT_INNER, Role.CUT) if role in present)
+        return tuple(role for role in Role if role in present)
 
     def of(self, role: Role) -> tuple[Contour, ...]:
         """The contours of one role."""

@@ -1,0 +1,136 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a machine gets of a pattern: lines in the order of the work, fitted, compensated, in millimetres."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from BalloonWorkbench.core.errors import ExportError
+from BalloonWorkbench.core.export.compensate import overrun, trailing_knife, without_kerf
+from BalloonWorkbench.core.export.machine import Machine
+from BalloonWorkbench.core.pattern.arcs import fit_curve
+from BalloonWorkbench.core.pattern.curves import Curve, polyline
+from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
+from BalloonWorkbench.core.types import Floats
+from BalloonWorkbench.core.units import MILLIMETRE, from_mm, to_mm
+
+#: The bar by which a user sees that the size is right [mm], its ticks, and its distance from the pattern.
+BAR = 100.0
+_TICK = 4.0
+_BESIDE = 8.0
+#: Lines of one role that are so close all along are one line [mm].
+_SAME = 0.01
+
+
+@dataclass(frozen=True)
+class Path:
+    """A curve on the sheet [mm] and what is done along it."""
+
+    role: Role
+    curve: Curve
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """Paths in the order of the work, lower left corner at the origin, and the size of it all [mm]."""
+
+    paths: tuple[Path, ...]
+    width: float
+    height: float
+
+    @property
+    def roles(self) -> tuple[Role, ...]:
+        """The roles that occur, in the order of the work."""
+        present = {path.role for path in self.paths}
+        return tuple(role for role in Role if role in present)
+
+    def of(self, role: Role) -> tuple[Path, ...]:
+        """The paths of one role."""
+        return tuple(path for path in self.paths if path.role is role)
+
+
+def draw(pattern: Pattern, machine: Machine) -> Drawing:
+    """The drawing of a pattern for a machine; kerf and knife offset are made up for here.
+
+    Raises ExportError when the pattern has none of the lines that the machine wants.
+    """
+    paths = [
+        Path(contour.role, curve)
+        for role in Role
+        for contour in pattern.of(role)
+        if role in machine.layers
+        for curve in _curves(contour, machine)
+    ]
+    if not paths:
+        wanted = ", ".join(role.value for role in machine.layers)
+        raise ExportError(f"The pattern has no lines for {machine.title}, which takes {wanted}.")
+    paths = _once(paths)
+    if machine.control_bar and Role.REGISTRATION in machine.layers:
+        low = np.min([path.curve.bounds[0] for path in paths], axis=0)
+        paths = [Path(Role.REGISTRATION, curve) for curve in _bar(low)] + paths
+    low = np.min([path.curve.bounds[0] for path in paths], axis=0)
+    high = np.max([path.curve.bounds[1] for path in paths], axis=0)
+    width, height = (high - low).tolist()
+    return Drawing(tuple(replace(path, curve=path.curve.moved(-low)) for path in paths), width, height)
+
+
+def _curves(contour: Contour, machine: Machine) -> Iterator[Curve]:
+    """The curves [mm] of one contour: several where the kerf parts it, none where it swallows it."""
+    cuts = contour.role in (Role.CUT, Role.CUT_INNER)
+    for points in without_kerf(contour, machine.kerf) if cuts else (contour.points,):
+        fit = fit_curve(points, contour.closed) if machine.arcs else polyline(points, contour.closed)
+        curve = fit.moved(np.zeros(2), 1.0 / MILLIMETRE)
+        if contour.role is Role.SEAL and contour.closed:
+            curve = overrun(curve, to_mm(machine.overrun))
+        if cuts:
+            curve = trailing_knife(curve, to_mm(machine.knife_offset))
+        yield curve
+
+
+def _once(paths: list[Path]) -> list[Path]:
+    """Without paths that lie on an earlier one of the same role."""
+    kept: list[Path] = []
+    for path in paths:
+        points = path.curve.flattened(_SAME)
+        if not any(
+            other.role is path.role
+            and np.abs(np.subtract(other.curve.bounds, path.curve.bounds)).max() < _SAME
+            and _farthest(points, other.curve.flattened(_SAME)) < 2.0 * _SAME
+            for other in kept
+        ):
+            kept.append(path)
+    return kept
+
+
+def _farthest(points: Floats, others: Floats) -> float:
+    """The largest distance of a point from the nearest of the others' vertices and edges."""
+    edges = np.roll(others, -1, axis=0) - others
+    away = points[:, None] - others
+    share = np.clip((away * edges).sum(axis=2) / np.maximum((edges * edges).sum(axis=1), 1e-12), 0.0, 1.0)
+    return float(np.linalg.norm(away - share[..., None] * edges, axis=2).min(axis=1).max())
+
+
+def _bar(low: Floats) -> Iterator[Curve]:
+    """The control bar below the lower left corner of everything [mm]."""
+    left, y = low + np.array([0.0, -_BESIDE])
+    for a, b in (
+        ((left, y), (left + BAR, y)),
+        ((left, y - 0.5 * _TICK), (left, y + 0.5 * _TICK)),
+        ((left + BAR, y - 0.5 * _TICK), (left + BAR, y + 0.5 * _TICK)),
+    ):
+        yield polyline(np.array([a, b]), False)
+
+
+def bed_size(machine: Machine) -> tuple[float, float] | None:
+    """The bed's width and height [mm]."""
+    return None if machine.bed is None else (to_mm(machine.bed[0]), to_mm(machine.bed[1]))
+
+
+def in_unit(drawing: Drawing, unit: float) -> Drawing:
+    """The drawing with its numbers in another unit [m]: coordinates and sizes are really scaled."""
+    scale = from_mm(1.0) / unit
+    paths = tuple(replace(path, curve=path.curve.moved(np.zeros(2), scale)) for path in drawing.paths)
+    return Drawing(paths, drawing.width * scale, drawing.height * scale)

@@ -1,0 +1,210 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The machines we know: what their programs read, and how lines are told apart there.
+
+One file each in resources/machines, and those of the user's own in a folder (`own_folder`), which come first.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.export.sheet import LAYERS
+from BalloonWorkbench.core.pattern.pattern import Role
+from BalloonWorkbench.core.units import INCH, MILLIMETRE, from_mm
+
+FOLDER = Path(__file__).resolve().parents[3] / "resources" / "machines"
+
+#: Endings of the formats, and the versions that each has.
+ENDINGS = {"dxf": "dxf", "svg": "svg", "pdf": "pdf", "hpgl": "plt"}
+_VERSIONS = {"dxf": ("R2000", "R12"), "svg": ("",), "pdf": ("",), "hpgl": ("",)}
+UNITS = {"mm": MILLIMETRE, "in": INCH}
+LINE_TYPES = ("CONTINUOUS", "DASHED")
+_LAYER_NAME = re.compile(r"[A-Z0-9_$-]{1,31}")
+_COLOUR = re.compile(r"#[0-9a-f]{6}")
+
+
+@dataclass(frozen=True)
+class Line:
+    """How a role is written: layer, AutoCAD colour index, RGB colour, line type, pen of a plotter."""
+
+    name: str
+    aci: int
+    rgb: str
+    line: str
+    pen: int
+
+
+@dataclass(frozen=True)
+class Machine:
+    """What a machine's program wants.
+
+    format     one of ENDINGS; version is R2000 or R12 for DXF
+    unit       of the coordinates, "mm" or "in"
+    arcs       arcs where they fit, else polylines only
+    layers     the roles that are written
+    bed        width and height that it can work on [m], None where there is no limit
+    kerf       width that the beam takes away; knife_offset of a swivel knife behind its axis; overrun of a
+               closed weld past its start; least_radius and least_gap it can follow [m]
+    control_bar  a bar of 100 mm on the layer REGISTRATION
+    """
+
+    name: str
+    title: str
+    note: str
+    format: str
+    version: str
+    unit: str
+    arcs: bool
+    layers: Mapping[Role, Line]
+    bed: tuple[float, float] | None
+    kerf: float
+    knife_offset: float
+    overrun: float
+    least_radius: float
+    least_gap: float
+    control_bar: bool
+
+    @property
+    def file_name(self) -> str:
+        """A name that tells the machine, and the unit where the format may leave it open."""
+        unit = f"_{self.unit}" if self.format == "dxf" else ""
+        return f"pattern-{self.name}{unit}.{ENDINGS[self.format]}"
+
+
+def own_folder() -> Path:
+    """Where the user's own machines are: BALLOON_MACHINES, else .film-balloon/machines in the home folder."""
+    chosen = os.environ.get("BALLOON_MACHINES")
+    return Path(chosen) if chosen else Path.home() / ".film-balloon" / "machines"
+
+
+def machines() -> dict[str, Machine]:
+    """All machines by name, in alphabetical order; one of the user's own takes the place of ours.
+
+    Raises InputError when a data file is of no use.
+    """
+    paths = {path.stem: path for folder in (FOLDER, own_folder()) for path in sorted(folder.glob("*.json"))}
+    return {name: read_machine(paths[name]) for name in sorted(paths)}
+
+
+def machine(name: str) -> Machine:
+    """The machine of this name, or the one that a file (.json) describes.
+
+    Raises InputError with the known names when there is none.
+    """
+    if name.lower().endswith(".json"):
+        return read_machine(Path(name))
+    known = machines()
+    found = known.get("-".join(name.lower().split()))
+    if found is None:
+        raise InputError(
+            f'There is no machine "{name}": choose one of {", ".join(known)}, or give a .json file.'
+        )
+    return found
+
+
+def read_machine(path: Path) -> Machine:
+    """The machine described by a data file, checked; keys carry their units.
+
+    Raises InputError that names the file and the value.
+    """
+    try:
+        data = json.loads(path.read_text(encoding="utf-8"))
+        found = _machine_of(data)
+    except KeyError as error:
+        raise InputError(f"The machine file {path.name} lacks {error}: add it.") from error
+    except (OSError, ValueError, TypeError, AttributeError, InputError) as error:
+        raise InputError(f"The machine file {path.name} is of no use: {error}") from error
+    if found.name != path.stem:
+        raise InputError(
+            f'The machine file {path.name} calls itself "{found.name}": give both the same name.'
+        )
+    return found
+
+
+_KEYS = {
+    "name", "title", "note", "format", "version", "unit", "arcs", "bed_mm", "kerf_mm", "knife_offset_mm",
+    "overrun_mm", "control_bar", "least_radius_mm", "least_gap_mm", "layers",
+}  # fmt: skip
+
+
+def _machine_of(data: dict[str, Any]) -> Machine:
+    strange = sorted(set(data) - _KEYS)
+    if strange:
+        raise InputError(f'nobody knows "{strange[0]}": it may be one of {", ".join(sorted(_KEYS))}.')
+    kind = _one_of(data["format"], tuple(ENDINGS), "format")
+    found = Machine(
+        name=str(data["name"]),
+        title=str(data["title"]),
+        note=str(data["note"]),
+        format=kind,
+        version=_one_of(data["version"], _VERSIONS[kind], "version"),
+        unit=_one_of(data["unit"], tuple(UNITS), "unit"),
+        arcs=_truth(data["arcs"], "arcs"),
+        layers=_layers(data["layers"]),
+        bed=_bed(data["bed_mm"]),
+        kerf=_length(data["kerf_mm"], "kerf_mm", 0.0, 20.0),
+        knife_offset=_length(data["knife_offset_mm"], "knife_offset_mm", 0.0, 20.0),
+        overrun=_length(data["overrun_mm"], "overrun_mm", 0.0, 1000.0),
+        least_radius=_length(data["least_radius_mm"], "least_radius_mm", 0.0),
+        least_gap=_length(data["least_gap_mm"], "least_gap_mm", 0.0),
+        control_bar=_truth(data["control_bar"], "control_bar"),
+    )
+    if kind in ("hpgl", "pdf") and found.unit != "mm":
+        raise InputError(f'a {kind.upper()} file has a unit of its own: give "unit": "mm".')
+    if kind == "hpgl" and found.arcs:
+        raise InputError('HPGL is written as polylines: give "arcs": false.')
+    return found
+
+
+def _layers(data: dict[str, dict[str, Any]]) -> dict[Role, Line]:
+    if not data:
+        raise InputError("no layer is written: name at least CUT.")
+    layers = {}
+    for key, line in data.items():
+        role = Role(_one_of(key, tuple(role.value for role in Role), "layer"))
+        name, rgb = str(line.get("name", role.value)), str(line.get("rgb", LAYERS[role].rgb)).lower()
+        if not _LAYER_NAME.fullmatch(name):
+            raise InputError(f'the layer name "{name}" may have 1 to 31 of A-Z, 0-9, _, - and $ only.')
+        if not _COLOUR.fullmatch(rgb):
+            raise InputError(f'the colour "{rgb}" is not written like #ff0000.')
+        aci, pen = int(line.get("aci", LAYERS[role].aci)), int(line.get("pen", 1))
+        if not (1 <= aci <= 255 and 1 <= pen <= 255):
+            raise InputError(f"colour index {aci} and pen {pen} of {name} must be from 1 to 255.")
+        layers[role] = Line(name, aci, rgb, _one_of(line.get("line", LINE_TYPES[0]), LINE_TYPES, "line"), pen)
+    return layers
+
+
+def _one_of(value: object, choices: tuple[str, ...], what: str) -> str:
+    if value not in choices:
+        raise InputError(
+            f'{what} "{value}" is none of {", ".join(choice or "(empty)" for choice in choices)}.'
+        )
+    return str(value)
+
+
+def _truth(value: object, what: str) -> bool:
+    if not isinstance(value, bool):
+        raise InputError(f"{what} is {value!r}: write true or false.")
+    return value
+
+
+def _bed(value: object) -> tuple[float, float] | None:
+    if value is None:
+        return None
+    if not (isinstance(value, list) and len(value) == 2):
+        raise InputError(f"bed_mm is {value!r}: give [width, height], or null where there is no limit.")
+    return _length(value[0], "bed_mm", 1.0), _length(value[1], "bed_mm", 1.0)
+
+
+def _length(value: object, what: str, low: float, high: float = 1e5) -> float:
+    number = float(value) if isinstance(value, (int, float)) else float("nan")
+    if not low <= number <= high:
+        raise InputError(f"{what} is {value!r}: give a number from {low:g} to {high:g}.")
+    return from_mm(number)

@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A drawing as SVG at its real size, with real arcs and a layer for each role."""
+
+from __future__ import annotations
+
+from BalloonWorkbench.core.export.drawing import Drawing, in_unit
+from BalloonWorkbench.core.export.machine import UNITS, Machine
+from BalloonWorkbench.core.pattern.curves import Curve
+from BalloonWorkbench.core.units import MILLIMETRE
+
+#: Laser drivers take strokes up to a thousandth of an inch as lines to cut [mm].
+_HAIRLINE = 0.025
+_DASH = 4.0
+_DIGITS = 5
+
+
+def drawing_svg(drawing: Drawing, machine: Machine) -> bytes:
+    """The file's content; the same bytes for the same drawing."""
+    scale = MILLIMETRE / UNITS[machine.unit]
+    scaled = in_unit(drawing, UNITS[machine.unit])
+    width, height = _number(scaled.width), _number(scaled.height)
+    lines = [
+        '<?xml version="1.0" encoding="UTF-8"?>',
+        '<svg xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape"'
+        f' version="1.1" width="{width}{machine.unit}" height="{height}{machine.unit}"'
+        f' viewBox="0 0 {width} {height}">',
+    ]
+    for role in scaled.roles:
+        line = machine.layers[role]
+        dash = f' stroke-dasharray="{_number(_DASH * scale)}"' if line.line == "DASHED" else ""
+        lines.append(
+            f'  <g id="{line.name}" inkscape:groupmode="layer" inkscape:label="{line.name}"'
+            f' fill="none" stroke="{line.rgb}" stroke-width="{_number(_HAIRLINE * scale)}"{dash}>'
+        )
+        lines += [f'    <path d="{_course(path.curve, scaled.height)}"/>' for path in scaled.of(role)]
+        lines.append("  </g>")
+    lines.append("</svg>")
+    return ("\n".join(lines) + "\n").encode("utf-8")
+
+
+def _course(curve: Curve, height: float) -> str:
+    """The path's commands. SVG's y runs downward, so a turn to the left has the sweep flag 0."""
+    x, y = curve.joints[0]
+    words = [f"M {_number(x)} {_number(height - y)}"]
+    for segment, radius in zip(curve.segments, curve.radii):
+        end = f"{_number(segment.end[0])} {_number(height - segment.end[1])}"
+        if segment.bulge == 0.0:
+            words.append(f"L {end}")
+        else:
+            size, large = _number(float(radius)), int(abs(segment.bulge) > 1.0)
+            words.append(f"A {size} {size} 0 {large} {int(segment.bulge < 0.0)} {end}")
+    return " ".join([*words, "Z"] if curve.closed else words)
+
+
+def _number(value: float) -> str:
+    text = f"{value:.{_DIGITS}f}".rstrip("0").rstrip(".")
+    return "0" if text == "-0" else text

@@ -1,0 +1,208 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Machines as data: what ships, what a user may change, and what is refused."""
+
+from __future__ import annotations
+
+import json
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+import pytest
+import shapely
+from drawn_shapes import NAMED
+
+from BalloonWorkbench.core.errors import ExportError, InputError
+from BalloonWorkbench.core.export.compensate import overrun, trailing_knife, without_kerf
+from BalloonWorkbench.core.export.drawing import BAR, draw
+from BalloonWorkbench.core.export.fabricate import machine_file
+from BalloonWorkbench.core.export.machine import FOLDER, machine, machines, read_machine
+from BalloonWorkbench.core.export.preflight import ERROR, WARNING, preflight
+from BalloonWorkbench.core.pattern.arcs import fit_curve
+from BalloonWorkbench.core.pattern.build import build_pattern
+from BalloonWorkbench.core.pattern.curves import Curve, polyline
+from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
+
+SQUARE = np.array([[0.0, 0.0], [0.1, 0.0], [0.1, 0.1], [0.0, 0.1]])
+
+
+def changed(folder: Path, **values: object) -> Path:
+    data = json.loads((FOLDER / "lightburn.json").read_text(encoding="utf-8"))
+    data.update(values)
+    path = folder / f"{data['name']}.json"
+    path.write_text(json.dumps(data), encoding="utf-8")
+    return path
+
+
+def pattern_of(*contours: Contour) -> Pattern:
+    return Pattern(contours, None, 0.005, 0.4)
+
+
+def test_every_wanted_machine_is_there() -> None:
+    assert {"lightburn", "rdworks", "silhouette", "cricut", "glowforge", "inkscape", "cutting-shop",
+            "hpgl-plotter", "paper", "heat-sealer"} <= set(machines())  # fmt: skip
+    assert machine("glowforge").format == "svg"
+    assert machine("Cutting Shop").version == "R12"
+    for name, found in machines().items():
+        assert found.kerf == found.knife_offset == 0.0, name
+
+
+def test_a_copy_of_the_users_own_comes_first(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("BALLOON_MACHINES", str(tmp_path))
+    changed(tmp_path, kerf_mm=0.2)
+    changed(tmp_path, name="mine")
+    assert machine("lightburn").kerf == pytest.approx(0.0002)
+    assert "mine" in machines()
+    assert machine(str(tmp_path / "mine.json")).name == "mine"
+
+
+@pytest.mark.parametrize(
+    ("values", "text"),
+    [
+        ({"format": "cdr"}, "cdr"),
+        ({"version": "R14"}, "R14"),
+        ({"unit": "cm"}, "cm"),
+        ({"kerf_mm": -1}, "kerf_mm"),
+        ({"kerf_mm": "wide"}, "kerf_mm"),
+        ({"arcs": 1}, "arcs"),
+        ({"bed_mm": [100]}, "bed_mm"),
+        ({"layers": {}}, "layer"),
+        ({"layers": {"SLICE": {}}}, "SLICE"),
+        ({"layers": {"CUT": {"name": "cut here"}}}, "cut here"),
+        ({"layers": {"CUT": {"rgb": "red"}}}, "red"),
+        ({"layers": {"CUT": {"aci": 0}}}, "0"),
+        ({"colour": "red"}, "colour"),
+        ({"format": "hpgl", "version": ""}, "arcs"),
+    ],
+)
+def test_mistakes_are_named(tmp_path: Path, values: dict[str, object], text: str) -> None:
+    with pytest.raises(InputError, match=text) as caught:
+        read_machine(changed(tmp_path, **values))
+    assert "lightburn.json" in str(caught.value)
+
+
+def test_missing_key_and_wrong_name(tmp_path: Path) -> None:
+    path = changed(tmp_path)
+    data = json.loads(path.read_text(encoding="utf-8"))
+    del data["unit"]
+    path.write_text(json.dumps(data), encoding="utf-8")
+    with pytest.raises(InputError, match="lacks 'unit'"):
+        read_machine(path)
+    path.write_text("{", encoding="utf-8")
+    with pytest.raises(InputError, match="no use"):
+        read_machine(path)
+    with pytest.raises(InputError, match="both the same name"):
+        read_machine(changed(tmp_path).rename(tmp_path / "other.json"))
+    with pytest.raises(InputError, match="lightburn"):
+        machine("sharp stick")
+
+
+def test_order_bar_and_no_duplicates() -> None:
+    hole = Contour(Role.CUT_INNER, SQUARE[::-1] * 0.2 + 0.04, True)
+    cut = Contour(Role.CUT, SQUARE, True)
+    drawing = draw(pattern_of(cut, hole, hole, cut), machine("lightburn"))
+    assert [path.role for path in drawing.paths] == [Role.REGISTRATION] * 3 + [Role.CUT_INNER, Role.CUT]
+    bar = drawing.paths[0].curve
+    assert bar.length == pytest.approx(BAR)
+    low = np.min([path.curve.bounds[0] for path in drawing.paths], axis=0)
+    assert low == pytest.approx([0.0, 0.0], abs=1e-9)
+    assert drawing.of(Role.CUT)[0].curve.length == pytest.approx(400.0)
+
+
+def test_nothing_for_the_machine() -> None:
+    with pytest.raises(ExportError, match="SEAL"):
+        draw(pattern_of(Contour(Role.CUT, SQUARE, True)), machine("heat-sealer"))
+    with pytest.raises(ExportError, match="pages"):
+        machine_file(pattern_of(Contour(Role.CUT, SQUARE, True)), machine("lightburn"), "A4")
+
+
+def test_kerf_grows_the_outside_and_shrinks_holes() -> None:
+    (outer,) = without_kerf(Contour(Role.CUT, SQUARE, True), 0.001)
+    assert shapely.Polygon(outer).area == pytest.approx(0.101**2)
+    (inner,) = without_kerf(Contour(Role.CUT_INNER, SQUARE[::-1], True), 0.001)
+    assert shapely.Polygon(inner).area == pytest.approx(0.099**2)
+    assert without_kerf(Contour(Role.CUT_INNER, SQUARE[::-1] * 0.001, True), 0.001) == ()
+
+
+def test_knife_tip_follows_the_line() -> None:
+    """A tip that trails the axis like a castor, stepped along the axis' way, stays on the curve."""
+    curve = fit_curve(NAMED["heart"].outer * 0.2, True).moved(np.zeros(2), 1000.0)
+    axis = trailing_knife(curve, 0.5).flattened(1e-3)
+    way = np.concatenate([np.linspace(a, b, 12, endpoint=False) for a, b in pairwise(axis)])
+    tip = curve.joints[0].copy()
+    line = shapely.LinearRing(curve.flattened(1e-4))
+    off = []
+    for at in way:
+        away = tip - at
+        tip = at + 0.5 * away / np.hypot(*away)
+        off.append(line.distance(shapely.Point(tip)))
+    assert max(off) < 0.02
+
+
+def test_knife_swings_at_corners() -> None:
+    swung = trailing_knife(polyline(SQUARE * 1000.0, True), 1.0)
+    assert len(swung) == 8
+    assert swung.bounds[0] == pytest.approx([-1.0, -1.0])
+    assert swung.bounds[1] == pytest.approx([101.0, 101.0])
+    assert swung.radii[swung.bulges != 0.0] == pytest.approx(np.ones(4))
+
+
+def test_weld_runs_past_its_start() -> None:
+    seal = polyline(SQUARE * 1000.0, True)
+    longer = overrun(seal, 150.0)
+    assert not longer.closed
+    assert longer.length == pytest.approx(550.0)
+    assert longer.joints[-1] == pytest.approx([100.0, 50.0])
+    circle = Curve(np.array([[0.0, 0.0], [2.0, 0.0]]), np.ones(2), True)
+    assert overrun(circle, 0.5 * np.pi).joints[-1] == pytest.approx([1.0, -1.0])
+
+
+def test_preflight_of_good_patterns() -> None:
+    assert preflight(build_pattern(NAMED["heart"], 0.005), machine("lightburn")) == ()
+
+
+def test_open_and_crossing_lines_are_errors() -> None:
+    bow = np.array([[0.0, 0.0], [0.1, 0.1], [0.1, 0.0], [0.0, 0.1]])
+    (finding,) = preflight(pattern_of(Contour(Role.CUT, bow, True)), machine("lightburn"))
+    assert finding.severity == ERROR
+    assert finding.place == pytest.approx([0.05, 0.05])
+    assert "(50, 50) mm" in finding.text
+    (finding,) = preflight(pattern_of(Contour(Role.CUT, SQUARE, False)), machine("lightburn"))
+    assert finding.severity == ERROR
+    assert "open" in finding.text
+    hole = Contour(Role.CUT_INNER, SQUARE[::-1] + 0.05, True)
+    findings = preflight(pattern_of(Contour(Role.CUT, SQUARE, True), hole), machine("lightburn"))
+    assert "meet" in findings[0].text
+
+
+def test_narrow_places_are_found() -> None:
+    """A hole 0.6 mm from the edge, and a slit whose sides are 0.5 mm apart."""
+    hole = Contour(Role.CUT_INNER, SQUARE[::-1] * 0.2 + [0.0006, 0.04], True)
+    (finding,) = preflight(pattern_of(Contour(Role.CUT, SQUARE, True), hole), machine("lightburn"))
+    assert finding.severity == WARNING
+    assert "0.6 mm" in finding.text
+    assert finding.place[0] == pytest.approx(0.0003, abs=1e-4)
+    slit = np.array(
+        [[0.0, 0.0], [0.1, 0.0], [0.1, 0.1], [0.0502, 0.1], [0.05, 0.02], [0.0497, 0.1], [0.0, 0.1]]
+    )
+    findings = preflight(pattern_of(Contour(Role.CUT, slit, True)), machine("lightburn"))
+    assert any("stay between" in finding.text for finding in findings)
+
+
+def test_smallest_radius() -> None:
+    turn = np.linspace(0.0, 2.0 * np.pi, 60, endpoint=False)
+    tiny = np.stack([np.cos(turn), np.sin(turn)], axis=1)[::-1] * 0.0002 + 0.05
+    contours = Contour(Role.CUT, SQUARE, True), Contour(Role.CUT_INNER, tiny, True)
+    findings = preflight(pattern_of(*contours), machine("lightburn"))
+    assert any("radius is 0.2" in finding.text for finding in findings)
+
+
+def test_bed_in_both_units() -> None:
+    tall = pattern_of(Contour(Role.CUT, SQUARE * [3.0, 5.5], True))
+    (turned,) = preflight(tall, machine("lightburn"))
+    assert turned.severity == WARNING
+    assert "turn the pattern" in turned.text
+    (large,) = preflight(pattern_of(Contour(Role.CUT, SQUARE * 7.0, True)), machine("lightburn"))
+    assert large.severity == ERROR
+    assert "700 x 700 mm (27.56 x 27.56 in)" in large.text
+    assert preflight(pattern_of(Contour(Role.CUT, SQUARE * 7.0, True)), machine("inkscape")) == ()
