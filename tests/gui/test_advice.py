@@ -66,6 +66,7 @@ def test_finding_is_marked_while_it_is_chosen(panel):
 def test_repair_is_one_undo_step(panel):
     doc = panel.outline.Document
     assert "Measured" in hands.find("AdviceSource").text()
+    assert f"{100 * panel.balloon.Puffiness:.0f} %" in hands.find("AdviceSource").text()
     volume = panel.balloon.Volume.Value
     choose("arm is too thin")
     assert hands.find("Repair").text().startswith("Widen to")

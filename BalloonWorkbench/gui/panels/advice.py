@@ -41,7 +41,7 @@ class AdvicePanel:
         self.list.setWordWrap(True)
         self.repair = QtWidgets.QPushButton()
         self.repair.setObjectName("Repair")
-        self.map = QtWidgets.QCheckBox(translate("Show the thickness to be expected"))
+        self.map = QtWidgets.QCheckBox(translate("Expected thickness"))
         self.map.setObjectName("ThicknessMap")
         self.legend = QtWidgets.QLabel()
         self.legend.setObjectName("Legend")
@@ -99,11 +99,7 @@ class AdvicePanel:
         except BalloonError as error:
             self.found, measured = [], False
             self.message.setText(str(error))
-        self.source.setText(
-            translate("Measured on the inflated balloon.")
-            if measured
-            else translate("Predicted from the outline; not inflated yet.")
-        )
+        self.source.setText(self._source(measured))
         self.list.blockSignals(True)
         self.list.clear()
         for finding in self.found:
@@ -115,6 +111,17 @@ class AdvicePanel:
             self.message.setText(status.problem(self.parts.outline) or translate("Nothing to improve."))
         self.choose(self.list.currentRow())
         self.show_map()
+
+    def _source(self, measured: bool) -> str:
+        """Where the findings come from, and how round the shape is."""
+        if measured:
+            text, puffiness = translate("Measured on the inflated balloon."), self.parts.balloon.Puffiness
+        elif self.message.text() or not status.is_ready(self.parts.outline):
+            return ""
+        else:
+            text = translate("Predicted from the outline; not inflated yet.")
+            puffiness = advice.advice_before(self.parts).puffiness
+        return f"{text} " + translate("Roundness {:.0f} % of a disc's.").format(100.0 * puffiness)
 
     def show_map(self):
         """Colour the shape by the thickness predicted from its outline, or stop that."""
