@@ -122,7 +122,7 @@ def companions(parts: Parts) -> list[Parts]:
     found = [
         Parts(obj.Balloon.Outline, obj.Balloon, obj)
         for obj in members
-        if isinstance(getattr(obj, "Proxy", None), PatternProxy)
+        if pattern.is_pattern(obj)
         and obj.Balloon
         and obj.Balloon.Outline
         and obj.Balloon.Outline.Leader == parts.outline

@@ -14,12 +14,14 @@ FORMATS = ("dxf", "svg")
 def export_pattern(pattern_obj, target) -> Path:
     """Write the pattern to a file, in the format of its ending, or into a folder as DXF; returns the file.
 
+    Given the group of a drawing, all its patterns go on one sheet, none over another.
     Raises ExportError for another ending, a pattern that is not up to date, a place that cannot be written.
     """
-    from BalloonWorkbench.app.pattern import build
+    from BalloonWorkbench.app.pattern import build, is_pattern
     from BalloonWorkbench.core.export.dxf import dxf_bytes
     from BalloonWorkbench.core.export.files import write_files
     from BalloonWorkbench.core.export.svg import svg_bytes
+    from BalloonWorkbench.core.pattern.layout import on_one_sheet
 
     path = Path(target)
     if path.is_dir():
@@ -27,8 +29,12 @@ def export_pattern(pattern_obj, target) -> Path:
     kind = path.suffix.lower().lstrip(".")
     if kind not in FORMATS:
         raise ExportError(f"{path.name} is neither DXF nor SVG: let the name end in .dxf or .svg.")
-    _insist_on_ready(pattern_obj)
-    pattern = build(pattern_obj)
+    objects = [obj for obj in getattr(pattern_obj, "Group", [pattern_obj]) if is_pattern(obj)]
+    if not objects:
+        raise ExportError(f"{pattern_obj.Label} has no pattern: choose a balloon.")
+    for obj in objects:
+        _insist_on_ready(obj)
+    pattern = on_one_sheet([build(obj) for obj in objects])
     write_files(path.parent, {path.name: dxf_bytes(pattern) if kind == "dxf" else svg_bytes(pattern)})
     return path
 

@@ -61,6 +61,11 @@ class PatternProxy(Stateless):
         obj.positionBySupport()
 
 
+def is_pattern(obj) -> bool:
+    """Whether a document object is a pattern."""
+    return isinstance(getattr(obj, "Proxy", None), PatternProxy)
+
+
 def build(obj):
     """The pattern in full precision, from the balloon's seam and the object's own values."""
     from BalloonWorkbench.app import shapes

@@ -10,6 +10,7 @@ import sketches
 
 from BalloonWorkbench.app import create, status
 from BalloonWorkbench.app.balloon import request
+from BalloonWorkbench.app.export import export_pattern
 from BalloonWorkbench.app.outline import set_drawing
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film.film import Film
@@ -107,6 +108,8 @@ def test_each_shape_of_a_drawing_is_a_balloon(doc, tmp_path):
     boxes = [each.pattern.Shape.BoundBox for each in (parts, other)]
     assert min(box.XMin for box in boxes) > max(each.outline.Shape.BoundBox.XMax for each in (parts, other))
     assert not boxes[0].intersect(boxes[1])
+    sheet = export_pattern(parts.balloon.getParentGroup(), tmp_path / "both.svg").read_text()
+    assert sheet.count("<path") == 4  # a cut and a weld for each
     # the drawing is shared
     parts.outline.Width = 0.5 * 200
     doc.recompute()

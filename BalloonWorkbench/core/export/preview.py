@@ -120,6 +120,8 @@ def _drawing(axes: Any, designs: Sequence[Design]) -> None:
     frame = _common_frame(axes, designs)
     for design in designs:
         _area(axes, design.target, frame, fc=_DRAWING, ec="none")
+        for weld in design.target.welds:
+            axes.plot(*frame(to_mm(weld)).T, color=_CARD, lw=1.4, solid_capstyle="round")
     width, height = to_mm(np.ptp(np.concatenate([design.target.outer for design in designs]), axis=0))
     holes = sum(len(design.target.holes) for design in designs)
     shapes = "" if len(designs) == 1 else f", {len(designs)} shapes"
