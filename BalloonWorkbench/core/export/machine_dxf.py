@@ -35,10 +35,9 @@ def drawing_dxf(drawing: Drawing, machine: Machine) -> bytes:
         space = document.modelspace()
         for path in scaled.paths:
             _add(space, path, machine)
-        if machine.version != "R12":
-            corner = (scaled.width, scaled.height)
-            space.reset_extents((0.0, 0.0, 0.0), (*corner, 0.0))
-            space.reset_limits((0.0, 0.0), corner)
+        corner = (scaled.width, scaled.height)
+        space.reset_extents((0.0, 0.0, 0.0), (*corner, 0.0))
+        space.reset_limits((0.0, 0.0), corner)
         stream = io.StringIO(newline="\n")
         document.write(stream)
     finally:

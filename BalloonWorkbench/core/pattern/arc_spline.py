@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The fewest arcs, smooth where they meet, that stay within a tolerance of a polyline.
 
-Along the polyline let g be the integral of its heading, and f that of the curve's heading. A curve of arcs
-makes f a chain of parabolas with equal slopes where they meet, and f - g is its distance from the polyline, up
+Along the polyline let g be the integral of its heading, f that of the curve's heading. A curve of arcs
+makes f a chain of parabolas with equal slopes where they meet; f - g is its distance from the polyline up
 to terms that a later exact check covers. From one state (place, distance, heading) the curvatures of an arc
 that stays inside the tolerance up to a place are an interval, the intersection of those for each sample.
 

@@ -13,7 +13,7 @@ from BalloonWorkbench.core.types import Floats
 
 
 class Role(str, Enum):
-    """What a machine does along a contour, in the order in which it is done; the value is the layer's name."""
+    """What a machine does along a contour, in the order of the work; the value is the layer's name."""
 
     REGISTRATION = "REGISTRATION"  # control bar, marks to find the sheet again
     PRINT = "PRINT"
