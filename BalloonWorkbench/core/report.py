@@ -52,7 +52,7 @@ def together(parts: Sequence[dict[str, Any]], drawing: Drawing, sheet: Pattern) 
             **parts[0]["input"],
             "width_mm": to_mm(width),
             "height_mm": to_mm(height),
-            "holes": sum(len(part.holes) for part in drawing.parts),
+            **{key: sum(part["input"][key] for part in parts) for key in ("holes", "welds")},
             "shapes": len(drawing.parts),
         },
         "sheet": {
@@ -65,7 +65,7 @@ def together(parts: Sequence[dict[str, Any]], drawing: Drawing, sheet: Pattern) 
             {
                 "outline": {
                     "at_mm": to_mm(outline.outer.min(axis=0) - corner).tolist(),
-                    **{key: part["input"][key] for key in ("width_mm", "height_mm", "holes")},
+                    **{key: part["input"][key] for key in ("width_mm", "height_mm", "holes", "welds")},
                 },
                 **{key: part[key] for key in _OF_A_PART},
             }
@@ -103,6 +103,7 @@ def build(
             "width_mm": to_mm(width),
             "height_mm": to_mm(height),
             "holes": len(source.outline.holes),
+            "welds": len(source.outline.welds) + len(source.outline.spots),
         },
         "material": {
             "name": film.name,

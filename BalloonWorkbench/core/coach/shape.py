@@ -43,8 +43,8 @@ def sharp_notches(subject: Subject) -> Iterator[Finding]:
 
 
 def rings(subject: Subject) -> Iterator[Finding]:
-    """Holes round which the balloon warps."""
-    for hole in subject.outline.loops[1:]:
+    """Holes round which the balloon warps; spots keep their film, and with it their shape."""
+    for hole in subject.outline.holes:
         warp = predicted_warp(subject.outline, hole)
         found = subject.finding(
             "warping_ring", warp, hole.mean(axis=0), (hole,), None, length=mm(warp * subject.size)

@@ -142,11 +142,11 @@ def _silhouette(axes: Any, designs: Sequence[Design]) -> None:
     off = worst.residual
     mean, p95, most = (to_mm(value) for value in (off.mean, off.p95, off.max))
     share = 100.0 * off.mean / max(*worst.target.size, 1e-12)
-    error = "error" if len(designs) == 1 else "worst"
+    spread = f"95 % {p95:.2g} mm, " if len(designs) == 1 else "of the worst; "
     marked = ", not reached: yellow" if any(design.unreached for design in designs) else ""
     _caption(
         axes,
-        f"{error}: mean {mean:.2g} mm ({share:.2g} %), 95 % {p95:.2g} mm, max {most:.2g} mm{marked}",
+        f"error: mean {mean:.2g} mm ({share:.2g} %), {spread}max {most:.2g} mm{marked}",
         _SOFT if all(design.reached for design in designs) else "#b3541e",
     )
 
