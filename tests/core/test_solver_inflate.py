@@ -168,6 +168,22 @@ def test_warm_start(backend: str) -> None:
     assert warm.volume > before.volume
 
 
+@both_backends
+def test_small_edits_need_few_steps(backend: str) -> None:
+    """As in the last passes of a correction: a rim moved by a thousandth, and no edit at all."""
+    mylar = films()["mylar"]
+    first = drawn("heart", 600)
+    before = inflate(first, mylar, 2000.0, backend=backend)
+    moved = move_rim(first, [first.rest_positions[seam] * (1.001, 1.0) for seam in first.seams])
+    assert moved is not None
+    warm = inflate(moved, mylar, 2000.0, backend=backend, start=before)
+    again = inflate(first, mylar, 2000.0, backend=backend, start=before)
+    assert warm.report.converged
+    assert max(warm.report.newton_steps, again.report.newton_steps) <= 6
+    assert again.volume == pytest.approx(before.volume, rel=1e-4)
+    assert 1.0005 < warm.volume / before.volume < 1.003
+
+
 def test_start_from_another_mesh_is_a_cold_one() -> None:
     other = inflate(panel("disc", 400), film(100), PRESSURE)
     mesh = panel("disc", 500)

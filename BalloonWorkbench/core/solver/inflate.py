@@ -19,10 +19,8 @@ from BalloonWorkbench.core.solver.kinematics import deformation_gradients, film_
 from BalloonWorkbench.core.solver.membrane import principal_stresses
 from BalloonWorkbench.core.solver.model import Model, film_problem, stiffness_levels
 from BalloonWorkbench.core.solver.problem import NewtonSettings
-from BalloonWorkbench.core.types import Floats, Progress, no_progress
+from BalloonWorkbench.core.types import Progress, no_progress
 
-#: A warm start is stretched by this: a slack film has no stiffness to start from.
-WARM_STRETCH = 1.08
 #: The lower half is the upper one mirrored in the plane of the seam.
 MIRROR = np.array([1.0, 1.0, -1.0])
 
@@ -65,9 +63,10 @@ def inflate(
         directors = starts.vertex_normals(positions, flat)
         levels = stiffness_levels(stiffness_k)
     else:
-        positions = _stretched(start, panel)[origin] / size
+        moved, softening = starts.carried_over(start, panel)
+        positions = moved[origin] / size
         directors = np.concatenate([start.directors, starts.vertex_normals(positions, flat)[upper:]])
-        levels = tuple(stiffness_k / 3.0**step for step in (3, 2, 1, 0))
+        levels = tuple(stiffness_k / factor for factor in softening)
     if model.two_panels:
         positions, directors = (np.concatenate([half, half * MIRROR]) for half in (positions, directors))
         x, y = (positions - positions.mean(axis=0))[:, :2].T
@@ -101,12 +100,3 @@ def inflate(
         report,
         rest.positions[len(origin) :][:upper] * size if model.two_panels else None,
     )
-
-
-def _stretched(start: Inflation, panel: Panel) -> Floats:
-    """Positions (n, 3) of an earlier result, moved with the panel and stretched until nothing is slack."""
-    positions = start.positions.copy()
-    positions[:, :2] += panel.rest_positions - start.panel.rest_positions
-    positions[:, 2] -= positions[np.concatenate(panel.seams), 2].mean()
-    centre = positions.mean(axis=0) * (1.0, 1.0, 0.0)
-    return centre + WARM_STRETCH * (positions - centre)

@@ -2,8 +2,9 @@
 """Quasi-static Newton iteration in NumPy and SciPy: the oracle of the native solver and its stand-in.
 
 Stiffness continuation: a film that is too soft finds its shape in a few steps; each stiffer level starts
-from the softer one. Only the pressure makes the Hessian indefinite; a shift proportional to the area of
-each vertex restores definiteness and shortens steps that would go too far.
+from the softer one. Only the pressure makes the Hessian indefinite, where the film is slack; the stiffness of
+an even tension restores definiteness and shortens steps that would go too far. It calms folds of the size of
+the mesh and lets the balloon move as a whole, so that as much of it serves on every mesh.
 """
 
 from __future__ import annotations
@@ -24,12 +25,12 @@ if TYPE_CHECKING:
 
 # The native solver has the same numbers (native/src/newton.cpp): both must take the same steps.
 LEVEL_TOLERANCE = 0.02  # a softer level is good enough at this relative decrement
-SMALLEST_SHIFT = 1e-6
-FIRST_SHIFT = 0.3  # tried when the unshifted Hessian is indefinite
-LARGEST_SHIFT = 1e12
-SHIFT_GROWTH = 8.0
-SHIFT_DECAY = 0.2
+SHIFT = 1e-6  # of the area of each vertex, on the diagonal: holds what moves in the plane as a whole
 DIRECTOR_SHIFT = 0.1  # of the flexural rigidity, for a unit of shift
+FIRST_TENSION = 0.03  # in p L, tried when the Hessian is indefinite
+LARGEST_TENSION = 1e12
+TENSION_GROWTH = 8.0
+TENSION_DECAY = 0.2
 SUFFICIENT = 2e-4  # part of the predicted decrease that a step must bring
 SHORTEST = 1e-3  # of a Newton step; shorter ones are rejected
 
@@ -48,8 +49,8 @@ def solve(
     SolverError when the start has no finite energy.
     """
     shell = Shell(problem)
-    mass = _masses(shell)
-    shift = SMALLEST_SHIFT
+    shift = SHIFT * _masses(shell)
+    shell.tension = 0.0
     steps = factorisations = 0
     converged = False
     for level, stiffness in enumerate(levels):
@@ -62,8 +63,7 @@ def solve(
         level_done = False
         while not level_done and steps < settings.max_steps:
             frames = tangent_frames(directors)
-            gradient, hessian = shell.derivatives(positions, directors, frames)
-            factor, shift, tries = _definite_factor(shell, hessian, mass, shift)
+            gradient, factor, tries = _definite_factor(shell, positions, directors, frames, shift)
             factorisations += tries
             if factor is None:
                 return Equilibrium(positions, directors, steps, factorisations, False)
@@ -81,11 +81,11 @@ def solve(
                 length *= 0.5
             if length < SHORTEST:
                 level_done = decrement <= tolerance * abs(energy)
-                shift = min(max(shift * SHIFT_GROWTH**2, FIRST_SHIFT), LARGEST_SHIFT)
+                shell.tension = min(max(TENSION_GROWTH**2 * shell.tension, FIRST_TENSION), LARGEST_TENSION)
             else:
                 positions, directors, energy = next_positions, next_directors, trial
                 level_done = decrement <= tolerance * abs(energy)
-                shift = _next_shift(shift, length)
+                shell.tension = _next_tension(shell.tension, length)
             converged = last and level_done
             if not progress(
                 (level + min(1.0, tolerance * abs(energy) / max(decrement, 1e-300))) / len(levels),
@@ -103,26 +103,29 @@ def _masses(shell: Shell) -> Floats:
     return shell.gathered(mass)
 
 
-def _next_shift(shift: float, length: float) -> float:
+def _next_tension(tension: float, length: float) -> float:
     if length == 1.0:
-        return max(shift * SHIFT_DECAY, SMALLEST_SHIFT)
+        return TENSION_DECAY * tension
     if length < 0.3:
-        return max(shift, 0.1 * FIRST_SHIFT) * min(0.5 / length, SHIFT_GROWTH)
-    return shift
+        return max(tension, 0.1 * FIRST_TENSION) * min(0.5 / length, TENSION_GROWTH)
+    return tension
 
 
 def _definite_factor(
-    shell: Shell, hessian: csc_matrix, mass: Floats, shift: float
-) -> tuple[SuperLU | None, float, int]:
-    """Factor the Hessian with the smallest tried shift that makes it positive definite; None if none does."""
+    shell: Shell, positions: Floats, directors: Floats, frames: Floats, shift: Floats
+) -> tuple[Floats, SuperLU | None, int]:
+    """Gradient and factor of the Hessian, with the least tried tension that makes it positive definite.
+
+    None for the factor when there is none.
+    """
     tries = 0
-    while shift <= LARGEST_SHIFT:
+    while True:
+        gradient, hessian = shell.derivatives(positions, directors, frames)
+        factor = _cholesky_like(shell.scatter.shifted(hessian, shift))
         tries += 1
-        factor = _cholesky_like(shell.scatter.shifted(hessian, shift * mass))
-        if factor is not None:
-            return factor, shift, tries
-        shift = max(shift * SHIFT_GROWTH, FIRST_SHIFT)
-    return None, shift, tries
+        if factor is not None or shell.tension >= LARGEST_TENSION:
+            return gradient, factor, tries
+        shell.tension = max(TENSION_GROWTH * shell.tension, FIRST_TENSION)
 
 
 def _cholesky_like(matrix: csc_matrix) -> SuperLU | None:

@@ -9,7 +9,7 @@ these six numbers, bilinear in positions and directors, so that it is right at l
 
 W is the tension field (membrane.py), V the volume between the film and the plane z = 0. The Hessian is
 exact but for the second derivatives of beta, whose omission (Gauss-Newton) keeps the bending part positive
-semi-definite.
+semi-definite. `tension` adds the stiffness of so much tension in all directions to the Hessian.
 """
 
 from __future__ import annotations
@@ -56,6 +56,7 @@ class Shell:
         self._membrane = problem.membrane
         self.flexural_rigidity = problem.flexural_rigidity
         self.pressure = problem.pressure
+        self.tension = 0.0
         self.loads = np.zeros((len(rest_positions), 3)) if problem.loads is None else problem.loads
         self._shape, self.areas = dkt.gradients(corners)  # (m, 3, 2), (m,)
         self._rotation_stiffness = dkt.rotation_stiffness(corners, problem.poisson_ratio)
@@ -107,6 +108,7 @@ class Shell:
         stiffness[:, :9, :9] = np.matmul(np.swapaxes(strain_operator, 1, 2), weighted)
         s11, s22, s12 = (membrane.stress * scale[:, None]).T
         stress = np.stack([np.stack([s11, s12], 1), np.stack([s12, s22], 1)], 1)
+        stress += (self.tension * self.areas)[:, None, None] * np.eye(2)
         geometric = self._shape @ stress @ np.swapaxes(self._shape, 1, 2)
         blocks = stiffness[:, :9, :9].reshape(-1, 3, 3, 3, 3)
         for axis in range(3):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Start shapes: a flat film is singular under pressure, so the simulation begins from a dome."""
+"""Start shapes: a dome, because a flat film is singular under pressure, or an earlier balloon."""
 
 from __future__ import annotations
 
@@ -7,12 +7,19 @@ import numpy as np
 
 from BalloonWorkbench.core.mesh.panel import Panel
 from BalloonWorkbench.core.solver.dkt import gradients
+from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.solver.linear import conjugate_gradients
 from BalloonWorkbench.core.types import Floats
 
 ACCURATE = 1e-3  # a start need not be better
 # z = DOME sqrt(u) has the height of a long pillow, w/pi, over a strip of width w (u = w^2/8 at the middle)
 DOME = 2.0 * np.sqrt(2.0) / np.pi
+# A slack film has no stiffness to start from: an earlier balloon is stretched by twice the strain of the edit
+# (root mean square), within these bounds. After a larger edit it is stretched more and softened first.
+LEAST_STRETCH, MOST_STRETCH = 0.01, 0.03
+LARGE_EDIT = 0.03
+LARGE_STRETCH = 0.08
+SOFTENING = (16.0, 4.0, 1.0)
 
 
 def dome(panel: Panel) -> Floats:
@@ -52,3 +59,22 @@ def vertex_normals(positions: Floats, panel: Panel) -> Floats:
         [np.bincount(corners, np.repeat(part, 3), len(positions)) for part in area_vectors.T]
     )
     return np.asarray(normals / np.linalg.norm(normals, axis=1)[:, None])
+
+
+def carried_over(start: Inflation, panel: Panel) -> tuple[Floats, tuple[float, ...]]:
+    """Positions (n, 3) of an earlier balloon moved with the panel, and how soft its film has to begin.
+
+    The positions are stretched until nothing is slack; the film's stiffness is to be divided by each of the
+    numbers in turn.
+    """
+    moved = panel.rest_positions - start.panel.rest_positions
+    shape, areas = gradients(start.panel.rest_positions[panel.triangles])
+    slopes = np.einsum("mai,mak->mik", moved[panel.triangles], shape)
+    edit = float(np.sqrt(areas @ np.einsum("mik,mik->m", slopes, slopes) / areas.sum()))
+    large = edit > LARGE_EDIT
+    stretch = 1.0 + (LARGE_STRETCH if large else float(np.clip(2.0 * edit, LEAST_STRETCH, MOST_STRETCH)))
+    positions = start.positions.copy()
+    positions[:, :2] += moved
+    positions[:, 2] -= positions[np.concatenate(panel.seams), 2].mean()
+    centre = positions.mean(axis=0) * (1.0, 1.0, 0.0)
+    return centre + stretch * (positions - centre), SOFTENING if large else (1.0,)
