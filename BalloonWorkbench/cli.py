@@ -13,6 +13,9 @@ from typing import Any, NoReturn, TextIO
 from BalloonWorkbench import __version__
 from BalloonWorkbench.core.design.size_goal import SizeGoal
 from BalloonWorkbench.core.errors import BalloonError, InputError
+from BalloonWorkbench.core.export.fabricate import checked_files
+from BalloonWorkbench.core.export.machine import machine, machines
+from BalloonWorkbench.core.export.machine_pdf import TILES
 from BalloonWorkbench.core.export.results import FORMATS
 from BalloonWorkbench.core.film.filling import DEFAULT_GAS, Filling, gas, gases
 from BalloonWorkbench.core.film.film import Film
@@ -27,6 +30,7 @@ from BalloonWorkbench.core.job import (
 )
 from BalloonWorkbench.core.outline.raster import opencv
 from BalloonWorkbench.core.outline.symmetry import AUTO, CHOICES
+from BalloonWorkbench.core.pattern.layout import on_one_sheet
 from BalloonWorkbench.core.solver.backend import SOLVERS
 from BalloonWorkbench.core.solver.model import BENDING_FLOOR, Model
 from BalloonWorkbench.core.units import (
@@ -107,8 +111,26 @@ def _parser() -> argparse.ArgumentParser:
         command.add_argument(
             "--frames", metavar="N", type=int, help="also write so many frames of the inflation, for ParaView"
         )
+        _add_machines(command)
         _add_simulation(command)
     return parser
+
+
+def _add_machines(command: argparse.ArgumentParser) -> None:
+    """Options for files that go straight to a machine."""
+    command.add_argument(
+        "--machine",
+        metavar="NAME",
+        action="append",
+        default=[],
+        help=f"also write what it reads: {', '.join(machines())}, or a .json file; may be repeated",
+    )
+    command.add_argument(
+        "--tiled",
+        metavar="PAPER",
+        choices=TILES,
+        help="also write a PDF to print on several A4, A3 or Letter",
+    )
 
 
 def _add_size(command: argparse.ArgumentParser) -> None:
@@ -178,6 +200,7 @@ def _add_simulation(command: argparse.ArgumentParser) -> None:
 def _run(options: argparse.Namespace) -> int:
     width, height = _length(options.width), _length(options.height)
     settings = _settings(options)
+    chosen = [machine(name) for name in options.machine]  # a mistake shows before the work
     line = _StatusLine(sys.stderr)
     try:
         balloon = make_balloon(
@@ -187,13 +210,15 @@ def _run(options: argparse.Namespace) -> int:
         contents = files(balloon, options.results)
         if options.frames is not None:
             contents.update(inflation_files(balloon, options.frames, line.show))
+        made, remarks = checked_files(on_one_sheet(balloon.patterns), chosen, options.tiled)
+        contents.update(made)
         if settings.goal is not None:
             width = balloon.drawing.size[0]
         if importlib.util.find_spec("FreeCAD") is not None:
             contents[DOCUMENT] = _document(options.input, balloon, width, height)
     finally:
         line.clear()
-    _write(options.out, contents, balloon)
+    _write(options.out, contents, balloon, remarks)
     return 0
 
 
@@ -263,7 +288,7 @@ def _document(drawing: str, balloon: Balloon, width: float | None, height: float
     return fcstd_bytes(drawing, balloon.settings, balloon.designs, width=width, height=height)
 
 
-def _write(folder: str, contents: dict[str, bytes], balloon: Balloon) -> None:
+def _write(folder: str, contents: dict[str, bytes], balloon: Balloon, remarks: Sequence[str]) -> None:
     from BalloonWorkbench.core.export.files import write_files
 
     paths = write_files(folder, contents)
@@ -282,6 +307,7 @@ def _write(folder: str, contents: dict[str, bytes], balloon: Balloon) -> None:
         lines.append(_lift_line(part["lift"]))
     lines += [f"Note: {warning}" for warning in report["warnings"]]
     lines += [_advice_line(finding) for part in report["parts"] for finding in part["advice"]]
+    lines += [f"Check: {remark}" for remark in remarks]
     lines += [f"Wrote {path}" for path in paths]
     sys.stdout.write("\n".join(lines) + "\n")
 

@@ -204,5 +204,5 @@ def test_bed_in_both_units() -> None:
     assert "turn the pattern" in turned.text
     (large,) = preflight(pattern_of(Contour(Role.CUT, SQUARE * 7.0, True)), machine("lightburn"))
     assert large.severity == ERROR
-    assert "700 x 700 mm (27.56 x 27.56 in)" in large.text
+    assert "700 x 710 mm (27.56 x 27.95 in)" in large.text  # with the control bar
     assert preflight(pattern_of(Contour(Role.CUT, SQUARE * 7.0, True)), machine("inkscape")) == ()

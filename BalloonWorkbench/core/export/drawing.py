@@ -21,6 +21,7 @@ from BalloonWorkbench.core.units import MILLIMETRE, from_mm, to_mm
 BAR = 100.0
 _TICK = 4.0
 _BESIDE = 8.0
+BAR_ROOM = _BESIDE + 0.5 * _TICK
 #: Lines of one role that are so close all along are one line [mm].
 _SAME = 0.01
 

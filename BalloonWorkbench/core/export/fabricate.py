@@ -3,13 +3,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from BalloonWorkbench.core.errors import ExportError
 from BalloonWorkbench.core.export.drawing import Drawing, draw
-from BalloonWorkbench.core.export.machine import Machine
+from BalloonWorkbench.core.export.machine import FOLDER, Machine, read_machine
 from BalloonWorkbench.core.export.machine_dxf import drawing_dxf
 from BalloonWorkbench.core.export.machine_hpgl import drawing_hpgl
 from BalloonWorkbench.core.export.machine_pdf import drawing_pdf, tiled_pdf
 from BalloonWorkbench.core.export.machine_svg import drawing_svg
+from BalloonWorkbench.core.export.preflight import ERROR, preflight
 from BalloonWorkbench.core.pattern.pattern import Pattern
 
 _WRITERS = {"dxf": drawing_dxf, "svg": drawing_svg, "pdf": drawing_pdf, "hpgl": drawing_hpgl}
@@ -32,3 +35,26 @@ def drawing_file(drawing: Drawing, machine: Machine, tiled: str | None = None) -
             f"{machine.title} reads {machine.format.upper()}, which has no pages: choose paper."
         )
     return tiled_pdf(drawing, machine, tiled)
+
+
+def checked_files(
+    pattern: Pattern, chosen: Sequence[Machine], paper: str | None = None
+) -> tuple[dict[str, bytes], tuple[str, ...]]:
+    """Contents of the files for several machines by name, and what is doubtful about them, a sentence each.
+
+    paper adds the pattern on pages of "A4", "A3" or "Letter".
+    Raises ExportError for what a machine cannot make.
+    """
+    contents: dict[str, bytes] = {}
+    remarks: list[str] = []
+    for machine in chosen:
+        for finding in preflight(pattern, machine):
+            if finding.severity == ERROR:
+                raise ExportError(f"No file for {machine.title}: {finding.text}")
+            remarks.append(finding.text)
+        contents[machine.file_name] = machine_file(pattern, machine)
+    if paper is not None:
+        contents[f"pattern-{paper.lower()}.pdf"] = machine_file(
+            pattern, read_machine(FOLDER / "paper.json"), paper
+        )
+    return contents, tuple(remarks)

@@ -15,6 +15,8 @@ from BalloonWorkbench.core.export.machine import Machine
 from BalloonWorkbench.core.packages import reportlab_canvas
 
 PAPERS = {"A4": (210.0, 297.0), "A3": (297.0, 420.0), "LETTER": (215.9, 279.4)}  # mm
+#: Their names as people write them.
+TILES = ("A4", "A3", "Letter")
 _POINT = 72.0 / 25.4  # points per mm
 #: Margin that a home printer leaves white, and how much of the drawing two neighbouring pages share [mm].
 _MARGIN = 12.0

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from BalloonWorkbench.core.export.drawing import BAR
+from BalloonWorkbench.core.export.drawing import BAR, BAR_ROOM
 from BalloonWorkbench.core.export.machine import Machine
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.pattern.arcs import fit_curve
@@ -158,7 +158,7 @@ def _size(pattern: Pattern, machine: Machine) -> list[Finding]:
         return []
     width, height = pattern.size
     if machine.control_bar and Role.REGISTRATION in machine.layers:
-        width = max(width, from_mm(BAR))
+        width, height = max(width, from_mm(BAR)), height + from_mm(BAR_ROOM)
     bed_width, bed_height = machine.bed
     if width <= bed_width and height <= bed_height:
         return []
