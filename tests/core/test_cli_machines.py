@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from BalloonWorkbench import cli
+from BalloonWorkbench.core.export.machine import FOLDER
 
 
 @pytest.fixture
@@ -35,9 +36,7 @@ def test_files_for_machines(square: Path, capsys: pytest.CaptureFixture[str]) ->
 
 def test_too_large_for_the_bed(square: Path, capsys: pytest.CaptureFixture[str]) -> None:
     own = square.parent / "small.json"
-    data = json.loads(
-        (Path(cli.__file__).parents[1] / "resources" / "machines" / "lightburn.json").read_text()
-    )
+    data = json.loads((FOLDER / "lightburn.json").read_text(encoding="utf-8"))
     own.write_text(json.dumps({**data, "name": "small", "bed_mm": [150, 150]}))
     assert run(square, "--machine", str(own)) == 2
     text = capsys.readouterr().err
