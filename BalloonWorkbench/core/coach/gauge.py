@@ -27,6 +27,8 @@ DRAWN_IN = 0.645
 #: film, puffiness, tension peaks; and the width of its film over the drawn width in a neck, a tube's.
 FITTED_THICKNESS, FITTED_PUFFINESS, FITTED_PEAK = 1.35, 1.07, 0.82
 NARROW_GROWTH = np.pi / 2.0
+#: Thickness near a point over the dome's, where the film is held from two sides: as cut, and corrected.
+AT_TIPS, FITTED_AT_TIPS = 0.87, 1.05
 #: Tension round a notch over the median: PEAK (g / L)^2 / (m / L)^1.6 with g the mean slope of u there, m its
 #: median, L the size. A twisted bar has its stress peaks where Prandtl's function u is steep; here the
 #: numbers are those of the validation study.
@@ -72,7 +74,6 @@ class Predicted(Gauge):
     """
 
     inflated = False
-    at_tips = 0.87  # mean of the validation study: near a point the film is held from two sides
 
     def __init__(self, outline: Outline, fitted: bool) -> None:
         panel = triangulate(outline, size_for(outline, VERTICES))
@@ -89,6 +90,7 @@ class Predicted(Gauge):
         self.puffiness = volume / float(areas.sum()) ** 1.5 / DISC
         self._growth = NARROW_GROWTH if fitted else 1.0
         self._relief = FITTED_PEAK if fitted else 1.0
+        self.at_tips = FITTED_AT_TIPS if fitted else AT_TIPS
         if fitted:
             height *= FITTED_THICKNESS
             self.puffiness *= FITTED_PUFFINESS
