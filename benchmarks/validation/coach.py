@@ -63,7 +63,8 @@ def coach() -> Section:
         fitted_thickest.append(float(advice.map.thickness.max() / truth.thick.max()))
     text = paragraphs(
         f"""{SHAPES} generated outlines of 0.3 m ({", ".join(KINDS)}, in equal parts), film "mylar" at
-        {PRESSURE / 1e3:g} kPa, each its own pattern; not those that the coach's constants come from. The coach sees the outline alone; the simulation has
+        {PRESSURE / 1e3:g} kPa, each its own pattern; not those that the coach's constants come from. The
+        coach sees the outline alone; the simulation has
         about {VERTICES} vertices. Whether a finding is true is measured on the inflated mesh at the
         finding's place, by code of its own (`tests/core/coach_study.py`). Recall counts the places where
         the generator drew such a part, or for notches all places of the outer rim, and the simulation shows
