@@ -5,12 +5,18 @@ import re
 import shutil
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import pytest
-from solver_cases import needs_native
+from drawn_shapes import NAMED
+from solver_cases import PRESSURE, film, needs_native
 
+from BalloonWorkbench.core.errors import Cancelled
+from BalloonWorkbench.core.mesh.sizing import size_for
+from BalloonWorkbench.core.mesh.triangulate import triangulate
 from BalloonWorkbench.core.solver import native
+from BalloonWorkbench.core.solver.inflate import inflate
 
 ROOT = Path(__file__).resolve().parents[2]
 NATIVE = ROOT / "BalloonWorkbench" / "native"
@@ -59,3 +65,22 @@ def test_needs_no_cpp_runtime() -> None:
 def test_header_and_python_agree_on_the_version() -> None:
     header = (NATIVE / "include" / "film_solver.h").read_text(encoding="utf-8")
     assert f"FILM_ABI_VERSION = {native.ABI_VERSION} " in header
+
+
+def test_cancel_does_not_wait_for_a_large_factorisation() -> None:
+    """Processor time counts: other programs may keep the clock busy."""
+    outline = NAMED["disc"]
+    large = triangulate(outline, size_for(outline, 12000))
+    asked: list[float] = []
+    stopped_at = 0.0
+
+    def stop_amid_first_step(fraction: float, text: str) -> bool:
+        nonlocal stopped_at
+        asked.append(fraction)
+        stopped_at = time.process_time()
+        return False
+
+    with pytest.raises(Cancelled):
+        inflate(large, film(100), PRESSURE, backend="native", progress=stop_amid_first_step)
+    assert asked == [0.0]
+    assert time.process_time() - stopped_at < 0.1

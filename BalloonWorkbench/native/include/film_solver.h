@@ -58,7 +58,8 @@ typedef struct {
 
 typedef struct film_solver film_solver;
 
-// Called after each step with the part done, 0 to 1; returning 0 cancels.
+// Called after each step with the part done, 0 to 1, and on large meshes also during one; returning 0
+// cancels.
 typedef int32_t (*film_progress)(double fraction, void* user);
 
 FILM_API int32_t film_abi_version(void);

@@ -11,9 +11,11 @@
 namespace film {
 namespace {
 
-constexpr int kBlock = 64;   // groups of pivots at a time: a strip of rows of so many columns stays in cache
-constexpr int kColumns = 32; // groups of columns that stay in cache while all rows pass
-constexpr int kChunk = 12;   // groups of rows that one thread takes
+constexpr int kBlock = 64;    // groups of pivots at a time: a strip of rows of so many columns stays in cache
+constexpr int kColumns = 32;  // groups of columns that stay in cache while all rows pass
+constexpr int kChunk = 12;    // groups of rows that one thread takes
+constexpr double kLong = 4e7; // [ns] a factorisation during which questions are asked
+constexpr std::chrono::milliseconds kPatience{30}; // between two of them
 
 // Where the columns of a lower trapezium are cut so that all parts have as many numbers.
 int cut(int height, int columns, int part, int parts) {
@@ -32,6 +34,7 @@ Numbers::Numbers(size_t count) : bytes_(count * sizeof(double) + 63), memory_(ne
 
 struct Cholesky::Team {
     int index, count; // this thread among them
+    bool led;         // by the thread that called
     Workers* workers;
     double *panel, *stacks; // the front at work; updates of the branch at work
 
@@ -89,6 +92,8 @@ bool Cholesky::run(const double* values, const double* diagonal, double* right_h
     next_up_ = 0;
     next_down_ = 0;
     definite_ = true;
+    stopped_ = false;
+    asked_ = std::chrono::steady_clock::now();
     workers_.run([this](int thread) { work(thread); });
     return definite_;
 }
@@ -96,7 +101,7 @@ bool Cholesky::run(const double* values, const double* diagonal, double* right_h
 // Up the tree: the factor and the forward substitution. Down: the backward substitution.
 void Cholesky::work(int thread) {
     const std::vector<Schedule::Branch>& branches = schedule_.branches;
-    const Team alone{0, 1, nullptr, panels_[thread].data(), stacks_[thread].data()};
+    const Team alone{0, 1, thread == 0, nullptr, panels_[thread].data(), stacks_[thread].data()};
     for (size_t b = next_up_++; b < branches.size(); b = next_up_++) {
         for (int f = branches[b].first; f < branches[b].last && definite_.load(std::memory_order_relaxed);
              ++f) {
@@ -104,7 +109,7 @@ void Cholesky::work(int thread) {
                 definite_ = false;
         }
     }
-    const Team all{thread, workers_.gather(thread), &workers_, panels_[0].data(), nullptr};
+    const Team all{thread, workers_.gather(thread), true, &workers_, panels_[0].data(), nullptr};
     for (int f : schedule_.trunk) {
         if (!definite_ || !go_up(f, all))
             return;
@@ -209,7 +214,8 @@ bool Cholesky::factor_panel(int index, const Team& team) {
     const int pivots = shape.pivot_groups, all = shape.groups();
     for (int first = 0; first < pivots; first += kBlock) {
         const Groups block{first, std::min(first + kBlock, pivots)};
-        if (team.index == 0 && !kernels_.factor_block(shape, block, panel, factor))
+        if (team.index == 0
+            && ((team.led && !may_go_on()) || !kernels_.factor_block(shape, block, panel, factor)))
             definite_ = false;
         team.meet();
         if (!definite_)
@@ -232,6 +238,23 @@ bool Cholesky::factor_panel(int index, const Team& team) {
         team.meet();
     }
     return true;
+}
+
+void Cholesky::ask(std::function<bool()> question) {
+    double time = 0.0;
+    for (const CholeskyPlan::Front& front : plan_.fronts)
+        time += front.time;
+    if (time > kLong)
+        question_ = std::move(question);
+}
+
+bool Cholesky::may_go_on() {
+    const auto now = std::chrono::steady_clock::now();
+    if (question_ && now - asked_ > kPatience) {
+        asked_ = now;
+        stopped_ = stopped_ || !question_();
+    }
+    return !stopped_;
 }
 
 // Where a front leaves its update.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chrono>
+#include <functional>
 #include <memory>
 
 #include "cholesky_plan.h"
@@ -40,6 +42,11 @@ public:
     // right-hand side when the matrix is not positive definite.
     bool factorise_and_solve(const double* values, const double* diagonal, double* right_hand_side);
 
+    // Asks, on the calling thread and now and then during a factorisation that takes long, whether to go on;
+    // where it may not, the matrix counts as not positive definite.
+    void ask(std::function<bool()> question);
+    bool stopped() const { return stopped_; } // by the answer, in the last factorisation
+
     size_t factor_entries() const { return plan_.factor_size; } // with the zeros that are stored
     size_t bytes() const;                                       // of all memory held
 
@@ -54,6 +61,7 @@ private:
     void add_updates(int index, const Team& team, bool to_pivots, int first, int last, double* target);
     bool factor_panel(int index, const Team& team);
     double* update(int index, const Team& team);
+    bool may_go_on();
     void forward(int index);
     void backward(int index, double* scratch);
 
@@ -63,6 +71,9 @@ private:
     Numbers factor_, updates_, vectors_;
     std::vector<Numbers> panels_, stacks_; // of each thread
     Workers workers_;
+    std::function<bool()> question_;
+    std::chrono::steady_clock::time_point asked_;
+    bool stopped_ = false;
     // for the work at hand
     const double* values_ = nullptr; // null when there is nothing to factor
     const double* diagonal_ = nullptr;
