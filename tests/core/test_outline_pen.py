@@ -11,6 +11,7 @@ from drawn_pictures import any_of, arc, box, disc, stroke
 
 from BalloonWorkbench.core.outline.decode import decode
 from BalloonWorkbench.core.outline.ends import free_ends
+from BalloonWorkbench.core.outline.picture import drawing_of
 
 EXAMPLES = Path("resources/examples/pictures")
 INK = {"shape": (20, 20, 30)}
@@ -85,6 +86,16 @@ def test_a_loose_part_is_joined():
     found = outline(any_of(arc(250, 200, 150, 0, 360, 12), stroke(250, 366, 250, 480, 12)))
     assert found.size[1] == pytest.approx(150 + 6 + 280 + 6, abs=2)
     assert any("1 loose" in note for note in found.notes)
+
+
+def test_shapes_of_a_pen_drawing_are_kept_apart_from_loose_lines():
+    """A head, a balloon beside it, and the ground they stand on."""
+    drawn = any_of(arc(150, 300, 100, 0, 360, 10), arc(380, 330, 70, 0, 360, 10), stroke(30, 60, 470, 60, 10))
+    pixels = pictures.coloured(pictures.drawn(drawn, 500, 500, fine=4), **INK)
+    found = drawing_of(pixels)
+    areas = [part.area for part in found.parts]
+    assert areas == pytest.approx([np.pi * 105**2, np.pi * 75**2], rel=0.01)
+    assert any("close around nothing" in note for note in found.notes)
 
 
 def test_a_face_left_white_in_a_coloured_drawing_is_filled():

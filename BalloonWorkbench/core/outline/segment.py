@@ -40,6 +40,10 @@ def segment(rgba: NDArray[np.uint8]) -> tuple[Pixels, list[str]]:
         silhouette, joined = _draw(silhouette, join_near(silhouette > 0.5, lines), lines)
         if joined:
             notes.append(f"{joined} loose ends of lines were joined to the drawing.")
+        if filled.any():
+            silhouette, loose = _without_loose(silhouette, filled, lines)
+            if loose:
+                notes.append("Lines that close around nothing beside the shapes were left out.")
         notes.append(
             "The picture was read as a pen drawing: the inside of its lines is filled."
             if filled.any()
@@ -54,6 +58,18 @@ def _without_dots(silhouette: Pixels, lines: Strokes) -> Pixels:
     dots = np.bincount(labels.ravel(), minlength=count + 1) < 0.5 * lines.width**2
     dots[0] = False
     return np.where(neighbours(dots[labels]), 0, silhouette).astype(np.float32)
+
+
+def _without_loose(silhouette: Pixels, filled: Bools, lines: Strokes) -> tuple[Pixels, bool]:
+    """The silhouette without what has no filled inside, and whether that was more than dots."""
+    labels, count = label(silhouette > 0.5)
+    kept = np.zeros(count + 1, dtype=np.bool_)
+    kept[labels[filled]] = True
+    kept[0] = True
+    sizes = np.bincount(labels.ravel(), minlength=count + 1)
+    loose = ~kept & (sizes > 4.0 * lines.width**2)
+    gone = neighbours(~kept[labels]) & ~(kept[labels] & (labels > 0))  # with its soft edge
+    return np.where(gone, 0, silhouette).astype(np.float32), bool(loose.any())
 
 
 def _close(silhouette: Pixels, lines: Strokes) -> tuple[Pixels, list[str]]:
