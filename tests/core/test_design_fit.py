@@ -48,9 +48,10 @@ def test_pictures_inflate_to_the_drawing(name: str) -> None:
 @pytest.mark.parametrize("backend", [backend.name for backend in available()])
 def test_pattern_of_a_disc_is_larger_by_the_elliptic_integral(backend: str) -> None:
     """A disc of radius R needs a pattern of radius R int_0^1 dt / sqrt(1 - t^4)."""
-    design = fit(Outline(circle(0.1)), STIFF, 300.0, mesh_size=0.009, backend=backend)
+    calm = replace(STIFF, seal_width=0.005)  # without a sealed band the rim crumples as it likes
+    design = fit(Outline(circle(0.1)), calm, 300.0, mesh_size=0.009, backend=backend)
     radius = np.sqrt(signed_area(design.pattern.outer) / np.pi)
-    assert radius / 0.1 == pytest.approx(1.311028777, rel=6e-3)
+    assert radius / 0.1 == pytest.approx(1.311028777, rel=3e-3)
 
 
 def test_pattern_of_a_strip_is_wider_by_half_pi() -> None:
@@ -62,7 +63,7 @@ def test_pattern_of_a_strip_is_wider_by_half_pi() -> None:
     design = fit(strip, STIFF, 300.0)
     middle = design.pattern.outer[np.abs(design.pattern.outer[:, 0]) < 0.3 * half]
     grown = middle[middle[:, 1] > 0, 1].mean() - middle[middle[:, 1] < 0, 1].mean()
-    assert grown / width == pytest.approx(np.pi / 2, rel=0.02)
+    assert grown / width == pytest.approx(np.pi / 2, rel=0.01)
 
 
 def test_ring_keeps_its_hole() -> None:
