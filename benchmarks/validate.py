@@ -32,7 +32,7 @@ def main() -> int:
         lambda: convergence.convergence(DOCS / "images"),
         convergence.independence,
         lambda: correction.correction(DOCS / "images"),
-        coach.coach,
+        lambda: coach.coach(DOCS / "images"),
     ]
     sections: list[Section] = []
     for part in parts:

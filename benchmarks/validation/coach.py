@@ -5,15 +5,21 @@ from __future__ import annotations
 
 from collections import defaultdict
 from dataclasses import dataclass, field
+from pathlib import Path
 
 import numpy as np
-from coach_study import PRESSURE, SEALS, VERTICES, Score, Truth, compared, new_scores
+from coach_study import FILM, PRESSURE, SEALS, VERTICES, Score, Truth, compared, new_scores
 from drawn_flaws import KINDS, Flawed, flawed
+from validation import figures
+from validation.correction import PICTURES
 from validation.report import Section, paragraphs, table
 
+from BalloonWorkbench.core.coach.coach import advise
 from BalloonWorkbench.core.coach.findings import Advice, Finding
 from BalloonWorkbench.core.coach.repairs import repaired
 from BalloonWorkbench.core.errors import BalloonError
+from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.outline.picture import read_picture
 
 FIRST, SHAPES = 1000, 240  # seeds; the constants in core/coach come from those below
 FITTED = 48  # of these once more, with the pattern corrected
@@ -39,7 +45,7 @@ class _Mended:
     changes: list[float] = field(default_factory=list)
 
 
-def coach() -> Section:
+def coach(images: Path) -> Section:
     """Precision and recall of each rule, and what the repairs do."""
     scores, mended = new_scores(), defaultdict(_Mended)
     puffiness, thickest, refused = [], [], 0
@@ -102,7 +108,18 @@ def coach() -> Section:
             for rule, one in sorted(mended.items())
         ],
     )
-    return Section("Coach", text)
+    text += "\n" + paragraphs(
+        """The example pictures before any simulation, dark where the balloon will be thick: hints blue,
+        warnings orange, serious findings red."""
+    )
+    figures.advice(_pictures(), images / "validation-coach.png")
+    return Section("Coach", text + "\n![Advice on the example pictures](images/validation-coach.png)\n")
+
+
+def _pictures() -> list[tuple[str, Outline, Advice]]:
+    outlines = [(path.stem, read_picture(path, 0.3, None)) for path in sorted(PICTURES.glob("*.png"))]
+    said = [(name, outline, advise(outline, FILM)) for name, outline in outlines]
+    return [(f"{name}: {100 * advice.puffiness:.0f} %", outline, advice) for name, outline, advice in said]
 
 
 def _row(rule: str, score: Score) -> tuple[str, ...]:

@@ -10,7 +10,9 @@ from typing import Any
 import matplotlib as mpl
 import numpy as np
 
+from BalloonWorkbench.core.coach.findings import Advice
 from BalloonWorkbench.core.design.design import Design
+from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.types import Floats
 
 mpl.use("Agg")
@@ -82,5 +84,29 @@ def designs(named: Sequence[tuple[str, Design]], path: Path) -> None:
             for loop in outline.loops:
                 closed = np.vstack([loop, loop[:1]])
                 axes.plot(*closed.T, color=colour, linewidth=0.9)
+        axes.set_title(title, fontsize=8)
+    _save(figure, path)
+
+
+def advice(named: Sequence[tuple[str, Outline, Advice]], path: Path) -> None:
+    """Outlines over the thickness to be expected, with the places of the findings, four in a row."""
+    from matplotlib import pyplot
+
+    colours = {"hint": "tab:blue", "warning": "tab:orange", "serious": "tab:red"}
+    rows = -(-len(named) // 4)
+    figure, grid = pyplot.subplots(rows, 4, figsize=(10.0, 2.6 * rows), squeeze=False)
+    for axes in grid.flat:
+        axes.set_axis_off()
+        axes.set_aspect("equal")
+    for axes, (title, outline, said) in zip(grid.flat, named):
+        found = said.map
+        axes.tricontourf(*found.points.T, found.triangles, found.thickness, levels=10, cmap="Greys")
+        for loop in outline.loops:
+            axes.plot(*np.vstack([loop, loop[:1]]).T, color="0.3", linewidth=0.6)
+        for finding in said.findings:
+            colour = colours[finding.severity.value]
+            axes.plot(*finding.place, marker="o", markersize=9, markerfacecolor="none", color=colour)
+            for line in finding.extent:
+                axes.plot(*line.T, color=colour, linewidth=1.4)
         axes.set_title(title, fontsize=8)
     _save(figure, path)
