@@ -17,11 +17,9 @@ def export_pattern(pattern_obj, target) -> Path:
     Given the group of a drawing, all its patterns go on one sheet, none over another.
     Raises ExportError for another ending, a pattern that is not up to date, a place that cannot be written.
     """
-    from BalloonWorkbench.app.pattern import build, is_pattern
     from BalloonWorkbench.core.export.dxf import dxf_bytes
     from BalloonWorkbench.core.export.files import write_files
     from BalloonWorkbench.core.export.svg import svg_bytes
-    from BalloonWorkbench.core.pattern.layout import on_one_sheet
 
     path = Path(target)
     if path.is_dir():
@@ -29,13 +27,57 @@ def export_pattern(pattern_obj, target) -> Path:
     kind = path.suffix.lower().lstrip(".")
     if kind not in FORMATS:
         raise ExportError(f"{path.name} is neither DXF nor SVG: let the name end in .dxf or .svg.")
+    pattern = sheet(pattern_obj)
+    write_files(path.parent, {path.name: dxf_bytes(pattern) if kind == "dxf" else svg_bytes(pattern)})
+    return path
+
+
+def sheet(pattern_obj):
+    """The pattern of an object in full precision, or all patterns of a group on one sheet.
+
+    Raises ExportError when there is none, or one is not up to date.
+    """
+    from BalloonWorkbench.app.pattern import build, is_pattern
+    from BalloonWorkbench.core.pattern.layout import on_one_sheet
+
     objects = [obj for obj in getattr(pattern_obj, "Group", [pattern_obj]) if is_pattern(obj)]
     if not objects:
         raise ExportError(f"{pattern_obj.Label} has no pattern: choose a balloon.")
     for obj in objects:
         _insist_on_ready(obj)
-    pattern = on_one_sheet([build(obj) for obj in objects])
-    write_files(path.parent, {path.name: dxf_bytes(pattern) if kind == "dxf" else svg_bytes(pattern)})
+    return on_one_sheet([build(obj) for obj in objects])
+
+
+def check_for(pattern_obj, machine_name: str):
+    """What a machine may find wrong with a pattern: `preflight`'s findings, errors first.
+
+    Raises what `sheet` and `machine` raise.
+    """
+    from BalloonWorkbench.core.export.machine import machine
+    from BalloonWorkbench.core.export.preflight import preflight
+
+    return preflight(sheet(pattern_obj), machine(machine_name))
+
+
+def export_for(pattern_obj, machine_name: str, target, paper: str | None = None) -> Path:
+    """Write the file that a machine reads, to a file or under its usual name into a folder; returns the file.
+
+    paper divides a PDF into pages of "A4", "A3" or "Letter". Raises ExportError, and writes nothing, when the
+    machine cannot make the pattern.
+    """
+    from BalloonWorkbench.core.export.fabricate import machine_file
+    from BalloonWorkbench.core.export.files import write_files
+    from BalloonWorkbench.core.export.machine import machine
+    from BalloonWorkbench.core.export.preflight import ERROR, preflight
+
+    made_for, pattern = machine(machine_name), sheet(pattern_obj)
+    for finding in preflight(pattern, made_for):
+        if finding.severity == ERROR:
+            raise ExportError(finding.text)
+    path = Path(target)
+    if path.is_dir():
+        path = path / made_for.file_name
+    write_files(path.parent, {path.name: machine_file(pattern, made_for, paper)})
     return path
 
 

@@ -11,6 +11,7 @@ PROPERTIES = (
     Property("Link", "Balloon", "Pattern", "The balloon that is cut from this pattern"),
     Property("Length", "SealWidth", "Pattern", "Width of the weld; 0 takes the film's"),
     Property("Length", "Allowance", "Pattern", "Film left outside the weld", 2.0),
+    Property("Bool", "Arcs", "Pattern", "Lines and arcs within 0.02 mm in place of many short lines", True),
     Property("Bool", "Intake", "Intake", "Add a neck through which the balloon is filled", True),
     Property("Length", "IntakeWidth", "Intake", "Inner width of the neck", 10.0),
     Property("Length", "IntakeLength", "Intake", "Length of the neck from the seam outward; 0 is automatic"),
@@ -90,13 +91,17 @@ def show(obj, pattern) -> None:
     import Part
 
     from BalloonWorkbench.app import shapes
+    from BalloonWorkbench.core.pattern.arcs import fit_curve
+    from BalloonWorkbench.core.pattern.curves import polyline
     from BalloonWorkbench.core.pattern.pattern import Role
     from BalloonWorkbench.core.units import to_mm
 
     outer, inner = pattern.of(Role.CUT), pattern.of(Role.CUT_INNER)
     welds = (*pattern.of(Role.SEAL), *pattern.of(Role.WELD))
-    sheet = Part.Face([shapes.wire(contour.points) for contour in (*outer, *inner)])
-    obj.Shape = Part.makeCompound([sheet, *(shapes.wire(weld.points, weld.closed) for weld in welds)])
+    fit = fit_curve if obj.Arcs else polyline
+    wires = [shapes.curve_wire(fit(each.points, each.closed)) for each in (*outer, *inner, *welds)]
+    cuts = len(outer) + len(inner)
+    obj.Shape = Part.makeCompound([Part.Face(wires[:cuts]), *wires[cuts:]])
     obj.Roles = [contour.role.value for contour in (*outer, *inner, *welds)]
     obj.SeamLength = to_mm(pattern.seam_length)
     obj.PatternWidth, obj.PatternHeight = (to_mm(length) for length in pattern.size)

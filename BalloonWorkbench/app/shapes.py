@@ -9,6 +9,7 @@ import Part
 
 from BalloonWorkbench.core.outline.drawing import sealed
 from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.pattern.curves import Curve
 from BalloonWorkbench.core.units import from_mm, to_mm
 
 
@@ -21,6 +22,19 @@ def wire(points, closed: bool = True):
     """A wire of straight edges through points (n, 2) in m."""
     corners = vectors(points)
     return Part.makePolygon(corners + corners[:1] if closed else corners)
+
+
+def curve_wire(curve: Curve):
+    """A wire of straight edges and true arcs."""
+    edges = []
+    for segment in curve.segments:
+        chord = segment.end - segment.start
+        if segment.bulge == 0.0:
+            edges.append(Part.LineSegment(*vectors([segment.start, segment.end])).toShape())
+            continue
+        middle = 0.5 * (segment.start + segment.end + segment.bulge * np.array([chord[1], -chord[0]]))
+        edges.append(Part.Arc(*vectors([segment.start, middle, segment.end])).toShape())
+    return Part.Wire(edges)
 
 
 def face(outline: Outline):

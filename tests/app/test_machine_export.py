@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Patterns as FreeCAD geometry with true arcs, and files for machines that FreeCAD itself reads again."""
+
+import json
+
+import FreeCAD as App
+import numpy as np
+import Part
+import pytest
+import sketches
+
+from BalloonWorkbench.app import create
+from BalloonWorkbench.app.export import check_for, export_for
+from BalloonWorkbench.app.pattern import build
+from BalloonWorkbench.core.errors import ExportError
+from BalloonWorkbench.core.export.machine import FOLDER
+from BalloonWorkbench.core.pattern.pattern import Role
+
+
+@pytest.fixture(scope="module")
+def pattern():
+    """The pattern of a ring with an intake, without a correction of the pattern."""
+    document = App.newDocument("Machines")
+    name = document.Name
+    made = create.balloon_from_sketch(document, sketches.ring(document), mesh_size=12, correct=False)
+    yield made.pattern
+    App.closeDocument(name)
+
+
+def test_shape_has_true_arcs(pattern):
+    """Few edges, lines and circles only; within 0.02 mm of the pattern's points, and nothing open."""
+    wanted = [
+        contour for role in (Role.CUT, Role.CUT_INNER, Role.SEAL) for contour in build(pattern).of(role)
+    ]
+    edges = pattern.Shape.Edges
+    assert {type(edge.Curve) for edge in edges} <= {Part.Line, Part.Circle}
+    assert any(isinstance(edge.Curve, Part.Circle) for edge in edges)
+    assert len(edges) < 0.2 * sum(len(contour.points) for contour in wanted)
+    for wire, contour in zip(pattern.Shape.Wires, wanted, strict=True):
+        assert wire.isClosed() == contour.closed
+        for point in contour.points[::7]:
+            corner = Part.Vertex(pattern.Placement.multVec(App.Vector(*(1000.0 * point), 0.0)))
+            assert wire.distToShape(corner)[0] < 0.021
+    assert pattern.Shape.Faces[0].isValid()
+
+
+def test_polylines_where_they_are_wanted(pattern):
+    pattern.Arcs = False
+    pattern.Document.recompute()
+    assert {type(edge.Curve) for edge in pattern.Shape.Edges} == {Part.Line}
+    pattern.Arcs = True
+    pattern.Document.recompute()
+    assert any(isinstance(edge.Curve, Part.Circle) for edge in pattern.Shape.Edges)
+
+
+@pytest.mark.parametrize("name", ["lightburn", "cutting-shop"])
+def test_freecads_importer_reads_the_dxf(pattern, tmp_path, name):
+    """The C++ importer: same bounds as the sheet, arcs as arcs."""
+    import Import
+
+    file = export_for(pattern, name, tmp_path)
+    document = App.newDocument("Imported")
+    try:
+        Import.readDXF(str(file), document.Name, False)
+        document.recompute()
+        shapes = [obj.Shape for obj in document.Objects if hasattr(obj, "Shape") and obj.Shape.Edges]
+        box = App.BoundBox()
+        for shape in shapes:
+            box.add(shape.BoundBox)
+        low, high = build(pattern).bounds
+        width, height = 1000.0 * (high - low)
+        assert box.XLength == pytest.approx(max(width, 100.0 if name == "lightburn" else 0.0), abs=0.05)
+        assert box.YLength == pytest.approx(height + (10.0 if name == "lightburn" else 0.0), abs=0.05)
+        kinds = {type(edge.Curve) for shape in shapes for edge in shape.Edges}
+        assert Part.Circle in kinds
+    finally:
+        App.closeDocument(document.Name)
+
+
+def test_every_machine_writes(pattern, tmp_path):
+    for path in sorted(FOLDER.glob("*.json")):
+        written = export_for(pattern, path.stem, tmp_path)
+        assert written.stat().st_size > 200
+    assert export_for(pattern, "paper", tmp_path / "pages.pdf", "A4").read_bytes().startswith(b"%PDF")
+
+
+def test_too_large_is_refused_and_nothing_written(pattern, tmp_path, monkeypatch):
+    data = json.loads((FOLDER / "lightburn.json").read_text(encoding="utf-8"))
+    (tmp_path / "tiny.json").write_text(json.dumps({**data, "name": "tiny", "bed_mm": [50, 50]}))
+    monkeypatch.setenv("BALLOON_MACHINES", str(tmp_path))
+    (finding,) = check_for(pattern, "tiny")
+    assert "bed" in finding.text
+    with pytest.raises(ExportError, match="bed"):
+        export_for(pattern, "tiny", tmp_path)
+    assert [path.name for path in tmp_path.iterdir()] == ["tiny.json"]
+    assert np.all([check.severity == "warning" for check in check_for(pattern, "lightburn")])
