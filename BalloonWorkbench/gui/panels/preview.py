@@ -32,15 +32,21 @@ class Preview(QtWidgets.QWidget):
         self._picture = QtGui.QPixmap()
         self._picture_box = QtCore.QRectF()
         self._path = QtGui.QPainterPath()
+        self._welds = QtGui.QPainterPath()
 
     def show(self, outline, place=None) -> None:
         """Draw an outline object; over its picture when the place of the shape in that is given.
 
         place  left, bottom, right and top of the shape in parts of the picture's width and height
         """
-        self._path = QtGui.QPainterPath()
+        self._path, self._welds = QtGui.QPainterPath(), QtGui.QPainterPath()
         if outline.LoopCounts and status.is_ready(outline):
-            for loop in shapes.stored(outline, "Loop").loops:
+            drawn = shapes.stored(outline, "Loop")
+            for weld in drawn.welds:
+                self._welds.addPolygon(
+                    QtGui.QPolygonF([QtCore.QPointF(x, -y) for x, y in to_mm(weld).tolist()])
+                )
+            for loop in drawn.loops:
                 self._path.addPolygon(
                     QtGui.QPolygonF([QtCore.QPointF(x, -y) for x, y in to_mm(loop).tolist()])
                 )
@@ -79,3 +85,4 @@ class Preview(QtWidgets.QWidget):
         if self._picture.isNull():
             painter.setBrush(self.palette().alternateBase())
         painter.drawPath(self._path)
+        painter.strokePath(self._welds, line)
