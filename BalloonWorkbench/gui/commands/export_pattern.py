@@ -19,7 +19,7 @@ class ExportPattern:
             "MenuText": QT_TRANSLATE_NOOP("BalloonWorkbench_ExportPattern", "Export pattern"),
             "ToolTip": QT_TRANSLATE_NOOP(
                 "BalloonWorkbench_ExportPattern",
-                "Write the flat pattern of a balloon as DXF or SVG for a cutter",
+                "Write the flat pattern of a balloon for a cutter, a plotter, a heat sealer or a printer",
             ),
         }
 

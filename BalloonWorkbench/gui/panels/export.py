@@ -7,14 +7,15 @@ from pathlib import Path
 
 import FreeCADGui as Gui
 
-from BalloonWorkbench.app.export import FORMATS, export_pattern
+from BalloonWorkbench.app.export import FORMATS, export_for, export_pattern
 from BalloonWorkbench.core.errors import BalloonError
+from BalloonWorkbench.gui.panels.machine_box import MachineBox
 from BalloonWorkbench.gui.panels.watch import Watch
 from BalloonWorkbench.gui.qt import QtGui, QtWidgets, icon, translate
 
 
 class ExportPanel:
-    """Chooses a pattern, a format and a file."""
+    """Chooses a pattern, a machine or a format, and a file."""
 
     def __init__(self, patterns, chosen=None):
         self.patterns = patterns
@@ -24,6 +25,7 @@ class ExportPanel:
         self.choice = QtWidgets.QComboBox()
         self.choice.setObjectName("Pattern")
         self.choice.addItems([_name(pattern) for pattern in patterns])
+        self.machine = MachineBox(patterns[0].Document.Name)
         self.format = QtWidgets.QComboBox()
         self.format.setObjectName("Format")
         self.format.addItems([ending.upper() for ending in FORMATS])
@@ -43,11 +45,13 @@ class ExportPanel:
         self.message.setWordWrap(True)
         form = QtWidgets.QFormLayout(self.form)
         form.addRow(translate("Pattern"), self.choice)
+        form.addRow(translate("Machine"), self.machine)
         form.addRow(translate("Format"), self.format)
         form.addRow(translate("File"), row)
         form.addRow(translate("Size"), self.size)
         form.addRow(self.message)
         self.choice.currentIndexChanged.connect(self.show_pattern)
+        self.machine.changed.connect(self.follow_machine)
         self.format.currentIndexChanged.connect(self.follow_format)
         browse.clicked.connect(self.browse)
         self.choice.setCurrentIndex(patterns.index(chosen) if chosen in patterns else 0)
@@ -63,7 +67,13 @@ class ExportPanel:
         """A file beside the document, or in the home folder while that is not saved."""
         document = self.pattern().Document.FileName
         folder = Path(document).parent if document else Path.home()
-        return folder / f"pattern.{self.format.currentText().lower()}"
+        made_for = self.machine.machine
+        return folder / (made_for.file_name if made_for else f"pattern.{self.ending()}")
+
+    def ending(self) -> str:
+        """The ending of the file's name."""
+        made_for = self.machine.machine
+        return Path(made_for.file_name).suffix[1:] if made_for else self.format.currentText().lower()
 
     def show_pattern(self, _index: int = 0) -> None:
         pattern = self.pattern()
@@ -73,15 +83,23 @@ class ExportPanel:
             )
         )
 
+        self.machine.show_for(pattern)
+
+    def follow_machine(self) -> None:
+        """Check the pattern for the machine; offer a format only where the machine leaves it open."""
+        self.format.setEnabled(self.machine.machine is None)
+        self.path.setText(
+            str(Path(self.path.text().strip() or self.suggestion()).parent / self.suggestion().name)
+        )
+        self.machine.show_for(self.pattern())
+
     def follow_format(self, _index: int = 0) -> None:
         """Give the file the ending of the format."""
         if self.path.text().strip():
-            self.path.setText(
-                str(Path(self.path.text()).with_suffix("." + self.format.currentText().lower()))
-            )
+            self.path.setText(str(Path(self.path.text()).with_suffix("." + self.ending())))
 
     def browse(self, _checked: bool = False) -> None:
-        ending = self.format.currentText().lower()
+        ending = self.ending()
         path, _ = QtWidgets.QFileDialog.getSaveFileName(
             self.form, translate("Export pattern"), self.path.text(), f"{ending.upper()} (*.{ending})"
         )
@@ -91,10 +109,14 @@ class ExportPanel:
     def accept(self):
         """Write the file; the panel stays with the reason when that fails."""
         path = self.path.text().strip() or str(self.suggestion())
-        if not path.lower().endswith(FORMATS):
-            path += "." + self.format.currentText().lower()
+        made_for = self.machine.machine
+        if not path.lower().endswith((self.ending(),) if made_for else FORMATS):
+            path += "." + self.ending()
         try:
-            written = export_pattern(self.pattern(), path)
+            if made_for is None:
+                written = export_pattern(self.pattern(), path)
+            else:
+                written = export_for(self.pattern(), made_for.name, path, self.machine.paper)
         except BalloonError as error:
             self.message.setText(str(error))
             return False
@@ -108,6 +130,7 @@ class ExportPanel:
 
     def close(self) -> None:
         self.watch.remove()
+        self.machine.release()
         Gui.Control.closeDialog()
 
 

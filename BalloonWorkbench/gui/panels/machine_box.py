@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The part of the export panel about the machine: which one, on which paper, and what it may find wrong."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+
+from BalloonWorkbench.app.export import check_for
+from BalloonWorkbench.core.errors import BalloonError
+from BalloonWorkbench.core.export.machine import machines
+from BalloonWorkbench.core.export.machine_pdf import TILES
+from BalloonWorkbench.core.export.preflight import ERROR
+from BalloonWorkbench.gui.marks import Overlay
+from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
+
+
+class MachineBox(QtWidgets.QWidget):
+    """Chooses a machine. `changed` follows each choice."""
+
+    changed = QtCore.Signal()
+
+    def __init__(self, document_name: str):
+        super().__init__()
+        self.known = [None, *machines().values()]
+        self.overlay = Overlay(document_name)
+        self.findings: tuple = ()
+        self.pattern = None
+        self.choice = QtWidgets.QComboBox()
+        self.choice.setObjectName("Machine")
+        self.choice.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLength)
+        self.choice.addItem(translate("Any program"))
+        for known in self.known[1:]:
+            self.choice.addItem(known.title)
+            self.choice.setItemData(self.choice.count() - 1, known.note, QtCore.Qt.ToolTipRole)
+        self.pages = QtWidgets.QComboBox()
+        self.pages.setObjectName("Pages")
+        self.pages.addItems([translate("One large page"), *TILES])
+        self.note = QtWidgets.QLabel()
+        self.note.setObjectName("MachineNote")
+        self.note.setWordWrap(True)
+        self.list = QtWidgets.QListWidget()
+        self.list.setObjectName("Preflight")
+        self.list.setWordWrap(True)
+        self.list.setMaximumHeight(120)
+        column = QtWidgets.QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        for widget in (self.choice, self.pages, self.note, self.list):
+            column.addWidget(widget)
+        self.choice.currentIndexChanged.connect(lambda _index: self.changed.emit())
+        self.list.currentRowChanged.connect(self.mark)
+        self.show_for(None)
+
+    @property
+    def machine(self):
+        """The chosen machine, or None for a plain file."""
+        return self.known[self.choice.currentIndex()]
+
+    @property
+    def paper(self) -> str | None:
+        """The paper to divide the pattern on, or None for one page."""
+        divided = self.pages.isVisibleTo(self) and self.pages.currentIndex() > 0
+        return self.pages.currentText() if divided else None
+
+    def show_for(self, pattern) -> None:
+        """What the chosen machine makes of a pattern object."""
+        self.pattern = pattern
+        self.overlay.clear()
+        self.list.clear()
+        chosen = self.machine
+        self.pages.setVisible(chosen is not None and chosen.format == "pdf")
+        for widget in (self.note, self.list):
+            widget.setVisible(chosen is not None)
+        if chosen is None or pattern is None:
+            return
+        self.note.setText(chosen.note)
+        try:
+            self.findings = check_for(pattern, chosen.name)
+        except BalloonError as error:
+            self.findings = ()
+            self.list.addItem(str(error))
+            return
+        for finding in self.findings:
+            word = translate("Not possible") if finding.severity == ERROR else translate("Mind")
+            self.list.addItem(f"{word}: {finding.text}")
+        if not self.findings:
+            self.list.addItem(translate("Checked: nothing is in the way."))
+
+    def mark(self, row: int) -> None:
+        """Mark the place of a finding in the 3D view."""
+        self.overlay.clear()
+        if not 0 <= row < len(self.findings) or self.findings[row].place is None:
+            return
+        finding = self.findings[row]
+        shown = SimpleNamespace(
+            severity=SimpleNamespace(value="serious" if finding.severity == ERROR else "warning"),
+            place=finding.place,
+            extent=(),
+        )
+        size = max(self.pattern.PatternWidth.Value, self.pattern.PatternHeight.Value)
+        self.overlay.mark(shown, self.pattern.Placement, size, 0.0)
+
+    def release(self) -> None:
+        """The panel closes."""
+        self.overlay.clear()
+        self.pattern = None
