@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import astuple, replace
 
 import numpy as np
 import pytest
@@ -25,10 +25,12 @@ from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.outline.welds import spot
 from BalloonWorkbench.core.pattern.build import build_pattern
 from BalloonWorkbench.core.pattern.pattern import Role
+from BalloonWorkbench.core.solver.backend import backend_named
 from BalloonWorkbench.core.solver.folds import slit
 from BalloonWorkbench.core.solver.inflate import inflate
 from BalloonWorkbench.core.solver.inflation import Inflation
-from BalloonWorkbench.core.solver.model import Model
+from BalloonWorkbench.core.solver.model import Model, film_problem
+from BalloonWorkbench.core.solver.start import vertex_normals
 
 # stiff enough to be inextensible: E t / (p L) is about 7 000
 STIFF = replace(custom_film(2.4e10, 0.3, 25e-6), seal_width=0.0)
@@ -136,8 +138,20 @@ def welded() -> Inflation:
 
 def test_both_solvers_agree_about_a_weld(welded: Inflation) -> None:
     other = inflate(welded.panel, film("mylar"), 2000.0, backend="numpy")
-    assert other.volume == pytest.approx(welded.volume, rel=1e-8)
-    np.testing.assert_allclose(other.positions, welded.positions, atol=1e-7)
+    assert other.report.converged
+    assert other.volume == pytest.approx(welded.volume, rel=1e-3)  # rims crumple in more than one way
+
+
+def test_both_solvers_have_the_same_energy_of_a_weld(welded: Inflation) -> None:
+    flat, origin = slit(welded.panel)
+    problem = film_problem(flat, film("mylar"), 2000.0, tied=origin)
+    size = float(np.ptp(flat.rest_positions, axis=0).max())
+    noise = np.random.default_rng(5).normal(0.0, 1e-3, (len(welded.positions), 3))
+    positions = ((welded.positions + noise) / size)[origin]
+    directors = vertex_normals(positions, flat)
+    one, two = (backend_named(name).energies(problem, positions, directors) for name in ("native", "numpy"))
+    assert astuple(one) == pytest.approx(astuple(two), rel=1e-9)
+    assert one.seam > 0.0
 
 
 def test_a_weld_stays_flat_and_takes_volume(welded: Inflation) -> None:
