@@ -110,7 +110,7 @@ def test_an_unreachable_drawing_is_marked() -> None:
     for tooth in range(9):
         right = 0.3 - tooth / 30
         comb += [[right - 1 / 60, 0.03], [right - 1 / 30, 0.1]]
-    design = fit(Outline(np.array(comb)), film("kraft-paper"), 500.0)
+    design = fit(Outline(np.array(comb)), film("kraft-paper"), 500.0, mesh_size=0.012, symmetric=False)
     assert first_crossing(design.pattern.loops) is None
     assert design.reached == (design.residual.mean <= 0.01 * 0.3)
     assert design.reached or any("film cannot follow" in text for text in design.warnings)

@@ -10,7 +10,7 @@ import numpy as np
 
 from BalloonWorkbench.core.types import Floats
 
-DEPTH = 4  # earlier passes that are remembered
+DEPTH = 4  # earlier passes that are remembered; 0 is the plain fixed point
 REGULARISATION = 1e-2  # of the largest remembered change: mesh-scale noise must not steer the mix
 
 
@@ -24,8 +24,8 @@ class AndersonMixing:
 
     def step(self, point: Floats, correction: Floats) -> Floats:
         """What to add to the point (n,), given the correction (n,) found there."""
-        self._points = [*self._points[-DEPTH:], point]
-        self._corrections = [*self._corrections[-DEPTH:], correction]
+        self._points = [*self._points, point][-DEPTH - 1 :]
+        self._corrections = [*self._corrections, correction][-DEPTH - 1 :]
         plain = self._gain * correction
         if len(self._points) < 2:
             return plain
