@@ -253,6 +253,10 @@ FILM_INLINE void derivatives_body(const FourTriangles& film, const FilmLaw& law,
     Tangent tangent;
     add_membrane(k, law, scales.membrane_stiffness, tangent);
     add_bending(film, k, scales, tangent);
+    for (int i = 0; i < 3; ++i) {
+        tangent.stretch[0][i][i] = tangent.stretch[0][i][i] + scales.tension * k.area;
+        tangent.stretch[2][i][i] = tangent.stretch[2][i][i] + scales.tension * k.area;
+    }
 
     const double nodal = scales.pressure / 6.0; // the pressure's energy is - p times the volume
     for (int a = 0; a < 3; ++a) {

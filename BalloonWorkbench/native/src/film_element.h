@@ -30,6 +30,7 @@ struct FourElements {
 
 struct FilmScales {
     double membrane_stiffness, flexural_rigidity, poisson_ratio, pressure;
+    double tension = 0.0; // added to the film's own in the Hessian
 };
 
 struct FilmKernels {

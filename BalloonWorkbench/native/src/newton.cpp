@@ -11,35 +11,17 @@ namespace {
 
 // The same numbers as in core/solver/newton.py: both must take the same steps.
 constexpr double kLevelTolerance = 0.02;
-constexpr double kSmallestShift = 1e-6, kFirstShift = 0.3, kLargestShift = 1e12;
-constexpr double kShiftGrowth = 8.0, kShiftDecay = 0.2, kDirectorShift = 0.1;
+constexpr double kShift = 1e-6, kDirectorShift = 0.1;
+constexpr double kFirstTension = 0.03, kLargestTension = 1e12;
+constexpr double kTensionGrowth = 8.0, kTensionDecay = 0.2;
 constexpr double kSufficient = 2e-4, kShortest = 1e-3;
 
-double next_shift(double shift, double length) {
+double next_tension(double tension, double length) {
     if (length == 1.0)
-        return std::max(shift * kShiftDecay, kSmallestShift);
+        return kTensionDecay * tension;
     if (length < 0.3)
-        return std::max(shift, 0.1 * kFirstShift) * std::min(0.5 / length, kShiftGrowth);
-    return shift;
-}
-
-// The Newton step with the smallest tried shift that makes the Hessian positive definite; false when none
-// does.
-bool find_step(Cholesky& factor, const BlockMatrix& hessian, const Eigen::VectorXd& gradient,
-               const Eigen::VectorXd& mass, double& shift, int32_t& factorisations, Eigen::VectorXd& step) {
-    Eigen::VectorXd diagonal;
-    step = -gradient;
-    for (;;) {
-        diagonal = shift * mass;
-        ++factorisations;
-        if (factor.factorise_and_solve(hessian.values().data(), diagonal.data(), step.data()))
-            return true;
-        if (factor.stopped())
-            throw Cancelled("stopped by the caller");
-        shift = std::max(shift * kShiftGrowth, kFirstShift);
-        if (!(shift <= kLargestShift))
-            return false;
-    }
+        return std::max(tension, 0.1 * kFirstTension) * std::min(0.5 / length, kTensionGrowth);
+    return tension;
 }
 
 } // namespace
@@ -52,8 +34,8 @@ film_result newton(Shell& shell, State& state, const std::vector<double>& levels
     double done = 0.0;
     factor.ask([&] { return progress(done); });
     Eigen::VectorXd gradient, step;
-    const Eigen::VectorXd mass = shell.masses(kDirectorShift);
-    double shift = kSmallestShift;
+    const Eigen::VectorXd shift = kShift * shell.masses(kDirectorShift);
+    double tension = 0.0;
     for (size_t level = 0; level < levels.size(); ++level) {
         shell.set_membrane_stiffness(levels[level]);
         const bool last = level + 1 == levels.size();
@@ -64,9 +46,19 @@ film_result newton(Shell& shell, State& state, const std::vector<double>& levels
         bool level_done = false;
         while (!level_done && result.steps < settings.max_steps) {
             const Frames frames(state.directors);
-            shell.derivatives(state, frames, gradient, hessian);
-            if (!find_step(factor, hessian, gradient, mass, shift, result.factorisations, step))
-                return result;
+            for (;;) { // with the least tried tension that makes the Hessian positive definite
+                shell.set_tension(tension);
+                shell.derivatives(state, frames, gradient, hessian);
+                step = -gradient;
+                ++result.factorisations;
+                if (factor.factorise_and_solve(hessian.values().data(), shift.data(), step.data()))
+                    break;
+                if (factor.stopped())
+                    throw Cancelled("stopped by the caller");
+                if (tension >= kLargestTension)
+                    return result;
+                tension = std::max(kTensionGrowth * tension, kFirstTension);
+            }
             const double decrement = -0.5 * gradient.dot(step);
             ++result.steps;
 
@@ -80,12 +72,13 @@ film_result newton(Shell& shell, State& state, const std::vector<double>& levels
             }
             if (length < kShortest) {
                 level_done = decrement <= tolerance * std::abs(energy);
-                shift = std::min(std::max(shift * kShiftGrowth * kShiftGrowth, kFirstShift), kLargestShift);
+                tension = std::min(std::max(kTensionGrowth * kTensionGrowth * tension, kFirstTension),
+                                   kLargestTension);
             } else {
                 state = std::move(next);
                 energy = trial;
                 level_done = decrement <= tolerance * std::abs(energy);
-                shift = next_shift(shift, length);
+                tension = next_tension(tension, length);
             }
             result.converged = last && level_done;
             const double part = std::min(1.0, tolerance * std::abs(energy) / std::max(decrement, 1e-300));

@@ -39,6 +39,9 @@ public:
     int count() const { return static_cast<int>(blocks_.block_of_unknown.size()); }
     void set_membrane_stiffness(double stiffness) { scales_.membrane_stiffness = stiffness; }
 
+    // Adds the stiffness of so much tension in all directions to the Hessian.
+    void set_tension(double tension) { scales_.tension = tension; }
+
     Energies energies(const State& state) const;
 
     // Fills the gradient and the Hessian in the free unknowns.
