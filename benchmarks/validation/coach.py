@@ -21,7 +21,7 @@ from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.outline.picture import read_picture
 
-FIRST, SHAPES = 1000, 240  # seeds; the constants in core/coach come from those below
+FIRST, SHAPES = 2000, 240  # seeds; the constants in core/coach come from those below
 FITTED = 48  # of these once more, with the pattern corrected
 #: What makes a finding of a rule true in the simulation.
 TRUE_WHEN = {
