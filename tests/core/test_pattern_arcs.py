@@ -3,15 +3,20 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 import shapely
 from drawn_shapes import NAMED, polar
 
+from BalloonWorkbench.core.job import Settings, make_balloon
 from BalloonWorkbench.core.pattern.arcs import TOLERANCE, fit_curve
 from BalloonWorkbench.core.pattern.build import build_pattern
 from BalloonWorkbench.core.pattern.curves import Curve, polyline
+from BalloonWorkbench.core.pattern.pattern import Role
 
+PICTURES = Path(__file__).parents[2] / "resources" / "examples" / "pictures"
 FINE = 2e-7  # m, far below what is measured
 
 
@@ -156,3 +161,14 @@ def test_polyline_is_a_curve_of_lines() -> None:
     curve = polyline(NAMED["star"].outer, True)
     assert not curve.bulges.any()
     assert np.array_equal(curve.flattened(1e-3), NAMED["star"].outer)
+
+
+@pytest.mark.parametrize("name", ["heart", "star"])
+def test_patterns_of_pictures_take_a_tenth(name: str) -> None:
+    """Ten times fewer lines and arcs than the seam of a corrected pattern has points."""
+    balloon = make_balloon(PICTURES / f"{name}.png", Settings(), width=0.3)
+    for part in balloon.parts:
+        for contour in part.pattern.of(Role.CUT):
+            curve = fit_curve(contour.points, True)
+            assert 10 * len(curve) <= len(part.design.pattern.outer)
+            assert apart(curve, contour.points) <= 1.01 * TOLERANCE
