@@ -190,17 +190,12 @@ def request(obj):
     )
 
 
-def show(obj, wanted, design) -> None:
-    """Write a design into the object; the next recompute finds it and does not solve again."""
-    import json
+def describe(wanted, design) -> dict:
+    """What there is to tell about a design, as plain data; touches no document."""
     from dataclasses import replace
 
-    from BalloonWorkbench.app import shapes
-    from BalloonWorkbench.app.host import mesh_from_arrays
     from BalloonWorkbench.core import report
-    from BalloonWorkbench.core.export.stl import balloon_mesh
     from BalloonWorkbench.core.pattern.build import build_pattern
-    from BalloonWorkbench.core.units import to_mm
 
     settings, source = wanted.settings, wanted.source
     if settings.goal is not None:
@@ -209,6 +204,22 @@ def show(obj, wanted, design) -> None:
     told = report.build(source, settings.film, design, plain, settings.volume, goal=settings.goal)
     told |= advice.told(design, settings.film)
     del told["pattern"], told["lift"]  # the Pattern object, and the properties, have their own
+    return told
+
+
+def show(obj, wanted, design, told: dict | None = None) -> None:
+    """Write a design into the object; the next recompute finds it and does not solve again.
+
+    told  the result of `describe` where it is known
+    """
+    import json
+
+    from BalloonWorkbench.app import shapes
+    from BalloonWorkbench.app.host import mesh_from_arrays
+    from BalloonWorkbench.core.export.stl import balloon_mesh
+    from BalloonWorkbench.core.units import to_mm
+
+    told = told or describe(wanted, design)
     positions, triangles = balloon_mesh(design.inflation)
     obj.Mesh = mesh_from_arrays(to_mm(positions), triangles)
     shapes.store(obj, "Seam", design.pattern)

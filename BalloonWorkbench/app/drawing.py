@@ -3,9 +3,14 @@
 
 from __future__ import annotations
 
+import hashlib
+from pathlib import Path
+
 from BalloonWorkbench.app.quantities import metres
 
 _LONGEST_SIDE = 1600  # px; as fine as the engine looks
+_MOST_READ = 8
+_read: dict = {}  # shapes of the last pictures by their content: tracing takes a good part of a second
 
 
 def read_drawing(path: str, width, height, keep_aspect: bool = True, symmetry: str = "auto"):
@@ -14,17 +19,33 @@ def read_drawing(path: str, width, height, keep_aspect: bool = True, symmetry: s
     symmetry is a choice of core/outline/symmetry.py. Raises BalloonError when there is no usable shape in the
     file.
     """
-    from BalloonWorkbench.core.outline import read
-    from BalloonWorkbench.core.outline.loops import scale_to
-    from BalloonWorkbench.core.outline.symmetry import evened
-
     wanted = metres(width) or None, metres(height) or None
-    drawing, kind = read.read_drawing(path, *wanted, decode=_decoder())
-    drawing = scale_to(evened(drawing, symmetry, drawn=kind == "picture"), *wanted)
+    drawing, kind = _shapes(Path(path), wanted, symmetry)
     if None in wanted or keep_aspect:
         return drawing, kind
     factors = [want / have for want, have in zip(wanted, drawing.size, strict=True)]
     return drawing.map(lambda loop: loop * factors), kind
+
+
+def _shapes(path: Path, wanted, symmetry: str):
+    """The shapes in a file at their size and its kind; a picture that was read lately is not traced again."""
+    from BalloonWorkbench.core.outline import read
+    from BalloonWorkbench.core.outline.loops import scale_to
+    from BalloonWorkbench.core.outline.symmetry import evened
+
+    try:
+        key = (hashlib.sha256(path.read_bytes()).digest(), wanted, symmetry)
+    except OSError:  # the reader says what is wrong
+        key = None
+    if key in _read:
+        return _read[key]
+    drawing, kind = read.read_drawing(path, *wanted, decode=_decoder())
+    drawing = scale_to(evened(drawing, symmetry, drawn=kind == "picture"), *wanted)
+    if kind == "picture":
+        _read[key] = drawing, kind
+        for old in list(_read)[:-_MOST_READ]:
+            _read.pop(old, None)
+    return drawing, kind
 
 
 def _decoder():
@@ -43,8 +64,6 @@ def place_in_picture(path: str) -> tuple[float, float, float, float] | None:
 
     For showing the outline over the picture; None where there is no picture or no shape.
     """
-    from pathlib import Path
-
     from BalloonWorkbench.core.errors import BalloonError
     from BalloonWorkbench.core.outline.contour import contours
     from BalloonWorkbench.core.outline.decode import decode, picture_size

@@ -3,6 +3,9 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+from types import SimpleNamespace
+
 from BalloonWorkbench.app import migrate, status
 from BalloonWorkbench.app.properties import Property, add_missing, show_in_editor
 from BalloonWorkbench.app.stateless import Stateless
@@ -67,21 +70,48 @@ def is_pattern(obj) -> bool:
     return isinstance(getattr(obj, "Proxy", None), PatternProxy)
 
 
+def values(obj) -> dict:
+    """The object's own values, as `build_pattern` takes them."""
+    from BalloonWorkbench.app.quantities import metres, radians
+
+    return {
+        "allowance": metres(obj.Allowance),
+        "intake": obj.Intake,
+        "intake_width": metres(obj.IntakeWidth),
+        "intake_length": metres(obj.IntakeLength) or None,
+        "intake_angle": None if obj.IntakeAuto else radians(obj.IntakeAngle),
+    }
+
+
+def usual_values() -> dict:
+    """The values of a new pattern."""
+    return values(SimpleNamespace(**{item.name: item.value or 0.0 for item in PROPERTIES}))
+
+
 def build(obj):
     """The pattern in full precision, from the balloon's seam and the object's own values."""
     from BalloonWorkbench.app import shapes
-    from BalloonWorkbench.app.quantities import metres, radians
+    from BalloonWorkbench.app.quantities import metres
     from BalloonWorkbench.core.pattern.build import build_pattern
 
-    return build_pattern(
-        shapes.stored(obj.Balloon, "Seam"),
-        metres(obj.SealWidth) or metres(obj.Balloon.SealWidth),
-        allowance=metres(obj.Allowance),
-        intake=obj.Intake,
-        intake_width=metres(obj.IntakeWidth),
-        intake_length=metres(obj.IntakeLength) or None,
-        intake_angle=None if obj.IntakeAuto else radians(obj.IntakeAngle),
-    )
+    seal_width = metres(obj.SealWidth) or metres(obj.Balloon.SealWidth)
+    return build_pattern(shapes.stored(obj.Balloon, "Seam"), seal_width, **values(obj))
+
+
+@lru_cache(maxsize=64)
+def _fitted(points: bytes, closed: bool):
+    import numpy as np
+
+    from BalloonWorkbench.core.pattern.arcs import fit_curve
+
+    return fit_curve(np.frombuffer(points).reshape(-1, 2), closed)
+
+
+def arcs(points, closed: bool):
+    """The arcs of a contour; they take a while, and those of the last contours are remembered."""
+    import numpy as np
+
+    return _fitted((np.round(points, 9) + 0.0).tobytes(), closed)
 
 
 def show(obj, pattern) -> None:
@@ -91,14 +121,13 @@ def show(obj, pattern) -> None:
     import Part
 
     from BalloonWorkbench.app import shapes
-    from BalloonWorkbench.core.pattern.arcs import fit_curve
     from BalloonWorkbench.core.pattern.curves import polyline
     from BalloonWorkbench.core.pattern.pattern import Role
     from BalloonWorkbench.core.units import to_mm
 
     outer, inner = pattern.of(Role.CUT), pattern.of(Role.CUT_INNER)
     welds = (*pattern.of(Role.SEAL), *pattern.of(Role.WELD))
-    fit = fit_curve if obj.Arcs else polyline
+    fit = arcs if obj.Arcs else polyline
     wires = [shapes.curve_wire(fit(each.points, each.closed)) for each in (*outer, *inner, *welds)]
     cuts = len(outer) + len(inner)
     obj.Shape = Part.makeCompound([Part.Face(wires[:cuts]), *wires[cuts:]])

@@ -38,6 +38,11 @@ def decode(path: str | os.PathLike[str]) -> np.ndarray:
             f"'{Path(path).name}' is damaged or not a picture ({reader.errorString()}). "
             "Save it as PNG, JPEG or BMP once more."
         )
+    return pixels(image)
+
+
+def pixels(image) -> np.ndarray:
+    """Pixels (h, w, 4) uint8 of a QImage as red, green, blue, alpha."""
     image = image.convertToFormat(QtGui.QImage.Format_RGBA8888)
     lines = np.frombuffer(image.constBits(), dtype=np.uint8).reshape(image.height(), image.bytesPerLine())
     return lines[:, : 4 * image.width()].reshape(image.height(), image.width(), 4).copy()

@@ -23,3 +23,18 @@ def translate(text: str) -> str:
 def icon(name: str) -> str:
     """Path of an icon of the workbench."""
     return str(_ICONS / f"{name}.svg")
+
+
+def position(event):
+    """Where a mouse, wheel or tablet event happened in its widget (QPointF), under Qt 5 and 6."""
+    for name in ("position", "localPos", "posF"):
+        if hasattr(event, name):
+            return getattr(event, name)()
+    return QtCore.QPointF(event.pos())
+
+
+def is_eraser(event) -> bool:
+    """A tablet event comes from the rubber end of the pen."""
+    kinds = getattr(QtGui, "QPointingDevice", None)
+    eraser = kinds.PointerType.Eraser if kinds is not None else QtGui.QTabletEvent.Eraser
+    return event.pointerType() == eraser

@@ -57,6 +57,12 @@ class OutlineView(_View):
         vobj.DisplayMode = "Wireframe"
         vobj.LineWidth = 2.0
 
+    def doubleClicked(self, vobj):
+        """A painting goes back to the paint window."""
+        from BalloonWorkbench.gui.panels import paint_again
+
+        return paint_again(vobj.Object) or super().doubleClicked(vobj)
+
 
 class BalloonView(_View):
     """Shiny film."""

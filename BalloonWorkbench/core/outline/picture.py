@@ -60,6 +60,11 @@ def picture_drawing(
 
 def drawing_of(rgba: NDArray[np.uint8]) -> Drawing:
     """The shapes in pixels (h, w, 4) with the pixel as unit and their lower left corner as origin."""
+    return placed_drawing(rgba)[0]
+
+
+def placed_drawing(rgba: NDArray[np.uint8]) -> tuple[Drawing, Floats]:
+    """The drawing of `drawing_of`, and where its origin lies in the picture (2,) px, y up."""
     if min(rgba.shape[:2]) < _SMALLEST_SIDE:
         raise PictureError(
             f"The picture is too small to see a shape. Use {_SMALLEST_SIDE} pixels or more across."
@@ -92,7 +97,7 @@ def drawing_of(rgba: NDArray[np.uint8]) -> Drawing:
     traced = _simple([[loop, *mine] for (loop, _), mine in zip(parts, wide)], STEP * max(rgba.shape[:2]))
     corner = np.concatenate([loops[0] for loops in traced]).min(axis=0)
     outlines = [Outline(outer - corner, tuple(hole - corner for hole in inner)) for outer, *inner in traced]
-    return Drawing((replace(outlines[0], notes=tuple(notes)), *outlines[1:]))
+    return Drawing((replace(outlines[0], notes=tuple(notes)), *outlines[1:])), corner
 
 
 def _holes_of(

@@ -9,8 +9,10 @@ from BalloonWorkbench.gui.commands.advice import Advice
 from BalloonWorkbench.gui.commands.export_pattern import ExportPattern
 from BalloonWorkbench.gui.commands.from_picture import FromPicture
 from BalloonWorkbench.gui.commands.from_sketch import FromSketch
+from BalloonWorkbench.gui.commands.paint import Paint
 
 _COMMANDS = {
+    "BalloonWorkbench_Paint": Paint,
     "BalloonWorkbench_FromPicture": FromPicture,
     "BalloonWorkbench_FromSketch": FromSketch,
     "BalloonWorkbench_Advice": Advice,

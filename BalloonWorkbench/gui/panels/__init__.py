@@ -20,6 +20,21 @@ def edit(obj) -> None:
     Gui.Control.showDialog(BalloonPanel(parts))
 
 
+def paint_again(outline) -> bool:
+    """Open the paint window on a painted outline; False for any other one."""
+    from BalloonWorkbench.app.painting import is_painting
+    from BalloonWorkbench.gui.paint.window import open_for
+    from BalloonWorkbench.gui.parts import parts_of
+
+    first = outline.Leader or outline
+    parts = parts_of(first)
+    if first.Source or not is_painting(first.Drawing) or parts is None:
+        return False
+    if is_free():
+        open_for(first.Document, parts)
+    return True
+
+
 def is_free() -> bool:
     """No other panel is open; says so in the status bar when one is."""
     if Gui.Control.activeDialog():

@@ -40,7 +40,7 @@ class Fields(QtCore.QObject):
 
     def quantity(self, name: str, unit: str, step: float = 1.0):
         """A spin box for a quantity property; `unit` is the one for plain numbers."""
-        widget = _new_quantity_box()
+        widget = new_quantity_box()
         widget.setProperty("unit", unit)
         widget.setProperty("singleStep", step)
         Gui.ExpressionBinding(widget).bind(self.obj, name)
@@ -111,7 +111,7 @@ class Fields(QtCore.QObject):
     def release(self) -> None:
         """The object may be gone from now on: a field that loses the focus writes once more."""
         self.obj = None
-        self._widgets.clear()  # see _new_quantity_box
+        self._widgets.clear()  # see new_quantity_box
 
     def _write(self, name: str, value) -> None:
         if self.obj is None:
@@ -122,7 +122,7 @@ class Fields(QtCore.QObject):
             self.changed.emit(name)
 
 
-def _new_quantity_box():
+def new_quantity_box():
     """FreeCAD's spin box for quantities.
 
     Python is not told when Qt deletes what FreeCAD has made. As long as anything holds the shell of such a

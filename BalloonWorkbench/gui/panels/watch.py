@@ -9,8 +9,8 @@ import FreeCAD as App
 class Watch:
     """Calls `gone` once, while the objects still exist: fields that outlive them would end the program."""
 
-    def __init__(self, objects, gone):
-        self._document = objects[0].Document.Name
+    def __init__(self, objects, gone, document=None):
+        self._document = (document or objects[0].Document).Name
         self._names = {obj.Name for obj in objects}
         self._gone = gone
         self._active = True

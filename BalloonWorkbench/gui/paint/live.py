@@ -1,0 +1,197 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The balloon follows the painting: a glance after every stroke, a study when the pen rests.
+
+Both work in threads. The newest painting counts: what was found for an older one is shown only as long as
+nothing newer is there.
+"""
+
+from __future__ import annotations
+
+import tempfile
+import time
+from pathlib import Path
+
+from BalloonWorkbench.app.pattern import usual_values
+from BalloonWorkbench.core.errors import Cancelled
+from BalloonWorkbench.core.job import Settings
+from BalloonWorkbench.gui.paint.look import Glance, Look, Study
+from BalloonWorkbench.gui.paint.painting import Painting
+from BalloonWorkbench.gui.qt import QtCore
+from BalloonWorkbench.gui.worker import Worker
+
+REST = 600  # ms without a change, then the study begins
+_WHILE_DRAWING = 250  # ms between glances during a stroke
+_PART = 0.03  # of the study between two signs of progress
+
+
+class Live(QtCore.QObject):
+    """Looks at a painting whenever it changes.
+
+    width and settings belong to the balloon; `refused` says why none can be seen. `delays` has the seconds
+    from the end of a stroke to its glance.
+    """
+
+    found = QtCore.Signal(object)
+    refused = QtCore.Signal(str)
+    empty = QtCore.Signal()
+    progressed = QtCore.Signal(float)
+
+    def __init__(self, painting: Painting, parent=None):
+        super().__init__(parent)
+        self.painting = painting
+        self.width = 300.0
+        self.settings = Settings()
+        self.sheet = usual_values()
+        self.latest: Look | None = None
+        self.delays: list[float] = []
+        self._folder = tempfile.TemporaryDirectory()
+        self._glance: Worker | None = None
+        self._study: Worker | None = None
+        self._retired: list[Worker] = []
+        self._dirty = False
+        self._told = 0.0
+        self._changed_at = 0.0
+        self._rest = self._timer(REST, self.study)
+        self._soon = self._timer(_WHILE_DRAWING, self._begin_glance)
+
+    def changed(self) -> None:
+        """A step is done: look at once, and closer when nothing more happens."""
+        self._changed_at = time.perf_counter()
+        self._dirty = True
+        self._drop_study()
+        self._rest.start()
+        if self._glance is None:
+            self._begin_glance()
+
+    def drawing(self) -> None:
+        """A stroke is growing: look now and then."""
+        self.painting.revision += 1
+        self._drop_study()
+        self._rest.stop()
+        self._dirty = True
+        if self._glance is None and not self._soon.isActive():
+            self._soon.start()
+
+    def set_width(self, width: float) -> None:
+        """Of the balloon in mm."""
+        if width != self.width:
+            self.width = width
+            self.painting.revision += 1
+            self.changed()
+
+    def is_settled(self) -> bool:
+        """The latest look is the document's own and belongs to the painting as it is."""
+        return (
+            self.latest is not None
+            and self.latest.solved is not None
+            and self.latest.revision == self.painting.revision
+        )
+
+    def is_busy(self) -> bool:
+        return self._glance is not None or self._study is not None or self._rest.isActive()
+
+    def study(self) -> None:
+        """Begin the study now, unless it runs."""
+        self._rest.stop()
+        if self._study is not None or self.painting.is_empty():
+            return
+        folder = Path(self._folder.name) / str(self.painting.revision)
+        folder.mkdir(exist_ok=True)
+        request = Study(
+            self.painting.file_image(),
+            self.painting.revision,
+            self.width,
+            self.settings,
+            self.sheet,
+            folder / "painting.png",
+        )
+        self._told = 0.0
+        self._study = self._begin(request, self._study_done)
+        self._study.progressed.connect(self._tell_progress)
+        self._study.start(QtCore.QThread.LowPriority)
+
+    def stop(self) -> None:
+        """End all work; waits for the engine's next step."""
+        self._rest.stop()
+        self._soon.stop()
+        for worker in (self._glance, self._study, *self._retired):
+            if worker is not None:
+                worker.stop()
+        for worker in (self._glance, self._study, *self._retired):
+            if worker is not None:
+                worker.wait()
+        self._glance = self._study = None
+        self._retired.clear()
+
+    def _timer(self, interval: int, action):
+        timer = QtCore.QTimer(self)
+        timer.setSingleShot(True)
+        timer.setInterval(interval)
+        timer.timeout.connect(action)
+        return timer
+
+    def _begin(self, request, done) -> Worker:
+        worker = Worker(request, self)
+        worker.finished.connect(lambda: done(worker))
+        return worker
+
+    def _begin_glance(self) -> None:
+        self._soon.stop()
+        if self._glance is not None:
+            return
+        self._dirty = False
+        if self.painting.is_empty():
+            self._rest.stop()
+            self.latest = None
+            self.empty.emit()
+            return
+        image = self.painting.image.copy()
+        self._glance = self._begin(
+            Glance(image, self.painting.revision, self.width, self.settings), self._glance_done
+        )
+        self._glance.start()
+
+    def _glance_done(self, worker: Worker) -> None:
+        if worker is not self._glance:
+            return
+        self._glance = None
+        worker.deleteLater()
+        newest = worker.request.revision == self.painting.revision
+        if newest and not self._dirty:
+            self.delays.append(time.perf_counter() - self._changed_at)
+        if not (newest and self.is_settled()):
+            self._take(worker)
+        if self._dirty:
+            self._begin_glance()
+
+    def _study_done(self, worker: Worker) -> None:
+        worker.deleteLater()
+        if worker is not self._study:
+            if worker in self._retired:
+                self._retired.remove(worker)
+            return
+        self._study = None
+        self.progressed.emit(1.0)
+        if worker.request.revision == self.painting.revision:
+            self._take(worker)
+
+    def _take(self, worker: Worker) -> None:
+        if worker.design is not None:
+            self.latest = worker.design
+            self.found.emit(worker.design)
+        elif not isinstance(worker.error, Cancelled):
+            self.latest = None
+            self.refused.emit(str(worker.error or ""))
+
+    def _drop_study(self) -> None:
+        """The painting has changed: let the engine stop by itself, nobody waits for it."""
+        if self._study is not None:
+            self._study.stop()
+            self._retired.append(self._study)
+            self._study = None
+            self.progressed.emit(1.0)
+
+    def _tell_progress(self, fraction: float, text: str) -> None:
+        if self._study is not None and fraction >= self._told + _PART:
+            self._told = fraction
+            self.progressed.emit(fraction)

@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Over the painting: the outline that was found, its width, and the places that will not inflate well."""
+
+from __future__ import annotations
+
+from BalloonWorkbench.gui.paint.painting import SIDE
+from BalloonWorkbench.gui.qt import QtCore, QtGui
+
+_OUTLINE = "#00a5c8"
+_WARNING = "#ff7a00"
+_RING = 26.0  # px on the screen
+_BELOW = 16.0  # px on the screen between the shape and its width
+
+
+class Overlay:
+    """What is drawn over the paper, in the size of the screen."""
+
+    def __init__(self):
+        self._loops: tuple = ()
+        self._places: list = []
+        self._width = ""
+
+    def show(self, look, width: str) -> None:
+        """Take a look's outlines and remarks; width: as text."""
+        self._loops = look.loops
+        self._width = width
+        self._places = [place for severity, _, place in look.remarks if severity != "hint"]
+
+    def clear(self) -> None:
+        self._loops, self._places, self._width = (), [], ""
+
+    def paint(self, painter, canvas) -> None:
+        """Draw over a canvas, in its coordinates."""
+        if not self._loops:
+            return
+        path = QtGui.QPainterPath()
+        for loop in self._loops:
+            path.addPolygon(QtGui.QPolygonF([canvas.to_screen(_paper(place)) for place in loop.tolist()]))
+            path.closeSubpath()
+        painter.setBrush(QtCore.Qt.NoBrush)
+        for colour, width in (("#ffffff", 3.0), (_OUTLINE, 1.4)):
+            painter.setPen(QtGui.QPen(QtGui.QColor(colour), width))
+            painter.drawPath(path)
+        painter.setPen(QtGui.QPen(QtGui.QColor(_WARNING), 3.0))
+        for place in self._places:
+            painter.drawEllipse(canvas.to_screen(_paper(place)), _RING, _RING)
+        self._paint_width(painter, path.boundingRect())
+
+    def _paint_width(self, painter, box) -> None:
+        y = box.bottom() + _BELOW
+        painter.setPen(QtGui.QPen(QtGui.QColor("#606670"), 1.2))
+        for x, inward in ((box.left(), 7.0), (box.right(), -7.0)):
+            painter.drawLine(QtCore.QPointF(x, y - 6), QtCore.QPointF(x, y + 6))
+            for rise in (-4.0, 4.0):
+                painter.drawLine(QtCore.QPointF(x, y), QtCore.QPointF(x + inward, y + rise))
+        painter.drawLine(QtCore.QPointF(box.left(), y), QtCore.QPointF(box.right(), y))
+        room = QtCore.QRectF(0, 0, 140, 20)
+        room.moveCenter(QtCore.QPointF(box.center().x(), y))
+        text = painter.boundingRect(room, QtCore.Qt.AlignCenter, self._width).adjusted(-5, -1, 5, 1)
+        painter.fillRect(text, QtCore.Qt.white)
+        painter.drawText(room, QtCore.Qt.AlignCenter, self._width)
+
+
+def _paper(place):
+    """From parts of the picture, y up, to pixels of the painting."""
+    return QtCore.QPointF(place[0] * SIDE, (1.0 - place[1]) * SIDE)

@@ -1,0 +1,161 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The painted balloon and its pattern in the 3D view, as long as they are no document objects."""
+
+from __future__ import annotations
+
+import FreeCADGui as Gui
+import numpy as np
+
+from BalloonWorkbench.app.qt_picture import pixels
+from BalloonWorkbench.core.export.sheet import LAYERS
+from BalloonWorkbench.core.pattern.pattern import Role
+from BalloonWorkbench.gui.qt import QtCore, QtGui
+
+_TEXTURE = 512  # px
+_FOIL = (236, 238, 242)  # colour of the film where nothing is painted
+_TILT = -35.0  # degrees that the balloon leans back, so that it is seen to be round
+_BESIDE = 0.12  # gap to the pattern, of the balloon's width
+_GROWN = 0.1  # change of the size from which the camera follows
+
+
+class Scene:
+    """Shows looks in the view of a document; `clear` takes everything away."""
+
+    def __init__(self, document_name: str):
+        self.document_name = document_name
+        self._root = None
+        self._node = None
+        self._size: tuple[float, ...] | None = None
+
+    def is_shown(self) -> bool:
+        return self._node is not None
+
+    def show(self, look, image) -> None:
+        """Show a look instead of the last one; image: what is painted."""
+        from pivy import coin
+
+        view = self._view()
+        if view is None:
+            return
+        node = coin.SoSeparator()
+        style = coin.SoPickStyle()
+        style.style.setValue(coin.SoPickStyle.UNPICKABLE)
+        node.addChild(style)
+        node.addChild(_balloons(coin, look, image))
+        node.addChild(_pattern(coin, look))
+        root = view.getSceneGraph()
+        if self._node is not None:
+            self._root.replaceChild(self._node, node)
+        else:
+            root.addChild(node)
+            self._root = root
+        self._node = node
+        before = self._size
+        if before is None:
+            self._look_at(coin, view)
+        if before is None or any(
+            abs(now - then) > _GROWN * max(before) for now, then in zip(look.size, before, strict=True)
+        ):
+            view.fitAll()
+            self._size = look.size
+
+    def clear(self) -> None:
+        """Take the balloon away."""
+        if self._node is not None and Gui.getDocument(self.document_name) is not None:
+            self._root.removeChild(self._node)
+        self._root = self._node = self._size = None
+
+    def _view(self):
+        document = Gui.getDocument(self.document_name)
+        view = document.activeView() if document is not None else None
+        if view is None or not hasattr(view, "getSceneGraph"):
+            views = document.mdiViewsOfType("Gui::View3DInventor") if document is not None else []
+            view = views[0] if views else None
+        return view
+
+    @staticmethod
+    def _look_at(coin, view) -> None:
+        camera = view.getCameraNode()
+        camera.orientation.setValue(coin.SbRotation(coin.SbVec3f(1, 0, 0), float(np.radians(-_TILT))))
+
+
+def _balloons(coin, look, image):
+    node = coin.SoSeparator()
+    hints = coin.SoShapeHints()
+    hints.vertexOrdering.setValue(coin.SoShapeHints.COUNTERCLOCKWISE)
+    hints.shapeType.setValue(coin.SoShapeHints.SOLID)
+    material = coin.SoMaterial()
+    material.diffuseColor.setValue(1, 1, 1)
+    material.ambientColor.setValue(0.35, 0.35, 0.35)
+    material.specularColor.setValue(0.5, 0.5, 0.5)
+    material.shininess.setValue(0.6)
+    texture = coin.SoTexture2()
+    texture.image.setValue(coin.SbVec2s(_TEXTURE, _TEXTURE), 3, _texels(image))
+    texture.wrapS.setValue(coin.SoTexture2.CLAMP)
+    texture.wrapT.setValue(coin.SoTexture2.CLAMP)
+    binding = coin.SoNormalBinding()
+    binding.value.setValue(coin.SoNormalBinding.PER_VERTEX_INDEXED)
+    places = coin.SoTextureCoordinateBinding()
+    places.value.setValue(coin.SoTextureCoordinateBinding.PER_VERTEX_INDEXED)
+    for child in (hints, material, texture, binding, places):
+        node.addChild(child)
+    for skin in look.skins:
+        node.addChild(_skin(coin, skin))
+    return node
+
+
+def _skin(coin, skin):
+    node = coin.SoSeparator()
+    positions, normals = coin.SoCoordinate3(), coin.SoNormal()
+    places, faces = coin.SoTextureCoordinate2(), coin.SoIndexedFaceSet()
+    positions.point.setValues(0, len(skin.positions), skin.positions.tolist())
+    normals.vector.setValues(0, len(skin.normals), skin.normals.tolist())
+    places.point.setValues(0, len(skin.places), skin.places.tolist())
+    corners = np.concatenate([skin.triangles, np.full((len(skin.triangles), 1), -1)], axis=1).ravel().tolist()
+    faces.coordIndex.setValues(0, len(corners), corners)
+    for child in (positions, normals, places, faces):
+        node.addChild(child)
+    return node
+
+
+def _pattern(coin, look):
+    """The contours in the colours of the cutter's layers, below the balloon."""
+    node = coin.SoSeparator()
+    if not look.contours:
+        return node
+    light = coin.SoLightModel()
+    light.model.setValue(coin.SoLightModel.BASE_COLOR)
+    style = coin.SoDrawStyle()
+    style.lineWidth.setValue(2.0)
+    bottom = min(float(skin.positions[:, 1].min()) for skin in look.skins)
+    top = max(float(points[:, 1].max()) for _, points in look.contours)
+    place = coin.SoTranslation()
+    place.translation.setValue(0.0, bottom - top - _BESIDE * look.size[0], 0.0)
+    for child in (light, style, place):
+        node.addChild(child)
+    for role, points in look.contours:
+        colour, line = coin.SoBaseColor(), coin.SoLineSet()
+        coordinates = coin.SoCoordinate3()
+        colour.rgb.setValue(*_layer_colour(role))
+        corners = [(x, y, 0.0) for x, y in np.concatenate([points, points[:1]]).tolist()]
+        coordinates.point.setValues(0, len(corners), corners)
+        line.numVertices.setValue(len(corners))
+        for child in (colour, coordinates, line):
+            node.addChild(child)
+    return node
+
+
+def _layer_colour(role: str) -> tuple[float, ...]:
+    rgb = LAYERS[Role(role)].rgb
+    return tuple(int(rgb[i : i + 2], 16) / 255 for i in (1, 3, 5))
+
+
+def _texels(image) -> bytes:
+    """The painting on film, the lowest row first."""
+    sheet = QtGui.QImage(_TEXTURE, _TEXTURE, QtGui.QImage.Format_RGB32)
+    sheet.fill(QtGui.QColor(*_FOIL))
+    painter = QtGui.QPainter(sheet)
+    painter.setRenderHint(QtGui.QPainter.SmoothPixmapTransform)
+    painter.drawImage(QtCore.QRectF(sheet.rect()), image)
+    painter.end()
+    return np.ascontiguousarray(pixels(sheet)[::-1, :, :3]).tobytes()
