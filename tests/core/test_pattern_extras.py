@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Notches and the tie tab: where they are, and where they cannot be."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import shapely
+from drawn_shapes import NAMED
+
+from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.pattern.build import build_pattern
+from BalloonWorkbench.core.pattern.extras import with_notches, with_tie_tab
+from BalloonWorkbench.core.pattern.pattern import Pattern, Role
+
+SEAL, ALLOWANCE = 0.005, 0.003
+
+
+def made(name: str, intake: bool = True) -> Pattern:
+    return build_pattern(NAMED[name], SEAL, allowance=ALLOWANCE, intake=intake)
+
+
+def film(pattern: Pattern) -> shapely.Polygon:
+    (cut,) = pattern.of(Role.CUT)
+    return shapely.Polygon(cut.points)
+
+
+@pytest.mark.parametrize("name", ["disc", "heart", "S"])
+def test_notches_stay_between_cut_and_weld(name: str) -> None:
+    pattern = with_notches(made(name), 24, 0.002)
+    marks = pattern.of(Role.MARK)
+    assert 18 <= len(marks) <= 24  # none at the mouth
+    whole = film(pattern)
+    for mark in marks:
+        line = shapely.LineString(mark.points)
+        assert line.length == pytest.approx(0.002)
+        assert whole.exterior.distance(shapely.Point(mark.points[0])) < 1e-9
+        assert whole.buffer(1e-9).covers(line)
+        for seal in pattern.of(Role.SEAL):
+            assert shapely.LineString(seal.points).distance(line) > 0.5 * SEAL
+    assert pattern.contours[-1].role is Role.CUT
+
+
+def test_notches_are_even() -> None:
+    pattern = with_notches(made("disc", intake=False), 12, 0.001)
+    (cut,) = pattern.of(Role.CUT)
+    line = shapely.LinearRing(cut.points)
+    places = np.array([line.project(shapely.Point(mark.points[0])) for mark in pattern.of(Role.MARK)])
+    places = np.sort(places % line.length)
+    assert np.diff(places) == pytest.approx(np.full(11, line.length / 12), abs=1e-6)
+
+
+def test_senseless_notches_are_refused() -> None:
+    assert not with_notches(made("disc"), 0, 1.0).of(Role.MARK)
+    with pytest.raises(InputError, match="weld"):
+        with_notches(made("disc"), 5, 0.004)
+    with pytest.raises(InputError, match="fewer"):
+        with_notches(made("disc"), 900, 0.001)
+    with pytest.raises(InputError, match="1000"):
+        with_notches(made("disc"), -1, 0.001)
+
+
+def test_tab_is_outside_the_weld_and_opposite_the_intake() -> None:
+    plain = made("heart")
+    pattern = with_tie_tab(plain)
+    (hole,) = pattern.of(Role.CUT_INNER)
+    assert shapely.Polygon(hole.points).area == pytest.approx(np.pi * 0.002**2, rel=0.01)
+    hole_at = hole.points.mean(axis=0)
+    away = hole_at - np.asarray(film(plain).centroid.coords[0])
+    turn = np.arctan2(away[1], away[0]) - plain.intake.angle
+    assert abs(np.cos(turn) + 1.0) < 0.01
+    assert not film(plain).contains(shapely.Point(hole_at))
+    assert film(pattern).contains(shapely.Polygon(hole.points).buffer(0.003))
+    for seal in pattern.of(Role.SEAL):
+        assert shapely.LineString(seal.points).distance(shapely.Polygon(hole.points)) > 0.5 * SEAL
+    assert film(pattern).area > film(plain).area
+    assert pattern.contours[-1].role is Role.CUT
+
+
+def test_tab_goes_where_it_is_told_but_not_into_a_bay() -> None:
+    pattern = with_tie_tab(made("disc", intake=False), 0.0)
+    assert pattern.bounds[1][0] == pytest.approx(0.15 + SEAL + ALLOWANCE + 0.004 + 0.006, abs=1e-4)
+    bay = np.array(
+        [[0, 0], [0.2, 0], [0.2, 0.1], [0.11, 0.1], [0.11, 0.02], [0.09, 0.02], [0.09, 0.1], [0, 0.1]]
+    )
+    outline = type(NAMED["disc"])(bay.astype(float))
+    narrow = build_pattern(outline, 0.002, allowance=0.001, intake=False)
+    with pytest.raises(InputError, match="another angle"):
+        with_tie_tab(narrow, 0.5 * np.pi)
