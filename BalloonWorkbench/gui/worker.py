@@ -4,16 +4,20 @@
 from __future__ import annotations
 
 import gc
+import sys
 
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.gui.qt import QtCore
 
+_TURN = 0.001  # s that a thread may keep the interpreter while another one wants it; Python's own are 0.005
 
-class _Sweeper(QtCore.QObject):
-    """Holds back Python's garbage collector while a worker runs.
 
-    It would run in any thread, and what it finds may be timers and widgets: Qt ends the program when another
-    thread than their own deletes them.
+class _Sharing(QtCore.QObject):
+    """How the window and the workers share Python.
+
+    The window gets its turn sooner: it asks for it many times for each event. And the garbage collector
+    waits. It would run in any thread, and what it finds may be timers and widgets: the program ends when
+    another thread than their own deletes them.
     """
 
     ended = QtCore.Signal()
@@ -21,19 +25,22 @@ class _Sweeper(QtCore.QObject):
     def __init__(self):
         super().__init__()
         self._running = 0
+        self._usual_turn = sys.getswitchinterval()
         self.ended.connect(self._one_less)
 
     def one_more(self):
         self._running += 1
         gc.disable()
+        sys.setswitchinterval(_TURN)
 
     def _one_less(self):
         self._running -= 1
         if not self._running:
             gc.enable()
+            sys.setswitchinterval(self._usual_turn)
 
 
-_sweeper = _Sweeper()
+_sharing = _Sharing()
 
 
 class Worker(QtCore.QThread):
@@ -50,7 +57,7 @@ class Worker(QtCore.QThread):
 
     def start(self, *priority):
         """Begin; call it in the main thread."""
-        _sweeper.one_more()
+        _sharing.one_more()
         super().start(*priority)
 
     def run(self):
@@ -59,7 +66,7 @@ class Worker(QtCore.QThread):
         except BalloonError as error:
             self.error = error
         finally:
-            _sweeper.ended.emit()
+            _sharing.ended.emit()
 
     def stop(self):
         """Ask the engine to stop at its next step."""

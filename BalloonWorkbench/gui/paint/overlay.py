@@ -13,37 +13,44 @@ _BELOW = 16.0  # px on the screen between the shape and its width
 
 
 class Overlay:
-    """What is drawn over the paper, in the size of the screen."""
+    """What is drawn over the paper, with lines as thick on the screen at every zoom."""
 
     def __init__(self):
-        self._loops: tuple = ()
-        self._places: list = []
-        self._width = ""
+        self.clear()
 
     def show(self, look, width: str) -> None:
         """Take a look's outlines and remarks; width: as text."""
-        self._loops = look.loops
+        self._path = QtGui.QPainterPath()
+        for loop in look.loops:
+            x, y = loop[:, 0] * SIDE, (1.0 - loop[:, 1]) * SIDE
+            corners = [QtCore.QPointF(*corner) for corner in zip(x.tolist(), y.tolist())]
+            self._path.addPolygon(QtGui.QPolygonF(corners))
+            self._path.closeSubpath()
         self._width = width
-        self._places = [place for severity, _, place in look.remarks if severity != "hint"]
+        self._places = [
+            QtCore.QPointF(x * SIDE, (1.0 - y) * SIDE)
+            for severity, _, (x, y) in look.remarks
+            if severity != "hint"
+        ]
 
     def clear(self) -> None:
-        self._loops, self._places, self._width = (), [], ""
+        self._path, self._places, self._width = QtGui.QPainterPath(), [], ""
 
     def paint(self, painter, canvas) -> None:
         """Draw over a canvas, in its coordinates."""
-        if not self._loops:
+        if self._path.isEmpty():
             return
-        path = QtGui.QPainterPath()
-        for loop in self._loops:
-            path.addPolygon(QtGui.QPolygonF([canvas.to_screen(_paper(place)) for place in loop.tolist()]))
-            path.closeSubpath()
+        transform = QtGui.QTransform()
+        transform.translate(canvas.origin().x(), canvas.origin().y())
+        transform.scale(canvas.zoom, canvas.zoom)
+        path = transform.map(self._path)
         painter.setBrush(QtCore.Qt.NoBrush)
         for colour, width in (("#ffffff", 3.0), (_OUTLINE, 1.4)):
             painter.setPen(QtGui.QPen(QtGui.QColor(colour), width))
             painter.drawPath(path)
         painter.setPen(QtGui.QPen(QtGui.QColor(_WARNING), 3.0))
         for place in self._places:
-            painter.drawEllipse(canvas.to_screen(_paper(place)), _RING, _RING)
+            painter.drawEllipse(transform.map(place), _RING, _RING)
         self._paint_width(painter, path.boundingRect())
 
     def _paint_width(self, painter, box) -> None:
@@ -59,8 +66,3 @@ class Overlay:
         text = painter.boundingRect(room, QtCore.Qt.AlignCenter, self._width).adjusted(-5, -1, 5, 1)
         painter.fillRect(text, QtCore.Qt.white)
         painter.drawText(room, QtCore.Qt.AlignCenter, self._width)
-
-
-def _paper(place):
-    """From parts of the picture, y up, to pixels of the painting."""
-    return QtCore.QPointF(place[0] * SIDE, (1.0 - place[1]) * SIDE)
