@@ -20,6 +20,13 @@ PROPERTIES = (
     Property("Length", "IntakeLength", "Intake", "Length of the neck from the seam outward; 0 is automatic"),
     Property("Bool", "IntakeAuto", "Intake", "Point the neck from the centre to the farthest point", True),
     Property("Angle", "IntakeAngle", "Intake", "Direction of the neck, counter-clockwise from the x axis"),
+    Property(
+        "Integer", "Notches", "Marks", "Notches to lay both films on each other by, evenly along the cut", 0
+    ),
+    Property("Length", "NotchDepth", "Marks", "Length of a notch; at most the allowance", 1.5),
+    Property("Bool", "TieTab", "Marks", "A tab with a hole to tie the balloon to, outside the weld", False),
+    Property("Bool", "TieTabAuto", "Marks", "Put the tab opposite the intake", True),
+    Property("Angle", "TieTabAngle", "Marks", "Direction of the tab from the middle of the pattern"),
     Property("Length", "SeamLength", "Result", "Length of the weld", result=True),
     Property("Length", "PatternWidth", "Result", "Width of the piece of film", result=True),
     Property("Length", "PatternHeight", "Result", "Height of the piece of film", result=True),
@@ -44,7 +51,9 @@ class PatternProxy(Stateless):
         hooks.dress(obj)
 
     def onChanged(self, obj, name):
-        if name in ("Intake", "IntakeAuto") and "Status" in obj.PropertiesList:
+        if name in ("Intake", "IntakeAuto", "Notches", "TieTab", "TieTabAuto") and all(
+            item.name in obj.PropertiesList for item in PROPERTIES
+        ):
             self.follow_intake(obj)
 
     def follow_intake(self, obj):
@@ -53,6 +62,9 @@ class PatternProxy(Stateless):
             obj,
             **dict.fromkeys(("IntakeWidth", "IntakeLength", "IntakeAuto"), "edit" if obj.Intake else "hide"),
             IntakeAngle="hide" if not obj.Intake else "show" if obj.IntakeAuto else "edit",
+            NotchDepth="edit" if obj.Notches else "hide",
+            TieTabAuto="edit" if obj.TieTab else "hide",
+            TieTabAngle="edit" if obj.TieTab and not obj.TieTabAuto else "hide",
         )
 
     def execute(self, obj):
@@ -91,11 +103,15 @@ def usual_values() -> dict:
 def build(obj):
     """The pattern in full precision, from the balloon's seam and the object's own values."""
     from BalloonWorkbench.app import shapes
-    from BalloonWorkbench.app.quantities import metres
+    from BalloonWorkbench.app.quantities import metres, radians
     from BalloonWorkbench.core.pattern.build import build_pattern
+    from BalloonWorkbench.core.pattern.extras import with_notches, with_tie_tab
 
     seal_width = metres(obj.SealWidth) or metres(obj.Balloon.SealWidth)
-    return build_pattern(shapes.stored(obj.Balloon, "Seam"), seal_width, **values(obj))
+    pattern = build_pattern(shapes.stored(obj.Balloon, "Seam"), seal_width, **values(obj))
+    if obj.TieTab:
+        pattern = with_tie_tab(pattern, None if obj.TieTabAuto else radians(obj.TieTabAngle))
+    return with_notches(pattern, obj.Notches, metres(obj.NotchDepth))
 
 
 @lru_cache(maxsize=64)
@@ -115,7 +131,7 @@ def arcs(points, closed: bool):
 
 
 def show(obj, pattern) -> None:
-    """Write a pattern into the object: the sheet to cut out first, then the welds."""
+    """Write a pattern into the object: the sheet to cut out first, then welds and marks."""
     import math
 
     import Part
@@ -126,12 +142,12 @@ def show(obj, pattern) -> None:
     from BalloonWorkbench.core.units import to_mm
 
     outer, inner = pattern.of(Role.CUT), pattern.of(Role.CUT_INNER)
-    welds = (*pattern.of(Role.SEAL), *pattern.of(Role.WELD))
+    lines = (*pattern.of(Role.SEAL), *pattern.of(Role.WELD), *pattern.of(Role.MARK))
     fit = arcs if obj.Arcs else polyline
-    wires = [shapes.curve_wire(fit(each.points, each.closed)) for each in (*outer, *inner, *welds)]
+    wires = [shapes.curve_wire(fit(each.points, each.closed)) for each in (*outer, *inner, *lines)]
     cuts = len(outer) + len(inner)
     obj.Shape = Part.makeCompound([Part.Face(wires[:cuts]), *wires[cuts:]])
-    obj.Roles = [contour.role.value for contour in (*outer, *inner, *welds)]
+    obj.Roles = [contour.role.value for contour in (*outer, *inner, *lines)]
     obj.SeamLength = to_mm(pattern.seam_length)
     obj.PatternWidth, obj.PatternHeight = (to_mm(length) for length in pattern.size)
     obj.Warnings = list(pattern.warnings)

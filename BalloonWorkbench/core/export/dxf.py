@@ -4,10 +4,9 @@
 from __future__ import annotations
 
 import io
-from typing import Any
 
-from BalloonWorkbench.core.errors import MissingPackageError
 from BalloonWorkbench.core.export.sheet import LAYERS, lay_out
+from BalloonWorkbench.core.packages import ezdxf
 from BalloonWorkbench.core.pattern.pattern import Pattern
 
 
@@ -16,12 +15,12 @@ def dxf_bytes(pattern: Pattern) -> bytes:
 
     Layers are named like the roles. MissingPackageError without ezdxf.
     """
-    ezdxf = _ezdxf()
+    package = ezdxf()
     sheet = lay_out(pattern)
-    stamped = ezdxf.options.write_fixed_meta_data_for_testing
-    ezdxf.options.write_fixed_meta_data_for_testing = True  # no dates and no random identifiers
+    stamped = package.options.write_fixed_meta_data_for_testing
+    package.options.write_fixed_meta_data_for_testing = True  # no dates and no random identifiers
     try:
-        document = ezdxf.new("R2000", units=ezdxf.units.MM)
+        document = package.new("R2000", units=package.units.MM)
         for role in pattern.roles:
             document.layers.add(role.value, color=LAYERS[role].aci)
         space = document.modelspace()
@@ -40,15 +39,5 @@ def dxf_bytes(pattern: Pattern) -> bytes:
         stream = io.StringIO(newline="\n")
         document.write(stream)
     finally:
-        ezdxf.options.write_fixed_meta_data_for_testing = stamped
+        package.options.write_fixed_meta_data_for_testing = stamped
     return document.encode(stream.getvalue())
-
-
-def _ezdxf() -> Any:
-    try:
-        import ezdxf
-    except ImportError as error:
-        raise MissingPackageError(
-            "Writing DXF needs ezdxf: install it with pip install ezdxf, or use the SVG file."
-        ) from error
-    return ezdxf
