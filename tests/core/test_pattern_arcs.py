@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import shapely
-from drawn_shapes import NAMED, polar
+from drawn_shapes import NAMED, generated, polar
 
 from BalloonWorkbench.core.job import Settings, make_balloon
 from BalloonWorkbench.core.pattern.arcs import TOLERANCE, fit_curve
@@ -103,6 +103,15 @@ def test_smooth_patterns(name: str) -> None:
         assert len(curve) < 0.2 * len(contour.points)
         if not contour.closed:
             assert np.array_equal(curve.joints[[0, -1]], contour.points[[0, -1]])
+
+
+@pytest.mark.parametrize("seed", [0, 2, 3, 4, 5, 8, 9, 14])
+def test_generated_patterns(seed: int) -> None:
+    for contour in build_pattern(generated(seed), 0.005).contours:
+        curve = fit_curve(contour.points, contour.closed)
+        assert apart(curve, contour.points) <= 1.01 * TOLERANCE
+        inner = curve.corners if contour.closed else curve.corners[1:-1]
+        assert kinks(curve)[~inner].max(initial=0.0) < np.radians(0.1)
 
 
 def test_corners_are_kept_exactly() -> None:
