@@ -8,7 +8,9 @@ import FreeCAD
 import pytest
 
 
-@pytest.mark.parametrize("name", ["numpy", "scipy.sparse.linalg", "cv2", "ezdxf", "shapely", "pythoncdt", "reportlab"])
+@pytest.mark.parametrize(
+    "name", ["numpy", "scipy.sparse.linalg", "cv2", "ezdxf", "shapely", "pythoncdt", "reportlab"]
+)
 def test_package_is_importable(name: str) -> None:
     assert importlib.import_module(name).__name__ == name
 
