@@ -25,6 +25,18 @@ def icon(name: str) -> str:
     return str(_ICONS / f"{name}.svg")
 
 
+def drawn_icon(name: str, size: int = 96):
+    """An icon of the workbench for a button: drawn here, as Qt alone may lack its plugin for SVG icons."""
+    from PySide import QtSvg
+
+    pixmap = QtGui.QPixmap(size, size)
+    pixmap.fill(QtCore.Qt.transparent)
+    painter = QtGui.QPainter(pixmap)
+    QtSvg.QSvgRenderer(icon(name)).render(painter)
+    painter.end()
+    return QtGui.QIcon(pixmap)
+
+
 def position(event):
     """Where a mouse, wheel or tablet event happened in its widget (QPointF), under Qt 5 and 6."""
     for name in ("position", "localPos", "posF"):

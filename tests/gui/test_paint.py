@@ -347,6 +347,10 @@ def test_painting_comes_back_by_double_click(doc, window, tmp_path):
     doc.undo()
     doc.recompute()
     assert doc.Outline.SizeY.Value == pytest.approx(height, abs=0.1)
+    doc.Outline.ViewObject.Proxy.doubleClicked(doc.Outline.ViewObject)
+    hands.wait_until(paint_window._open[0].scene.is_shown, 10)
+    App.closeDocument(doc.Name)
+    hands.wait_until(lambda: not paint_window._open, 5)
 
 
 def test_closing_keeps_the_painting_and_deleting_the_document_closes(doc, window):

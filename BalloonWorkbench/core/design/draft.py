@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A quick look at the balloon of a drawing, while it is still being drawn: coarse, and not corrected.
 
-The drawing itself is inflated and then enlarged to its drawn size. A larger pattern makes an almost similar
-balloon, so this is nearly what the correction will find, without its small folds.
+The drawing itself is inflated and then enlarged to its drawn width and height. A larger pattern makes an
+almost similar balloon, so this is nearly what the correction will find, without its small folds.
 """
 
 from __future__ import annotations
@@ -55,16 +55,16 @@ def draft(
     inflation = inflate(panel, film, pressure, progress=progress)
     flat, seam = panel.rest_positions, panel.seams[0]
     drawn, shown = (_box(points[seam, :2]) for points in (flat, inflation.positions))
-    scale = float(np.sqrt(np.prod(drawn[1] / shown[1])))
-    shift = np.append(drawn[0] - scale * shown[0], 0.0)
-    middle = drawn[0]
+    stretch = drawn[1] / shown[1]
+    scale = float(np.sqrt(np.prod(stretch)))
+    positions = inflation.positions * np.append(stretch, scale)
+    positions[:, :2] += drawn[0] - stretch * shown[0]
 
     def enlarged(loop: Floats) -> Floats:
-        return np.asarray(middle + scale * (loop - middle))
+        return np.asarray(drawn[0] + scale * (loop - drawn[0]))
 
     return Draft(
-        replace(inflation, positions=scale * inflation.positions + shift, volume=scale**3 * inflation.volume),
-        outline.map(enlarged),
+        replace(inflation, positions=positions, volume=scale**3 * inflation.volume), outline.map(enlarged)
     )
 
 

@@ -3,10 +3,8 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 from BalloonWorkbench.gui.paint.tools import COLOURS, THICKEST, THINNEST, TOOLS, USUAL
-from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, icon, translate
+from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, drawn_icon, translate
 
 _TOOL, _ACTION, _COLOUR = 40, 26, 24  # px
 
@@ -49,7 +47,7 @@ class ToolBox(Buttons):
         for tool in TOOLS:
             tooltip = f"{translate(tool.text)} ({tool.key})\n{translate(tool.tooltip)}"
             button = self.add(
-                f"Paint{tool.name.title()}", _picture(f"paint_{tool.name}"), tooltip, _TOOL, checkable=True
+                f"Paint{tool.name.title()}", drawn_icon(f"paint_{tool.name}"), tooltip, _TOOL, checkable=True
             )
             button.clicked.connect(lambda checked=False, tool=tool: self.chosen.emit(tool))
             self._group.addButton(button)
@@ -101,7 +99,7 @@ class ActionBar(Buttons):
         self.room.addSpacing(6)
         mirror = self.add(
             "PaintMirror",
-            _picture("paint_mirror"),
+            drawn_icon("paint_mirror"),
             translate("Paint both sides at once, mirrored (M)"),
             _ACTION,
             checkable=True,
@@ -109,15 +107,12 @@ class ActionBar(Buttons):
         mirror.toggled.connect(self.mirrored)
         self.buttons["mirror"] = mirror
         for name, tooltip in self._ACTIONS:
-            button = self.add(f"Paint{name.title()}", _picture(f"paint_{name}"), translate(tooltip), _ACTION)
+            button = self.add(
+                f"Paint{name.title()}", drawn_icon(f"paint_{name}"), translate(tooltip), _ACTION
+            )
             button.clicked.connect(lambda checked=False, name=name: self.acted.emit(name))
             self.buttons[name] = button
         self.room.addStretch()
-
-
-def _picture(name: str):
-    assert Path(icon(name)).is_file(), name
-    return QtGui.QIcon(icon(name))
 
 
 def _dab(colour: str):

@@ -43,13 +43,10 @@ class Scene:
         node.addChild(style)
         node.addChild(_balloons(coin, look, image))
         node.addChild(_pattern(coin, look))
-        root = view.getSceneGraph()
         if self._node is not None:
-            self._root.replaceChild(self._node, node)
-        else:
-            root.addChild(node)
-            self._root = root
-        self._node = node
+            self._root.removeChild(self._node)
+        self._root, self._node = view.getSceneGraph(), node
+        self._root.addChild(node)
         before = self._size
         if before is None:
             self._look_at(coin, view)
@@ -61,12 +58,19 @@ class Scene:
 
     def clear(self) -> None:
         """Take the balloon away."""
-        if self._node is not None and Gui.getDocument(self.document_name) is not None:
+        if self._node is not None and self.document() is not None:
             self._root.removeChild(self._node)
         self._root = self._node = self._size = None
 
+    def document(self):
+        """The document in the window; None when it is being closed."""
+        try:
+            return Gui.getDocument(self.document_name)
+        except NameError:
+            return None
+
     def _view(self):
-        document = Gui.getDocument(self.document_name)
+        document = self.document()
         view = document.activeView() if document is not None else None
         if view is None or not hasattr(view, "getSceneGraph"):
             views = document.mdiViewsOfType("Gui::View3DInventor") if document is not None else []

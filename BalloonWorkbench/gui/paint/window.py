@@ -17,19 +17,21 @@ from BalloonWorkbench.app import painting as painted
 from BalloonWorkbench.app.outline import SYMMETRY
 from BalloonWorkbench.app.quantities import cubic_millimetres
 from BalloonWorkbench.core.errors import BalloonError
+from BalloonWorkbench.core.job import Settings
 from BalloonWorkbench.core.outline.raster import opencv
+from BalloonWorkbench.core.types import no_progress
 from BalloonWorkbench.gui.paint.bars import ActionBar, ToolBox
 from BalloonWorkbench.gui.paint.canvas import Canvas
 from BalloonWorkbench.gui.paint.live import Live
-from BalloonWorkbench.gui.paint.look import CutOut
-from BalloonWorkbench.gui.paint.painting import Painting, picture_from
+from BalloonWorkbench.gui.paint.look import CutOut, Glance
+from BalloonWorkbench.gui.paint.painting import SIDE, Painting, picture_from
 from BalloonWorkbench.gui.paint.scene import Scene
-from BalloonWorkbench.gui.paint.strokes import Clear, Picture
+from BalloonWorkbench.gui.paint.strokes import PEN, Clear, Picture, Stroke
 from BalloonWorkbench.gui.paint.tools import THICKEST, THINNEST, TOOLS
 from BalloonWorkbench.gui.panels import is_free
 from BalloonWorkbench.gui.panels.fields import new_quantity_box
 from BalloonWorkbench.gui.panels.watch import Watch
-from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, icon, translate
+from BalloonWorkbench.gui.qt import QtCore, QtWidgets, drawn_icon, translate
 from BalloonWorkbench.gui.worker import Worker
 
 _SHARE = 0.5  # of the main window
@@ -54,7 +56,7 @@ class PaintWindow(QtWidgets.QDockWidget):
     def __init__(self, doc, parts=None):
         super().__init__(translate("Paint a balloon"), Gui.getMainWindow())
         self.setObjectName("BalloonPaint")
-        self.setWindowIcon(QtGui.QIcon(icon("paint")))
+        self.setWindowIcon(drawn_icon("paint"))
         self.doc, self.parts = doc, parts
         self.making = False
         self._hidden: list = []
@@ -145,7 +147,7 @@ class PaintWindow(QtWidgets.QDockWidget):
         self.bar.setRange(0, 1000)
         self.make_button = QtWidgets.QPushButton(translate("Make it!"))
         self.make_button.setObjectName("PaintMake")
-        self.make_button.setIcon(QtGui.QIcon(icon("balloon")))
+        self.make_button.setIcon(drawn_icon("balloon"))
         self.make_button.setIconSize(QtCore.QSize(24, 24))
         self.make_button.setToolTip(translate("Put outline, balloon and pattern into the document"))
         font = self.make_button.font()
@@ -184,6 +186,7 @@ class PaintWindow(QtWidgets.QDockWidget):
         self.live.empty.connect(self._nothing)
         self.live.progressed.connect(lambda part: self.bar.setValue(round(1000 * part) % 1000))
         self.make_button.clicked.connect(self.make)
+        QtWidgets.QApplication.instance().aboutToQuit.connect(self.live.stop)
         QtCore.QObject.connect(self.width_field, QtCore.SIGNAL("valueChanged(double)"), self.live.set_width)
 
     def _take_over(self, parts) -> None:
@@ -199,13 +202,18 @@ class PaintWindow(QtWidgets.QDockWidget):
                 wanted, symmetry=SYMMETRY[outline.Symmetry], intake=parts.pattern.Intake
             )
         self._hidden = [
-            obj for each in (parts, *create.companions(parts)) for obj in each if obj.ViewObject.Visibility
+            obj.Name
+            for each in (parts, *create.companions(parts))
+            for obj in each
+            if obj.ViewObject.Visibility
         ]
 
     def _set_hidden(self, away: bool) -> None:
         """The objects of the balloon make room for its live look."""
-        if self.doc.Name in App.listDocuments():
-            for obj in self._hidden:
+        if self.scene.document() is None:
+            return
+        for obj in map(self.doc.getObject, self._hidden):
+            if obj is not None:
                 obj.ViewObject.Visibility = not away
 
     # what the user does
@@ -370,6 +378,9 @@ def _load() -> None:
     import PartGui  # noqa: F401
     from pivy import coin  # noqa: F401
 
+    dot = Painting()
+    dot.do(Stroke(PEN, "#000000", points=[(SIDE / 2, SIDE / 2, SIDE / 2)]))
+    Glance(dot.image, 0, 100.0, Settings()).solve(no_progress)
     QtWidgets.QApplication.restoreOverrideCursor()
 
 
