@@ -27,6 +27,8 @@ PROPERTIES = (
     Property("Bool", "TieTab", "Marks", "A tab with a hole to tie the balloon to, outside the weld", False),
     Property("Bool", "TieTabAuto", "Marks", "Put the tab opposite the intake", True),
     Property("Angle", "TieTabAngle", "Marks", "Direction of the tab from the middle of the pattern"),
+    Property("String", "LabelText", "Marks", "A line of text where the film is widest, as outlines"),
+    Property("Length", "LabelHeight", "Marks", "Height of its capital letters", 6.0),
     Property("Length", "SeamLength", "Result", "Length of the weld", result=True),
     Property("Length", "PatternWidth", "Result", "Width of the piece of film", result=True),
     Property("Length", "PatternHeight", "Result", "Height of the piece of film", result=True),
@@ -51,7 +53,7 @@ class PatternProxy(Stateless):
         hooks.dress(obj)
 
     def onChanged(self, obj, name):
-        if name in ("Intake", "IntakeAuto", "Notches", "TieTab", "TieTabAuto") and all(
+        if name in ("Intake", "IntakeAuto", "Notches", "TieTab", "TieTabAuto", "LabelText") and all(
             item.name in obj.PropertiesList for item in PROPERTIES
         ):
             self.follow_intake(obj)
@@ -63,6 +65,7 @@ class PatternProxy(Stateless):
             **dict.fromkeys(("IntakeWidth", "IntakeLength", "IntakeAuto"), "edit" if obj.Intake else "hide"),
             IntakeAngle="hide" if not obj.Intake else "show" if obj.IntakeAuto else "edit",
             NotchDepth="edit" if obj.Notches else "hide",
+            LabelHeight="edit" if obj.LabelText else "hide",
             TieTabAuto="edit" if obj.TieTab else "hide",
             TieTabAngle="edit" if obj.TieTab and not obj.TieTabAuto else "hide",
         )
@@ -106,11 +109,13 @@ def build(obj):
     from BalloonWorkbench.app.quantities import metres, radians
     from BalloonWorkbench.core.pattern.build import build_pattern
     from BalloonWorkbench.core.pattern.extras import with_notches, with_tie_tab
+    from BalloonWorkbench.core.pattern.label import with_label
 
     seal_width = metres(obj.SealWidth) or metres(obj.Balloon.SealWidth)
     pattern = build_pattern(shapes.stored(obj.Balloon, "Seam"), seal_width, **values(obj))
     if obj.TieTab:
         pattern = with_tie_tab(pattern, None if obj.TieTabAuto else radians(obj.TieTabAngle))
+    pattern = with_label(pattern, obj.LabelText, metres(obj.LabelHeight))
     return with_notches(pattern, obj.Notches, metres(obj.NotchDepth))
 
 
@@ -142,7 +147,8 @@ def show(obj, pattern) -> None:
     from BalloonWorkbench.core.units import to_mm
 
     outer, inner = pattern.of(Role.CUT), pattern.of(Role.CUT_INNER)
-    lines = (*pattern.of(Role.SEAL), *pattern.of(Role.WELD), *pattern.of(Role.MARK))
+    beside = (Role.SEAL, Role.WELD, Role.MARK, Role.ENGRAVE)
+    lines = [contour for role in beside for contour in pattern.of(role)]
     fit = arcs if obj.Arcs else polyline
     wires = [shapes.curve_wire(fit(each.points, each.closed)) for each in (*outer, *inner, *lines)]
     cuts = len(outer) + len(inner)

@@ -107,6 +107,10 @@ def test_notches_and_tab_are_in_shape_and_files(pattern, tmp_path):
     pattern.NotchDepth = 3
     pattern.Document.recompute()
     assert "weld" in pattern.Status
-    pattern.Notches, pattern.TieTab, pattern.NotchDepth = 0, False, 1.5
+    pattern.Notches, pattern.TieTab, pattern.NotchDepth, pattern.LabelText = 0, False, 1.5, "L1"
+    pattern.Document.recompute()
+    assert pattern.Roles.count("ENGRAVE") == 2
+    assert pattern.Shape.Faces[0].isValid()
+    pattern.LabelText = ""
     pattern.Document.recompute()
     assert "MARK" not in pattern.Roles

@@ -23,6 +23,8 @@ _SPACING = from_mm(0.25)
 #: Two places of one line are a gap between them when the way along it is so many times as long as across.
 _WAY_ROUND = 3.0
 _CUTS = (Role.CUT_INNER, Role.CUT)
+#: Lines whose bends matter; letters and marks have their own.
+_LONG = (*_CUTS, Role.SEAL, Role.WELD)
 
 
 @dataclass(frozen=True)
@@ -39,7 +41,7 @@ def preflight(pattern: Pattern, machine: Machine) -> tuple[Finding, ...]:
     taken = [contour for contour in pattern.contours if contour.role in machine.layers]
     findings = [*_closed(taken), *_simple(taken)]
     if not any(finding.severity == ERROR for finding in findings):
-        findings += _radius(taken, machine)
+        findings += _radius([contour for contour in taken if contour.role in _LONG], machine)
         findings += _gap(taken, machine)
     findings += _size(pattern, machine)
     return tuple(sorted(findings, key=lambda finding: finding.severity != ERROR))

@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A text on the pattern as outlines: machines know no fonts."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.packages import matplotlib_text, shapely
+from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
+from BalloonWorkbench.core.pattern.shapes import closed_loop
+from BalloonWorkbench.core.types import Floats
+from BalloonWorkbench.core.units import mm_text
+
+#: Size at which letters are turned into polylines: fine steps at any height.
+_FINE = 2000.0
+_MOST = 60
+
+
+def with_label(pattern: Pattern, text: str, height: float) -> Pattern:
+    """The pattern with a line of text where the film is widest, on the layer ENGRAVE.
+
+    height  of capital letters [m]
+    Raises InputError where the text is longer than the film has room, MissingPackageError without matplotlib.
+    """
+    text = text.strip()
+    if not text:
+        return pattern
+    if not (height > 0.0 and len(text) <= _MOST):
+        raise InputError(f"A label has up to {_MOST} letters, and a height above 0.")
+    package = shapely()
+    largest = max(pattern.of(Role.CUT), key=lambda cut: float(package.Polygon(cut.points).area))
+    film = package.Polygon(largest.points)
+    for lines in pattern.contours:
+        if lines.role is not Role.CUT:  # nor over a hole or a weld
+            line = package.LineString(np.concatenate([lines.points, lines.points[:1]]))
+            film = film.difference(package.Polygon(lines.points) if lines.role is Role.CUT_INNER else line)
+    room = package.maximum_inscribed_circle(max(package.get_parts(film), key=lambda part: part.area))
+    (x, y), radius = room.coords[0], float(room.length)
+    letters = _letters(text, height)
+    low, high = (
+        np.min([loop.min(axis=0) for loop in letters], axis=0),
+        np.max([loop.max(axis=0) for loop in letters], axis=0),
+    )
+    if 0.5 * float(np.hypot(*(high - low))) > radius:
+        raise InputError(
+            f'The label "{text}" is {mm_text(float(high[0] - low[0]))} long, and the film is only'
+            f" {mm_text(2.0 * radius)} wide: take a shorter text or lower letters."
+        )
+    shift = np.array([x, y]) - 0.5 * (low + high)
+    outlines = tuple(Contour(Role.ENGRAVE, loop + shift, True) for loop in letters)
+    return replace(pattern, contours=(*outlines, *pattern.contours))
+
+
+def _letters(text: str, height: float) -> list[Floats]:
+    """Closed outlines (n, 2) m of a text whose capitals are so high."""
+    draw = matplotlib_text()
+    scale = height / float(np.ptp(np.concatenate(draw("H", _FINE)), axis=0)[1])
+    loops = [np.asarray(loop) * scale for loop in draw(text, _FINE)]
+    if not loops:
+        raise InputError(f'The label "{text}" has no letter that can be drawn: write it in other letters.')
+    rings = [shapely().LinearRing(loop) for loop in loops]
+    return [closed_loop(ring, bool(ring.is_ccw)) for ring in rings]
