@@ -17,7 +17,7 @@ from BalloonWorkbench.core.pattern.curves import Curve, polyline
 from BalloonWorkbench.core.pattern.pattern import Role
 
 PICTURES = Path(__file__).parents[2] / "resources" / "examples" / "pictures"
-FINE = 2e-7  # m, far below what is measured
+FINE = 5e-7  # m, far below what is measured
 
 
 def line(points: np.ndarray, closed: bool) -> shapely.LineString:
@@ -29,7 +29,7 @@ def apart(curve: Curve, points: np.ndarray) -> float:
     drawn, given = line(curve.flattened(FINE), curve.closed), line(points, curve.closed)
     ways = ((drawn, given), (given, drawn))
     return max(
-        float(shapely.distance(shapely.points(np.array(a.segmentize(1e-4).coords)), b).max()) for a, b in ways
+        float(shapely.distance(shapely.points(np.array(a.segmentize(3e-4).coords)), b).max()) for a, b in ways
     )
 
 
