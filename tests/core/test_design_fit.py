@@ -8,9 +8,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from drawn_shapes import NAMED
 
 from BalloonWorkbench.core.design.compare import alignment, residual
 from BalloonWorkbench.core.design.fit import fit, inflate_outline
+from BalloonWorkbench.core.design.turning import seam_turns, turned_back
 from BalloonWorkbench.core.errors import Cancelled, InputError, MeshError, OutlineError
 from BalloonWorkbench.core.film.library import custom_film, film
 from BalloonWorkbench.core.outline.crossings import first_crossing
@@ -169,3 +171,22 @@ def test_residual_is_the_distance_between_concentric_circles() -> None:
     error = residual(Outline(circle(1.0, 2000)), Outline(circle(1.02, 2000)))
     assert error.mean == pytest.approx(0.02, rel=1e-3)
     assert error.max == pytest.approx(0.02, rel=1e-3)
+
+
+@pytest.mark.parametrize("mesh_size", [0.006, 0.012])
+def test_curled_arms_are_uncurled(mesh_size: float) -> None:
+    """The arms of an S curl up by a fifth of its size; the pattern's are straighter by as much."""
+    drawing = NAMED["S"]
+    scale = 0.19 / max(drawing.size)
+    design = fit(drawing.map(lambda loop: scale * loop), film("mylar"), 2000.0, mesh_size=mesh_size)
+    assert design.residual.mean < 0.003 * 0.19
+    assert design.residual.max < 0.01 * 0.19
+
+
+def test_turning_is_undone() -> None:
+    """A square turned by a quarter, and what is missing above it is missing on its right in the pattern."""
+    flat = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
+    quarter = np.column_stack([-flat[:, 1], flat[:, 0]])
+    turn = seam_turns(flat, quarter)
+    np.testing.assert_allclose(turn, [[1.0, 0.0]] * 4, atol=1e-15)
+    np.testing.assert_allclose(turned_back(np.array([[0.0, 2.0]] * 4), 3.0 * turn), [[2.0, 0.0]] * 4)

@@ -3,7 +3,7 @@
 
     1. inflate the panel
     2. align its seam with the drawing: barycentre, then least-squares rotation
-    3. v = drawing - inflated, from each seam vertex to its goal
+    3. v = drawing - inflated, from each seam vertex to its goal, turned back with the film around it
     4. smooth v along the seam, mix it with what the last passes taught, clamp it in proportion to the balloon
     5. add it to the pattern, which grows where the balloon is too small
 
@@ -29,6 +29,7 @@ from BalloonWorkbench.core.design.mixing import AndersonMixing
 from BalloonWorkbench.core.design.reach import Hopes, stretches
 from BalloonWorkbench.core.design.room import CUT_ROOM
 from BalloonWorkbench.core.design.silhouette import silhouette
+from BalloonWorkbench.core.design.turning import seam_turns, turned_back
 from BalloonWorkbench.core.design.twins import nearer, twinned
 from BalloonWorkbench.core.design.weld_lines import weld_lines
 from BalloonWorkbench.core.errors import MeshError
@@ -53,6 +54,7 @@ SAMPLES = 400  # of the drawing and the pattern along the larger dimension
 GAIN = 1.3  # a pattern of a disc must grow by 1.311 for a silhouette that grows by 1
 CLAMP = 0.05  # of the larger dimension, for one pass
 SMOOTHING = 1.0  # mesh sizes
+TURNING = 4.0  # mesh sizes over which the film's turning is averaged
 DRIFT = 2.0  # mesh sizes that seam vertices may slide along the drawing
 TIP = 2.0  # mesh sizes from a tip to where its sides are film and not mesh
 ENOUGH = 1e-3  # mean error, of the larger dimension, at which nothing more is gained
@@ -302,11 +304,13 @@ def _corrected(
         points = current.inflation.positions[seam, :2]
         reach = np.full(len(points), DRIFT * edge)
         v = goals(drawing, points, node.lengths, node.corner_nodes, node.corners, reach) - points
-        differences.append(node.field(v, drawing, SMOOTHING * edge))
+        smooth = node.field(v, drawing, SMOOTHING * edge)
+        turn = seam_turns(current.panel.rest_positions[seam], points)
+        differences.append(turned_back(smooth, node.field(turn, drawing, TURNING * edge)))
     wanted = hopes.weighed(course, tuple(differences), 2.0 * edge)
     step = mixing.step(np.concatenate(course.pattern).ravel(), np.concatenate(wanted).ravel()).reshape(-1, 2)
-    length = np.linalg.norm(step, axis=1, keepdims=True)
-    step *= np.minimum(1.0, CLAMP * size / np.maximum(length, 1e-300))
+    # the whole step becomes smaller: parts cut off singly would bend the pattern where it should turn
+    step *= min(1.0, CLAMP * size / max(float(np.linalg.norm(step, axis=1).max()), 1e-300))
     panel, positions = current.panel, current.inflation.positions[:, :2]
     lines = [
         line.corrected(panel.rest_positions[weld], positions[weld], edge, CLAMP * size)

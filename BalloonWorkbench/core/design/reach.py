@@ -15,6 +15,7 @@ from BalloonWorkbench.core.types import Bools, Floats
 #: Distance from which a stretch of the drawing counts as unreached, and what may remain at its ends, in parts
 #: of the larger dimension.
 UNREACHED, NEARLY = 0.01, 0.005
+FAR = 0.01  # mean distance, of the larger dimension, above which nothing is given up as long as it falls
 IDLE = 2  # passes without gain after which a place is given up
 _GAIN = 0.9  # a pass that leaves more than this part of the least distance is no gain
 
@@ -24,6 +25,7 @@ class Hopes:
 
     def __init__(self, course: Course, size: float) -> None:
         self._size = size
+        self._least_mean = np.inf
         self._least = [np.full(len(loop), np.inf) for loop in course.pattern]
         self._idle = [np.zeros(len(loop), dtype=np.int32) for loop in course.pattern]
         self._tried: list[tuple[tuple[Floats, ...], list[Floats]]] = []  # patterns, distances
@@ -36,6 +38,10 @@ class Hopes:
         the drawing take part, so that the pattern stays smooth.
         """
         away = [np.linalg.norm(move, axis=1) for move in wanted]
+        mean = float(np.concatenate(away).mean())
+        if mean > FAR * self._size and mean < _GAIN * self._least_mean:
+            self._least_mean = mean
+            return wanted
         self._tried.append((course.pattern, away))
         moves, lost = [], []
         for k, (drawing, pattern, move) in enumerate(
