@@ -77,6 +77,32 @@ class BalloonView(_View):
             setattr(material, name, value)
         vobj.ShapeMaterial = material
 
+    def attach(self, vobj):
+        from BalloonWorkbench.gui.paint.display import PaintedFilm
+
+        super().attach(vobj)
+        self.painted = PaintedFilm(vobj)
+
+    def getDisplayModes(self, vobj):
+        """Beside FreeCAD's own for meshes."""
+        from BalloonWorkbench.gui.paint.display import MODE
+
+        return [MODE]
+
+    def setDisplayMode(self, mode):
+        from BalloonWorkbench.gui.paint.display import MODE
+
+        if mode == MODE:
+            self.painted.follow(self.Object)
+        return mode
+
+    def updateData(self, obj, name):
+        from BalloonWorkbench.gui.paint.display import MODE
+
+        super().updateData(obj, name)
+        if name == "Mesh" and hasattr(self, "painted") and obj.ViewObject.DisplayMode == MODE:
+            self.painted.follow(obj)
+
 
 class PatternView(_View):
     """A sheet with lines in the colours of the cutter's layers."""

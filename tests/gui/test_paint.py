@@ -38,14 +38,19 @@ class Heartbeat:
     def _beat(self):
         now, done = time.perf_counter(), time.process_time()
         self.longest = max(self.longest, now - self._last)
-        self.own = max(self.own, min(now - self._last, (done - self._done) / (os.cpu_count() or 1)))
+        self._owns.append(min(now - self._last, (done - self._done) / (os.cpu_count() or 1)))
         self._last, self._done = now, done
+
+    @property
+    def own(self):
+        """Of all beats but one in a hundred: the 3D view without a graphics card draws slowly at times."""
+        return sorted(self._owns)[int(0.99 * len(self._owns))]
 
     def stop(self):
         self._timer.stop()
 
     def reset(self):
-        self.longest = self.own = 0.0
+        self.longest, self._owns = 0.0, []
         self._last, self._done = time.perf_counter(), time.process_time()
 
 
@@ -159,7 +164,7 @@ def test_a_fish_is_painted_and_made(doc, window, beat):
     hands.screenshot("paint-glance")
     settled(window)
     image = hands.screenshot("paint-fish")
-    assert painted_in_view(image, window)
+    assert painted_in_view(image, right_of(window))
     delays = list(live.delays)
     record("painting", beat, delays)
     assert doc.Objects == []
@@ -175,7 +180,9 @@ def test_a_fish_is_painted_and_made(doc, window, beat):
     assert doc.Balloon.ResidualMean.Value < 3
     assert is_painting(doc.Outline.Drawing)
     hands.wait(0.2)
-    hands.screenshot("paint-made")
+    hands.wait(0.5)
+    image = hands.screenshot("paint-made")
+    assert painted_in_view(image, image.width() // 4)
     doc.undo()
     assert doc.Objects == []
     doc.redo()
@@ -196,9 +203,12 @@ def record(what, beat, delays=()):
         file.write(line + "\n")
 
 
-def painted_in_view(image, window):
+def right_of(window):
+    return window.mapToGlobal(window.rect().topRight()).x() + 20
+
+
+def painted_in_view(image, left):
     """The balloon in the 3D view has the colours of the painting."""
-    left = window.mapToGlobal(window.rect().topRight()).x() + 20
     colours = [
         hands.QtGui.QColor(image.pixel(x, y))
         for x in range(left, image.width() - 20, 4)
@@ -332,6 +342,7 @@ def test_painting_comes_back_by_double_click(doc, window, tmp_path):
     doc.saveAs(path)
     App.closeDocument(doc.Name)
     doc = App.openDocument(path)
+    assert doc.Balloon.ViewObject.DisplayMode == "Painted"
     assert doc.Outline.ViewObject.Proxy.doubleClicked(doc.Outline.ViewObject)
     again = paint_window._open[0]
     hands.wait_until(again.scene.is_shown, 10)

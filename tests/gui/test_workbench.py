@@ -8,7 +8,13 @@ import pytest
 from PySide import QtSvg
 
 COMMANDS = ("FromPicture", "FromSketch", "Advice", "ExportPattern")
-TEXTS = ["New balloon from picture", "New balloon from sketch", "Advice", "Export pattern"]
+TEXTS = [
+    "Paint a balloon",
+    "New balloon from picture",
+    "New balloon from sketch",
+    "Advice",
+    "Export pattern",
+]
 
 
 def test_workbench_has_a_name_and_an_icon(workbench):

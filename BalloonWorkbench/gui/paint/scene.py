@@ -15,6 +15,7 @@ _TEXTURE = 512  # px
 _FOIL = (236, 238, 242)  # colour of the film where nothing is painted
 _TILT = -35.0  # degrees that the balloon leans back, so that it is seen to be round
 _BESIDE = 0.12  # gap to the pattern, of the balloon's width
+_CREASE = 0.7  # rad between facets that are shaded as one surface
 _GROWN = 0.1  # change of the size from which the camera follows
 
 
@@ -83,11 +84,12 @@ class Scene:
         camera.orientation.setValue(coin.SbRotation(coin.SbVec3f(1, 0, 0), float(np.radians(-_TILT))))
 
 
-def _balloons(coin, look, image):
-    node = coin.SoSeparator()
+def film_nodes(coin, image) -> list:
+    """How film looks with a picture on it: what has to stand before its shape."""
     hints = coin.SoShapeHints()
     hints.vertexOrdering.setValue(coin.SoShapeHints.COUNTERCLOCKWISE)
     hints.shapeType.setValue(coin.SoShapeHints.SOLID)
+    hints.creaseAngle.setValue(_CREASE)
     material = coin.SoMaterial()
     material.diffuseColor.setValue(1, 1, 1)
     material.ambientColor.setValue(0.35, 0.35, 0.35)
@@ -97,11 +99,16 @@ def _balloons(coin, look, image):
     texture.image.setValue(coin.SbVec2s(_TEXTURE, _TEXTURE), 3, _texels(image))
     texture.wrapS.setValue(coin.SoTexture2.CLAMP)
     texture.wrapT.setValue(coin.SoTexture2.CLAMP)
-    binding = coin.SoNormalBinding()
-    binding.value.setValue(coin.SoNormalBinding.PER_VERTEX_INDEXED)
     places = coin.SoTextureCoordinateBinding()
     places.value.setValue(coin.SoTextureCoordinateBinding.PER_VERTEX_INDEXED)
-    for child in (hints, material, texture, binding, places):
+    return [hints, material, texture, places]
+
+
+def _balloons(coin, look, image):
+    node = coin.SoSeparator()
+    binding = coin.SoNormalBinding()
+    binding.value.setValue(coin.SoNormalBinding.PER_VERTEX_INDEXED)
+    for child in (*film_nodes(coin, image), binding):
         node.addChild(child)
     for skin in look.skins:
         node.addChild(_skin(coin, skin))

@@ -22,6 +22,7 @@ from BalloonWorkbench.core.outline.raster import opencv
 from BalloonWorkbench.core.types import no_progress
 from BalloonWorkbench.gui.paint.bars import ActionBar, ToolBox
 from BalloonWorkbench.gui.paint.canvas import Canvas
+from BalloonWorkbench.gui.paint.display import MODE
 from BalloonWorkbench.gui.paint.live import Live
 from BalloonWorkbench.gui.paint.look import CutOut, Glance
 from BalloonWorkbench.gui.paint.painting import SIDE, Painting, picture_from
@@ -285,6 +286,8 @@ class PaintWindow(QtWidgets.QDockWidget):
             if self.parts is None:
                 parts = painted.make(self.doc, look.file, self.live.width, look.solved, pause)
                 parts.balloon.getParentGroup().Label = translate("Painted balloon")
+                for each in (parts, *create.companions(parts)):
+                    each.balloon.ViewObject.DisplayMode = MODE
             else:
                 painted.update(self.parts, look.file, self.live.width, look.solved, pause)
         except BalloonError as error:
