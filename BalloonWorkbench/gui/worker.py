@@ -50,6 +50,8 @@ class Worker(QtCore.QThread):
 
     def __init__(self, request, parent=None):
         super().__init__(parent)
+        # without a name the new thread asks PySide for one, unprotected, and the program may end
+        self.setObjectName("Balloon worker")
         self.request = request
         self.design = None
         self.error: BalloonError | None = None
