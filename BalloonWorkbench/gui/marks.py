@@ -60,14 +60,21 @@ class Overlay:
         """Take the mark or the map away, or both."""
         for name in [name for name in self._shown if what in ("", name)]:
             root, node = self._shown.pop(name)
-            if Gui.getDocument(self._document_name) is not None:
+            if self._document() is not None:
                 root.removeChild(node)
+
+    def _document(self):
+        """The document in the window; None when it is being closed."""
+        try:
+            return Gui.getDocument(self._document_name)
+        except NameError:
+            return None
 
     def _show(self, what: str, children) -> None:
         from pivy import coin
 
         self.clear(what)
-        document = Gui.getDocument(self._document_name)
+        document = self._document()
         view = document.activeView() if document is not None else None
         if view is None or not hasattr(view, "getSceneGraph"):
             return
