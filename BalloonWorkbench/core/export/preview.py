@@ -140,13 +140,13 @@ def _silhouette(axes: Any, designs: Sequence[Design]) -> None:
             axes.plot(x, y, color=_UNREACHED, lw=5.0, alpha=0.8, solid_capstyle="round", zorder=3)
     worst = max(designs, key=lambda design: design.residual.mean / max(design.target.size))
     off = worst.residual
-    mean, p95, most = (to_mm(value) for value in (off.mean, off.p95, off.max))
+    mean, most = to_mm(off.mean), to_mm(off.max)
     share = 100.0 * off.mean / max(*worst.target.size, 1e-12)
-    spread = f"95 % {p95:.2g} mm, " if len(designs) == 1 else "of the worst; "
-    marked = ", not reached: yellow" if any(design.unreached for design in designs) else ""
+    which = "" if len(designs) == 1 else "worst: "
+    marked = "; yellow: missed" if any(design.unreached for design in designs) else ""
     _caption(
         axes,
-        f"error: mean {mean:.2g} mm ({share:.2g} %), {spread}max {most:.2g} mm{marked}",
+        f"{which}{mean:.2g} mm ({share:.2g} %) off, {most:.2g} mm at most{marked}",
         _SOFT if all(design.reached for design in designs) else "#b3541e",
     )
 
