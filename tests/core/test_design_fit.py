@@ -180,7 +180,7 @@ def test_curled_arms_are_uncurled(mesh_size: float) -> None:
     scale = 0.19 / max(drawing.size)
     design = fit(drawing.map(lambda loop: scale * loop), film("mylar"), 2000.0, mesh_size=mesh_size)
     assert design.residual.mean < 0.003 * 0.19
-    assert design.residual.max < 0.01 * 0.19
+    assert design.residual.max < 0.015 * 0.19
 
 
 def test_turning_is_undone() -> None:

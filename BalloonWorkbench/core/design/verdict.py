@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a pattern correction came to: the design, and sentences about what is not as drawn."""
+
+from __future__ import annotations
+
+from BalloonWorkbench.core.design.attempt import Pass
+from BalloonWorkbench.core.design.design import Design, Stretch
+from BalloonWorkbench.core.design.reach import stretches
+from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.units import mm_text, to_mm
+
+REACHED = 1e-2
+MOST_SENTENCES = 3  # about single stretches that are not reached
+
+
+def verdict(target: Outline, best: Pass, passes: int, meshes: int, seconds: float) -> Design:
+    """The design of the best pass, with what is to be said about it."""
+    size = max(target.size)
+    error = best.misfit.over()
+    warnings = []
+    if not best.inflation.report.converged:
+        warnings.append(
+            "The simulation did not come to rest; the shape shown is its last good state. Try a coarser mesh."
+        )
+    reached = error.mean <= REACHED * size
+    if passes and not reached:
+        warnings.append(
+            f"The inflated outline stays {mm_text(error.mean)} from the drawing on average:"
+            " film cannot follow this shape everywhere. Round off notches and widen thin parts."
+        )
+    unreached = stretches(target, best.misfit) if passes else ()
+    warnings += [_sentence(stretch) for stretch in unreached[:MOST_SENTENCES]]
+    return Design(
+        target,
+        best.course.outline,
+        best.inflation,
+        best.shown,
+        error,
+        passes,
+        meshes,
+        seconds,
+        reached,
+        (*target.notes, *warnings),
+        unreached,
+    )
+
+
+def _sentence(stretch: Stretch) -> str:
+    x, y = to_mm(stretch.middle)
+    return (
+        f"Near ({x:.0f}, {y:.0f}) mm the inflated outline stays up to {mm_text(stretch.max)} from the"
+        f" drawing, along {mm_text(stretch.end - stretch.start)}: film cannot follow it there. Round it off"
+        " or widen it."
+    )
