@@ -4,6 +4,8 @@
 import FreeCAD as App
 import pytest
 
+from BalloonWorkbench.app import status
+
 
 @pytest.fixture
 def doc():
@@ -14,3 +16,14 @@ def doc():
     yield document
     if name in App.listDocuments():
         App.closeDocument(name)
+
+
+@pytest.fixture
+def parts(solved):
+    """The objects that a module's `solved` makes once, as they were after each test."""
+    doc = solved.balloon.Document
+    doc.openTransaction("test")
+    yield solved
+    doc.abortTransaction()
+    doc.recompute()
+    assert [obj.Status for obj in solved] == [status.READY] * 3

@@ -33,16 +33,6 @@ def solved(tmp_path_factory):
     App.closeDocument(name)
 
 
-@pytest.fixture
-def parts(solved):
-    """The same, and as it was after each test."""
-    doc = solved.balloon.Document
-    doc.openTransaction("test")
-    yield solved
-    doc.abortTransaction()
-    doc.recompute()
-
-
 def arm_of(found):
     return next(finding for finding in found if finding.rule == "thin_arm")
 

@@ -26,17 +26,6 @@ def solved():
 
 
 @pytest.fixture
-def parts(solved):
-    """The same, and as it was after each test."""
-    doc = solved.balloon.Document
-    doc.openTransaction("test")
-    yield solved
-    doc.abortTransaction()
-    doc.recompute()
-    assert [obj.Status for obj in solved] == [status.READY] * 3
-
-
-@pytest.fixture
 def no_solver(monkeypatch):
     """Fail when the engine is asked."""
 

@@ -19,17 +19,6 @@ def solved():
     App.closeDocument(name)
 
 
-@pytest.fixture
-def parts(solved):
-    """The balloon, and as it was after each test."""
-    doc = solved.balloon.Document
-    doc.openTransaction("test")
-    yield solved
-    doc.abortTransaction()
-    doc.recompute()
-    assert [obj.Status for obj in solved] == [status.READY] * 3
-
-
 def width_of(balloon):
     xs = [point.x for point in balloon.SeamPoints]
     return max(xs) - min(xs)

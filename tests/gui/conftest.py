@@ -11,6 +11,9 @@ import pytest
 sys.path.append(str(Path(__file__).resolve().parents[1] / "app"))  # for sketches.py
 
 import hands
+import sketches
+
+from BalloonWorkbench.app import create
 
 
 @pytest.fixture(autouse=True)
@@ -32,6 +35,16 @@ def doc():
     document = App.newDocument("Test")
     hands.wait(0.05)
     return document
+
+
+@pytest.fixture
+def opened(doc):
+    """The panel of a finished balloon."""
+    parts = create.balloon_from_sketch(doc, sketches.rectangle(doc, 90, 60), mesh_size=12, correct=False)
+    doc.clearUndos()
+    parts.balloon.ViewObject.Proxy.doubleClicked(parts.balloon.ViewObject)
+    hands.wait_until(hands.panel_is_open)
+    return parts
 
 
 @pytest.fixture(autouse=True)

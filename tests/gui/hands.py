@@ -130,6 +130,10 @@ def panel_is_open():
     return bool(Gui.Control.activeDialog())
 
 
+def panel_is_closed():
+    return not panel_is_open()
+
+
 def message():
     """What the panel says."""
     return find("Message").text()

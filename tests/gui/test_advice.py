@@ -30,7 +30,7 @@ def panel(parts):
     yield parts
     if hands.panel_is_open():
         hands.press("Close")
-        hands.wait_until(lambda: not hands.panel_is_open())
+        hands.wait_until(hands.panel_is_closed)
 
 
 def texts():
@@ -59,7 +59,7 @@ def test_finding_is_marked_while_it_is_chosen(panel):
     assert scene_nodes() == nodes
     choose("arm is too thin")
     hands.press("Close")
-    hands.wait_until(lambda: not hands.panel_is_open())
+    hands.wait_until(hands.panel_is_closed)
     assert scene_nodes() == nodes
 
 
@@ -112,9 +112,9 @@ def test_outline_of_no_use_is_told(parts):
     assert texts() == []
     assert hands.find("AdviceMessage").text()
     hands.press("Close")
-    hands.wait_until(lambda: not hands.panel_is_open())
+    hands.wait_until(hands.panel_is_closed)
 
 
 def test_deleting_the_balloon_closes_the_panel(panel):
     panel.outline.Document.removeObject(panel.balloon.Name)
-    hands.wait_until(lambda: not hands.panel_is_open(), 5)
+    hands.wait_until(hands.panel_is_closed, 5)

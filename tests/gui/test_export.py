@@ -38,7 +38,7 @@ def test_file_is_written(panel, tmp_path, kind):
     if kind == "SVG":
         hands.key(combo, hands.QtCore.Qt.Key_Down)
     hands.press("Ok")
-    hands.wait_until(lambda: not hands.panel_is_open())
+    hands.wait_until(hands.panel_is_closed)
     assert [path.name for path in tmp_path.iterdir()] == [f"mine.{kind.lower()}"]
     start = next(tmp_path.iterdir()).read_bytes()[:200]
     assert (b"<svg" in start) == (kind == "SVG")
@@ -66,4 +66,4 @@ def test_closing_the_document_closes_the_panel(panel):
     import FreeCAD as App
 
     App.closeDocument(panel.pattern.Document.Name)
-    hands.wait_until(lambda: not hands.panel_is_open(), 5)
+    hands.wait_until(hands.panel_is_closed, 5)

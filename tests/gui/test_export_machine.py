@@ -50,7 +50,7 @@ def test_machine_names_the_file_and_it_is_written(made, tmp_path):
     hands.screenshot("export_machine")
     hands.type_into(hands.find("File"), str(tmp_path / "sheet.pdf"), confirm=False)
     hands.press("Ok")
-    hands.wait_until(lambda: not hands.panel_is_open())
+    hands.wait_until(hands.panel_is_closed)
     content = (tmp_path / "sheet.pdf").read_bytes()
     assert content.startswith(b"%PDF")
     assert content.count(b"/Type /Page\n") > 1

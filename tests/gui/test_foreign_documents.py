@@ -68,6 +68,6 @@ def test_double_click_edits_it(doc):
     assert hands.find("Drawing").text() == "heart.png"
     hands.type_into(hands.find("Pressure"), "3 kPa")
     hands.press("Ok")
-    hands.wait_until(lambda: not hands.panel_is_open())
+    hands.wait_until(hands.panel_is_closed)
     assert doc.Balloon.Status == status.READY
     assert doc.Balloon.Pressure.Value == pytest.approx(3)

@@ -41,7 +41,7 @@ def apply():
 
 def test_ok_makes_the_balloon(panel):
     hands.press("Ok")
-    hands.wait_until(lambda: not hands.panel_is_open())
+    hands.wait_until(hands.panel_is_closed)
     assert [obj.Status for obj in parts(panel)] == [status.READY] * 3
     assert panel.Outline.SizeX.Value == pytest.approx(120)
     assert panel.Balloon.Mesh.isSolid()
@@ -84,7 +84,7 @@ def test_outline_is_drawn_over_the_picture(panel):
 def test_cancel_leaves_the_document_untouched(panel):
     apply()
     hands.press("Cancel")
-    hands.wait_until(lambda: not hands.panel_is_open())
+    hands.wait_until(hands.panel_is_closed)
     assert names(panel) == []
     assert panel.UndoNames == []
 
@@ -94,7 +94,7 @@ def test_cancel_while_it_works(panel):
     hands.click(hands.find("Apply"))
     hands.wait_until(lambda: hands.find("Progress").isVisible())
     hands.press("Cancel")
-    hands.wait_until(lambda: not hands.panel_is_open(), 5)
+    hands.wait_until(hands.panel_is_closed, 5)
     assert names(panel) == []
 
 
@@ -128,7 +128,7 @@ def test_value_changed_while_it_works_counts(panel):
     hands.wait_until(lambda: hands.find("Stop").isVisible())
     hands.type_into(hands.find("Pressure"), "3 kPa")
     hands.press("Ok")
-    hands.wait_until(lambda: not hands.panel_is_open())
+    hands.wait_until(hands.panel_is_closed)
     assert panel.Balloon.Pressure.Value == pytest.approx(3)
     assert panel.Balloon.SolvedFor == request(panel.Balloon).key()
     assert [obj.Status for obj in parts(panel)] == [status.READY] * 3
@@ -139,7 +139,7 @@ def test_without_a_document_one_is_made_and_taken_back():
     hands.wait_until(hands.panel_is_open)
     assert len(App.listDocuments()) == 1
     hands.press("Cancel")
-    hands.wait_until(lambda: not hands.panel_is_open())
+    hands.wait_until(hands.panel_is_closed)
     assert not App.listDocuments()
 
 
@@ -199,28 +199,28 @@ def test_pattern_follows_at_once(panel):
 def test_typed_number_counts_without_return(panel):
     hands.type_into(hands.find("Width"), "90 mm", confirm=False)
     hands.press("Ok")
-    hands.wait_until(lambda: not hands.panel_is_open())
+    hands.wait_until(hands.panel_is_closed)
     assert panel.Outline.SizeX.Value == pytest.approx(90)
 
 
 def test_deleting_the_objects_closes_the_panel(panel):
     panel.removeObject("Balloon")
-    hands.wait_until(lambda: not hands.panel_is_open(), 5)
+    hands.wait_until(hands.panel_is_closed, 5)
 
 
 def test_closing_the_document_closes_the_panel(panel):
     App.closeDocument(panel.Name)
-    hands.wait_until(lambda: not hands.panel_is_open(), 5)
+    hands.wait_until(hands.panel_is_closed, 5)
 
 
 def test_undo_closes_the_panel(panel):
     hands.press("Ok")
-    hands.wait_until(lambda: not hands.panel_is_open())
+    hands.wait_until(hands.panel_is_closed)
     panel.Balloon.ViewObject.Proxy.doubleClicked(panel.Balloon.ViewObject)
     hands.wait_until(hands.panel_is_open)
     panel.undo()
     panel.undo()
-    hands.wait_until(lambda: not hands.panel_is_open(), 5)
+    hands.wait_until(hands.panel_is_closed, 5)
     assert names(panel) == []
 
 

@@ -3,23 +3,8 @@
 
 import hands
 import pytest
-import sketches
 
-from BalloonWorkbench.app import create, status
-
-
-@pytest.fixture
-def opened(doc):
-    """The panel of a finished balloon."""
-    parts = create.balloon_from_sketch(doc, sketches.rectangle(doc, 90, 60), mesh_size=12, correct=False)
-    doc.clearUndos()
-    parts.balloon.ViewObject.Proxy.doubleClicked(parts.balloon.ViewObject)
-    hands.wait_until(hands.panel_is_open)
-    return parts
-
-
-def done():
-    return not hands.panel_is_open()
+from BalloonWorkbench.app import status
 
 
 def test_a_volume_instead_of_the_pressure(opened):
@@ -33,7 +18,7 @@ def test_a_volume_instead_of_the_pressure(opened):
     hands.type_into(hands.find("TargetVolume"), f"{wanted * 1e-6:.6f} l")
     hands.screenshot("simulation")
     hands.press("Ok")
-    hands.wait_until(done)
+    hands.wait_until(hands.panel_is_closed)
     assert balloon.Status == status.READY
     assert balloon.Volume.Value == pytest.approx(wanted, rel=2e-3)
     assert balloon.ActivePressure.Value > balloon.Pressure.Value
@@ -48,7 +33,7 @@ def test_model_and_solver(opened):
     hands.choose(hands.find("Backend"), "NumPy")
     hands.tick(hands.find("Bending"))
     hands.press("Ok")
-    hands.wait_until(done)
+    hands.wait_until(hands.panel_is_closed)
     assert (balloon.Model, balloon.Bending, balloon.ActiveBackend) == ("Plain shell", False, "numpy")
     assert balloon.Volume.Value < volume
 
@@ -62,7 +47,7 @@ def test_only_a_film_of_ones_own_has_a_grain(opened):
     hands.type_into(hands.find("GrainAngle"), "30")
     hands.screenshot("grain")
     hands.press("Ok")
-    hands.wait_until(done)
+    hands.wait_until(hands.panel_is_closed)
     assert opened.balloon.Status == status.READY
     assert opened.balloon.GrainAngle.Value == pytest.approx(30)
     assert opened.balloon.YoungModulusAcross.getValueAs("GPa").Value == pytest.approx(2)

@@ -3,23 +3,8 @@
 
 import hands
 import pytest
-import sketches
 
-from BalloonWorkbench.app import create, status
-
-
-@pytest.fixture
-def opened(doc):
-    """The panel of a finished balloon."""
-    parts = create.balloon_from_sketch(doc, sketches.rectangle(doc, 90, 60), mesh_size=12, correct=False)
-    doc.clearUndos()
-    parts.balloon.ViewObject.Proxy.doubleClicked(parts.balloon.ViewObject)
-    hands.wait_until(hands.panel_is_open)
-    return parts
-
-
-def done():
-    return not hands.panel_is_open()
+from BalloonWorkbench.app import status
 
 
 def test_a_volume_decides_the_size(opened):
@@ -32,7 +17,7 @@ def test_a_volume_decides_the_size(opened):
     hands.type_into(hands.find("GoalVolume"), f"{wanted * 1e-6:.6f} l")
     hands.screenshot("size-goal")
     hands.press("Ok")
-    hands.wait_until(done)
+    hands.wait_until(hands.panel_is_closed)
     assert balloon.Status == status.READY
     assert balloon.Volume.Value == pytest.approx(wanted, rel=5e-3)
     assert opened.outline.SizeX.Value == pytest.approx(90)
@@ -48,7 +33,7 @@ def test_a_lift_decides_the_size(opened):
     hands.type_into(hands.find("GoalLift"), "5")
     hands.choose(hands.find("Gas"), "Hydrogen")
     hands.press("Ok")
-    hands.wait_until(done)
+    hands.wait_until(hands.panel_is_closed)
     assert balloon.Status == status.READY
     assert balloon.Lift == pytest.approx(5.0, rel=6e-3)
     assert balloon.Floats
@@ -58,7 +43,7 @@ def test_symmetry_of_a_sketch_can_be_forced(opened):
     sketch = opened.outline.Source[0]
     hands.choose(hands.find("Symmetry"), "Forced")
     hands.press("Ok")
-    hands.wait_until(done)
+    hands.wait_until(hands.panel_is_closed)
     assert opened.outline.Symmetry == "Forced"
     assert len(opened.outline.LoopPoints) == 6  # the corners, and two points on the axis
     assert sketch.GeometryCount == 4

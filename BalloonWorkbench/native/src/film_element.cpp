@@ -4,6 +4,8 @@
 // Hessian is formed in these six numbers and the directors and then spread over the corners.
 #include "film_element.h"
 
+#include "processor.h"
+
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic ignored "-Wpsabi" // all that pass Vec4 are inlined
 #endif
@@ -311,17 +313,15 @@ FILM_INLINE void derivatives_body(const FourTriangles& film, const FilmLaw& law,
     constexpr FilmKernels NAME{energies_##NAME, derivatives_##NAME};
 
 FILM_ELEMENT_KERNELS(portable, )
-#if defined(__GNUC__) && defined(__x86_64__)
-#define FILM_HAS_AVX2
-FILM_ELEMENT_KERNELS(avx2, __attribute__((target("avx2,fma"))))
+#ifdef FILM_HAS_AVX2
+FILM_ELEMENT_KERNELS(avx2, FILM_AVX2)
 #endif
 
 } // namespace
 
 const FilmKernels& film_kernels() {
 #ifdef FILM_HAS_AVX2
-    static const bool has_avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-    if (has_avx2)
+    if (has_avx2())
         return avx2;
 #endif
     return portable;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "processor.h"
 #include "vec4.h"
 
 namespace film {
@@ -314,17 +315,15 @@ FILM_KERNELS(portable, , 2)
 #else
 FILM_KERNELS(portable, , 1)
 #endif
-#if defined(__GNUC__) && defined(__x86_64__)
-#define FILM_HAS_AVX2
-FILM_KERNELS(avx2, __attribute__((target("avx2,fma"))), 3)
+#ifdef FILM_HAS_AVX2
+FILM_KERNELS(avx2, FILM_AVX2, 3)
 #endif
 
 } // namespace
 
 const FrontKernels& front_kernels() {
 #ifdef FILM_HAS_AVX2
-    static const bool has_avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-    if (has_avx2)
+    if (has_avx2())
         return avx2;
 #endif
     return portable;
