@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import argparse
 import importlib.util
+import json
 import math
 import sys
 from collections.abc import Sequence
@@ -277,8 +278,10 @@ def _decode() -> Any:
     """Qt's picture reader where OpenCV is missing; None means OpenCV."""
     if opencv() is not None:
         return None
-    from BalloonWorkbench.app import qt_picture
-
+    try:
+        from BalloonWorkbench.app import qt_picture
+    except ImportError:
+        return None  # the reader of pictures says what to install
     return qt_picture.decode
 
 
@@ -292,7 +295,7 @@ def _write(folder: str, contents: dict[str, bytes], balloon: Balloon, remarks: S
     from BalloonWorkbench.core.export.files import write_files
 
     paths = write_files(folder, contents)
-    report = balloon.report
+    report = json.loads(contents["report.json"])  # as written: it also tells what was left out
     lines = []
     for part in report["parts"]:
         inflated, error = part["inflated"], part["design"]["silhouette_error_mm"]

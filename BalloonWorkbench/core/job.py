@@ -14,6 +14,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
@@ -26,7 +27,7 @@ from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.design.fit import fit, inflate_outline
 from BalloonWorkbench.core.design.size_goal import START_WIDTH, Buoyancy, SizeGoal, design_to_size
 from BalloonWorkbench.core.design.to_volume import design_to_volume
-from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.errors import InputError, MissingPackageError
 from BalloonWorkbench.core.export.dxf import dxf_bytes
 from BalloonWorkbench.core.export.preview import preview_png
 from BalloonWorkbench.core.export.results import frame_files, results_bytes
@@ -202,17 +203,25 @@ def _design_to_goal(outline: Outline, settings: Settings, goal: SizeGoal, progre
 def files(balloon: Balloon, results: str | None = None) -> dict[str, bytes]:
     """Contents of the files of a finished job, by name.
 
+    A file that needs a package that is missing is left out; a warning in the report says so.
     results: "vtu" or "npz" adds a file about every triangle.
     """
     sheet = on_one_sheet(balloon.patterns)
-    text = json.dumps(balloon.report, indent=2, ensure_ascii=False, allow_nan=False)
-    contents = {
-        "pattern.dxf": dxf_bytes(sheet),
-        "pattern.svg": svg_bytes(sheet),
-        "balloon.stl": stl_bytes([design.inflation for design in balloon.designs]),
-        "preview.png": preview_png(balloon.designs, balloon.patterns),
-        "report.json": (text + "\n").encode(),
+    makers: dict[str, Callable[[], bytes]] = {
+        "pattern.dxf": lambda: dxf_bytes(sheet),
+        "pattern.svg": lambda: svg_bytes(sheet),
+        "balloon.stl": lambda: stl_bytes([design.inflation for design in balloon.designs]),
+        "preview.png": lambda: preview_png(balloon.designs, balloon.patterns),
     }
+    contents, left_out = {}, []
+    for name, make in makers.items():
+        try:
+            contents[name] = make()
+        except MissingPackageError as error:
+            left_out.append(f"{name} was left out. {error}")
+    told = balloon.report | {"warnings": [*balloon.report["warnings"], *left_out]}
+    text = json.dumps(told, indent=2, ensure_ascii=False, allow_nan=False)
+    contents["report.json"] = (text + "\n").encode()
     if results is not None:
         for number, design in enumerate(balloon.designs):
             found = results_bytes(design.inflation, balloon.settings.film, results)

@@ -3,9 +3,33 @@
 
 from __future__ import annotations
 
+import importlib.util
 from typing import Any
 
 from BalloonWorkbench.core.errors import MissingPackageError
+
+#: What does not work without a package, and what remains; by the name it is imported under.
+ABSENCES = {
+    "numpy": "Nothing can be computed without it; documents open and keep their shapes.",
+    "scipy": "No balloon can be inflated anew without it; patterns can be changed and written.",
+    "shapely": "No pattern can be drawn anew without it; documents keep theirs.",
+    "cv2": "Pictures are read by Qt and traced with SciPy or NumPy instead, a little slower.",
+    "ezdxf": "DXF files can be neither read nor written without it; SVG files can.",
+    "svgelements": "SVG files can be written but not read without it; pictures, DXF and JSON can be read.",
+    "pythoncdt": "SciPy triangulates instead, a little slower.",
+    "matplotlib": "Previews and labels need it; everything else works.",
+    "reportlab": "PDF files need it; DXF, SVG and HPGL can be written.",
+}
+_TO_INSTALL = {"cv2": "opencv-python-headless"}
+
+
+def missing() -> list[str]:
+    """A sentence for each package that is not installed: what that costs, what remains, how to get it."""
+    return [
+        f"The Python package {name} is missing. {told} To get it: pip install {_TO_INSTALL.get(name, name)}"
+        for name, told in ABSENCES.items()
+        if importlib.util.find_spec(name) is None
+    ]
 
 
 def shapely() -> Any:
