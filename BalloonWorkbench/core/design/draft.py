@@ -49,9 +49,9 @@ def draft(
     edge = float(np.sqrt(outline.area / (0.87 * vertices)))
     rough = outline.with_loops([simplify(loop, _ROUGHNESS * edge) for loop in outline.loops], outline.welds)
     try:
-        panel = triangulate(rough, edge)
+        panel = triangulate(rough, edge, rough=True)
     except MeshError:  # a part is too thin for so coarse a mesh
-        panel = triangulate(rough, 0.5 * edge)
+        panel = triangulate(rough, 0.5 * edge, rough=True)
     inflation = inflate(panel, film, pressure, progress=progress)
     flat, seam = panel.rest_positions, panel.seams[0]
     drawn, shown = (_box(points[seam, :2]) for points in (flat, inflation.positions))

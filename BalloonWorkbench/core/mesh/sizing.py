@@ -60,10 +60,14 @@ class SizeField:
         return SizeField(self.size, (*self.groups, *groups))
 
 
-def size_field(outline: Outline, size: float) -> SizeField:
-    """The sizes for an outline; MeshError where `size` [m] is out of all proportion or too coarse."""
+def size_field(outline: Outline, size: float, rough: bool = False) -> SizeField:
+    """The sizes for an outline; MeshError where `size` [m] is out of all proportion or too coarse.
+
+    rough  thin parts are looked for in steps of the size, whatever the outline has: several times as quick
+    """
     _check_proportion(outline, size)
-    walls = thickness(outline, 1.1 * _ACROSS * size, _sample_spacing(outline, size))
+    spacing = size / _SAMPLES_PER_SIZE if rough else _sample_spacing(outline, size)
+    walls = thickness(outline, 1.1 * _ACROSS * size, spacing)
     thinnest, place = walls.thinnest
     coarsest = thinnest / (_FEWEST_ACROSS * _CHANNEL_SHARE)
     if size > coarsest:

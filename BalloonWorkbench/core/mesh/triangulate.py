@@ -16,16 +16,18 @@ from BalloonWorkbench.core.mesh.sizing import size_field
 from BalloonWorkbench.core.outline.outline import Outline
 
 
-def triangulate(outline: Outline, size: float) -> Panel:
+def triangulate(outline: Outline, size: float, rough: bool = False) -> Panel:
     """Constrained Delaunay triangulation of an outline with edges about `size` [m] long.
 
     The seams run along the outline's loops, evenly spaced, with sharp corners kept; parts thinner than four
     elements get smaller ones, down to size / 4. The vertices of the seams come first, loop by loop, then
     those of the welds. Only at tips sharper than 40 degrees a triangle has all its vertices on the seam.
+    rough: parts much thinner than the size may be overlooked, for a quick look.
+
     Raises MeshError when the outline is too thin for the size or its parts touch, OutlineError when its welds
     cut it in two.
     """
-    field = size_field(outline, size)
+    field = size_field(outline, size, rough)
     seams, field = seam_points(outline.loops, field)
     welds = weld_points(outline.welds, seams, field)
     starts = np.cumsum([0, *(len(seam) for seam in seams), *(len(weld.points) for weld in welds)])

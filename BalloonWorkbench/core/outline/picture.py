@@ -63,8 +63,11 @@ def drawing_of(rgba: NDArray[np.uint8]) -> Drawing:
     return placed_drawing(rgba)[0]
 
 
-def placed_drawing(rgba: NDArray[np.uint8]) -> tuple[Drawing, Floats]:
-    """The drawing of `drawing_of`, and where its origin lies in the picture (2,) px, y up."""
+def placed_drawing(rgba: NDArray[np.uint8], step: float = STEP) -> tuple[Drawing, Floats]:
+    """The drawing of `drawing_of`, and where its origin lies in the picture (2,) px, y up.
+
+    step  of the walk along the boundary, of the picture's longer side; 0 leaves it out, for a quick look
+    """
     if min(rgba.shape[:2]) < _SMALLEST_SIDE:
         raise PictureError(
             f"The picture is too small to see a shape. Use {_SMALLEST_SIDE} pixels or more across."
@@ -94,7 +97,7 @@ def placed_drawing(rgba: NDArray[np.uint8]) -> tuple[Drawing, Floats]:
     notes += _notes(
         [loop for loop, _ in parts], lines, len(shapes) - len(parts) - len(lines), filled, rgba.shape
     )
-    traced = _simple([[loop, *mine] for (loop, _), mine in zip(parts, wide)], STEP * max(rgba.shape[:2]))
+    traced = _simple([[loop, *mine] for (loop, _), mine in zip(parts, wide)], step * max(rgba.shape[:2]))
     corner = np.concatenate([loops[0] for loops in traced]).min(axis=0)
     outlines = [Outline(outer - corner, tuple(hole - corner for hole in inner)) for outer, *inner in traced]
     return Drawing((replace(outlines[0], notes=tuple(notes)), *outlines[1:])), corner

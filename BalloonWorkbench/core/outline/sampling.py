@@ -123,8 +123,12 @@ def _significant(points: Floats, first: int, last: int, tolerance: float) -> lis
         chord = points[b] - points[a]
         offset = points[a + 1 : b] - points[a]
         length2 = float(chord @ chord)
-        along = np.clip(offset @ chord / length2, 0.0, 1.0) if length2 > 0 else np.zeros(len(offset))
-        away = np.linalg.norm(offset - along[:, None] * chord, axis=1)
+        # on so few numbers np.clip and np.linalg.norm take several times as long
+        along = (
+            np.maximum(np.minimum(offset @ chord / length2, 1.0), 0.0) if length2 > 0 else 0.0 * offset[:, 0]
+        )
+        x, y = (offset - along[:, None] * chord).T
+        away = np.sqrt(x * x + y * y)
         far = int(np.argmax(away))
         if away[far] > tolerance:
             middle = a + 1 + far

@@ -65,10 +65,13 @@ def trace(boundary: Floats, radius: float, ripple: float = 1.0, tolerance: float
     """The closed boundary (n, 2) px as a loop with few points: those of the circle walk, and between them as
     many points of the boundary as keep the loop within `tolerance` of it.
 
+    radius  of the circle [px]; 0 leaves the walk out, for a quick look
     ripple  width of the pixel noise that is smoothed away beforehand, away from corners [px]
     """
     if ripple > 0:
         boundary = smooth(boundary, ripple, corners(boundary, _CORNER, _REACH))
+    if radius <= 0:
+        return simplify(boundary, tolerance)
     lengths = arc_lengths(boundary)
     steps = walk(boundary, radius)
     inserted, keep = _with_points_at(boundary, lengths, steps)

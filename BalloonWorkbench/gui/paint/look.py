@@ -181,7 +181,7 @@ class CutOut:
 def _seen(image, width: float) -> tuple[Drawing, _Frame]:
     """The shapes in an image, at their size [m], and where they are in it."""
     small = image.scaled(TRACED, TRACED, QtCore.Qt.IgnoreAspectRatio, QtCore.Qt.SmoothTransformation)
-    drawing, corner = placed_drawing(pixels(small))
+    drawing, corner = placed_drawing(pixels(small), step=0.0)
     across = drawing.size[0]
     sized = scale_to(drawing, from_mm(width), None)
     return sized, _Frame(corner / TRACED, across / TRACED / from_mm(width))
