@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from BalloonWorkbench.app import advice, film, migrate, size_goal, status
+from BalloonWorkbench.app import advice, film, film_result, migrate, size_goal, status
 from BalloonWorkbench.app.properties import Property, add_missing, offer_choices, show_in_editor
 from BalloonWorkbench.app.stateless import Stateless
 
@@ -27,6 +27,13 @@ PROPERTIES = (
         "Mode",
         "Inflation",
         "Correct the pattern until the balloon looks like the drawing, or not",
+    ),
+    Property(
+        "Bool",
+        "Live",
+        "Inflation",
+        "Follow every change at once; switch it off for heavy models and inflate when you ask for it",
+        True,
     ),
     Property("Pressure", "Pressure", "Inflation", "Pressure inside, above that outside", DEFAULT_PRESSURE),
     Property(
@@ -79,6 +86,7 @@ PROPERTIES = (
     Property("String", "ActiveBackend", "Result", "Solver that was used", result=True),
     *size_goal.RESULTS,
     *advice.BALLOON_PROPERTIES,
+    *film_result.PROPERTIES,
     Property("StringList", "Warnings", "Result", "Remarks made during the design", result=True),
     Property("String", "Status", "Result", "Up to date, or what is wrong", result=True),
     Property("String", "Report", "Result", "The whole report as JSON", result=True, hidden=True),
@@ -141,13 +149,24 @@ class BalloonProxy(Stateless):
             return
         with status.reported(obj, bool(obj.SolvedFor)):
             wanted = request(obj)
-            if wanted.key() != obj.SolvedFor:
+            if wanted.key() != obj.SolvedFor or not film_result.is_known(obj):
+                if not obj.Live:
+                    status.set_problem(obj, bool(obj.SolvedFor), _not_asked(obj))
+                    return
                 with hooks.progress(f"Inflating {obj.Label}") as progress:
                     show(obj, wanted, wanted.solve(progress))
             size_goal.show_lift(obj)
             status.set_status(obj, _verdict(obj))
         if obj.Placement != obj.Outline.Placement:
             obj.Placement = obj.Outline.Placement
+
+
+def inflate_now(obj, progress=None) -> None:
+    """Inflate a balloon that does not do so by itself, property Live; raises BalloonError."""
+    from BalloonWorkbench.core.types import no_progress
+
+    wanted = request(obj)
+    show(obj, wanted, wanted.solve(progress or no_progress))
 
 
 def follow_load(obj) -> None:
@@ -227,7 +246,22 @@ def show(obj, wanted, design, told: dict | None = None) -> None:
     obj.Warnings = list(design.warnings)
     obj.Advice, obj.Puffiness = advice.sentences(told["advice"]), told["puffiness"]
     obj.Report = json.dumps(told, ensure_ascii=False)
+    film_result.store(obj, design.inflation, wanted.settings.film, _values(obj))
     obj.SolvedFor = wanted.key()
+
+
+def _values(obj) -> dict:
+    """The object's own values, by name."""
+    names = [item.name for item in PROPERTIES if not item.result and item.name not in ("Outline", "Live")]
+    return {name: getattr(getattr(obj, name), "Value", getattr(obj, name)) for name in names}
+
+
+def _not_asked(obj) -> str:
+    """Why a balloon that does not follow by itself is not up to date."""
+    if not obj.SolvedFor:
+        return "It is not inflated yet: choose Inflate now in its context menu, or switch Live on."
+    changed = ", ".join(film_result.changed_since(obj, _values(obj))) or "The outline"
+    return f"{changed} changed since. Choose Inflate now in its context menu, or switch Live on."
 
 
 def _show_measures(obj, told) -> None:

@@ -82,26 +82,25 @@ def export_for(pattern_obj, machine_name: str, target, paper: str | None = None)
 
 
 def export_results(balloon_obj, target) -> Path:
-    """Write what the film does in every triangle to a .vtu file (ParaView) or .npz file (NumPy); returns it.
+    """Write what the film does in every triangle to a .vtu (ParaView) or .npz file (NumPy), or the closed
+    mesh to an .stl file; returns it.
 
-    The object keeps the shape alone: its balloon is computed once more. Raises ExportError for another
-    ending, a balloon that is not up to date, a place that cannot be written.
+    Raises ExportError for another ending, a balloon that is not up to date, a place that cannot be written.
     """
-    from BalloonWorkbench.app import hooks
-    from BalloonWorkbench.app.balloon import request
+    from BalloonWorkbench.app import film_result
     from BalloonWorkbench.core.export.files import write_files
     from BalloonWorkbench.core.export.results import FORMATS as KINDS
     from BalloonWorkbench.core.export.results import results_bytes
+    from BalloonWorkbench.core.export.stl import stl_bytes
 
     path = Path(target)
     kind = path.suffix.lower().lstrip(".")
-    if kind not in KINDS:
-        raise ExportError(f"{path.name} is neither VTU nor NPZ: let the name end in .vtu or .npz.")
+    if kind not in (*KINDS, "stl"):
+        raise ExportError(f"{path.name} is neither VTU, NPZ nor STL: let the name end in .vtu, .npz or .stl.")
     _insist_on_ready(balloon_obj)
-    wanted = request(balloon_obj)
-    with hooks.progress(f"Inflating {balloon_obj.Label}") as progress:
-        inflation = wanted.solve(progress).inflation
-    write_files(path.parent, {path.name: results_bytes(inflation, wanted.settings.film, kind)})
+    inflation, film = film_result.stored(balloon_obj)
+    content = stl_bytes([inflation]) if kind == "stl" else results_bytes(inflation, film, kind)
+    write_files(path.parent, {path.name: content})
     return path
 
 

@@ -230,7 +230,7 @@ def test_vtk_itself_reads_the_results(balloon, tmp_path):
 
 def test_results_of_nothing_are_refused(balloon, tmp_path):
     with pytest.raises(ExportError, match="vtu"):
-        export_results(balloon, tmp_path / "results.stl")
+        export_results(balloon, tmp_path / "results.obj")
     balloon.Pressure = -1
     balloon.Document.recompute()
     with pytest.raises(ExportError, match="up to date"):

@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Results as colours: what is shown on the film, on which scale, with which ticks in the legend.
+
+The scale runs from dark violet to yellow; its lightness (CIE L*) grows evenly, so that equal steps look
+equal, in grey too and to eyes that confuse red with green.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from BalloonWorkbench.core.design.compare import evenly
+from BalloonWorkbench.core.design.silhouette import silhouette
+from BalloonWorkbench.core.export.results import Results
+from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.outline.sampling import arc_lengths
+from BalloonWorkbench.core.packages import shapely
+from BalloonWorkbench.core.solver.inflation import Inflation
+from BalloonWorkbench.core.types import Floats
+from BalloonWorkbench.core.units import to_mm
+
+#: Stops of the scale at equal distances, the lowest value first: the scale known as viridis.
+SCALE = (
+    *("#440154", "#482878", "#3e4989", "#31688e", "#26828e"),
+    *("#1f9e89", "#35b779", "#6ece58", "#b5de2b", "#fde725"),
+)
+TENSION, WRINKLES, STATE = "Tension", "Wrinkles", "Film state"
+THICKNESS, STRAIN, RESIDUAL = "Thickness", "Strain", "Residual"
+KINDS = (TENSION, WRINKLES, STATE, THICKNESS, STRAIN, RESIDUAL)
+UNITS = {TENSION: "N/m", WRINKLES: "%", STATE: "", THICKNESS: "mm", STRAIN: "%", RESIDUAL: "mm"}
+STATES = ("slack", "wrinkled", "taut")
+_ODD = 0.005  # part of the area that may lie beyond the end of the scale: a few triangles in sharp tips
+_SAMPLES = 600  # along the longest loop of the silhouette
+_PERCENT = 100.0
+
+
+@dataclass(frozen=True)
+class ColourMap:
+    """Values on the film.
+
+    shares   (2 m, 3) places on the scale, 0 to 1, of the three corners of each triangle of both panels
+    top      value at the end of the scale, in `unit`; its begin is 0
+    largest  the largest value, which may lie beyond the end of the scale
+    """
+
+    kind: str
+    shares: Floats
+    top: float
+    largest: float
+
+    @property
+    def unit(self) -> str:
+        """Unit of `top`, `largest` and the ticks."""
+        return UNITS[self.kind]
+
+
+@dataclass(frozen=True)
+class Distances:
+    """How far the silhouette is from the drawing, place by place.
+
+    loops      of the silhouette, (k, 2) m, points evenly along each
+    nearest    (k, 2) m, the nearest point of the drawing to each of them
+    distances  (k,) mm
+    """
+
+    loops: tuple[Floats, ...]
+    nearest: tuple[Floats, ...]
+    distances: tuple[Floats, ...]
+
+    @property
+    def largest(self) -> tuple[Floats, Floats, float]:
+        """The point of the silhouette that is farthest off, its nearest point of the drawing, mm."""
+        loop = max(range(len(self.loops)), key=lambda number: float(self.distances[number].max()))
+        place = int(np.argmax(self.distances[loop]))
+        return self.loops[loop][place], self.nearest[loop][place], float(self.distances[loop][place])
+
+
+def colours(shares: Floats) -> NDArray[np.uint8]:
+    """Colours (..., 3) from 0 to 255 of places on the scale, 0 to 1."""
+    stops = np.array([[int(stop[k : k + 2], 16) for k in (1, 3, 5)] for stop in SCALE], dtype=np.float64)
+    at = np.linspace(0.0, 1.0, len(stops))
+    return np.stack([np.rint(np.interp(shares, at, stops[:, k])) for k in range(3)], axis=-1).astype(np.uint8)
+
+
+def film_map(found: Results, kind: str) -> ColourMap:
+    """One of the results on the film: any kind but RESIDUAL, for which there is `distances`.
+
+    Values of triangles are averaged over those around a vertex, in the same panel, by area.
+    """
+    faces = found.triangles
+    if kind == STATE:
+        shares = 0.5 * found.of_triangles["state"][:, None] * np.ones(3)
+        return ColourMap(kind, shares, 1.0, 1.0)
+    if kind == THICKNESS:
+        values = found.of_vertices["thickness_mm"]
+        top = largest = max(float(values.max()), 1e-9)
+    else:
+        name = {TENSION: "tension_N_per_m", WRINKLES: "wrinkle_intensity", STRAIN: "strain"}[kind]
+        own = found.of_triangles[name] * (1.0 if kind == TENSION else _PERCENT)
+        areas = _areas(found)
+        weights = np.bincount(faces.ravel(), np.repeat(areas, 3), len(found.positions))
+        sums = np.bincount(faces.ravel(), np.repeat(areas * own, 3), len(found.positions))
+        values = np.maximum(sums / np.where(weights > 0.0, weights, 1.0), 0.0)
+        order = np.argsort(own)
+        usual = np.searchsorted(np.cumsum(areas[order]), (1.0 - _ODD) * areas.sum())
+        largest = max(float(own.max()), 1e-9)
+        top = max(float(own[order][min(usual, len(own) - 1)]), 1e-9)
+    return ColourMap(kind, np.clip(values / top, 0.0, 1.0)[faces], top, largest)
+
+
+def distances(inflation: Inflation, drawing: Outline) -> Distances:
+    """How far an inflated balloon's silhouette is from the drawing. Raises MissingPackageError."""
+    package = shapely()
+    shown = silhouette(inflation).loops
+    spacing = max(float(arc_lengths(loop)[-1]) for loop in shown) / _SAMPLES
+    loops = tuple(evenly(loop, spacing) for loop in shown)
+    curve = package.MultiLineString([np.vstack([loop, loop[:1]]) for loop in drawing.loops])
+    package.prepare(curve)
+    nearest, lengths = [], []
+    for loop in loops:
+        points = package.points(loop)
+        lengths.append(to_mm(np.asarray(package.distance(points, curve))))
+        nearest.append(package.get_coordinates(package.shortest_line(points, curve))[1::2])
+    return Distances(loops, tuple(nearest), tuple(lengths))
+
+
+def ticks(top: float, most: int = 6) -> list[float]:
+    """Round numbers from 0 up to `top`: multiples of 1, 2 or 5 times a power of ten, at most so many."""
+    rough = top / (most - 1)
+    power = 10.0 ** math.floor(math.log10(rough))
+    step = next(factor * power for factor in (1.0, 2.0, 5.0, 10.0) if factor * power >= rough * (1.0 - 1e-9))
+    return [number * step for number in range(int(top / step * (1.0 + 1e-9)) + 1)]
+
+
+def _areas(found: Results) -> Floats:
+    """Of the flat triangles [mm2]."""
+    a, b, c = (found.of_vertices["flat_mm"][found.triangles[:, k], :2] for k in range(3))
+    one, other = b - a, c - a
+    return np.abs(0.5 * (one[:, 0] * other[:, 1] - one[:, 1] * other[:, 0]))
