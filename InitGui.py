@@ -16,11 +16,12 @@ class BalloonWorkbench(Gui.Workbench):
         self.__class__.Icon = icon("workbench")
 
     def Initialize(self):
-        from BalloonWorkbench.gui import commands
+        from BalloonWorkbench.gui import commands, equipment
 
-        names = commands.register()
-        self.appendToolbar("Film Balloon", names)
-        self.appendMenu("Film &Balloon", names)
+        toolbar, menu = commands.register()
+        self.appendToolbar("Film Balloon", toolbar)
+        self.appendMenu("Film &Balloon", menu)
+        equipment.tell_missing()
 
     def GetClassName(self):
         return "Gui::PythonWorkbench"

@@ -6,6 +6,7 @@ from __future__ import annotations
 import FreeCADGui as Gui
 
 from BalloonWorkbench.gui.commands.advice import Advice
+from BalloonWorkbench.gui.commands.equipment import Equipment
 from BalloonWorkbench.gui.commands.export_pattern import ExportPattern
 from BalloonWorkbench.gui.commands.from_picture import FromPicture
 from BalloonWorkbench.gui.commands.from_sketch import FromSketch
@@ -19,9 +20,12 @@ _COMMANDS = {
     "BalloonWorkbench_ExportPattern": ExportPattern,
 }
 
+#: In the menu only.
+_RARE = {"BalloonWorkbench_Equipment": Equipment}
 
-def register() -> list[str]:
-    """Make the commands known to FreeCAD; returns their names."""
-    for name, command in _COMMANDS.items():
+
+def register() -> tuple[list[str], list[str]]:
+    """Make the commands known to FreeCAD; returns the names for the toolbar and those for the menu."""
+    for name, command in (_COMMANDS | _RARE).items():
         Gui.addCommand(name, command())
-    return list(_COMMANDS)
+    return list(_COMMANDS), [*_COMMANDS, "Separator", *_RARE]

@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What works here."""
+
+from __future__ import annotations
+
+import FreeCADGui as Gui
+
+from BalloonWorkbench.app.properties import QT_TRANSLATE_NOOP
+from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, icon, translate
+
+
+class Equipment:
+    """Opens a panel that tells which solver is used, and what missing packages cost."""
+
+    def GetResources(self):
+        return {
+            "Pixmap": icon("workbench"),
+            "MenuText": QT_TRANSLATE_NOOP("BalloonWorkbench_Equipment", "What works here"),
+            "ToolTip": QT_TRANSLATE_NOOP(
+                "BalloonWorkbench_Equipment",
+                "Show the solver in use, and which packages are missing and what that costs",
+            ),
+        }
+
+    def IsActive(self):
+        return not Gui.Control.activeDialog()
+
+    def Activated(self):
+        Gui.Control.showDialog(_Panel())
+
+
+class _Panel:
+    """Text to read and to copy."""
+
+    def __init__(self):
+        from BalloonWorkbench.gui.equipment import described
+
+        self.form = QtWidgets.QWidget()
+        self.form.setWindowTitle(translate("What works here"))
+        self.form.setWindowIcon(QtGui.QIcon(icon("workbench")))
+        text = QtWidgets.QLabel("\n\n".join(described()))
+        text.setObjectName("Equipment")
+        text.setWordWrap(True)
+        text.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
+        QtWidgets.QVBoxLayout(self.form).addWidget(text)
+
+    def getStandardButtons(self):
+        return int(QtWidgets.QDialogButtonBox.Close)
+
+    def reject(self):
+        Gui.Control.closeDialog()
+        return True

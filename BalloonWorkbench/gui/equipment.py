@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What there is to work with: the solver in use, the packages that are missing and what that costs."""
+
+from __future__ import annotations
+
+import FreeCAD as App
+
+from BalloonWorkbench import __version__
+from BalloonWorkbench.core import packages
+from BalloonWorkbench.core.errors import BalloonError
+
+
+def tell_missing() -> None:
+    """A line in the report view for each package that is missing; loads none of them."""
+    for sentence in packages.missing():
+        App.Console.PrintWarning(f"Film Balloon: {sentence}\n")
+
+
+def described() -> list[str]:
+    """Paragraphs about this installation."""
+    told = [f"Film Balloon {__version__} in FreeCAD {'.'.join(App.Version()[:3])}", _solver()]
+    return [*told, *(packages.missing() or ["All packages are installed."])]
+
+
+def _solver() -> str:
+    try:
+        from BalloonWorkbench.core.solver import backend, native
+
+        active = backend.active_backend()
+    except ImportError:  # without NumPy; that it is missing is said on its own
+        return "No solver works here."
+    except BalloonError as error:
+        return str(error)
+    why = native.problem_with_library()
+    slower = f" The native solver, which is faster, is not available: {why}" if why else ""
+    return f"Solver: {active}.{slower}"

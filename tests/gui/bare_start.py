@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Run by a FreeCAD of its own, see test_absence.py: what the workbench does where nothing is installed.
+
+Writes what it saw as JSON to the file in BALLOON_SEEN, and ends FreeCAD.
+"""
+
+import json
+import os
+import sys
+import time
+import traceback
+from pathlib import Path
+
+import FreeCAD as App
+import FreeCADGui as Gui
+from PySide import QtCore, QtGui
+
+try:
+    from PySide import QtWidgets
+except ImportError:  # FreeCAD 0.20 keeps the widgets in QtGui
+    QtWidgets = QtGui
+
+HEAVY = {"scipy", "cv2", "ezdxf", "shapely", "matplotlib", "pythoncdt", "svgelements", "reportlab"}
+seen = {"loaded at start": sorted({"numpy", *HEAVY} & set(sys.modules))}
+
+
+def hide(*names):
+    """Packages that are not there: Python imports nothing under a name that stands for None."""
+    for name in [*names, *sys.modules]:
+        if name.partition(".")[0] in names:
+            sys.modules[name] = None
+
+
+def start_again():
+    """What Init.py and InitGui.py cost: processor time in ms."""
+    for name in [name for name in sys.modules if name.partition(".")[0] == "BalloonWorkbench"]:
+        del sys.modules[name]
+    began = time.process_time()
+    for name in ("Init.py", "InitGui.py"):
+        exec(compile(Path(name).read_text(encoding="utf-8"), name, "exec"), {})
+    return 1e3 * (time.process_time() - began)
+
+
+def message():
+    labels = Gui.getMainWindow().findChildren(QtWidgets.QLabel)
+    return [label.text() for label in labels if label.objectName() in ("Message", "Equipment")]
+
+
+def wait(seconds=0.3):
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        QtWidgets.QApplication.processEvents()
+        time.sleep(0.01)
+
+
+def from_picture(document):
+    from BalloonWorkbench.app import create
+
+    create.balloon_from_picture(document, "resources/examples/pictures/star.png", width=90)
+
+
+def from_sketch(document):
+    from BalloonWorkbench.app import create
+
+    create.balloon_from_sketch(document, document.Rectangle)
+
+
+def look():
+    add, Gui.addWorkbench = Gui.addWorkbench, lambda workbench: None  # FreeCAD takes none twice
+    seen["start ms"] = min(start_again() for _ in range(3))
+    Gui.addWorkbench = add
+    hide(*HEAVY)
+    from BalloonWorkbench.core.errors import BalloonError
+    from BalloonWorkbench.core.solver import native
+
+    native._FOLDER = Path(os.environ["BALLOON_SEEN"]).parent
+    Gui.activateWorkbench("BalloonWorkbench")
+    seen["active"] = Gui.activeWorkbench().name()
+    wait()
+    Gui.runCommand("BalloonWorkbench_Equipment")
+    wait()
+    seen["equipment"] = message()
+    Gui.Control.closeDialog()
+    document = App.openDocument(os.environ["BALLOON_DOCUMENT"])
+    wait()
+    seen["shapes"] = {
+        "outline": document.Outline.Shape.Area,
+        "facets": document.Balloon.Mesh.CountFacets,
+        "pattern": document.Pattern.Shape.Length,
+        "proxies": [
+            type(document.getObject(name).Proxy).__name__ for name in ("Outline", "Balloon", "Pattern")
+        ],
+    }
+    document.Pattern.touch()
+    document.recompute()
+    seen["pattern"] = document.Pattern.Status
+    seen["refused"] = []
+    for work in (from_sketch, from_picture):
+        try:
+            work(document)
+        except BalloonError as error:
+            seen["refused"].append(str(error))
+
+
+def run():
+    try:
+        look()
+    except BaseException:
+        seen["failed"] = traceback.format_exc()
+        raise
+    finally:
+        Path(os.environ["BALLOON_SEEN"]).write_text(json.dumps(seen), encoding="utf-8")
+        sys.stdout.flush()
+        os._exit(0)
+
+
+QtCore.QTimer.singleShot(0, run)
