@@ -81,7 +81,7 @@ def is_known(obj) -> bool:
 def stored(obj):
     """The Inflation kept by `store` and its Film. Raises InputError where there is none, see `is_known`."""
     from BalloonWorkbench.core.errors import InputError
-    from BalloonWorkbench.core.film.film import Film
+    from BalloonWorkbench.core.film.film import Film, Look
     from BalloonWorkbench.core.mesh.panel import Panel
     from BalloonWorkbench.core.solver.film_state import film_state
     from BalloonWorkbench.core.solver.inflation import Inflation, SolveReport
@@ -110,7 +110,8 @@ def stored(obj):
         SolveReport(**{**report, "model": Model(**report["model"])}),
         _metres(obj.LowerFilmPoints) if obj.LowerFilmPoints else None,
     )
-    film = Film(**{**told["film"], "sources": tuple(told["film"]["sources"])})
+    made_of = told["film"]
+    film = Film(**{**made_of, "sources": tuple(made_of["sources"]), "look": Look(**made_of["look"])})
     return replace(inflation, tensions=film_state(inflation, film).tensions), film
 
 

@@ -133,6 +133,9 @@ def changed(folder: Path, **changes: object) -> Path:
         ({"young_modulus_Pa": 6e9}, "own range"),
         ({"young_modulus_range_Pa": 5}, "mylar.json"),
         ({"max_stress_Pa": -1}, "strength"),
+        ({"look": {"kind": "wood", "colour": "#ffffff", "opacity": 1}}, "look"),
+        ({"look": {"kind": "paper", "colour": "white", "opacity": 1}}, "colour"),
+        ({"look": {"kind": "paper", "colour": "#ffffff", "opacity": 0}}, "opacity"),
         ({"name": "foil"}, "foil"),
     ],
 )

@@ -5,6 +5,18 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+#: Metallic; see-through and shiny; fibres; without any shine.
+LOOKS = ("foil", "clear", "paper", "matt")
+
+
+@dataclass(frozen=True)
+class Look:
+    """What a film looks like: one of LOOKS, colour as "#rrggbb", opacity from 0 to 1."""
+
+    kind: str = "foil"
+    colour: str = "#cc294d"
+    opacity: float = 1.0
+
 
 @dataclass(frozen=True)
 class Film:
@@ -30,6 +42,7 @@ class Film:
     young_modulus_across: float | None = None  # [Pa]
     shear_modulus: float | None = None  # [Pa]; None: as for an isotropic film of the mean modulus
     grain_angle: float = 0.0  # [rad]
+    look: Look = Look()
 
     @property
     def membrane_stiffness(self) -> float:

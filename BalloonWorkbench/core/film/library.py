@@ -5,13 +5,14 @@ from __future__ import annotations
 
 import json
 import math
+import re
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from typing import Any
 
 from BalloonWorkbench.core.errors import InputError
-from BalloonWorkbench.core.film.film import Film
+from BalloonWorkbench.core.film.film import LOOKS, Film, Look
 
 FOLDER = Path(__file__).resolve().parents[3] / "resources" / "films"
 DEFAULT_FILM = "mylar"
@@ -110,9 +111,18 @@ def _film_of(data: dict[str, Any]) -> Film:
         seal_width=_within(float(data["seal_width_m"]), 0.0, 0.1, "seal width", "m", "0.005"),
         max_stress=_within(float(data["max_stress_Pa"]), 1e4, 1e11, "strength", "Pa", "100e6"),
         title=str(data["title"]),
+        look=_look(**data["look"]),
         note=str(data["note"]),
         sources=tuple(str(source) for source in data["sources"]),
     )
+
+
+def _look(kind: str, colour: str, opacity: float) -> Look:
+    if kind not in LOOKS:
+        raise InputError(f'There is no look "{kind}": choose one of {", ".join(LOOKS)}.')
+    if not re.fullmatch("#[0-9a-f]{6}", colour):
+        raise InputError(f'"{colour}" is no colour: give one such as "#cc294d".')
+    return Look(kind, colour, _within(opacity, 0.05, 1.0, "opacity", "", "1"))
 
 
 def _thickness(value: float) -> float:
