@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import ctypes
 import functools
-import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
@@ -16,6 +15,7 @@ from pathlib import Path
 import numpy as np
 
 from BalloonWorkbench.core.errors import Cancelled, SolverError
+from BalloonWorkbench.core.solver.library import candidates, file_name, to_load
 from BalloonWorkbench.core.solver.problem import Energies, Equilibrium, FilmProblem, NewtonSettings
 from BalloonWorkbench.core.solver.seam_band import hinge_rigidities, seam_hinges
 from BalloonWorkbench.core.types import Floats, Progress, no_progress
@@ -23,7 +23,6 @@ from BalloonWorkbench.core.types import Floats, Progress, no_progress
 ABI_VERSION = 4
 _CANCELLED = 3
 _FOLDER = Path(__file__).resolve().parents[2] / "native" / "lib"
-_NAMES = {"win32": "film_solver.dll", "darwin": "libfilm_solver.dylib"}
 
 
 class _Material(ctypes.Structure):
@@ -65,21 +64,28 @@ class _Failure:
 
 @functools.cache
 def _load() -> tuple[ctypes.CDLL | None, str | None]:
-    """The library, or why there is none."""
-    path = _FOLDER / _NAMES.get(sys.platform, "libfilm_solver.so")
-    if not path.is_file():
-        return None, f"{path.name} has not been built."
+    """The library, or why there is none: what is wrong with the best one that is there."""
+    why = None
+    for path in candidates(_FOLDER):
+        loaded, problem = _loaded(path)
+        if loaded is not None:
+            return loaded, None
+        why = why or problem
+    return None, why or f"{file_name()} has not been built."
+
+
+def _loaded(path: Path) -> tuple[ctypes.CDLL | None, str | None]:
     try:
-        library = ctypes.CDLL(str(path))
-        version = library.film_abi_version()
+        loaded = ctypes.CDLL(str(to_load(path)))
+        version = loaded.film_abi_version()
     except (OSError, AttributeError) as error:
         return None, f"{path.name} cannot be loaded ({error})."
     if version != ABI_VERSION:
         return None, f"{path.name} has interface {version}, but {ABI_VERSION} is needed."
-    library.film_last_error.restype = ctypes.c_char_p
-    library.film_destroy.argtypes = [ctypes.c_void_p]
-    library.film_destroy.restype = None
-    return library, None
+    loaded.film_last_error.restype = ctypes.c_char_p
+    loaded.film_destroy.argtypes = [ctypes.c_void_p]
+    loaded.film_destroy.restype = None
+    return loaded, None
 
 
 def problem_with_library() -> str | None:
@@ -88,10 +94,10 @@ def problem_with_library() -> str | None:
 
 
 def _library() -> ctypes.CDLL:
-    library, why = _load()
-    if library is None:
+    loaded, why = _load()
+    if loaded is None:
         raise SolverError(f"The native solver is not available: {why} Use the NumPy solver.")
-    return library
+    return loaded
 
 
 def _pointer(array: np.ndarray | None) -> ctypes.c_void_p | None:  # type: ignore[type-arg]

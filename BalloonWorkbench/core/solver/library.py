@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where the native library is: beside the workbench, built here or released, or in a package of its own.
+
+On Windows a library that is in use cannot be deleted, and an addon is updated by deleting its folder; so a
+copy is loaded, from the user's data folder, named by what is in it.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import importlib.util
+import os
+import platform
+import shutil
+import sys
+import tempfile
+from collections.abc import Iterator
+from pathlib import Path
+
+#: A Python package with the library of this platform alone.
+PACKAGE = "film_balloon_native"
+_NAMES = {"win32": "film_solver.dll", "darwin": "libfilm_solver.dylib"}
+_SYSTEMS = {"win32": "windows", "darwin": "macos", "linux": "linux"}
+_MACHINES = {"amd64": "x86_64", "x64": "x86_64", "arm64": "aarch64"}
+
+
+def file_name() -> str:
+    """The library's file name on this system."""
+    return _NAMES.get(sys.platform, "libfilm_solver.so")
+
+
+def platform_name() -> str:
+    """Name of the folder with the released library of this platform, such as linux-x86_64."""
+    machine = platform.machine().lower()
+    return f"{_SYSTEMS.get(sys.platform, sys.platform)}-{_MACHINES.get(machine, machine)}"
+
+
+def candidates(folder: Path) -> Iterator[Path]:
+    """The libraries that are there, best first: built here, released with the workbench, installed.
+
+    folder  of the workbench's own libraries
+    """
+    places = [folder, folder / platform_name()]
+    package = importlib.util.find_spec(PACKAGE)
+    places += map(Path, (package and package.submodule_search_locations) or ())
+    for place in places:
+        path = place / file_name()
+        if path.is_file():
+            yield path
+
+
+def to_load(path: Path) -> Path:
+    """The file to load for a library: itself, or on Windows a copy of it that no update needs to delete."""
+    return copied(path, _data_folder()) if sys.platform == "win32" else path
+
+
+def copied(path: Path, folder: Path) -> Path:
+    """A copy of a file under `folder`, made unless it is there; the file itself where it cannot be made.
+
+    Copies of other contents are removed, but those that another FreeCAD uses.
+    """
+    try:
+        content = path.read_bytes()
+        home = folder / hashlib.sha256(content).hexdigest()[:16]
+        target = home / path.name
+        if not (target.is_file() and target.read_bytes() == content):
+            home.mkdir(parents=True, exist_ok=True)
+            number, part = tempfile.mkstemp(dir=home)
+            with os.fdopen(number, "wb") as file:
+                file.write(content)
+            os.replace(part, target)
+        for other in folder.iterdir():
+            if other != home:
+                shutil.rmtree(other, ignore_errors=True)
+    except OSError:
+        return path
+    return target
+
+
+def _data_folder() -> Path:
+    local = os.environ.get("LOCALAPPDATA")
+    return (Path(local) if local else Path.home() / "AppData" / "Local") / "FilmBalloon" / "native"
