@@ -5,7 +5,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from pathlib import Path
+
+import numpy as np
 
 from BalloonWorkbench.app import balloon, create, pattern, status
 from BalloonWorkbench.app.create import Parts
@@ -13,6 +16,8 @@ from BalloonWorkbench.app.outline import set_drawing
 from BalloonWorkbench.app.solve import Request
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.job import Settings
+from BalloonWorkbench.core.outline.passages import linked
+from BalloonWorkbench.core.pattern.make import Wanted
 from BalloonWorkbench.core.types import Progress, no_progress
 
 #: Name of the text in a PNG file that holds the strokes.
@@ -32,6 +37,65 @@ class Solved:
     told: tuple[dict, ...]
 
 
+@dataclass(frozen=True)
+class Artwork:
+    """What is painted on a balloon: a picture with its scale and place in the drawing.
+
+    rgba    (h, w, 4) uint8, upright; alpha 0 where the film is bare
+    corner  (2,) mm, its lower left corner in the frame of the Outline
+    pixel   mm, side of a pixel
+    """
+
+    rgba: np.ndarray
+    corner: np.ndarray
+    pixel: float
+
+    def places(self, points) -> np.ndarray:
+        """Where points (n, 2) mm of the drawing are in the picture (n, 2), 0 to 1, y up."""
+        height, width = self.rgba.shape[:2]
+        return (np.asarray(points, dtype=float)[:, :2] - self.corner) / (
+            self.pixel * np.array([width, height])
+        )
+
+
+def artwork(outline) -> Artwork | None:
+    """The painting of an Outline object, of its own or of the one whose drawing it shares.
+
+    None where there is none: an outline from a sketch, a vector drawing, a photo.
+    """
+    from BalloonWorkbench.app.outline import leader
+
+    first = leader(outline)
+    if first.Source or not is_painting(first.Drawing):
+        return None
+    return place(first.Drawing, first.Width.Value, first.Height.Value)
+
+
+def place(path, width: float, height: float = 0.0) -> Artwork | None:
+    """The picture in a painting's file, which becomes so wide or high in mm; None where it has no shape."""
+    found = _placed(Path(path).read_bytes())
+    if found is None:
+        return None
+    rgba, corner, size = found
+    pixel = width / size[0] if width else height / size[1]
+    return Artwork(rgba, -pixel * corner, pixel)
+
+
+@lru_cache(maxsize=4)
+def _placed(content: bytes):
+    """Pixels of a painting, where its drawing begins in them (2,), y up, and how large it is (2,) [px]."""
+    from BalloonWorkbench.app.qt_picture import decode_bytes
+    from BalloonWorkbench.core.errors import BalloonError
+    from BalloonWorkbench.core.outline.picture import placed_drawing
+
+    rgba = decode_bytes(content)
+    try:
+        drawing, corner = placed_drawing(rgba)
+    except BalloonError:
+        return None
+    return rgba, corner, drawing.size
+
+
 def is_painting(path) -> bool:
     """Whether a file comes from the paint window: its strokes can be edited again."""
     try:
@@ -45,7 +109,7 @@ def solve(
     path: Path,
     width: float,
     settings: Settings,
-    sheet: dict | None = None,
+    sheet: Wanted | None = None,
     progress: Progress = no_progress,
 ) -> Solved:
     """Design the balloons of a painting [width in mm]; may run in another thread.
@@ -60,7 +124,8 @@ def solve(
     drawing, kind = read_drawing(str(path), width, 0.0, symmetry=settings.symmetry)
     count = len(drawing.parts)
     requests, designs, told = [], [], []
-    for number, outline in enumerate(drawing.parts):
+    for number, drawn in enumerate(drawing.parts):
+        outline = linked(drawn, settings.passage)
         alike = settings if number == 0 else replace(settings, goal=None)
         request = Request(Source(path.name, kind, outline), alike)
         design = request.solve(
@@ -71,15 +136,16 @@ def solve(
         told.append(balloon.describe(request, design))
         if sheet is not None:
             _prepare(design.pattern, settings.film.seal_width, sheet)
+    place(path, width)  # the window will ask for it, and shall not wait
     return Solved(tuple(requests), tuple(designs), tuple(told))
 
 
-def _prepare(seam, seal_width: float, sheet: dict) -> None:
+def _prepare(seam, seal_width: float, sheet: Wanted) -> None:
     from BalloonWorkbench.core.errors import InputError
-    from BalloonWorkbench.core.pattern.build import build_pattern
+    from BalloonWorkbench.core.pattern.make import make_pattern
 
     try:
-        contours = build_pattern(seam, seal_width, **sheet).contours
+        contours = make_pattern(seam, seal_width, sheet).contours
     except InputError:  # the pattern object will say what is wrong
         return
     for contour in contours:

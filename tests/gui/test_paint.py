@@ -74,9 +74,52 @@ def window(doc):
 
 def mouse(canvas, kind, place, button=Qt.LeftButton, held=Qt.LeftButton):
     """One mouse event at a place of the paper, 0 to 1, y down."""
-    at = canvas.to_screen(hands.QtCore.QPointF(place[0] * SIDE, place[1] * SIDE))
+    at = canvas.paper.to_screen(hands.QtCore.QPointF(place[0] * SIDE, place[1] * SIDE))
     there = hands.QtCore.QPointF(canvas.mapToGlobal(at.toPoint()))
     event = hands.QtGui.QMouseEvent(kind, at, at, there, button, held, Qt.NoModifier)
+    hands.QtWidgets.QApplication.sendEvent(canvas, event)
+
+
+def tablet(canvas, kind, place, pressure, rubber=False):
+    """One event of a tablet's pen, or of its rubber end."""
+    gui = hands.QtGui
+    at = canvas.paper.to_screen(hands.QtCore.QPointF(place[0] * SIDE, place[1] * SIDE))
+    there = hands.QtCore.QPointF(canvas.mapToGlobal(at.toPoint()))
+    button = Qt.LeftButton if kind != QEvent.TabletMove else Qt.NoButton
+    held = Qt.NoButton if kind == QEvent.TabletRelease else Qt.LeftButton
+    if hasattr(gui, "QPointingDevice"):  # Qt 6
+        types = gui.QPointingDevice.PointerType
+        device = gui.QPointingDevice(
+            "pen",
+            1,
+            gui.QInputDevice.DeviceType.Stylus,
+            types.Eraser if rubber else types.Pen,
+            gui.QInputDevice.Capability.Pressure,
+            1,
+            2,
+        )
+        event = gui.QTabletEvent(
+            kind, device, at, there, pressure, 0.0, 0.0, 0.0, 0.0, 0.0, Qt.NoModifier, button, held
+        )
+    else:
+        end = gui.QTabletEvent.Eraser if rubber else gui.QTabletEvent.Pen
+        event = gui.QTabletEvent(
+            kind,
+            at,
+            there,
+            gui.QTabletEvent.Stylus,
+            end,
+            pressure,
+            0,
+            0,
+            0.0,
+            0.0,
+            0,
+            Qt.NoModifier,
+            1,
+            button,
+            held,
+        )
     hands.QtWidgets.QApplication.sendEvent(canvas, event)
 
 
@@ -234,8 +277,8 @@ def test_undo_redo_mirror_zoom_and_keys(window):
     key(canvas, Qt.Key_Z, modifiers=Qt.ControlModifier)
     key(canvas, Qt.Key_M, "m")
     key(canvas, Qt.Key_E, "e")
-    assert canvas.tool.name == "eraser"
-    assert not canvas.mirror
+    assert canvas.hand.tool.name == "eraser"
+    assert not canvas.hand.mirror
     draw(canvas, [(0.14, 0.5), (0.15, 0.5)])
     assert colour_at(window, 0.14, 0.5)[3] == 0
     for _ in range(20):  # beyond the copies that undo begins from
@@ -245,21 +288,21 @@ def test_undo_redo_mirror_zoom_and_keys(window):
         press_undo(window)
     assert window.painting.is_empty()
     assert not hands.find("PaintUndo").isEnabled()
-    place, zoom = hands.QtCore.QPointF(300, 200), canvas.zoom
-    fixed = canvas.to_paper(place)
+    place, zoom = hands.QtCore.QPointF(300, 200), canvas.paper.zoom
+    fixed = canvas.paper.to_paper(place)
     wheel(canvas, place, 240)
-    assert canvas.zoom == pytest.approx(zoom * 1.5625)
-    assert (canvas.to_paper(place) - fixed).manhattanLength() < 1e-6
-    held = canvas.to_paper(place)
+    assert canvas.paper.zoom == pytest.approx(zoom * 1.5625)
+    assert (canvas.paper.to_paper(place) - fixed).manhattanLength() < 1e-6
+    held = canvas.paper.to_paper(place)
     for kind, at in (
         (QEvent.MouseButtonPress, 0.5),
         (QEvent.MouseMove, 0.6),
         (QEvent.MouseButtonRelease, 0.6),
     ):
         mouse(canvas, kind, (at, at), Qt.MiddleButton, Qt.MiddleButton)
-    assert (canvas.to_paper(place) - held).manhattanLength() > 50
+    assert (canvas.paper.to_paper(place) - held).manhattanLength() > 50
     press("PaintFit")
-    assert canvas.zoom == pytest.approx(zoom)
+    assert canvas.paper.zoom == pytest.approx(zoom)
 
 
 def press_undo(window):
@@ -286,16 +329,16 @@ def test_a_fill_does_not_run_out_and_a_line_bends(window):
     press("PaintFill")
     click(canvas, (0.5, 0.5))
     assert window.painting.is_empty()
-    assert "close the line" in window.hint.text()
+    assert "close the line" in window.form.hint.text()
     press("PaintLine")
     draw(canvas, [(0.2, 0.6), (0.5, 0.6), (0.8, 0.6)])
-    assert canvas.is_drawing()
+    assert canvas.hand.stroke is not None
     mouse(canvas, QEvent.MouseMove, (0.5, 0.3), Qt.NoButton, Qt.NoButton)
     click(canvas, (0.5, 0.3))
-    assert not canvas.is_drawing()
+    assert canvas.hand.stroke is None
     assert colour_at(window, 0.5, 0.3) == rgba(BLACK)
     assert colour_at(window, 0.5, 0.6)[3] == 0
-    hands.wait_until(lambda: "it is a line" in window.hint.text(), 5)
+    hands.wait_until(lambda: "it is a line" in window.form.hint.text(), 5)
     assert not window.scene.is_shown()
     press("PaintMake")  # nothing can be made of it, and it says so
     hands.wait_until(lambda: not window.making, 20)
@@ -303,14 +346,64 @@ def test_a_fill_does_not_run_out_and_a_line_bends(window):
 
 
 def test_pressure_of_a_tablet_is_the_width(window):
-    canvas = window.canvas
-    canvas.begin(canvas.to_screen(hands.QtCore.QPointF(200, 300)), 1.0)
+    canvas, thickness = window.canvas, window.hand.thickness
+    tablet(canvas, QEvent.TabletPress, (0.2, 0.3), 1.0)
     for x in range(220, 800, 20):
-        canvas.move(canvas.to_screen(hands.QtCore.QPointF(x, 300)), 1.0 if x < 500 else 0.1)
-    canvas.end()
+        tablet(canvas, QEvent.TabletMove, (x / SIDE, 0.3), 1.0 if x < 500 else 0.1)
+    tablet(canvas, QEvent.TabletRelease, (0.78, 0.3), 0.0)
+    assert len(window.painting.steps) == 1
     ink = pixels(window.painting.image)[..., 3] > 127
-    assert ink[:, 300].sum() == pytest.approx(canvas.thickness, abs=1)
-    assert ink[:, 700].sum() == pytest.approx(0.55 * canvas.thickness, abs=1)
+    assert ink[:, 300].sum() == pytest.approx(thickness, abs=1)
+    assert ink[:, 700].sum() == pytest.approx(0.55 * thickness, abs=1)
+    for kind, x in ((QEvent.TabletPress, 0.4), (QEvent.TabletMove, 0.5), (QEvent.TabletRelease, 0.5)):
+        tablet(canvas, kind, (x, 0.3), 1.0, rubber=True)
+    ink = pixels(window.painting.image)[..., 3] > 127
+    assert not ink[:, 450].any()
+    assert ink[:, 300].any()
+
+
+def test_a_click_widens_an_arm_that_is_too_thin(window):
+    canvas = window.canvas
+    press(f"PaintColour{RED}")
+    arm = [(0.46, 0.494), (0.60, 0.494)]
+    left, right = dot(0.3, 0.5, 0.18, 3, 357), dot(0.75, 0.5, 0.15, 178, -178)
+    draw(canvas, [*arm, *right, (0.60, 0.506), (0.46, 0.506), *left])
+    hands.wait_until(lambda: canvas.thin.asked() is not None, 20)
+    remark = canvas.thin.remarks[canvas.thin.asked()]
+    assert "too thin" in remark.question
+    before = arm_width(window)
+    assert abs(remark.step.was - before) < 4
+    image = hands.screenshot("paint-thin")
+    steps = len(window.painting.steps)
+    place = canvas.thin.question_place()
+    for kind, held in ((QEvent.MouseButtonPress, Qt.LeftButton), (QEvent.MouseButtonRelease, Qt.NoButton)):
+        there = hands.QtCore.QPointF(canvas.mapToGlobal(place.toPoint()))
+        event = hands.QtGui.QMouseEvent(kind, place, place, there, Qt.LeftButton, held, Qt.NoModifier)
+        hands.QtWidgets.QApplication.sendEvent(canvas, event)
+    assert len(window.painting.steps) == steps + 1
+    assert arm_width(window) == pytest.approx(before + remark.step.wanted - remark.step.was, abs=3)
+    wide = pixels(window.painting.image)
+    hands.wait_until(window.live.is_settled, 40)
+    hands.screenshot("paint-widened")
+    assert not [told for told in canvas.thin.remarks if told.step is not None]
+    press("PaintUndo")
+    assert arm_width(window) == before
+    press("PaintRedo")
+    assert (pixels(window.painting.image) == wide).all()
+    assert image.width() > 0
+
+
+def arm_width(window):
+    """Of the arm in the middle, with its lines, in px."""
+    inked = pixels(window.painting.image)[:, 540, 3] > 127
+    rows = [row for row in range(300, 700) if inked[row]]
+    return rows[-1] - rows[0] + 1
+
+
+def dot(x, y, r, start, end, count=30):
+    """Part of a circle, angles in degrees, y down."""
+    turns = [math.radians(start + (end - start) * k / count) for k in range(count + 1)]
+    return [(x + r * math.cos(turn), y + r * math.sin(turn)) for turn in turns]
 
 
 def test_a_picture_is_paint_or_backdrop(window):
@@ -327,13 +420,13 @@ def test_a_picture_is_paint_or_backdrop(window):
     assert colour_at(window, 0.5, 0.5)[3] == 255
     hands.wait_until(window.scene.is_shown, 5)
     window.put_picture(Path("README.md"))
-    assert "not a picture" in window.hint.text()
+    assert "not a picture" in window.form.hint.text()
 
 
 def test_painting_comes_back_by_double_click(doc, window, tmp_path):
     press(f"PaintColour{RED}")
     draw(window.canvas, ellipse(0.5, 0.5, 0.3, 0.2))
-    hands.type_into(window.width_field, "200 mm")
+    hands.type_into(window.form.width_field, "200 mm")
     press("PaintMake")
     hands.wait_until(lambda: not paint_window._open, 40)
     height = doc.Outline.SizeY.Value

@@ -5,9 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from BalloonWorkbench.app.outline import leader
-from BalloonWorkbench.app.painting import is_painting
-from BalloonWorkbench.app.qt_picture import pixels
+from BalloonWorkbench.app.painting import artwork
 from BalloonWorkbench.gui.paint.scene import film_nodes
 from BalloonWorkbench.gui.qt import QtGui
 
@@ -32,13 +30,11 @@ class PaintedFilm:
         if not points:
             return
         positions = np.array([tuple(point) for point in points])
-        picture = QtGui.QImage(1, 1, QtGui.QImage.Format_ARGB32)
-        picture.fill(0)
-        places = np.zeros((len(positions), 2))
-        drawing = leader(obj.Outline) if obj.Outline else None
-        if drawing is not None and is_painting(drawing.Drawing):
-            picture = QtGui.QImage(drawing.Drawing)
-            places = _places(positions, drawing, picture)
+        art = artwork(obj.Outline) if obj.Outline else None
+        rgba = np.zeros((1, 1, 4), np.uint8) if art is None else art.rgba
+        places = np.zeros((len(positions), 2)) if art is None else art.places(positions)
+        height, width = rgba.shape[:2]
+        picture = QtGui.QImage(rgba.tobytes(), width, height, 4 * width, QtGui.QImage.Format_RGBA8888)
         film, mesh = coin.SoSeparator(), coin.SoIndexedFaceSet()
         corners, painted = coin.SoCoordinate3(), coin.SoTextureCoordinate2()
         corners.point.setValues(0, len(positions), positions.tolist())
@@ -48,12 +44,3 @@ class PaintedFilm:
         for child in (*film_nodes(coin, picture), corners, painted, mesh):
             film.addChild(child)
         self._node.addChild(film)
-
-
-def _places(positions, drawing, picture) -> np.ndarray:
-    """Where each point (n, 3) mm of the balloon is in the picture (n, 2), 0 to 1, y up."""
-    rows, columns = np.nonzero(pixels(picture)[..., 3] > 127)
-    width, height = columns.max() + 1 - columns.min(), rows.max() + 1 - rows.min()
-    scale = width / drawing.Width.Value if drawing.Width.Value else height / drawing.Height.Value
-    corner = columns.min(), picture.height() - 1 - rows.max()
-    return (corner + scale * positions[:, :2]) / (picture.width(), picture.height())

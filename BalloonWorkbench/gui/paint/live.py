@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The balloon follows the painting: a glance after every stroke, a study when the pen rests.
+"""The balloon follows the painting: a glance after every stroke, the coach and a study when the pen rests.
 
-Both work in threads. The newest painting counts: what was found for an older one is shown only as long as
+They work in threads. The newest painting counts: what was found for an older one is shown only as long as
 nothing newer is there.
 """
 
@@ -14,12 +14,14 @@ from pathlib import Path
 from BalloonWorkbench.app.pattern import usual_values
 from BalloonWorkbench.core.errors import Cancelled
 from BalloonWorkbench.core.job import Settings
-from BalloonWorkbench.gui.paint.look import Glance, Look, Study
+from BalloonWorkbench.gui.paint.look import Look
 from BalloonWorkbench.gui.paint.painting import Painting
+from BalloonWorkbench.gui.paint.requests import Counsel, Glance, Study
 from BalloonWorkbench.gui.qt import QtCore
 from BalloonWorkbench.gui.worker import Worker
 
 REST = 600  # ms without a change, then the study begins
+_PAUSE = 200  # ms after a glance without a change, then the coach looks
 _WHILE_DRAWING = 250  # ms between glances during a stroke
 _PART = 0.03  # of the study between two signs of progress
 
@@ -32,6 +34,7 @@ class Live(QtCore.QObject):
     """
 
     found = QtCore.Signal(object)
+    advised = QtCore.Signal(object)
     refused = QtCore.Signal(str)
     empty = QtCore.Signal()
     progressed = QtCore.Signal(float)
@@ -46,6 +49,7 @@ class Live(QtCore.QObject):
         self.delays: list[float] = []
         self._folder = tempfile.TemporaryDirectory()
         self._glance: Worker | None = None
+        self._counsel: Worker | None = None
         self._study: Worker | None = None
         self._retired: list[Worker] = []
         self._dirty = False
@@ -53,6 +57,7 @@ class Live(QtCore.QObject):
         self._changed_at = 0.0
         self._rest = self._timer(REST, self.study)
         self._soon = self._timer(_WHILE_DRAWING, self._begin_glance)
+        self._pause = self._timer(_PAUSE, self._begin_counsel)
 
     def changed(self) -> None:
         """A step is done: look at once, and closer when nothing more happens."""
@@ -112,15 +117,14 @@ class Live(QtCore.QObject):
 
     def stop(self) -> None:
         """End all work; waits for the engine's next step."""
-        self._rest.stop()
-        self._soon.stop()
-        for worker in (self._glance, self._study, *self._retired):
-            if worker is not None:
-                worker.stop()
-        for worker in (self._glance, self._study, *self._retired):
-            if worker is not None:
-                worker.wait()
-        self._glance = self._study = None
+        for timer in (self._rest, self._soon, self._pause):
+            timer.stop()
+        working = [self._glance, self._counsel, self._study, *self._retired]
+        for worker in filter(None, working):
+            worker.stop()
+        for worker in filter(None, working):
+            worker.wait()
+        self._glance = self._counsel = self._study = None
         self._retired.clear()
 
     def _timer(self, interval: int, action):
@@ -137,6 +141,7 @@ class Live(QtCore.QObject):
 
     def _begin_glance(self) -> None:
         self._soon.stop()
+        self._pause.stop()
         if self._glance is not None:
             return
         self._dirty = False
@@ -163,6 +168,25 @@ class Live(QtCore.QObject):
             self._take(worker)
         if self._dirty:
             self._begin_glance()
+        elif newest and self._rest.isActive():
+            self._pause.start()
+
+    def _begin_counsel(self) -> None:
+        look = self.latest
+        if self._counsel is None and look is not None and look.solved is None:
+            self._counsel = self._begin(Counsel(look, self.settings), self._counsel_done)
+            self._counsel.start(QtCore.QThread.LowPriority)
+
+    def _counsel_done(self, worker: Worker) -> None:
+        if worker is not self._counsel:
+            return
+        self._counsel = None
+        worker.deleteLater()
+        if worker.request.revision != self.painting.revision:
+            if not self._dirty and self._rest.isActive():
+                self._pause.start()
+        elif worker.design is not None and not self.is_settled():
+            self.advised.emit(worker.design)
 
     def _study_done(self, worker: Worker) -> None:
         worker.deleteLater()

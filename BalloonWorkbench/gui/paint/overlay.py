@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Over the painting: the outline that was found, its width, and the places that will not inflate well."""
+"""Over the painting: the outline that was found, and its width."""
 
 from __future__ import annotations
 
@@ -7,8 +7,6 @@ from BalloonWorkbench.gui.paint.painting import SIDE
 from BalloonWorkbench.gui.qt import QtCore, QtGui
 
 _OUTLINE = "#00a5c8"
-_WARNING = "#ff7a00"
-_RING = 26.0  # px on the screen
 _BELOW = 16.0  # px on the screen between the shape and its width
 
 
@@ -19,7 +17,7 @@ class Overlay:
         self.clear()
 
     def show(self, look, width: str) -> None:
-        """Take a look's outlines and remarks; width: as text."""
+        """Take a look's outlines; width: as text."""
         self._path = QtGui.QPainterPath()
         for loop in look.loops:
             x, y = loop[:, 0] * SIDE, (1.0 - loop[:, 1]) * SIDE
@@ -27,30 +25,22 @@ class Overlay:
             self._path.addPolygon(QtGui.QPolygonF(corners))
             self._path.closeSubpath()
         self._width = width
-        self._places = [
-            QtCore.QPointF(x * SIDE, (1.0 - y) * SIDE)
-            for severity, _, (x, y) in look.remarks
-            if severity != "hint"
-        ]
 
     def clear(self) -> None:
-        self._path, self._places, self._width = QtGui.QPainterPath(), [], ""
+        self._path, self._width = QtGui.QPainterPath(), ""
 
     def paint(self, painter, canvas) -> None:
         """Draw over a canvas, in its coordinates."""
         if self._path.isEmpty():
             return
         transform = QtGui.QTransform()
-        transform.translate(canvas.origin().x(), canvas.origin().y())
-        transform.scale(canvas.zoom, canvas.zoom)
+        transform.translate(canvas.paper.origin().x(), canvas.paper.origin().y())
+        transform.scale(canvas.paper.zoom, canvas.paper.zoom)
         path = transform.map(self._path)
         painter.setBrush(QtCore.Qt.NoBrush)
         for colour, width in (("#ffffff", 3.0), (_OUTLINE, 1.4)):
             painter.setPen(QtGui.QPen(QtGui.QColor(colour), width))
             painter.drawPath(path)
-        painter.setPen(QtGui.QPen(QtGui.QColor(_WARNING), 3.0))
-        for place in self._places:
-            painter.drawEllipse(transform.map(place), _RING, _RING)
         self._paint_width(painter, path.boundingRect())
 
     def _paint_width(self, painter, box) -> None:

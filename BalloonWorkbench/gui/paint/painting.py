@@ -14,7 +14,8 @@ from pathlib import Path
 from BalloonWorkbench.app.painting import KEY
 from BalloonWorkbench.app.qt_picture import pixels
 from BalloonWorkbench.core.errors import PictureError
-from BalloonWorkbench.gui.paint.strokes import KINDS, Picture
+from BalloonWorkbench.gui.paint.steps import KINDS
+from BalloonWorkbench.gui.paint.strokes import Picture
 from BalloonWorkbench.gui.qt import QtCore, QtGui, translate
 
 SIDE = 1000  # px; a quarter of a millimetre on a balloon of 250 mm

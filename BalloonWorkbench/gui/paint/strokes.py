@@ -87,6 +87,16 @@ class Stroke:
             path.quadTo(_at(self.points[number - 1]), _middle(self.points, number))
         return path, width
 
+    def paint_whole(self, painter, side: float) -> None:
+        """Draw all of it as one line on a paper of this side: a look at what is not on the image yet."""
+        path = QtGui.QPainterPath(_at(self.points[0]))
+        for point in self.points[1:]:
+            path.lineTo(_at(point))
+        line = _pen(QtGui.QColor(self.colour), self.points[0][2])
+        painter.strokePath(path, line)
+        if self.mirror:
+            painter.strokePath(QtGui.QTransform(-1, 0, 0, 1, side, 0).map(path), line)
+
     def data(self) -> dict:
         """For the file."""
         points = [[round(value, 2) for value in point] for point in self.points]
@@ -151,15 +161,22 @@ class Picture:
 
     content: bytes
     tool: str = "picture"
+    _image: object = field(default=None, repr=False, compare=False)
 
     def paint(self, image) -> None:
         painter = QtGui.QPainter(image)
         self.draw(painter, QtCore.QRectF(image.rect()))
         painter.end()
 
+    def _unpacked(self):
+        """A backdrop is drawn with every movement of the pointer: unpacked once."""
+        if self._image is None:
+            self._image = QtGui.QImage.fromData(self.content)
+        return self._image
+
     def draw(self, painter, room) -> None:
         """Draw it in the middle of a rectangle."""
-        picture = QtGui.QImage.fromData(self.content)
+        picture = self._unpacked()
         size = QtCore.QSizeF(picture.size())
         size.scale(room.size(), QtCore.Qt.KeepAspectRatio)
         place = QtCore.QRectF(QtCore.QPointF(), size)
@@ -192,17 +209,6 @@ class Clear:
     @classmethod
     def from_data(cls, data: dict) -> Clear:
         return cls()
-
-
-KINDS = {
-    PEN: Stroke,
-    BRUSH: Stroke,
-    ERASER: Stroke,
-    LINE: Stroke,
-    FILL: Fill,
-    "picture": Picture,
-    "clear": Clear,
-}
 
 
 def _region(image, x: float, y: float):

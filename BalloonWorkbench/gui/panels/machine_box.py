@@ -61,6 +61,13 @@ class MachineBox(QtWidgets.QWidget):
         divided = self.pages.isVisibleTo(self) and self.pages.currentIndex() > 0
         return self.pages.currentText() if divided else None
 
+    def choose(self, name: str, paper: str | None = None) -> None:
+        """Take a machine by its name and, where it prints, the paper to divide the pattern on."""
+        names = [None, *(known.name for known in self.known[1:])]
+        self.choice.setCurrentIndex(names.index(name))
+        if paper is not None:
+            self.pages.setCurrentText(paper)
+
     def show_for(self, pattern) -> None:
         """What the chosen machine makes of a pattern object."""
         self.pattern = pattern

@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The frame of the paint window: it takes the left half of FreeCAD's window, and gives the room back."""
+
+from __future__ import annotations
+
+import FreeCADGui as Gui
+
+from BalloonWorkbench.gui.qt import QtCore, QtWidgets, drawn_icon
+
+_SHARE = 0.5  # of the main window
+
+
+class PaintDock(QtWidgets.QDockWidget):
+    """A dock widget with tools at the left, a bar above, a canvas and a form below.
+
+    `leave` is called whenever it closes; `finish` closes it for good.
+    """
+
+    def __init__(self, title: str):
+        super().__init__(title, Gui.getMainWindow())
+        self.setObjectName("BalloonPaint")
+        self.setWindowIcon(drawn_icon("paint"))
+        self._neighbours: list = []
+
+    def fill(self, above, left, canvas, below) -> None:
+        """Put the widgets in their places."""
+        body = QtWidgets.QWidget()
+        room = QtWidgets.QGridLayout(body)
+        room.setContentsMargins(4, 4, 4, 4)
+        room.addWidget(above, 0, 0, 1, 2)
+        room.addWidget(left, 1, 0)
+        room.addWidget(canvas, 1, 1)
+        room.addWidget(below, 2, 0, 1, 2)
+        room.setColumnStretch(1, 1)
+        room.setRowStretch(1, 1)
+        self.setWidget(body)
+
+    def reveal(self) -> None:
+        """Show it; the panels beside it become as narrow as they can."""
+        main = Gui.getMainWindow()
+        if self.parent() is None or main.dockWidgetArea(self) == QtCore.Qt.NoDockWidgetArea:
+            main.addDockWidget(QtCore.Qt.LeftDockWidgetArea, self, QtCore.Qt.Horizontal)
+        if not self.isVisible():
+            others = [dock for dock in main.findChildren(QtWidgets.QDockWidget) if dock.isVisible()]
+            self._neighbours = [
+                (dock, dock.width())
+                for dock in others
+                if dock is not self and main.dockWidgetArea(dock) == QtCore.Qt.LeftDockWidgetArea
+            ]
+        self.show()
+        self.raise_()
+        main.resizeDocks([self], [int(_SHARE * main.width())], QtCore.Qt.Horizontal)
+
+    def closeEvent(self, event):
+        """Put aside; the painting is kept for the next time."""
+        self.leave()
+        super().closeEvent(event)
+        QtCore.QTimer.singleShot(0, self._give_back)
+
+    def leave(self) -> None:
+        """What a window does when it closes."""
+
+    def finish(self) -> None:
+        """Close for good."""
+        Gui.getMainWindow().removeDockWidget(self)
+        self._give_back()
+        self.deleteLater()
+
+    def _give_back(self) -> None:
+        """The panels beside it are as wide as before, and the 3D view has the room."""
+        docks = [(dock, width) for dock, width in self._neighbours if dock.isVisible()]
+        if docks:
+            Gui.getMainWindow().resizeDocks(*map(list, zip(*docks)), QtCore.Qt.Horizontal)

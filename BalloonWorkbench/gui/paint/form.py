@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What stands under the canvas: how far the work is, a hint, the width, the numbers, and "Make it!"."""
+
+from __future__ import annotations
+
+import FreeCAD as App
+
+from BalloonWorkbench.app.quantities import cubic_millimetres
+from BalloonWorkbench.gui.panels.fields import new_quantity_box
+from BalloonWorkbench.gui.qt import QtCore, QtWidgets, drawn_icon, translate
+
+
+class Form(QtWidgets.QWidget):
+    """`widened` carries the width in mm that was typed, `made` the wish for the balloon."""
+
+    widened = QtCore.Signal(float)
+    made = QtCore.Signal()
+
+    def __init__(self, width: float, parent=None):
+        super().__init__(parent)
+        self.width_field = new_quantity_box()
+        self.width_field.setObjectName("PaintWidth")
+        self.width_field.setProperty("unit", "mm")
+        self.width_field.setProperty("minimum", 1.0)
+        self.width_field.setProperty("singleStep", 10.0)
+        self.width_field.setProperty("rawValue", width)
+        self.width_field.setKeyboardTracking(False)
+        self.width_field.setToolTip(translate("Width of the balloon when it is inflated"))
+        QtCore.QObject.connect(self.width_field, QtCore.SIGNAL("valueChanged(double)"), self.widened.emit)
+        self.numbers = _label("PaintNumbers")
+        self.hint = _label("PaintHint")
+        self.hint.setWordWrap(True)
+        self.hint.setSizePolicy(QtWidgets.QSizePolicy.Ignored, QtWidgets.QSizePolicy.Preferred)
+        self.bar = QtWidgets.QProgressBar()
+        self.bar.setTextVisible(False)
+        self.bar.setMaximumHeight(4)
+        self.bar.setRange(0, 1000)
+        self.make_button = QtWidgets.QPushButton(translate("Make it!"))
+        self.make_button.setObjectName("PaintMake")
+        self.make_button.setIcon(drawn_icon("balloon"))
+        self.make_button.setIconSize(QtCore.QSize(24, 24))
+        self.make_button.setToolTip(
+            translate("Put outline, balloon and pattern into the document, and print the pattern")
+        )
+        font = self.make_button.font()
+        font.setBold(True)
+        self.make_button.setFont(font)
+        self.make_button.clicked.connect(lambda _checked=False: self.made.emit())
+        below = QtWidgets.QHBoxLayout()
+        below.addWidget(QtWidgets.QLabel(translate("Width")))
+        below.addWidget(self.width_field)
+        below.addWidget(self.numbers, 1)
+        below.addWidget(self.make_button)
+        column = QtWidgets.QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.addWidget(self.bar)
+        column.addWidget(self.hint)
+        column.addLayout(below)
+
+    def show_width(self, width: float) -> None:
+        """Show a width in mm that came from elsewhere."""
+        blocked = self.width_field.blockSignals(True)
+        self.width_field.setProperty("rawValue", width)
+        self.width_field.blockSignals(blocked)
+
+    def show_look(self, look) -> None:
+        """The numbers of a look; None: there is nothing to measure."""
+        if look is None:
+            self.numbers.setText("")
+            return
+        lengths = [App.Units.Quantity(value, App.Units.Length).UserString for value in look.size]
+        volume = App.Units.Quantity(cubic_millimetres(look.volume), App.Units.Volume).UserString
+        self.numbers.setText(translate("{} x {}, {} thick, {}").format(*lengths, volume))
+
+    def show_progress(self, part: float) -> None:
+        """How far the study is; 1 is done."""
+        self.bar.setValue(round(1000 * part) % 1000)
+
+    def tell(self, text: str) -> None:
+        """One sentence; without one, what to do first."""
+        self.hint.setText(text or translate("Draw a closed line, or paint an area: it becomes a balloon."))
+
+
+def _label(name: str):
+    label = QtWidgets.QLabel()
+    label.setObjectName(name)
+    return label

@@ -1,0 +1,20 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""From a painted balloon straight to paper: the export panel, set to sheets that any printer takes."""
+
+from __future__ import annotations
+
+import FreeCADGui as Gui
+
+from BalloonWorkbench.gui.paint.lengths import is_imperial
+from BalloonWorkbench.gui.panels import is_free
+
+
+def offer(parts) -> None:
+    """Open the export panel on the pattern, in real size on A4 (or Letter): OK writes the file."""
+    from BalloonWorkbench.gui.panels.export import ExportPanel
+    from BalloonWorkbench.gui.parts import patterns
+
+    if is_free():
+        panel = ExportPanel(patterns(parts.pattern.Document), parts.pattern)
+        panel.machine.choose("paper", "Letter" if is_imperial() else "A4")
+        Gui.Control.showDialog(panel)

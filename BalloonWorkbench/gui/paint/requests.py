@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is asked about a painting, each in a worker: a glance, quick and coarse; what the coach thinks of it;
+the study, which the document will have; and a picture without its background."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from BalloonWorkbench.app import painting
+from BalloonWorkbench.app.qt_picture import pixels
+from BalloonWorkbench.core.advice import finding_from
+from BalloonWorkbench.core.coach.coach import advise
+from BalloonWorkbench.core.design.draft import VERTICES, check_area, draft
+from BalloonWorkbench.core.errors import BalloonError, Cancelled, ExportError
+from BalloonWorkbench.core.job import Settings
+from BalloonWorkbench.core.outline.drawing import Drawing
+from BalloonWorkbench.gui.paint.look import Look, contours, drawn, seen, size, skin
+from BalloonWorkbench.gui.paint.painting import SIDE
+from BalloonWorkbench.gui.paint.remarks import Remark, remarks
+from BalloonWorkbench.gui.qt import QtCore, QtGui, translate
+
+_MOST_SHAPES = 6  # at a glance
+_LEAST = 60  # vertices of a small shape
+
+
+@dataclass
+class Glance:
+    """The quick look at an image; width in mm."""
+
+    image: object
+    revision: int
+    width: float
+    settings: Settings
+
+    def solve(self, progress) -> Look:
+        """Raises BalloonError where no balloon can be seen yet."""
+        drawing, frame = seen(self.image, self.width)
+        _go_on(progress)
+        drafts = []
+        for number, part in enumerate(drawing.parts[:_MOST_SHAPES]):
+            vertices = max(_LEAST, int(VERTICES * part.area / drawing.largest.area))
+            try:
+                drafts.append(draft(part, self.settings.film, self.settings.pressure, vertices))
+            except BalloonError:
+                if number == 0:
+                    raise
+            _go_on(progress)
+        largest = drafts[0].inflation
+        return Look(
+            self.revision,
+            tuple(skin(each.inflation, frame.places(each.inflation.panel.rest_positions)) for each in drafts),
+            drawing,
+            frame,
+            contours([each.pattern for each in drafts], self.settings),
+            size(largest),
+            largest.volume,
+        )
+
+
+@dataclass
+class Counsel:
+    """What the coach expects of the balloon that was seen at a glance."""
+
+    look: Look
+    settings: Settings
+
+    @property
+    def revision(self) -> int:
+        """Of the painting."""
+        return self.look.revision
+
+    def solve(self, progress) -> tuple[Remark, ...]:
+        """Raises BalloonError where the shape is of no use, Cancelled when progress says stop."""
+        findings = []
+        for part in self.look.drawing.parts[:_MOST_SHAPES]:
+            _go_on(progress)
+            findings += advise(part, self.settings.film, fitted=self.settings.correct).findings
+        findings.sort(key=lambda finding: -finding.severity.rank)
+        return remarks(findings, self.look.frame, SIDE)
+
+
+@dataclass
+class Study:
+    """The fitted balloons of an image, in the file that the document will have.
+
+    sheet  values of the pattern
+    """
+
+    image: object
+    revision: int
+    width: float
+    settings: Settings
+    sheet: dict
+    file: Path
+
+    def solve(self, progress) -> Look:
+        """Raises BalloonError where there is none, Cancelled when progress says stop."""
+        if not self.image.save(str(self.file), "PNG"):
+            raise ExportError(
+                translate("The painting cannot be written to '{}': is the disk full?").format(self.file)
+            )
+        drawing, frame = seen(self.image, self.width)
+        check_area(drawing.largest)
+        _go_on(progress)
+        solved = painting.solve(self.file, self.width, self.settings, self.sheet, progress)
+        inflations = [design.inflation for design in solved.designs]
+        findings = [finding_from(data) for told in solved.told for data in told["advice"]]
+        findings.sort(key=lambda finding: -finding.severity.rank)
+        return Look(
+            self.revision,
+            tuple(skin(inflation, frame.places(drawn(inflation))) for inflation in inflations),
+            Drawing(tuple(request.source.outline for request in solved.requests)),
+            frame,
+            contours([design.pattern for design in solved.designs], self.settings),
+            size(inflations[0]),
+            inflations[0].volume,
+            remarks(findings, frame, SIDE),
+            solved,
+            self.file,
+        )
+
+
+@dataclass
+class CutOut:
+    """A picture without its background, to be painted on."""
+
+    content: bytes
+
+    def solve(self, progress) -> bytes:
+        """The same picture as PNG, transparent where nothing is drawn. Raises BalloonError."""
+        from BalloonWorkbench.core.outline.segment import segment
+
+        rgba = pixels(QtGui.QImage.fromData(self.content))
+        silhouette, _ = segment(rgba)
+        rgba[..., 3] = np.minimum(np.maximum(rgba[..., 3], 255 * (silhouette > 0.5)), 255 * silhouette)
+        height, width = silhouette.shape
+        image = QtGui.QImage(rgba.tobytes(), width, height, 4 * width, QtGui.QImage.Format_RGBA8888)
+        buffer = QtCore.QBuffer()
+        buffer.open(QtCore.QIODevice.WriteOnly)
+        image.save(buffer, "PNG")
+        return bytes(buffer.data())
+
+
+def _go_on(progress) -> None:
+    if not progress(0.0, ""):
+        raise Cancelled(translate("Stopped."))

@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A step of a painting that widens a thin arm or neck: the paint on both sides of it moves apart."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from BalloonWorkbench.gui.qt import QtCore, QtGui
+
+WIDEN = "widen"
+_RIM = 0.35  # of the half width: lines along the rim move as they are, what lies between them is stretched
+_ROOM = 1.5  # of the way they move, in which what lies beside is pushed together
+_NEVER = 1e9
+
+
+@dataclass
+class Widen:
+    """Widens what lies along a line, and a little beyond its ends, so that the roots become round.
+
+    points       of the middle line (x, y) px
+    was, wanted  width before and after, px
+    mirror       on the other half of the paper too
+    """
+
+    points: list[tuple[float, float]]
+    was: float
+    wanted: float
+    mirror: bool = False
+    tool: str = WIDEN
+
+    def paint(self, image) -> None:
+        line = np.array(self.points, dtype=float)
+        self._paint_along(image, line)
+        if self.mirror and self._is_beside_the_axis(line, image.width()):
+            self._paint_along(image, line * (-1.0, 1.0) + (image.width(), 0.0))
+
+    def _is_beside_the_axis(self, line, side: float) -> bool:
+        away = line[:, 0] - 0.5 * side
+        return bool(abs(away).min() > self.wanted and (away > 0).all() == (away > 0).any())
+
+    def _paint_along(self, image, line) -> None:
+        gain = 0.5 * (self.wanted - self.was)
+        reach = 0.5 * self.wanted * (1.0 + _RIM) + _ROOM * gain
+        low = np.maximum(np.floor(line.min(axis=0) - reach - self.wanted), 0).astype(int)
+        high = np.minimum(
+            np.ceil(line.max(axis=0) + reach + self.wanted), [image.width(), image.height()]
+        ).astype(int)
+        if (high <= low).any():
+            return
+        place = QtCore.QRect(*map(int, low), *map(int, high - low))
+        pixels = _premultiplied(image.copy(place))
+        y, x = np.mgrid[low[1] : high[1], low[0] : high[0]].astype(np.float32) + 0.5
+        nearest_x, nearest_y, away, share = _along(line, x, y, self.wanted)
+        rim = 0.5 * _RIM * self.was
+        taken = np.interp(
+            away,
+            [0.0, 0.5 * self.wanted - rim, 0.5 * self.wanted + rim, reach],
+            [0.0, 0.5 * self.was - rim, 0.5 * self.was + rim, reach],
+        )
+        part = 1.0 + share * (taken / np.maximum(away, 1e-3) - 1.0)
+        part[away >= reach] = 1.0
+        moved = _sampled(
+            pixels,
+            nearest_x + part * (x - nearest_x) - low[0] - 0.5,
+            nearest_y + part * (y - nearest_y) - low[1] - 0.5,
+        )
+        height, width = moved.shape[:2]
+        layer = QtGui.QImage(
+            moved.tobytes(), width, height, 4 * width, QtGui.QImage.Format_RGBA8888_Premultiplied
+        )
+        painter = QtGui.QPainter(image)
+        painter.setCompositionMode(QtGui.QPainter.CompositionMode_Source)
+        painter.drawImage(place.topLeft(), layer)
+        painter.end()
+
+    def data(self) -> dict:
+        """For the file."""
+        return {
+            "tool": WIDEN,
+            "points": [[round(x, 2), round(y, 2)] for x, y in self.points],
+            "was": round(self.was, 3),
+            "wanted": round(self.wanted, 3),
+            "mirror": self.mirror,
+        }
+
+    @classmethod
+    def from_data(cls, data: dict) -> Widen:
+        points = [(float(x), float(y)) for x, y in data["points"]]
+        return cls(points, float(data["was"]), float(data["wanted"]), bool(data["mirror"]))
+
+
+def _along(line, x, y, fade: float):
+    """Nearest place on the line to each pixel, its distance, and how much of the move it gets, 1 to 0.
+
+    The line goes on straight beyond its ends; over the length `fade` there the move dies away.
+    """
+    before = line[0] + fade * _direction(line[0] - line[1])
+    behind = line[-1] + fade * _direction(line[-1] - line[-2])
+    nodes = np.vstack([before, line, behind])
+    shares = np.concatenate([[0.0], np.ones(len(line)), [0.0]])
+    best = np.full(x.shape, _NEVER, np.float32)
+    nearest_x, nearest_y, share = np.zeros_like(x), np.zeros_like(x), np.zeros_like(x)
+    for k in range(len(nodes) - 1):
+        (ax, ay), (dx, dy) = nodes[k], nodes[k + 1] - nodes[k]
+        t = np.clip(((x - ax) * dx + (y - ay) * dy) / max(dx * dx + dy * dy, 1e-9), 0.0, 1.0)
+        px, py = ax + t * dx, ay + t * dy
+        squared = (x - px) ** 2 + (y - py) ** 2
+        nearer = squared < best
+        best = np.where(nearer, squared, best)
+        nearest_x, nearest_y = np.where(nearer, px, nearest_x), np.where(nearer, py, nearest_y)
+        share = np.where(nearer, shares[k] + t * (shares[k + 1] - shares[k]), share)
+    return nearest_x, nearest_y, np.sqrt(best), share * share * (3.0 - 2.0 * share)
+
+
+def _direction(vector):
+    return vector / max(float(np.linalg.norm(vector)), 1e-9)
+
+
+def _premultiplied(image) -> np.ndarray:
+    """Pixels (h, w, 4) uint8 with their colours times alpha: what may be averaged."""
+    image = image.convertToFormat(QtGui.QImage.Format_RGBA8888_Premultiplied)
+    lines = np.frombuffer(image.constBits(), dtype=np.uint8).reshape(image.height(), image.bytesPerLine())
+    return lines[:, : 4 * image.width()].reshape(image.height(), image.width(), 4).copy()
+
+
+def _sampled(pixels, x, y) -> np.ndarray:
+    """The pixels (h, w, 4) at places between them, evenly mixed from the four around."""
+    height, width = pixels.shape[:2]
+    x, y = np.clip(x, 0, width - 1.001), np.clip(y, 0, height - 1.001)
+    column, row = x.astype(int), y.astype(int)
+    right, down = (x - column)[..., None], (y - row)[..., None]
+    column1, row1 = np.minimum(column + 1, width - 1), np.minimum(row + 1, height - 1)
+    above = pixels[row, column] * (1 - right) + pixels[row, column1] * right
+    below = pixels[row1, column] * (1 - right) + pixels[row1, column1] * right
+    return (above * (1 - down) + below * down + 0.5).astype(np.uint8)
