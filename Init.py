@@ -3,3 +3,6 @@
 import BalloonWorkbench.app.balloon
 import BalloonWorkbench.app.outline
 import BalloonWorkbench.app.pattern  # noqa: F401
+from BalloonWorkbench.app import material
+
+material.register()

@@ -1,4 +1,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Film Balloon workbench: designs balloons from film that does not stretch."""
+"""Film Balloon workbench: designs balloons from film that does not stretch.
+
+In FreeCAD the functions of the Python API are here: BalloonWorkbench.from_picture(...), see docs/api.md.
+"""
 
 __version__ = "0.1.0"
+
+_API = ("from_picture", "from_sketch", "parts", "change", "findings", "repair", "export")
+
+
+def __getattr__(name: str) -> object:
+    """The API needs FreeCAD, the engine does not: it is loaded when it is asked for."""
+    if name not in _API:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    from BalloonWorkbench.app import api
+
+    return getattr(api, name)

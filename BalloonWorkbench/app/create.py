@@ -155,6 +155,7 @@ def configure(
     intake: bool = True,
     volume=None,
     model: Model | None = None,
+    values: dict | None = None,
 ) -> None:
     """Set the values of a balloon; those not given keep their defaults.
 
@@ -165,6 +166,7 @@ def configure(
     backend    "native", "numpy", "newmark" or None for the best there is
     volume     mm3, quantity or text such as "5 l", from which the pressure follows
     model      a core Model: what is simulated, for comparisons
+    values     others by name, see app/values.py
 
     Raises InputError for an unknown material or backend and for text that is no quantity.
     """
@@ -191,6 +193,10 @@ def configure(
         obj.Bending, obj.TwoPanels = model.bending, model.two_panels
         obj.BendingFloor = model.bending_floor / BENDING_FLOOR
     parts.pattern.Intake = intake
+    if values:
+        from BalloonWorkbench.app.values import assign
+
+        assign(parts, values)
 
 
 def discard(parts: Parts) -> None:
@@ -203,11 +209,11 @@ def discard(parts: Parts) -> None:
 
 def place_beside(*balloons: Parts) -> None:
     """Lay the patterns of a drawing to the right of it, in its plane, none over another."""
-    from BalloonWorkbench.app.pattern import build
+    from BalloonWorkbench.app.pattern import sheet
     from BalloonWorkbench.core.pattern.layout import beside
     from BalloonWorkbench.core.units import to_mm
 
-    shifts = [to_mm(shift) for shift in beside([build(parts.pattern) for parts in balloons])]
+    shifts = [to_mm(shift) for shift in beside([sheet(parts.pattern) for parts in balloons])]
     gap = 0.1 * max(parts.pattern.PatternWidth.Value for parts in balloons)
     left = min(
         _own_extent(parts.pattern).XMin + shift[0] for parts, shift in zip(balloons, shifts, strict=True)

@@ -25,15 +25,68 @@ PROPERTIES = (
     Property("Length", "Thickness", "Film", "Thickness of the film"),
     Property("Float", "ArealDensity", "Film", "Weight of the film in kg per square metre"),
     Property("Length", "SealWidth", "Film", "Width of the weld that this film needs"),
+    Property(
+        "Pressure", "Strength", "Film", "Tension over the section at which the film tears; 0: not known"
+    ),
+    Property(
+        "String", "Material", "Film", "FreeCAD's material card that the values were taken from", result=True
+    ),
 )
-_VALUES = tuple(item.name for item in PROPERTIES if item.name != "Film")
+#: What a film gives to the object.
+VALUES = tuple(item.name for item in PROPERTIES if item.name not in ("Film", "Material"))
 
 
 def names() -> list[str]:
-    """The materials of the library, then Custom."""
+    """The films that are known here, then Custom."""
+    return [*known_films(), CUSTOM]
+
+
+def known_films() -> dict:
+    """Those of the library, then the user's own, by name.
+
+    Own ones are files like the library's, in the folder BalloonWorkbench/films of FreeCAD's user data.
+    """
     from BalloonWorkbench.core.film.library import films
 
-    return [*films(), CUSTOM]
+    return {**films(), **{name: film for name, film in _own_films().items() if name not in films()}}
+
+
+def own_folder():
+    """Where the user's films are."""
+    from pathlib import Path
+
+    import FreeCAD as App
+
+    return Path(App.getUserAppDataDir()) / "BalloonWorkbench" / "films"
+
+
+def _own_films() -> dict:
+    import FreeCAD as App
+
+    from BalloonWorkbench.core.errors import InputError
+    from BalloonWorkbench.core.film.library import read_film
+
+    found = {}
+    for path in sorted(own_folder().glob("*.json")):
+        try:
+            found[path.stem] = read_film(path)
+        except InputError as error:
+            App.Console.PrintWarning(f"{error}\n")
+    return found
+
+
+def offer(obj) -> None:
+    """Offer films that became known since the object was made; its values stay."""
+    entries, chosen = names(), obj.Film
+    if chosen not in entries:
+        entries.insert(-1, chosen)
+    if obj.getEnumerationsOfProperty("Film") != entries:
+        values = {name: getattr(obj, name) for name in VALUES}
+        obj.Film = entries
+        obj.Film = chosen
+        for name, value in values.items():
+            if getattr(obj, name) != value:
+                setattr(obj, name, value)
 
 
 def set_choices(obj) -> None:
@@ -46,11 +99,11 @@ def set_choices(obj) -> None:
 
 def choose(obj, material) -> None:
     """Take a material by its name in the library, or a Film with its values; InputError for unknown names."""
-    from BalloonWorkbench.core.film.library import film, films
+    from BalloonWorkbench.core.film.library import film
 
     if isinstance(material, str):
-        obj.Film = film(material).name
-    elif films().get(material.name) == material:
+        obj.Film = material if material in known_films() else film(material).name
+    elif known_films().get(material.name) == material:
         obj.Film = material.name
     else:
         obj.Film = CUSTOM
@@ -59,18 +112,18 @@ def choose(obj, material) -> None:
 
 def follow_choice(obj) -> None:
     """Copy the chosen material's values into the object and protect them; Custom leaves them to the user."""
-    if any(name not in obj.PropertiesList for name in _VALUES):
+    if any(name not in obj.PropertiesList for name in VALUES):
         return  # the object is being made
-    if obj.Film != CUSTOM:
-        from BalloonWorkbench.core.film.library import film
-
-        write(obj, film(obj.Film))
+    known = known_films().get(obj.Film)
+    if known is not None:
+        write(obj, known)
+        obj.Material = ""
     protect(obj)
 
 
 def protect(obj) -> None:
     """Make the values editable for Custom only."""
-    show_in_editor(obj, **dict.fromkeys(_VALUES, "edit" if obj.Film == CUSTOM else "show"))
+    show_in_editor(obj, **dict.fromkeys(VALUES, "edit" if obj.Film == CUSTOM else "show"))
 
 
 def write(obj, film) -> None:
@@ -87,6 +140,7 @@ def write(obj, film) -> None:
     obj.Thickness = to_mm(film.thickness)
     obj.ArealDensity = film.areal_density
     obj.SealWidth = to_mm(film.seal_width)
+    obj.Strength = kilopascals(film.max_stress or 0.0)
 
 
 def read(obj):
@@ -97,18 +151,21 @@ def read(obj):
     from dataclasses import replace
 
     from BalloonWorkbench.app.quantities import metres, pascals, radians
-    from BalloonWorkbench.core.film.library import custom_film, films, with_grain
+    from BalloonWorkbench.core.film.library import custom_film, with_grain
 
     own = custom_film(
         pascals(obj.YoungModulus), obj.PoissonRatio, metres(obj.Thickness), obj.ArealDensity or None
     )
-    own = replace(own, seal_width=metres(obj.SealWidth))
+    strength = pascals(obj.Strength) or None
+    own = replace(own, seal_width=metres(obj.SealWidth), max_stress=strength)
+    if obj.Material:
+        own = replace(own, title=obj.Material)
     across = pascals(obj.YoungModulusAcross)
     if across:
         own = with_grain(own, across, radians(obj.GrainAngle))
-    known = films().get(obj.Film)
+    known = known_films().get(obj.Film)
     return (
         own
         if known is None
-        else replace(own, name=known.name, max_stress=known.max_stress, title=known.title)
+        else replace(own, name=known.name, max_stress=known.max_stress, title=known.title, look=known.look)
     )

@@ -50,3 +50,10 @@ def mesh_from_arrays(positions, triangles):
     mesh = Mesh.Mesh()
     mesh.read(Stream=stream, Format="PLY")
     return mesh
+
+
+def has_material_system() -> bool:
+    """FreeCAD keeps its materials in a system of its own, from 1.0 on."""
+    import importlib.util
+
+    return importlib.util.find_spec("Materials") is not None

@@ -12,12 +12,15 @@ from BalloonWorkbench.app.host import qt
 
 QtCore, QtGui, QtWidgets = qt()
 
-_ICONS = Path(BalloonWorkbench.__file__).resolve().parent.parent / "resources" / "icons"
+_ROOT = Path(BalloonWorkbench.__file__).resolve().parent.parent
+_ICONS = _ROOT / "resources" / "icons"
+TRANSLATIONS = _ROOT / "resources" / "translations"
+HELP = _ROOT / "docs" / "help"
 
 
-def translate(text: str) -> str:
+def translate(text: str, context: str = "BalloonWorkbench") -> str:
     """A text in the user's language."""
-    return App.Qt.translate("BalloonWorkbench", text)
+    return App.Qt.translate(context, text)
 
 
 def icon(name: str) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import FreeCADGui as Gui
 
-from BalloonWorkbench.gui.parts import parts_of
+from BalloonWorkbench.app.parts import parts_of
 
 
 def selected_source():

@@ -24,14 +24,14 @@ class ExportPattern:
         }
 
     def IsActive(self):
-        from BalloonWorkbench.gui.parts import patterns
+        from BalloonWorkbench.app.parts import patterns
 
         doc = App.ActiveDocument
         return doc is not None and not Gui.Control.activeDialog() and bool(patterns(doc))
 
     def Activated(self):
+        from BalloonWorkbench.app.parts import parts_of, patterns
         from BalloonWorkbench.gui.panels.export import ExportPanel
-        from BalloonWorkbench.gui.parts import parts_of, patterns
 
         doc = App.ActiveDocument
         chosen = [parts.pattern for parts in map(parts_of, Gui.Selection.getSelection()) if parts]

@@ -27,7 +27,7 @@ class FromPicture:
         return not Gui.Control.activeDialog()
 
     def Activated(self):
-        from BalloonWorkbench.app.create import make
+        from BalloonWorkbench.gui import record
         from BalloonWorkbench.gui.panels.balloon import BalloonPanel
 
         doc = App.ActiveDocument
@@ -35,4 +35,5 @@ class FromPicture:
         if fresh:
             doc = App.newDocument("Balloon")
         doc.openTransaction(translate("New balloon from picture"))
-        Gui.Control.showDialog(BalloonPanel(make(doc), new_document=fresh))
+        parts, edit = record.begin(doc)
+        Gui.Control.showDialog(BalloonPanel(parts, new_document=fresh, edit=edit))

@@ -27,17 +27,17 @@ class FromSketch:
         return App.ActiveDocument is not None and not Gui.Control.activeDialog()
 
     def Activated(self):
-        from BalloonWorkbench.app.create import make
+        from BalloonWorkbench.gui import record
         from BalloonWorkbench.gui.panels.balloon import BalloonPanel
         from BalloonWorkbench.gui.selection import selected_source
 
         source = selected_source()
         doc = App.ActiveDocument
         doc.openTransaction(translate("New balloon from sketch"))
-        parts = make(doc)
+        parts, edit = record.begin(doc)
         if source is not None:
             parts.outline.Source = source
             parts.balloon.getParentGroup().Label = f"{source[0].Label} balloon"
             if source[0].isDerivedFrom("Sketcher::SketchObject"):
                 source[0].ViewObject.Visibility = False  # the outline shows it
-        Gui.Control.showDialog(BalloonPanel(parts, sketch=True))
+        Gui.Control.showDialog(BalloonPanel(parts, sketch=True, edit=edit))

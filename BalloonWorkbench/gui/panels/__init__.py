@@ -10,8 +10,8 @@ from BalloonWorkbench.gui.qt import translate
 
 def edit(obj) -> None:
     """Open the panel of the balloon that an object belongs to, in one undo step."""
+    from BalloonWorkbench.app.parts import parts_of
     from BalloonWorkbench.gui.panels.balloon import BalloonPanel
-    from BalloonWorkbench.gui.parts import parts_of
 
     parts = parts_of(obj)
     if parts is None or not is_free():
@@ -23,8 +23,8 @@ def edit(obj) -> None:
 def paint_again(outline) -> bool:
     """Open the paint window on a painted outline; False for any other one."""
     from BalloonWorkbench.app.painting import is_painting
+    from BalloonWorkbench.app.parts import parts_of
     from BalloonWorkbench.gui.paint.window import open_for
-    from BalloonWorkbench.gui.parts import parts_of
 
     first = outline.Leader or outline
     parts = parts_of(first)

@@ -13,6 +13,7 @@ from BalloonWorkbench.app import advice, status
 from BalloonWorkbench.core.advice import repair_text
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.units import to_mm
+from BalloonWorkbench.gui import record
 from BalloonWorkbench.gui.marks import COLOURS, Overlay
 from BalloonWorkbench.gui.panels.watch import Watch
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, icon, translate
@@ -160,12 +161,16 @@ class AdvicePanel:
 
     def make_repair(self):
         """Make the edit and let the document follow, in one undo step."""
-        repair = self.found[self.list.currentRow()].repair
+        finding = self.found[self.list.currentRow()]
+        repair = finding.repair
         self.overlay.clear()
         self.doc.openTransaction(repair_text(repair))
         advice.take(self.parts, repair)
         self.doc.recompute()
         self.doc.commitTransaction()
+        near = "({:.4g}, {:.4g})".format(*(to_mm(value) for value in finding.place))
+        balloon = f"BalloonWorkbench.parts({record.obj(self.parts.balloon)})"
+        record.call("repair", balloon, record.text(finding.rule), near=near)
         self.refresh()
         trouble = next((status.problem(obj) for obj in self.parts if not status.is_ready(obj)), "")
         if trouble:

@@ -25,6 +25,7 @@ from BalloonWorkbench.gui.panels.simulation_box import SimulationBox
 from BalloonWorkbench.gui.panels.sketch_box import SketchBox
 from BalloonWorkbench.gui.panels.watch import Watch
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, icon, translate
+from BalloonWorkbench.gui.record import Edit
 from BalloonWorkbench.gui.worker import Worker
 
 
@@ -33,10 +34,14 @@ class BalloonPanel:
 
     sketch        the outline follows a sketch, not a file
     new_document  the document was made for this balloon and goes with it on Cancel
+    edit          of a new balloon, what goes into the macro
     """
 
-    def __init__(self, parts: Parts, *, sketch: bool = False, new_document: bool = False):
+    def __init__(
+        self, parts: Parts, *, sketch: bool = False, new_document: bool = False, edit: Edit | None = None
+    ):
         self.parts = parts
+        self.edit = edit or Edit(parts)
         self.doc = parts.balloon.Document
         self.new_document = new_document
         self.is_new = self.was_new = not parts.balloon.SolvedFor
@@ -80,6 +85,7 @@ class BalloonPanel:
         self.abandon()
         if keep:
             self.doc.commitTransaction()
+            self.edit.write()
         else:
             self.doc.abortTransaction()
             if self.new_document:

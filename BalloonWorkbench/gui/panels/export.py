@@ -7,8 +7,10 @@ from pathlib import Path
 
 import FreeCADGui as Gui
 
+from BalloonWorkbench.app import preferences
 from BalloonWorkbench.app.export import FORMATS, export_for, export_pattern
 from BalloonWorkbench.core.errors import BalloonError
+from BalloonWorkbench.gui import record
 from BalloonWorkbench.gui.panels.machine_box import MachineBox
 from BalloonWorkbench.gui.panels.watch import Watch
 from BalloonWorkbench.gui.qt import QtGui, QtWidgets, icon, translate
@@ -64,9 +66,10 @@ class ExportPanel:
         return self.patterns[self.choice.currentIndex()]
 
     def suggestion(self) -> Path:
-        """A file beside the document, or in the home folder while that is not saved."""
+        """A file in the preferred folder, else beside the document, else in the home folder."""
         document = self.pattern().Document.FileName
         folder = Path(document).parent if document else Path.home()
+        folder = Path(preferences.get("ExportFolder") or folder)
         made_for = self.machine.machine
         return folder / (made_for.file_name if made_for else f"pattern.{self.ending()}")
 
@@ -120,6 +123,10 @@ class ExportPanel:
         except BalloonError as error:
             self.message.setText(str(error))
             return False
+        chosen = {} if made_for is None else {"machine": record.text(made_for.name)}
+        if made_for is not None and self.machine.paper:
+            chosen["paper"] = record.text(self.machine.paper)
+        record.call("export", record.obj(self.pattern()), record.text(written), **chosen)
         self.close()
         Gui.getMainWindow().statusBar().showMessage(translate("Pattern written to {}").format(written), 8000)
         return True

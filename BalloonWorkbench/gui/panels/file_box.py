@@ -7,6 +7,7 @@ import os
 
 from BalloonWorkbench.app.drawing import place_in_picture
 from BalloonWorkbench.app.outline import set_drawing
+from BalloonWorkbench.gui import record
 from BalloonWorkbench.gui.panels.fields import Fields, ReturnKey
 from BalloonWorkbench.gui.panels.preview import Preview, notes_of
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
@@ -62,6 +63,7 @@ class FileBox(QtWidgets.QWidget):
         except OSError:
             self.refused.emit(translate("There is no file {}: check the name and the folder.").format(path))
             return
+        record.came_from(self.outline, path)
         self.path.setText(os.path.basename(path))
         self.path.setModified(False)
         self.changed.emit()

@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The Python API: what macros use, and what the commands of the window write into macros.
+
+`import BalloonWorkbench` offers these functions by name; docs/api.md has examples. A balloon is a `Parts`:
+its outline, balloon and pattern object. Values are given by the names of the objects' properties in small
+letters, such as mesh_size for MeshSize: as numbers in FreeCAD's units, quantities, or text such as "300 mm".
+"""
+
+from __future__ import annotations
+
+from contextlib import contextmanager
+from pathlib import Path
+
+from BalloonWorkbench.app import advice as coach
+from BalloonWorkbench.app import balloon, create, values
+from BalloonWorkbench.app import export as writer
+from BalloonWorkbench.app.create import Parts
+from BalloonWorkbench.app.parts import parts_of
+from BalloonWorkbench.core.errors import InputError
+
+_done: list = []  # what the window has made already and a call being recorded shall return
+
+
+def from_picture(doc, path, width=None, height=None, **wanted) -> Parts:
+    """A new balloon from a picture, SVG, DXF or JSON file; pictures need a width or a height.
+
+    A painting that the paint window has saved is such a picture. Raises BalloonError when no balloon comes
+    out; the document is then as before.
+    """
+    return _done[-1] if _done else create.balloon_from_picture(doc, path, width, height, values=wanted)
+
+
+def from_sketch(doc, source, elements=(), **wanted) -> Parts:
+    """A new balloon that follows a sketch, wire or face; elements such as ["Face6"] pick a part of it.
+
+    Raises BalloonError when no balloon comes out; the document is then as before.
+    """
+    return _done[-1] if _done else create.balloon_from_sketch(doc, source, elements, values=wanted)
+
+
+def parts(obj) -> Parts:
+    """The balloon that an object or its group belongs to; InputError for other objects."""
+    found = parts_of(obj)
+    if found is None:
+        raise InputError(f"{obj.Label} belongs to no balloon: choose an outline, a balloon or a pattern.")
+    return found
+
+
+def change(made: Parts, **wanted) -> None:
+    """Change values of a balloon and bring the document up to date; InputError for unknown names."""
+    if not _done:
+        values.assign(made, wanted)
+        made.balloon.Document.recompute()
+
+
+def findings(made: Parts) -> list:
+    """What the coach says about a balloon, the worst first: rule, severity, text, place and repair."""
+    return coach.findings(made)
+
+
+def repair(made: Parts, rule: str, near=(0.0, 0.0)) -> None:
+    """Take the coach's repair of a finding: the one of this rule whose place is nearest to `near` [mm].
+
+    Raises InputError when there is none.
+    """
+    from BalloonWorkbench.core.units import to_mm
+
+    if _done:
+        return
+    found = [each for each in coach.findings(made) if each.rule == rule and each.repair is not None]
+    if not found:
+        raise InputError(f'The coach finds no "{rule}" to repair in {made.balloon.Label}: see its advice.')
+    x, y = near
+    nearest = min(found, key=lambda each: (to_mm(each.place[0]) - x) ** 2 + (to_mm(each.place[1]) - y) ** 2)
+    coach.take(made, nearest.repair)
+    made.balloon.Document.recompute()
+
+
+def export(obj, path, machine: str | None = None, paper: str | None = None) -> Path:
+    """Write a pattern, or all of a group, to a DXF or SVG file, or as a machine reads it; returns the file.
+
+    Given a Balloon object it writes what the film does everywhere, as .vtu, .npz or .stl. Raises ExportError.
+    """
+    if _done:
+        return Path(path)
+    if machine:
+        return writer.export_for(obj, machine, path, paper)
+    results = isinstance(getattr(obj, "Proxy", None), balloon.BalloonProxy)
+    return (writer.export_results if results else writer.export_pattern)(obj, path)
+
+
+@contextmanager
+def already_done(result):
+    """Calls return this instead of working: the window has worked, and writes the call into the macro."""
+    _done.append(result)
+    try:
+        yield
+    finally:
+        _done.pop()

@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a user wants a new balloon to begin with; kept in FreeCAD's parameters, read and written here alone.
+
+Only commands of the window look at them: a macro or a program gives the same balloon on every machine.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import FreeCAD as App
+
+PATH = "User parameter:BaseApp/Preferences/Mod/BalloonWorkbench"
+
+
+class Item(NamedTuple):
+    """One preference: its key, what it is without the user, and the property that begins with it, if any."""
+
+    key: str
+    default: str | float | bool
+    part: str = ""  # outline, balloon or pattern
+    prop: str = ""
+    tooltip: str = ""
+
+
+def _items() -> tuple[Item, ...]:
+    from BalloonWorkbench.app import balloon, outline, pattern
+    from BalloonWorkbench.core.film.library import DEFAULT_FILM
+
+    def of(part: str, module, name: str, key: str = "", default: Any = None) -> Item:
+        known = next(item for item in module.PROPERTIES if item.name == name)
+        value = known.value if default is None else default
+        return Item(key or name, 0.0 if value is None else value, part, name, known.tooltip)
+
+    return (
+        of("balloon", balloon, "Film", default=DEFAULT_FILM),
+        of("outline", outline, "Width"),
+        of("balloon", balloon, "Pressure"),
+        of("pattern", pattern, "SealWidth"),
+        of("pattern", pattern, "Allowance"),
+        of("balloon", balloon, "Backend", default=next(iter(balloon.BACKENDS))),
+        of("balloon", balloon, "MeshSize"),
+        of("balloon", balloon, "Live"),
+        Item("ExportFolder", ""),
+        Item("Machine", ""),
+    )
+
+
+def items() -> dict[str, Item]:
+    """All preferences by key, in the order of the page."""
+    return {item.key: item for item in _items()}
+
+
+def get(key: str) -> Any:
+    """The user's value, or the usual one where there is none or it makes no sense (any more)."""
+    item, group = items()[key], App.ParamGet(PATH)
+    if isinstance(item.default, bool):
+        return group.GetBool(key, item.default)
+    if isinstance(item.default, str):
+        value = group.GetString(key, item.default)
+        allowed = choices(key)
+        return value if not allowed or value in allowed else item.default
+    value = group.GetFloat(key, item.default)
+    least = 0.0 if item.default == 0.0 or key == "Allowance" else 1e-6
+    return value if least <= value < float("inf") else item.default
+
+
+def put(key: str, value) -> None:
+    """Keep a value; the usual one is not kept, so that it may change with a new release."""
+    item, group = items()[key], App.ParamGet(PATH)
+    kind = (
+        "Bool" if isinstance(item.default, bool) else "String" if isinstance(item.default, str) else "Float"
+    )
+    if value == item.default:
+        getattr(group, f"Rem{kind}")(key)
+    else:
+        getattr(group, f"Set{kind}")(key, type(item.default)(value))
+
+
+def choices(key: str) -> list[str]:
+    """What a preference may be; empty where it is a number, a switch or free text."""
+    from BalloonWorkbench.app import balloon, film
+    from BalloonWorkbench.core.export.machine import machines
+
+    if key == "Film":
+        return [name for name in film.names() if name != film.CUSTOM]
+    if key == "Backend":
+        return list(balloon.BACKENDS)
+    return ["", *machines()] if key == "Machine" else []
+
+
+def begin(parts) -> None:
+    """Give the objects of a new balloon the user's preferences; nothing is computed."""
+    for item in items().values():
+        value = get(item.key)
+        if item.prop and value != item.default:
+            setattr(getattr(parts, item.part), item.prop, value)
+
+
+def settings():
+    """The engine's settings for a balloon that begins with the preferences and is no document object yet."""
+    from BalloonWorkbench.app import balloon, quantities
+    from BalloonWorkbench.core.film.library import film
+    from BalloonWorkbench.core.job import Settings
+
+    return Settings(
+        film=film(get("Film")),
+        pressure=quantities.pascals(get("Pressure")),
+        mesh_size=quantities.metres(get("MeshSize")) or None,
+        backend=balloon.BACKENDS[get("Backend")],
+    )
