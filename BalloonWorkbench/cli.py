@@ -11,7 +11,7 @@ import sys
 from collections.abc import Sequence
 from typing import Any, NoReturn, TextIO
 
-from BalloonWorkbench import __version__
+from BalloonWorkbench import __version__, cli_pattern
 from BalloonWorkbench.core.design.size_goal import SizeGoal
 from BalloonWorkbench.core.errors import BalloonError, InputError
 from BalloonWorkbench.core.export.fabricate import checked_files
@@ -31,7 +31,6 @@ from BalloonWorkbench.core.job import (
 )
 from BalloonWorkbench.core.outline.raster import opencv
 from BalloonWorkbench.core.outline.symmetry import AUTO, CHOICES
-from BalloonWorkbench.core.pattern.layout import on_one_sheet
 from BalloonWorkbench.core.solver.backend import SOLVERS
 from BalloonWorkbench.core.solver.model import BENDING_FLOOR, Model
 from BalloonWorkbench.core.units import (
@@ -113,6 +112,7 @@ def _parser() -> argparse.ArgumentParser:
             "--frames", metavar="N", type=int, help="also write so many frames of the inflation, for ParaView"
         )
         _add_machines(command)
+        cli_pattern.add_pattern(command)
         _add_simulation(command)
     return parser
 
@@ -211,7 +211,7 @@ def _run(options: argparse.Namespace) -> int:
         contents = files(balloon, options.results)
         if options.frames is not None:
             contents.update(inflation_files(balloon, options.frames, line.show))
-        made, remarks = checked_files(on_one_sheet(balloon.patterns), chosen, options.tiled)
+        made, remarks = checked_files(balloon.sheet, chosen, options.tiled)
         contents.update(made)
         if settings.goal is not None:
             width = balloon.drawing.size[0]
@@ -242,6 +242,8 @@ def _settings(options: argparse.Namespace) -> Settings:
             parse_temperature(options.air_temperature),
             parse_length(options.altitude),
         ),
+        passage=cli_pattern.passage(options),
+        wanted=cli_pattern.wanted(options),
     )
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import FreeCAD as App
 
-from BalloonWorkbench.app import balloon, create, size_goal
+from BalloonWorkbench.app import balloon, create, pattern, size_goal
 from BalloonWorkbench.app.outline import SYMMETRY, set_drawing
 from BalloonWorkbench.app.quantities import cubic_millimetres, kilopascals
 from BalloonWorkbench.core.export.files import write_files
@@ -50,10 +50,11 @@ def fcstd_bytes(drawing, settings, designs, *, label: str = "balloon", width=Non
             mesh_size=None if settings.mesh_size is None else to_mm(settings.mesh_size),
             correct=settings.correct,
             backend=settings.backend,
-            intake=settings.intake,
             volume=None if settings.volume is None else cubic_millimetres(settings.volume),
             model=settings.model,
         )
+        pattern.set_values(parts.pattern, settings.wanted)
+        parts.outline.Passage = to_mm(settings.passage)
         size_goal.set_filling(parts.balloon, settings.filling)
         parts.outline.Symmetry = next(
             title for title, choice in SYMMETRY.items() if choice == settings.symmetry

@@ -37,15 +37,15 @@ def sheet(pattern_obj):
 
     Raises ExportError when there is none, or one is not up to date.
     """
-    from BalloonWorkbench.app.pattern import build, is_pattern
+    from BalloonWorkbench.app import pattern
     from BalloonWorkbench.core.pattern.layout import on_one_sheet
 
-    objects = [obj for obj in getattr(pattern_obj, "Group", [pattern_obj]) if is_pattern(obj)]
+    objects = [obj for obj in getattr(pattern_obj, "Group", [pattern_obj]) if pattern.is_pattern(obj)]
     if not objects:
         raise ExportError(f"{pattern_obj.Label} has no pattern: choose a balloon.")
     for obj in objects:
         _insist_on_ready(obj)
-    return on_one_sheet([build(obj) for obj in objects])
+    return on_one_sheet([pattern.sheet(obj) for obj in objects])
 
 
 def check_for(pattern_obj, machine_name: str):

@@ -34,6 +34,13 @@ PROPERTIES = (
         "Drawing",
         "Automatic evens out a nearly symmetric picture, Forced any drawing: its left half is mirrored",
     ),
+    Property(
+        "Length",
+        "Passage",
+        "Drawing",
+        "Left open in welds that would cut off a part, so wide; 0 gives each part an intake of its own",
+        10.0,
+    ),
     *advice.OUTLINE_PROPERTIES,
     Property("String", "Kind", "Outline", "What the outline was read from", result=True),
     Property("Length", "SizeX", "Outline", "Width of the outline", result=True),
@@ -80,15 +87,19 @@ class OutlineProxy(Stateless):
         mode = "hide" if obj.Source or obj.Leader else "edit"
         show_in_editor(obj, Drawing=mode, Width=mode, Height=mode, KeepAspect=mode)
         shared = "hide" if obj.Leader else "edit"
-        show_in_editor(obj, Source=shared, Symmetry=shared)
+        show_in_editor(obj, Source=shared, Symmetry=shared, Passage=shared)
 
     def execute(self, obj):
+        from BalloonWorkbench.app.quantities import metres
+        from BalloonWorkbench.core.outline.passages import linked
+
         has_result = bool(obj.LoopCounts)
         if not has_drawing(obj):
             status.set_problem(obj, has_result, "Choose a picture or a sketch.")
             return
         with status.reported(obj, has_result):
             outline, kind, placement = read(obj)
+            outline = linked(outline, metres(leader(obj).Passage))
             outline = advice.repair_outline(obj, outline, scales=not leader(obj).Source)
             show(obj, outline, kind)
             if placement is not None:

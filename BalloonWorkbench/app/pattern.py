@@ -4,22 +4,47 @@
 from __future__ import annotations
 
 from functools import lru_cache
-from types import SimpleNamespace
 
 from BalloonWorkbench.app import migrate, status
-from BalloonWorkbench.app.properties import Property, add_missing, show_in_editor
+from BalloonWorkbench.app.properties import Property, add_missing, offer_choices, show_in_editor
 from BalloonWorkbench.app.stateless import Stateless
+
+DIRECTION, PLACE = "Direction", "Place on the seam"
 
 PROPERTIES = (
     Property("Link", "Balloon", "Pattern", "The balloon that is cut from this pattern"),
     Property("Length", "SealWidth", "Pattern", "Width of the weld; 0 takes the film's"),
     Property("Length", "Allowance", "Pattern", "Film left outside the weld", 2.0),
+    Property(
+        "Length",
+        "CornerRadius",
+        "Pattern",
+        "Corner relief: corners of the cuts are rounded so; the weld is not",
+    ),
+    Property(
+        "Bool", "Mirror", "Pattern", "The second panel beside the first, mirrored; else cut twice", False
+    ),
+    Property("Integer", "Copies", "Pattern", "How many balloons are cut from the sheet", 1),
     Property("Bool", "Arcs", "Pattern", "Lines and arcs within 0.02 mm in place of many short lines", True),
-    Property("Bool", "Intake", "Intake", "Add a neck through which the balloon is filled", True),
-    Property("Length", "IntakeWidth", "Intake", "Inner width of the neck", 10.0),
-    Property("Length", "IntakeLength", "Intake", "Length of the neck from the seam outward; 0 is automatic"),
+    Property("Bool", "Splines", "Pattern", "Smooth stretches as single splines in place of arcs", False),
+    Property("Bool", "Intake", "Intake", "Add what the balloon is filled through", True),
+    Property("Enumeration", "IntakeKind", "Intake", "How the balloon is filled and closed"),
+    Property("Length", "IntakeWidth", "Intake", "Inner width of the neck, or bore of the nozzle", 10.0),
+    Property(
+        "Length",
+        "IntakeLength",
+        "Intake",
+        "Length of the neck from the seam outward, or diameter of the flange; 0 takes the usual one",
+    ),
     Property("Bool", "IntakeAuto", "Intake", "Point the neck from the centre to the farthest point", True),
+    Property("Enumeration", "IntakeBy", "Intake", "What tells where the intake is"),
     Property("Angle", "IntakeAngle", "Intake", "Direction of the neck, counter-clockwise from the x axis"),
+    Property(
+        "Length",
+        "IntakeAlong",
+        "Intake",
+        "Place of the intake: counter-clockwise along the outer seam from its rightmost point",
+    ),
     Property(
         "Integer", "Notches", "Marks", "Notches to lay both films on each other by, evenly along the cut", 0
     ),
@@ -29,6 +54,7 @@ PROPERTIES = (
     Property("Angle", "TieTabAngle", "Marks", "Direction of the tab from the middle of the pattern"),
     Property("String", "LabelText", "Marks", "A line of text where the film is widest, as outlines"),
     Property("Length", "LabelHeight", "Marks", "Height of its capital letters", 6.0),
+    Property("String", "HowToFill", "Result", "How the intake is made and used", result=True),
     Property("Length", "SeamLength", "Result", "Length of the weld", result=True),
     Property("Length", "PatternWidth", "Result", "Width of the piece of film", result=True),
     Property("Length", "PatternHeight", "Result", "Height of the piece of film", result=True),
@@ -43,27 +69,42 @@ class PatternProxy(Stateless):
 
     def __init__(self, obj):
         add_missing(obj, (migrate.VERSION, *PROPERTIES))
+        offer_choices(obj, _choices())
         obj.Proxy = self
         self.follow_intake(obj)
 
     def onDocumentRestored(self, obj):
         from BalloonWorkbench.app import hooks
 
-        migrate.bring_up_to_date(obj, PROPERTIES)
+        if migrate.bring_up_to_date(obj, PROPERTIES):
+            offer_choices(obj, _choices())
         hooks.dress(obj)
 
     def onChanged(self, obj, name):
-        if name in ("Intake", "IntakeAuto", "Notches", "TieTab", "TieTabAuto", "LabelText") and all(
-            item.name in obj.PropertiesList for item in PROPERTIES
-        ):
+        followed = (
+            "Intake",
+            "IntakeAuto",
+            "IntakeBy",
+            "Notches",
+            "TieTab",
+            "TieTabAuto",
+            "LabelText",
+            "Arcs",
+        )
+        if name in followed and all(item.name in obj.PropertiesList for item in PROPERTIES):
             self.follow_intake(obj)
 
     def follow_intake(self, obj):
         """Offer only what has an effect."""
         show_in_editor(
             obj,
-            **dict.fromkeys(("IntakeWidth", "IntakeLength", "IntakeAuto"), "edit" if obj.Intake else "hide"),
-            IntakeAngle="hide" if not obj.Intake else "show" if obj.IntakeAuto else "edit",
+            **dict.fromkeys(
+                ("IntakeKind", "IntakeWidth", "IntakeLength", "IntakeAuto"), "edit" if obj.Intake else "hide"
+            ),
+            IntakeBy="edit" if obj.Intake and not obj.IntakeAuto else "hide",
+            IntakeAngle=_mode(obj, DIRECTION),
+            IntakeAlong=_mode(obj, PLACE),
+            Splines="edit" if obj.Arcs else "hide",
             NotchDepth="edit" if obj.Notches else "hide",
             LabelHeight="edit" if obj.LabelText else "hide",
             TieTabAuto="edit" if obj.TieTab else "hide",
@@ -75,7 +116,7 @@ class PatternProxy(Stateless):
         if status.waits_for(obj, obj.Balloon, has_result, "Choose the balloon that it belongs to."):
             return
         with status.reported(obj, has_result):
-            show(obj, build(obj))
+            show(obj, sheet(obj))
             status.set_status(obj, status.READY)
         obj.positionBySupport()
 
@@ -85,38 +126,109 @@ def is_pattern(obj) -> bool:
     return isinstance(getattr(obj, "Proxy", None), PatternProxy)
 
 
-def values(obj) -> dict:
-    """The object's own values, as `build_pattern` takes them."""
-    from BalloonWorkbench.app.quantities import metres, radians
+def _choices() -> dict[str, list[str]]:
+    from BalloonWorkbench.core.pattern.intake_kinds import intake_kinds
 
     return {
-        "allowance": metres(obj.Allowance),
-        "intake": obj.Intake,
-        "intake_width": metres(obj.IntakeWidth),
-        "intake_length": metres(obj.IntakeLength) or None,
-        "intake_angle": None if obj.IntakeAuto else radians(obj.IntakeAngle),
+        "IntakeKind": [kind.title for kind in intake_kinds().values()],
+        "IntakeBy": [DIRECTION, PLACE],
     }
 
 
-def usual_values() -> dict:
+def _mode(obj, by: str) -> str:
+    """How the direction or the place of the intake appears: what is not given is a result."""
+    return "hide" if not obj.Intake else "edit" if not obj.IntakeAuto and obj.IntakeBy == by else "show"
+
+
+def kind_of(obj):
+    """The kind of the intake, from the core."""
+    from BalloonWorkbench.core.pattern.intake_kinds import intake_kinds
+
+    return next(kind for kind in intake_kinds().values() if kind.title == obj.IntakeKind)
+
+
+def choose_kind(obj, title: str) -> None:
+    """Take another kind of intake, with its usual sizes; one that follows an expression keeps it."""
+    from BalloonWorkbench.core.units import to_mm
+
+    obj.IntakeKind = title
+    driven = {path for path, _ in obj.ExpressionEngine}
+    for name, size in (("IntakeWidth", to_mm(kind_of(obj).width)), ("IntakeLength", 0.0)):
+        if name not in driven:
+            setattr(obj, name, size)
+
+
+def values(obj):
+    """The object's own values, as the core's `Wanted`."""
+    from BalloonWorkbench.app.quantities import metres, radians
+    from BalloonWorkbench.core.pattern.make import Wanted
+
+    by = None if obj.IntakeAuto else obj.IntakeBy
+    return Wanted(
+        seal_width=metres(obj.SealWidth) or None,
+        allowance=metres(obj.Allowance),
+        intake=obj.Intake,
+        intake_kind=kind_of(obj).name,
+        intake_width=metres(obj.IntakeWidth),
+        intake_length=metres(obj.IntakeLength) or None,
+        intake_angle=radians(obj.IntakeAngle) if by == DIRECTION else None,
+        intake_along=metres(obj.IntakeAlong) if by == PLACE else None,
+        corner_radius=metres(obj.CornerRadius),
+        notches=obj.Notches,
+        notch_depth=metres(obj.NotchDepth),
+        tie_tab=obj.TieTab,
+        tie_tab_angle=None if obj.TieTabAuto else radians(obj.TieTabAngle),
+        label=obj.LabelText,
+        label_height=metres(obj.LabelHeight),
+        mirror=obj.Mirror,
+        copies=obj.Copies,
+    )
+
+
+def set_values(obj, wanted) -> None:
+    """Give the object the values of a core `Wanted`."""
+    from math import degrees
+
+    from BalloonWorkbench.core.pattern.intake_kinds import intake_kind
+    from BalloonWorkbench.core.units import to_mm
+
+    kind = intake_kind(wanted.intake_kind)
+    obj.SealWidth, obj.Allowance = to_mm(wanted.seal_width or 0.0), to_mm(wanted.allowance)
+    obj.Intake, obj.IntakeKind = wanted.intake, kind.title
+    obj.IntakeWidth = to_mm(kind.width if wanted.intake_width is None else wanted.intake_width)
+    obj.IntakeLength = to_mm(wanted.intake_length or 0.0)
+    obj.IntakeAuto = wanted.intake_angle is None and wanted.intake_along is None
+    obj.IntakeBy = DIRECTION if wanted.intake_along is None else PLACE
+    obj.IntakeAngle = degrees(wanted.intake_angle or 0.0)
+    obj.IntakeAlong = to_mm(wanted.intake_along or 0.0)
+    obj.CornerRadius, obj.Mirror, obj.Copies = to_mm(wanted.corner_radius), wanted.mirror, wanted.copies
+    obj.Notches, obj.NotchDepth = wanted.notches, to_mm(wanted.notch_depth)
+    obj.TieTab, obj.TieTabAuto = wanted.tie_tab, wanted.tie_tab_angle is None
+    obj.TieTabAngle = degrees(wanted.tie_tab_angle or 0.0)
+    obj.LabelText, obj.LabelHeight = wanted.label, to_mm(wanted.label_height)
+
+
+def usual_values():
     """The values of a new pattern."""
-    return values(SimpleNamespace(**{item.name: item.value or 0.0 for item in PROPERTIES}))
+    from BalloonWorkbench.core.pattern.make import Wanted
+
+    return Wanted()
 
 
 def build(obj):
-    """The pattern in full precision, from the balloon's seam and the object's own values."""
+    """The pattern of one panel in full precision, from the balloon's seam and the object's own values."""
     from BalloonWorkbench.app import shapes
-    from BalloonWorkbench.app.quantities import metres, radians
-    from BalloonWorkbench.core.pattern.build import build_pattern
-    from BalloonWorkbench.core.pattern.extras import with_notches, with_tie_tab
-    from BalloonWorkbench.core.pattern.label import with_label
+    from BalloonWorkbench.app.quantities import metres
+    from BalloonWorkbench.core.pattern.make import make_pattern
 
-    seal_width = metres(obj.SealWidth) or metres(obj.Balloon.SealWidth)
-    pattern = build_pattern(shapes.stored(obj.Balloon, "Seam"), seal_width, **values(obj))
-    if obj.TieTab:
-        pattern = with_tie_tab(pattern, None if obj.TieTabAuto else radians(obj.TieTabAngle))
-    pattern = with_label(pattern, obj.LabelText, metres(obj.LabelHeight))
-    return with_notches(pattern, obj.Notches, metres(obj.NotchDepth))
+    return make_pattern(shapes.stored(obj.Balloon, "Seam"), metres(obj.Balloon.SealWidth), values(obj))
+
+
+def sheet(obj):
+    """All that is cut: the panel with the pieces of its intake, the second panel, copies."""
+    from BalloonWorkbench.core.pattern.make import sheet_of
+
+    return sheet_of(build(obj), values(obj))
 
 
 @lru_cache(maxsize=64)
@@ -136,26 +248,48 @@ def arcs(points, closed: bool):
 
 
 def show(obj, pattern) -> None:
-    """Write a pattern into the object: the sheet to cut out first, then welds and marks."""
+    """Write a pattern into the object: the sheets to cut out first, then welds and marks."""
     import math
 
     import Part
 
-    from BalloonWorkbench.app import shapes
-    from BalloonWorkbench.core.pattern.curves import polyline
     from BalloonWorkbench.core.pattern.pattern import Role
     from BalloonWorkbench.core.units import to_mm
 
-    outer, inner = pattern.of(Role.CUT), pattern.of(Role.CUT_INNER)
+    cuts = _nested(pattern.of(Role.CUT), pattern.of(Role.CUT_INNER))
     beside = (Role.SEAL, Role.WELD, Role.MARK, Role.ENGRAVE)
     lines = [contour for role in beside for contour in pattern.of(role)]
-    fit = arcs if obj.Arcs else polyline
-    wires = [shapes.curve_wire(fit(each.points, each.closed)) for each in (*outer, *inner, *lines)]
-    cuts = len(outer) + len(inner)
-    obj.Shape = Part.makeCompound([Part.Face(wires[:cuts]), *wires[cuts:]])
-    obj.Roles = [contour.role.value for contour in (*outer, *inner, *lines)]
+    faces = [Part.Face([_wire(obj, each) for each in sheet]) for sheet in cuts]
+    obj.Shape = Part.makeCompound([*faces, *(_wire(obj, line) for line in lines)])
+    obj.Roles = [contour.role.value for contour in (*(each for sheet in cuts for each in sheet), *lines)]
     obj.SeamLength = to_mm(pattern.seam_length)
     obj.PatternWidth, obj.PatternHeight = (to_mm(length) for length in pattern.size)
     obj.Warnings = list(pattern.warnings)
-    if pattern.intake is not None and obj.IntakeAuto:
+    obj.HowToFill = kind_of(obj).note if obj.Intake else ""
+    if pattern.intake is not None and (obj.IntakeAuto or obj.IntakeBy == PLACE):
         obj.IntakeAngle = math.degrees(pattern.intake.angle)
+    if pattern.intake is not None and (obj.IntakeAuto or obj.IntakeBy == DIRECTION):
+        obj.IntakeAlong = to_mm(pattern.intake.along)
+
+
+def _wire(obj, contour):
+    from BalloonWorkbench.app import shapes
+    from BalloonWorkbench.core.pattern.curves import polyline
+
+    if not obj.Arcs:
+        return shapes.curve_wire(polyline(contour.points, contour.closed))
+    fitted = arcs(contour.points, contour.closed)
+    return shapes.spline_wire(fitted) if obj.Splines else shapes.curve_wire(fitted)
+
+
+def _nested(outer, inner) -> list:
+    """Each outer cut with the inner ones that lie in it and in no smaller one."""
+    from BalloonWorkbench.core.outline.crossings import contains
+    from BalloonWorkbench.core.outline.outline import signed_area
+
+    smallest_first = sorted(outer, key=lambda cut: abs(signed_area(cut.points)))
+    holes = {id(cut): [] for cut in outer}
+    for hole in inner:
+        around = [cut for cut in smallest_first if contains(cut.points, hole.points[:1])[0]]
+        holes[id(around[0])].append(hole)
+    return [[cut, *holes[id(cut)]] for cut in outer]

@@ -37,6 +37,44 @@ def curve_wire(curve: Curve):
     return Part.Wire(edges)
 
 
+def spline_wire(curve: Curve, tolerance: float = from_mm(0.005)):
+    """A wire of straight edges and splines: what is smooth between them is one spline within a tolerance [m]."""
+    turned = curve.begun_at(int(np.flatnonzero(curve.corners)[0])) if _cornered(curve) else curve
+    first, last = turned.headings
+    corners, straight = turned.corners, turned.bulges == 0.0
+    edges, run = [], []
+    for k in range(len(turned)):
+        run.append(k)
+        after = (k + 1) % len(turned)
+        ends = k + 1 == len(turned) or corners[after] or straight[k] or straight[after]
+        if not ends:
+            continue
+        ends_at = (turned.starts[run[0]], turned.ends[run[-1]])
+        if straight[k]:
+            edges.append(Part.LineSegment(*vectors(ends_at)).toShape())
+        else:
+            part = Curve(
+                np.concatenate([turned.starts[run], turned.ends[run[-1:]]]), turned.bulges[run], False
+            )
+            edges.append(_spline(part, tolerance).toShape())
+        run = []
+    return Part.Wire(edges)
+
+
+def _cornered(curve: Curve) -> bool:
+    return curve.closed and bool(curve.corners.any())
+
+
+def _spline(curve: Curve, tolerance: float):
+    """A smooth spline through the ends, near to arcs, with their directions at the ends."""
+    points = curve.flattened(0.1 * tolerance)
+    spline = Part.BSplineCurve()
+    spline.approximate(
+        Points=vectors(points), DegMin=3, DegMax=3, Continuity="C2", Tolerance=to_mm(0.5 * tolerance)
+    )
+    return spline
+
+
 def face(outline: Outline):
     """The flat face between the outer loop and the holes, its wires in the order of the loops; then welds."""
     sheet = Part.Face([wire(loop) for loop in (outline.outer, *outline.holes)])

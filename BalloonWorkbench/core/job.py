@@ -39,11 +39,13 @@ from BalloonWorkbench.core.film.library import DEFAULT_FILM, film
 from BalloonWorkbench.core.outline.drawing import Drawing
 from BalloonWorkbench.core.outline.loops import scale_to
 from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.outline.passages import PASSAGE, linked
 from BalloonWorkbench.core.outline.picture import Decode
 from BalloonWorkbench.core.outline.read import read_drawing
 from BalloonWorkbench.core.outline.symmetry import AUTO, evened
-from BalloonWorkbench.core.pattern.build import build_pattern, usual_pattern
+from BalloonWorkbench.core.pattern.build import usual_pattern
 from BalloonWorkbench.core.pattern.layout import on_one_sheet
+from BalloonWorkbench.core.pattern.make import Wanted, make_pattern, sheet_of
 from BalloonWorkbench.core.pattern.pattern import Pattern
 from BalloonWorkbench.core.rounded import rounded, rounded_outline
 from BalloonWorkbench.core.solver.animation import inflate_in_time
@@ -60,6 +62,7 @@ class Settings:
     pressure [Pa]; mesh_size [m] and backend None where the engine chooses; correct False keeps the outline
     itself as the pattern; a volume [m3] takes the place of the pressure; model: what is simulated.
     symmetry: AUTO, OFF or FORCE of outline/symmetry.py; goal: what the size has to give; filling: what lifts.
+    passage [m] is left open in welds that would cut off a part, 0 for none; wanted: how the pattern is made.
     """
 
     film: Film = field(default_factory=lambda: film(DEFAULT_FILM))
@@ -67,12 +70,18 @@ class Settings:
     mesh_size: float | None = None
     backend: str | None = None
     correct: bool = True
-    intake: bool = True
     volume: float | None = None
     model: Model = field(default_factory=Model)
     symmetry: str = AUTO
     goal: SizeGoal | None = None
     filling: Filling = field(default_factory=Filling)
+    passage: float = PASSAGE
+    wanted: Wanted = field(default_factory=Wanted)
+
+    @property
+    def intake(self) -> bool:
+        """Whether the pattern has one."""
+        return self.wanted.intake
 
 
 @dataclass(frozen=True)
@@ -107,6 +116,11 @@ class Balloon:
         """The patterns of all shapes, where the drawing has them."""
         return [part.pattern for part in self.parts]
 
+    @property
+    def sheet(self) -> Pattern:
+        """All that is cut: the patterns with their pieces, second panels and copies as they are wanted."""
+        return on_one_sheet([sheet_of(pattern, self.settings.wanted) for pattern in self.patterns])
+
 
 def make_balloon(
     path: str | Path,
@@ -127,6 +141,7 @@ def make_balloon(
         width = START_WIDTH
     drawing, kind = read_drawing(path, width, height, decode)
     drawing = scale_to(evened(drawing, settings.symmetry, drawn=kind == "picture"), width, height)
+    drawing = replace(drawing, parts=tuple(linked(part, settings.passage) for part in drawing.parts))
     count = len(drawing.parts)
     designs = [design_outline(drawing.largest, settings, _share(progress, 0, count))]
     if settings.goal is not None:
@@ -137,14 +152,14 @@ def make_balloon(
         designs.append(design_outline(outline, alike, _share(progress, number, count)))
     made, told = [], []
     for design, outline in zip(designs, drawing.parts, strict=True):
-        pattern = build_pattern(design.pattern, settings.film.seal_width, intake=settings.intake)
+        pattern = make_pattern(design.pattern, settings.film.seal_width, settings.wanted)
         source = report.Source(Path(path).name, kind, outline)
         made.append(Part(design, pattern))
         of_part = report.build(
             source, settings.film, design, pattern, settings.volume, settings.filling, settings.goal
         )
         told.append(of_part | advice_report(advise_design(design, settings.film)))
-    sheet = on_one_sheet([part.pattern for part in made])
+    sheet = on_one_sheet([sheet_of(part.pattern, settings.wanted) for part in made])
     return Balloon(drawing, settings, tuple(made), report.together(told, drawing, sheet))
 
 
@@ -206,7 +221,7 @@ def files(balloon: Balloon, results: str | None = None) -> dict[str, bytes]:
     A file that needs a package that is missing is left out; a warning in the report says so.
     results: "vtu" or "npz" adds a file about every triangle.
     """
-    sheet = on_one_sheet(balloon.patterns)
+    sheet = balloon.sheet
     makers: dict[str, Callable[[], bytes]] = {
         "pattern.dxf": lambda: dxf_bytes(sheet),
         "pattern.svg": lambda: svg_bytes(sheet),

@@ -87,7 +87,7 @@ def assert_makeable(pattern: Pattern, seam: Outline) -> None:
 @pytest.mark.parametrize("name", NAMED)
 def test_named_seams(name: str) -> None:
     pattern = build_pattern(NAMED[name], SEAL)
-    assert pattern.warnings == ()
+    assert len(pattern.warnings) == (name == "neck")  # its waist is narrower than the intake
     assert_makeable(pattern, NAMED[name])
     assert len(pattern.of(Role.CUT_INNER)) == len(NAMED[name].holes)
 

@@ -15,7 +15,6 @@ from BalloonWorkbench.core.errors import OutlineError
 from BalloonWorkbench.core.export.stl import balloon_mesh, enclosed_volume
 from BalloonWorkbench.core.film.library import custom_film, film
 from BalloonWorkbench.core.mesh import delaunay
-from BalloonWorkbench.core.mesh.chambers import chambers
 from BalloonWorkbench.core.mesh.panel import Panel
 from BalloonWorkbench.core.mesh.quality import min_angles, signed_areas
 from BalloonWorkbench.core.mesh.reuse import move_rim
@@ -106,13 +105,14 @@ def test_slit_panel_has_two_sides() -> None:
                 assert (middle[(flat.triangles == copy).any(axis=1)] < 0.1).all()
 
 
-def test_a_weld_from_rim_to_rim_is_refused_with_the_place() -> None:
-    cut = replace(DISC, welds=(np.array([[-0.1375, 0.06], [0.1375, 0.06]]),))
-    with pytest.raises(
-        OutlineError, match=r"cut off the part at \((-?0|-?[01]\.\d), (9|10)\d\.\d\) mm: no air"
-    ):
-        meshed(cut)
-    assert chambers(meshed(WELDED)).max() == 0
+def test_a_weld_from_rim_to_rim_parts_the_film() -> None:
+    """No edge leads from the triangles above it to those below but its own."""
+    panel = meshed(replace(DISC, welds=(np.array([[-0.1375, 0.06], [0.1375, 0.06]]),)))
+    (wall,) = panel.welds
+    assert {int(wall[0]), int(wall[-1])} <= set(panel.seams[0].tolist())
+    above = panel.rest_positions[panel.triangles].mean(axis=1)[:, 1] > 0.06
+    shared = edges(panel.triangles[above]) & edges(panel.triangles[~above])
+    assert shared == {tuple(sorted(pair)) for pair in zip(wall[:-1].tolist(), wall[1:].tolist())}
 
 
 @pytest.mark.parametrize(

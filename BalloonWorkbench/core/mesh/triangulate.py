@@ -8,7 +8,6 @@ from itertools import pairwise
 import numpy as np
 
 from BalloonWorkbench.core.mesh.boundary import seam_points, weld_points
-from BalloonWorkbench.core.mesh.chambers import check_connected
 from BalloonWorkbench.core.mesh.lattice import lattice
 from BalloonWorkbench.core.mesh.panel import Panel
 from BalloonWorkbench.core.mesh.relax import relax
@@ -24,8 +23,7 @@ def triangulate(outline: Outline, size: float, rough: bool = False) -> Panel:
     those of the welds. Only at tips sharper than 40 degrees a triangle has all its vertices on the seam.
     rough: parts much thinner than the size may be overlooked, for a quick look.
 
-    Raises MeshError when the outline is too thin for the size or its parts touch, OutlineError when its welds
-    cut it in two.
+    Raises MeshError when the outline is too thin for the size or its parts touch.
     """
     field = size_field(outline, size, rough)
     seams, field = seam_points(outline.loops, field)
@@ -38,7 +36,4 @@ def triangulate(outline: Outline, size: float, rough: bool = False) -> Panel:
     own = [weld.points for weld in welds]
     inner = lattice(seams, field, [line for line in own if len(line)])
     points, triangles = relax(np.concatenate([*seams, *own, inner]), loops, field, lines)
-    panel = Panel(points, triangles, loops, lines)
-    if lines:
-        check_connected(panel)
-    return panel
+    return Panel(points, triangles, loops, lines)

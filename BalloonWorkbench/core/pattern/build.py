@@ -18,10 +18,14 @@ import numpy as np
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.outline.passages import chambers
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.pattern.fairing import faired
-from BalloonWorkbench.core.pattern.intake import Neck, place_neck
+from BalloonWorkbench.core.pattern.intake import Neck, Wish, freest, place_neck
+from BalloonWorkbench.core.pattern.intake_kinds import STRAW
+from BalloonWorkbench.core.pattern.intake_kinds import intake_kind as kind_named
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
+from BalloonWorkbench.core.pattern.rim import Rim
 from BalloonWorkbench.core.pattern.shapes import (
     SHORTEST,
     closed_loop,
@@ -29,6 +33,7 @@ from BalloonWorkbench.core.pattern.shapes import (
     open_line,
     parts,
     polygon,
+    relieved,
 )
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import mm_text, to_mm
@@ -39,18 +44,24 @@ def build_pattern(
     seal_width: float,
     *,
     allowance: float = 0.002,
-    intake_width: float = 0.010,
+    intake_kind: str = STRAW,
+    intake_width: float | None = None,
     intake_length: float | None = None,
     intake_angle: float | None = None,
+    intake_along: float | None = None,
     intake: bool = True,
+    corner_radius: float = 0.0,
 ) -> Pattern:
     """The pattern of a panel whose free film is bounded by `seam` [m], faired within 0.05 mm.
 
-    seal_width    of the weld [m]
-    allowance     film left outside the weld [m]
-    intake_width  of the air path between the welds [m]; it points from the pattern's centre of area to the
-                  farthest point of the seam, or along intake_angle [rad], and is intake_length [m] long
-    Raises InputError for senseless values, OutlineError where the seam crosses itself.
+    seal_width     of the weld [m]
+    allowance      film left outside the weld [m]
+    intake_kind    a name of intake_kinds; width and length [m] are the kind's unless given. It points from
+                   the pattern's centre of area to the farthest point of the seam, or along intake_angle [rad],
+                   or sits at intake_along [m] on the seam, counter-clockwise from its rightmost point
+    corner_radius  with which corners of the cuts are rounded [m]; the weld keeps its corners
+    Each chamber that the welds cut off gets an intake. Raises InputError for senseless values, OutlineError
+    where the seam crosses itself.
     """
     if not (np.isfinite(seal_width) and seal_width > 0.0 and np.isfinite(allowance) and allowance >= 0.0):
         raise InputError("The seal width must be above 0 and the allowance not below 0.")
@@ -58,36 +69,40 @@ def build_pattern(
     seam = replace(seam, outer=faired(seam.outer), holes=tuple(faired(hole) for hole in seam.holes))
     whole, holes = polygon(seam.outer), [polygon(hole) for hole in seam.holes]
     warnings: list[str] = []
-    neck = None
+    necks: list[Neck] = []
     if intake:
+        known = kind_named(intake_kind)
+        width = known.width if intake_width is None else intake_width
         film = whole.difference(shapely().unary_union(holes)) if holes else whole
-        neck = place_neck(film, margin, intake_width, intake_length, intake_angle)
-        whole = shapely().unary_union([whole, neck.area])
-        if neck.narrow:
-            warnings.append(
-                f"The balloon is nowhere {mm_text(intake_width)} wide behind its intake: choose another"
-                " intake angle or a narrower intake, else air enters slowly."
-            )
+        wish = Wish(known, width, intake_length, intake_angle, intake_along)
+        necks = _necks(seam, film, wish, seal_width, allowance)
+        whole = shapely().unary_union([whole, *(neck.area for neck in necks if neck.area is not None)])
+        warnings += [_advice(neck) for neck in necks if neck.way is not None]
     contours = [Contour(Role.WELD, open_line(shapely().LineString(weld)), False) for weld in seam.welds] + [
         Contour(Role.WELD, closed_loop(polygon(spot).exterior, False), True) for spot in seam.spots
     ]
+    contours += [line for neck in necks for line in neck.lines]
     for hole in holes:
-        contours += _inner(hole, seal_width, margin, warnings)
+        contours += _inner(hole, seal_width, margin, corner_radius, warnings)
     # Where the weld closes a bay of the outline, the rest of the bay is cut out like a hole.
     sealed, cut = _largest(offset(whole, 0.5 * seal_width)), _largest(offset(whole, margin))
+    cut = relieved(cut, sealed.boundary, 0.5 * seal_width, corner_radius)
     contours += [Contour(Role.SEAL, closed_loop(ring, False), True) for ring in _sizeable(sealed.interiors)]
     contours += [Contour(Role.CUT_INNER, closed_loop(ring, False), True) for ring in _sizeable(cut.interiors)]
-    contours.append(_outer_seal(sealed, neck))
-    if neck is not None:
-        cut = _largest(cut.difference(neck.beyond))
+    mouths = [neck.beyond for neck in necks if neck.beyond is not None]
+    contours += _outer_seal(sealed, mouths)
+    for mouth in mouths:
+        cut = _largest(cut.difference(mouth))
     contours.append(Contour(Role.CUT, closed_loop(cut.exterior, True), True))
     welds = [contour for contour in contours if contour.role is Role.SEAL]
+    intakes = [neck.intake for neck in necks]
     return Pattern(
         tuple(contours),
-        None if neck is None else neck.intake,
+        intakes[0] if intakes else None,
         seal_width,
         sum(_length(weld.points, weld.closed) for weld in welds),
         tuple(warnings),
+        tuple(intakes[1:]),
     )
 
 
@@ -101,10 +116,52 @@ def usual_pattern(seam: Outline, film: Film, intake: bool = True) -> Pattern:
         return build_pattern(seam, film.seal_width, intake=False)
 
 
-def _inner(hole: Any, seal_width: float, margin: float, warnings: list[str]) -> list[Contour]:
+def _necks(seam: Outline, film: Any, wish: Wish, seal_width: float, allowance: float) -> list[Neck]:
+    """An intake for each chamber; what is wished of the place holds for the chamber that is nearest to it."""
+    rim = Rim(seam.outer)
+    rooms = chambers(seam)
+    if len(rooms) == 1:
+        return [place_neck(film, rooms[0] if seam.welds else film, rim, wish, seal_width, allowance)]
+    given = wish.angle is not None or wish.along is not None
+    if given:
+        at = shapely().Point(place_neck(film, film, rim, wish, seal_width, allowance).intake.at)
+        rooms.sort(key=lambda room: room.distance(at))
+    necks = []
+    for k, room in enumerate(rooms):
+        others = [*rooms[:k], *rooms[k + 1 :]]
+        each = wish if given and k == 0 else replace(wish, angle=None, along=freest(rim, room, others))
+        necks.append(place_neck(film, room, rim, each, seal_width, allowance))
+    areas = [neck.area for neck in necks if neck.area is not None]
+    for k, area in enumerate(areas):
+        if any(area.distance(other) < 2.0 * (seal_width + allowance) for other in areas[:k]):
+            raise InputError(
+                "The intakes of two chambers run into each other: leave a gap in the weld between them, or"
+                " choose another place for the first."
+            )
+    return necks
+
+
+def _advice(neck: Neck) -> str:
+    """What to do about an intake into a narrow place."""
+    wanted = mm_text(neck.intake.width)
+    if neck.way == 0.0:
+        return (
+            f"The balloon is nowhere {wanted} wide behind its intake: choose another intake angle or a"
+            " narrower intake, else air enters slowly."
+        )
+    return (
+        f"The way from the intake into the balloon narrows to {mm_text(neck.way or 0.0)}, and the intake is"
+        f" {wanted} wide: put it where the balloon is wider, else air enters slowly."
+    )
+
+
+def _inner(
+    hole: Any, seal_width: float, margin: float, corner_radius: float, warnings: list[str]
+) -> list[Contour]:
     """Weld and cut of a hole, as far as it has room for them."""
     welds = parts(offset(hole, -0.5 * seal_width))
-    cuts = parts(offset(hole, -margin))
+    walls = shapely().union_all([weld.exterior for weld in welds])
+    cuts = [relieved(cut, walls, 0.5 * seal_width, corner_radius) for cut in parts(offset(hole, -margin))]
     x, y = to_mm(np.asarray(hole.centroid.coords[0]))
     radius = float(shapely().maximum_inscribed_circle(hole).length)
     if not welds:
@@ -128,15 +185,14 @@ def _inner(hole: Any, seal_width: float, margin: float, warnings: list[str]) -> 
     ]
 
 
-def _outer_seal(sealed: Any, neck: Neck | None) -> Contour:
-    """The weld round the balloon, open at the mouth of the intake."""
-    if neck is None:
-        return Contour(Role.SEAL, closed_loop(sealed.exterior, True), True)
-    line = sealed.exterior.difference(neck.beyond)
-    if line.geom_type != "LineString":
-        line = shapely().line_merge(line)
-    longest = max(getattr(line, "geoms", [line]), key=lambda piece: piece.length)
-    return Contour(Role.SEAL, open_line(longest), False)
+def _outer_seal(sealed: Any, mouths: list[Any]) -> list[Contour]:
+    """The weld round the balloon, open at the mouths of its necks."""
+    if not mouths:
+        return [Contour(Role.SEAL, closed_loop(sealed.exterior, True), True)]
+    package = shapely()
+    line = package.line_merge(sealed.exterior.difference(package.union_all(mouths)))
+    pieces = sorted(package.get_parts(line), key=lambda piece: -piece.length)[: len(mouths)]
+    return [Contour(Role.SEAL, open_line(piece), False) for piece in pieces]
 
 
 def _largest(area: Any) -> Any:

@@ -10,6 +10,7 @@ import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.packages import shapely
+from BalloonWorkbench.core.pattern.intake_kinds import FILM, intake_kind
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
 from BalloonWorkbench.core.pattern.shapes import closed_loop, polygon
 from BalloonWorkbench.core.types import Floats
@@ -57,13 +58,14 @@ def _notches(cut: Contour, pattern: Pattern, count: int, depth: float) -> list[C
     at = np.stack([np.interp(places, along, loop[:, k]) for k in range(2)], axis=1)
     inward = np.stack([-direction[:, 1], direction[:, 0]], axis=1)  # outer cuts run counter-clockwise
     free = np.ones(count, dtype=bool)
-    if pattern.intake is not None:
-        intake = pattern.intake
+    for intake in pattern.intakes:
+        if intake_kind(intake.kind).place == FILM:
+            continue
         axis = np.array([np.cos(intake.angle), np.sin(intake.angle)])
         beyond = (at - intake.at) @ axis
         aside = np.abs((at - intake.at) @ np.array([-axis[1], axis[0]]))
         wide = 0.5 * intake.width + 2.0 * pattern.seal_width + _CLEAR
-        free = (beyond < 0.0) | (aside > wide)
+        free &= (beyond < 0.0) | (aside > wide)
     lines = np.stack([at, at + depth * inward], axis=1)[free]
     return [Contour(Role.MARK, line, False) for line in lines]
 

@@ -3,77 +3,194 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.packages import shapely
-from BalloonWorkbench.core.pattern.pattern import Intake
-from BalloonWorkbench.core.pattern.shapes import offset
+from BalloonWorkbench.core.pattern.intake_kinds import FILM, IntakeKind, placed
+from BalloonWorkbench.core.pattern.pattern import Contour, Intake
+from BalloonWorkbench.core.pattern.rim import Rim
+from BalloonWorkbench.core.pattern.shapes import offset, parts
 from BalloonWorkbench.core.types import Floats
-from BalloonWorkbench.core.units import from_mm, mm_text
+from BalloonWorkbench.core.units import from_mm, mm_text, place_text
 
 #: Farthest points within this share of each other count as equally far; the lowest is taken.
 _EQUALLY_FAR = 1e-3
+#: Places on the rim among which a chamber finds its own.
+_PLACES = 720
+#: Film left between a nozzle's flange and the weld [m].
+_BESIDE_FLANGE = from_mm(3.0)
+
+
+@dataclass(frozen=True)
+class Wish:
+    """An intake as it is wanted; lengths [m], angle [rad], None where it is found.
+
+    length  of the neck, or diameter of the flange
+    angle   direction from the centre of area, where the rim is met
+    along   place on the rim instead, as in `Rim`; a neck then leaves square to it, or along the angle
+    """
+
+    kind: IntakeKind
+    width: float
+    length: float | None = None
+    angle: float | None = None
+    along: float | None = None
 
 
 @dataclass(frozen=True)
 class Neck:
     """An intake as areas of shapely.
 
-    area   the film between the welds, from within the balloon to beyond the mouth
+    area   the film between the welds, from within the balloon to beyond the mouth; None for a nozzle
     beyond everything past the mouth
-    narrow the balloon is narrower than the intake where they meet
+    way    width of the narrowest place on the way into the chamber [m], None where air enters freely
+    lines  the lines of its kind, in place
     """
 
     intake: Intake
     area: Any
     beyond: Any
-    narrow: bool
+    way: float | None
+    lines: tuple[Contour, ...]
 
 
-def place_neck(film: Any, margin: float, width: float, length: float | None, angle: float | None) -> Neck:
-    """The neck of a balloon whose film is a polygon (holes included).
+def place_neck(film: Any, chamber: Any, rim: Rim, wish: Wish, seal_width: float, allowance: float) -> Neck:
+    """The intake of a chamber of a film, both polygons (holes included); the rim is the film's.
 
-    margin  from the seam to the cut [m]
-    width   between the welds [m]
-    length  from the seam outward [m]; by default 30 mm and three widths at least, more where it leaves aslant
-    angle   direction [rad]; by default from the centre of area to the farthest point of the outline
+    seal_width, allowance [m]. A length that is not given is 30 mm and three widths at least, more where the
+    neck leaves aslant. Raises InputError for senseless values and where there is no room.
     """
+    width, margin = wish.width, seal_width + allowance
+    if not (np.isfinite(width) and width > 0.0):
+        raise InputError("The intake's width and length must be above 0.")
+    sizes = {"W": width, "S": seal_width, "A": allowance}
+    length = wish.length if wish.length is not None else wish.kind.usual_length(sizes)
+    at, direction = _place(film, chamber, rim, wish)
+    turn = float(np.arctan2(direction[1], direction[0]))
+    if wish.kind.place == FILM:
+        return _fitting(chamber, rim, wish, at, turn, length, sizes)
     least = margin + 0.5 * width
     lengths = max(from_mm(30.0), 3.0 * width, least) * np.array([1.0, 1.4, 2.0, 2.8, 4.0])
     if length is not None:
         lengths = np.array([length])
-    if not (np.isfinite(width) and width > 0.0 and np.isfinite(lengths).all()):
+    if not np.isfinite(lengths).all():
         raise InputError("The intake's width and length must be above 0.")
     if lengths[0] < least:
         raise InputError(
             f"An intake of {mm_text(lengths[0])} does not reach past the cut:"
             f" give it at least {mm_text(least)}."
         )
-    rim = np.asarray(film.exterior.coords, dtype=np.float64)[:-1]
-    centre = np.asarray(film.centroid.coords[0])
-    at, direction = _farthest(rim, centre) if angle is None else _hit(film, centre, angle)
     chosen = _free_length(film, at, direction, lengths.tolist(), width, margin)
-    past = chosen + 2.0 * margin
-    start = _roomy(film, at, width)
-    path = [at if start is None else start, at, at + past * direction]
-    turn = float(np.arctan2(direction[1], direction[0]))
+    start = _roomy(chamber, at, width)
+    beyond = _before_mouth(at, direction, chosen, width, margin)
+    area = _air(at if start is None else start, at, direction, chosen, margin, width, wish.kind.taper)
     return Neck(
-        Intake(at, turn, width, chosen),
-        shapely().LineString(path).buffer(0.5 * width, quad_segs=16),
-        _before_mouth(at, direction, chosen, width, margin),
-        start is None,
+        Intake(at, turn, width, chosen, rim.nearest(at), wish.kind.name),
+        area,
+        beyond,
+        0.0 if start is None else _narrow_way(chamber, start, width),
+        _lines(wish, at, turn, {**sizes, "L": chosen}),
     )
 
 
-def _farthest(rim: Floats, centre: Floats) -> tuple[Floats, Floats]:
-    away = np.linalg.norm(rim - centre, axis=1)
+def _fitting(
+    chamber: Any, rim: Rim, wish: Wish, at: Floats, turn: float, flange: float | None, sizes: dict[str, float]
+) -> Neck:
+    """A nozzle, as near to the rim as its flange has room."""
+    if flange is None or not wish.width < flange < np.inf:
+        raise InputError("The nozzle's flange must be wider than its bore.")
+    middle = _roomy(chamber, at, flange + 2.0 * _BESIDE_FLANGE)
+    if middle is None:
+        raise InputError(
+            f"There is no room for a flange of {mm_text(flange)} there: choose another place or a smaller"
+            " one."
+        )
+    intake = Intake(middle, turn, wish.width, flange, rim.nearest(at), wish.kind.name)
+    lines = tuple(replace(line, front=True) for line in _lines(wish, middle, turn, {**sizes, "L": flange}))
+    return Neck(intake, None, None, _narrow_way(chamber, middle, wish.width), lines)
+
+
+def _lines(wish: Wish, at: Floats, turn: float, sizes: dict[str, float]) -> tuple[Contour, ...]:
+    return tuple(placed(stroke.drawn(sizes), at, turn) for stroke in wish.kind.strokes)
+
+
+def _place(film: Any, chamber: Any, rim: Rim, wish: Wish) -> tuple[Floats, Floats]:
+    """The point of the rim and the direction (2,) outward."""
+    if wish.along is not None:
+        if not np.isfinite(wish.along):
+            raise InputError("The intake's place along the seam must be a length.")
+        turn = rim.outward(wish.along, 0.5 * wish.width) if wish.angle is None else wish.angle
+        return rim.at(wish.along), np.array([np.cos(turn), np.sin(turn)])
+    centre = np.asarray(chamber.centroid.coords[0])
+    if wish.angle is not None:
+        return _hit(film, centre, wish.angle)
+    return _farthest(np.asarray(film.exterior.coords, dtype=np.float64)[:-1], centre)
+
+
+def freest(rim: Rim, chamber: Any, others: list[Any]) -> float:
+    """The place on the rim of a chamber that is farthest from the other chambers [m].
+
+    Raises InputError for a chamber that has nothing of the rim.
+    """
+    package = shapely()
+    places = np.linspace(0.0, rim.length, _PLACES, endpoint=False)
+    points = package.points([rim.at(place) for place in places.tolist()])
+    mine = package.distance(chamber, points) < 1e-3 * rim.length
+    room = np.where(mine, package.distance(package.union_all(others), points), 0.0)
+    if not room.any():
+        raise InputError(
+            f"The part round {place_text(np.asarray(chamber.centroid.coords[0]))} has no rim for an intake:"
+            " leave a gap in the welds round it."
+        )
+    return float(places[int(np.argmax(np.round(room / rim.length, 4)))])
+
+
+def _air(
+    start: Floats, at: Floats, direction: Floats, length: float, margin: float, width: float, taper: float
+) -> Any:
+    """The film between the welds of a neck, from `start` in the balloon to past its mouth."""
+    package = shapely()
+    past = length + 2.0 * margin
+    if taper == 1.0:
+        return package.LineString([start, at, at + past * direction]).buffer(0.5 * width, quad_segs=16)
+    inner = package.LineString([start, at]) if not np.array_equal(start, at) else package.Point(at)
+    side = np.array([-direction[1], direction[0]])
+    end = 0.5 * width * (1.0 - (1.0 - taper) * past / length)
+    far = at + past * direction
+    tail = package.Polygon(
+        [at - 0.5 * width * side, far - end * side, far + end * side, at + 0.5 * width * side]
+    )
+    return package.unary_union([inner.buffer(0.5 * width, quad_segs=16), tail])
+
+
+def _narrow_way(chamber: Any, start: Floats, width: float) -> float | None:
+    """Width of the narrowest place between a place and the roomiest one [m]; None if not below `width`."""
+    package = shapely()
+    begin, middle = package.Point(start), package.Point(package.maximum_inscribed_circle(chamber).coords[0])
+
+    def passes(wide: float) -> bool:
+        rooms = parts(chamber.buffer(-0.5 * wide))
+        reached = [room for room in rooms if room.distance(begin) < 0.05 * wide]
+        return any(room.distance(middle) < 0.05 * wide for room in reached)
+
+    if passes(0.99 * width):
+        return None
+    low, high = 0.0, width
+    for _ in range(6):
+        tried = 0.5 * (low + high)
+        low, high = (tried, high) if passes(tried) else (low, tried)
+    return low
+
+
+def _farthest(points: Floats, centre: Floats) -> tuple[Floats, Floats]:
+    away = np.linalg.norm(points - centre, axis=1)
     far = np.flatnonzero(away > (1.0 - _EQUALLY_FAR) * away.max())
-    lowest = np.lexsort((rim[far, 0], np.round(rim[far, 1] / away.max(), 6)))[0]
-    at = rim[far[lowest]]
+    lowest = np.lexsort((points[far, 0], np.round(points[far, 1] / away.max(), 6)))[0]
+    at = points[far[lowest]]
     return at, (at - centre) / away[far[lowest]]
 
 

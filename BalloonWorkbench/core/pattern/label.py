@@ -40,18 +40,29 @@ def with_label(pattern: Pattern, text: str, height: float) -> Pattern:
     room = package.maximum_inscribed_circle(max(package.get_parts(film), key=lambda part: part.area))
     (x, y), radius = room.coords[0], float(room.length)
     letters = _letters(text, height)
-    low, high = (
-        np.min([loop.min(axis=0) for loop in letters], axis=0),
-        np.max([loop.max(axis=0) for loop in letters], axis=0),
-    )
+    low, high = _box(letters)
     if 0.5 * float(np.hypot(*(high - low))) > radius:
         raise InputError(
             f'The label "{text}" is {mm_text(float(high[0] - low[0]))} long, and the film is only'
             f" {mm_text(2.0 * radius)} wide: take a shorter text or lower letters."
         )
-    shift = np.array([x, y]) - 0.5 * (low + high)
-    outlines = tuple(Contour(Role.ENGRAVE, loop + shift, True) for loop in letters)
-    return replace(pattern, contours=(*outlines, *pattern.contours))
+    return replace(pattern, contours=(*_at(letters, np.array([x, y])), *pattern.contours))
+
+
+def lettering(text: str, height: float, middle: Floats) -> tuple[Contour, ...]:
+    """A text as outlines round a point (2,), whose capitals are so high [m]. Errors as for `with_label`."""
+    return _at(_letters(text, height), middle)
+
+
+def _at(letters: list[Floats], middle: Floats) -> tuple[Contour, ...]:
+    low, high = _box(letters)
+    shift = middle - 0.5 * (low + high)
+    return tuple(Contour(Role.ENGRAVE, loop + shift, True) for loop in letters)
+
+
+def _box(letters: list[Floats]) -> tuple[Floats, Floats]:
+    points = np.concatenate(letters)
+    return points.min(axis=0), points.max(axis=0)
 
 
 def _letters(text: str, height: float) -> list[Floats]:

@@ -42,6 +42,7 @@ def on_one_sheet(patterns: Sequence[Pattern]) -> Pattern:
         moved[0],
         contours=tuple(contour for pattern in moved for contour in pattern.contours),
         intake=None,
+        more_intakes=(),
         seam_length=sum(pattern.seam_length for pattern in moved),
         warnings=tuple(warning for pattern in moved for warning in pattern.warnings),
     )

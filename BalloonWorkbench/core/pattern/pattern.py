@@ -27,27 +27,35 @@ class Role(str, Enum):
 
 @dataclass(frozen=True)
 class Contour:
-    """A polyline with a role: points (n, 2) m, the first point not repeated when closed."""
+    """A polyline with a role: points (n, 2) m, the first point not repeated when closed.
+
+    front  only the front panel has it, as the hole of a nozzle
+    """
 
     role: Role
     points: Floats
     closed: bool
+    front: bool = False
 
 
 @dataclass(frozen=True)
 class Intake:
-    """The neck through which the balloon is filled.
+    """Where the balloon is filled.
 
-    at     (2,) m, the middle of its root on the seam
+    at     (2,) m, the middle of a neck's root on the seam, or of a nozzle
     angle  direction in which it points, counter-clockwise from +x [rad]
-    width  inner width [m]
-    length from the seam outward [m]
+    width  inner width of a neck, bore of a nozzle [m]
+    length of a neck from the seam outward, diameter of a nozzle's flange [m]
+    along  place of the neck's root, counter-clockwise along the outer seam from its rightmost point [m]
+    kind   name of the intake's kind
     """
 
     at: Floats
     angle: float
     width: float
     length: float
+    along: float = 0.0
+    kind: str = "straw"
 
 
 @dataclass(frozen=True)
@@ -57,6 +65,7 @@ class Pattern:
     contours      inner ones (welds, holes) first, the outer CUT last
     seam_length   m, length of the weld of all loops, intake mouth excluded
     warnings      one sentence each, for the user
+    more_intakes  those of chambers that the first one does not reach
     """
 
     contours: tuple[Contour, ...]
@@ -64,6 +73,12 @@ class Pattern:
     seal_width: float
     seam_length: float
     warnings: tuple[str, ...] = ()
+    more_intakes: tuple[Intake, ...] = ()
+
+    @property
+    def intakes(self) -> tuple[Intake, ...]:
+        """All intakes, the largest chamber's first."""
+        return () if self.intake is None else (self.intake, *self.more_intakes)
 
     @property
     def bounds(self) -> tuple[Floats, Floats]:
@@ -103,4 +118,5 @@ class Pattern:
             self,
             contours=tuple(replace(contour, points=contour.points + shift) for contour in self.contours),
             intake=None if self.intake is None else replace(self.intake, at=self.intake.at + shift),
+            more_intakes=tuple(replace(intake, at=intake.at + shift) for intake in self.more_intakes),
         )

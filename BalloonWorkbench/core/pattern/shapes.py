@@ -7,10 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from BalloonWorkbench.core.errors import OutlineError
+from BalloonWorkbench.core.errors import InputError, OutlineError
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.types import Floats
-from BalloonWorkbench.core.units import from_mm, to_mm
+from BalloonWorkbench.core.units import from_mm, mm_text, to_mm
 
 #: Corners blunter than 60 degrees stay corners when a contour is offset; sharper ones are cut off there.
 _MITRE = 2.0
@@ -37,6 +37,28 @@ def polygon(loop: Floats) -> Any:
 def offset(area: Any, distance: float) -> Any:
     """The area grown by a distance (shrunk by a negative one), corners kept."""
     return area.buffer(distance, join_style="mitre", mitre_limit=_MITRE)
+
+
+def relieved(area: Any, weld: Any, half_width: float, radius: float) -> Any:
+    """A cut with its corners rounded, so that film neither tears in them nor peels.
+
+    weld  the middle of the weld beside it, as lines of shapely; half_width of it [m]
+    Raises InputError where the rounding would take film from the weld.
+    """
+    if not (np.isfinite(radius) and radius >= 0.0):
+        raise InputError("The radius of the corner relief must be 0 or above.")
+    if radius == 0.0:
+        return area
+    steps = max(16, int(np.ceil(0.25 * np.pi / np.arccos(max(1.0 - TOLERANCE / radius, 0.5)))))
+    opened = area.buffer(-radius, join_style="mitre").buffer(radius, quad_segs=steps)
+    closed = opened.buffer(radius, join_style="mitre").buffer(-radius, quad_segs=steps)
+    left = 0.0 if closed.is_empty else closed.boundary.distance(weld)
+    if left < half_width - TOLERANCE or len(parts(closed)) != 1:
+        raise InputError(
+            f"A corner relief of {mm_text(radius)} would cut into the weld: choose a smaller radius or a"
+            " wider allowance."
+        )
+    return parts(closed)[0]
 
 
 def parts(area: Any) -> list[Any]:

@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Chambers: the parts into which welds divide a balloon, and the ways left open between them."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.outline.sampling import line_lengths, point_on
+from BalloonWorkbench.core.packages import shapely
+from BalloonWorkbench.core.types import Floats
+from BalloonWorkbench.core.units import from_mm, mm_text, place_text
+
+PASSAGE = from_mm(10.0)
+"""Usual width of a passage [m]."""
+#: A weld that ends this near to a loop reaches it, and a thin wall; relative to the size.
+_AT_RIM, _HAIR = 7e-3, 1e-6
+#: A passage keeps so many of its widths from the ends of its weld and from everything else.
+_CLEAR = 1.0
+#: Chambers below this share of the film are rounding errors where a weld meets the rim.
+_CHAMBER = 1e-4
+
+
+def chambers(outline: Outline) -> list[Any]:
+    """The parts between which the welds leave no way for air, as polygons of shapely, the largest first."""
+    package = shapely()
+    film = package.Polygon(outline.outer, [*outline.holes, *outline.spots])
+    if not outline.welds:
+        return [film]
+    size = max(outline.size)
+    rim = film.boundary
+    walls = [package.LineString(_to_rim(weld, rim, _AT_RIM * size)) for weld in outline.welds]
+    parts = package.get_parts(film.difference(package.union_all(walls).buffer(_HAIR * size)))
+    rooms = [part for part in parts if part.area > _CHAMBER * film.area]
+    return sorted(rooms, key=lambda room: -room.area)
+
+
+def linked(outline: Outline, width: float = PASSAGE) -> Outline:
+    """The outline with a passage in the welds for each chamber that air would not reach, and a note for each.
+
+    Each chamber gets one from a neighbour that is reached before it, the largest being the first, where the
+    weld between them has most room. A chamber whose welds are too short for it stays as it is; so do all for
+    a width of 0.
+    """
+    if not (np.isfinite(width) and width >= 0.0):
+        raise InputError("The width of the passages must be 0 or above.")
+    if width == 0.0 or not outline.welds:
+        return outline
+    notes = list(outline.notes)
+    while True:
+        rooms = chambers(outline)
+        found = _best_passage(outline, rooms, width) if len(rooms) > 1 else None
+        if found is None:
+            return replace(outline, notes=tuple(notes))
+        number, along = found
+        weld = outline.welds[number]
+        lengths = line_lengths(weld)
+        middle = np.round(point_on(weld, lengths, np.array([along]))[0], 6) + 0.0
+        pieces = [
+            _part(weld, lengths, 0.0, along - 0.5 * width),
+            _part(weld, lengths, along + 0.5 * width, float(lengths[-1])),
+        ]
+        welds = (*outline.welds[:number], *pieces, *outline.welds[number + 1 :])
+        outline = replace(outline, welds=welds)
+        notes.append(
+            f"A passage of {mm_text(width)} is left open in the weld at {place_text(middle)}, so that air"
+            " reaches both sides."
+        )
+
+
+def _best_passage(outline: Outline, rooms: list[Any], width: float) -> tuple[int, float] | None:
+    """The weld, and the place along it [m], of the roomiest passage between a chamber and a larger one."""
+    package = shapely()
+    size = max(outline.size)
+    rim = package.Polygon(outline.outer, [*outline.holes, *outline.spots]).boundary
+    best: tuple[float, float, int, float] | None = None
+    for number, weld in enumerate(outline.welds):
+        lengths = line_lengths(weld)
+        clear = (0.5 + _CLEAR) * width
+        if lengths[-1] < 2.0 * clear:
+            continue
+        count = max(3, int(np.ceil(4.0 * lengths[-1] / width)) | 1)
+        places = np.linspace(clear, lengths[-1] - clear, count)
+        points = point_on(weld, lengths, places)
+        ahead = point_on(weld, lengths, places + 0.1 * width) - point_on(weld, lengths, places - 0.1 * width)
+        side = np.stack([-ahead[:, 1], ahead[:, 0]], axis=1) / np.hypot(*ahead.T)[:, None]
+        beside = [_room_at(rooms, points + sign * 1e-3 * size * side) for sign in (1.0, -1.0)]
+        others = [package.LineString(other) for k, other in enumerate(outline.welds) if k != number]
+        free = package.distance(package.union_all([rim, *others]), package.points(points))
+        ends = np.minimum(places, lengths[-1] - places)
+        room = np.minimum(free, ends)
+        apart = (beside[0] != beside[1]) & (np.minimum(*beside) >= 0) & (free >= _CLEAR * width)
+        for k in np.flatnonzero(apart):
+            # the larger chambers first; then the roomiest place, of nearly equal ones the middle
+            rank = (
+                -float(min(beside[0][k], beside[1][k])),
+                round(float(room[k]) / (0.2 * width)) + 1e-3 * float(ends[k]) / size,
+            )
+            if best is None or rank > best[:2]:
+                best = *rank, number, float(places[k])
+    return None if best is None else best[2:]
+
+
+def _room_at(rooms: list[Any], points: Floats) -> Any:
+    """The number (n,) of the chamber in which each point lies, -1 for none."""
+    package = shapely()
+    where = np.full(len(points), -1)
+    for number, room in enumerate(rooms):
+        where[package.contains_xy(room, points[:, 0], points[:, 1])] = number
+    return where
+
+
+def _part(weld: Floats, lengths: Floats, start: float, end: float) -> Floats:
+    """A line from one place along a weld to another."""
+    ends = point_on(weld, lengths, np.array([start, end]))
+    inner = weld[(lengths > start + 1e-9) & (lengths < end - 1e-9)]
+    return np.concatenate([ends[:1], inner, ends[1:]])
+
+
+def _to_rim(weld: Floats, rim: Any, reach: float) -> Floats:
+    """The weld with ends near to the rim drawn on to a little past it."""
+    package = shapely()
+    line = weld
+    for end in (0, -1):
+        point = package.Point(line[end])
+        if rim.distance(point) < reach:
+            foot = np.asarray(package.shortest_line(rim, point).coords[0])
+            past = foot + 0.01 * (foot - line[end])
+            line = np.concatenate([past[None], line]) if end == 0 else np.concatenate([line, past[None]])
+    return line

@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""All that is wanted of a pattern, and the pattern made so."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.pattern.build import build_pattern
+from BalloonWorkbench.core.pattern.extras import with_notches, with_tie_tab
+from BalloonWorkbench.core.pattern.intake_kinds import STRAW
+from BalloonWorkbench.core.pattern.label import with_label
+from BalloonWorkbench.core.pattern.panels import on_sheet
+from BalloonWorkbench.core.pattern.pattern import Pattern
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """How a pattern is made; lengths [m], angles [rad], None where the pattern finds the value.
+
+    seal_width  None takes the film's; the intake's values as in `build_pattern`; corner_radius rounds corners
+    of the cuts; mirror and copies as in `on_sheet`
+    """
+
+    seal_width: float | None = None
+    allowance: float = 0.002
+    intake: bool = True
+    intake_kind: str = STRAW
+    intake_width: float | None = None
+    intake_length: float | None = None
+    intake_angle: float | None = None
+    intake_along: float | None = None
+    corner_radius: float = 0.0
+    notches: int = 0
+    notch_depth: float = 0.0015
+    tie_tab: bool = False
+    tie_tab_angle: float | None = None
+    label: str = ""
+    label_height: float = 0.006
+    mirror: bool = False
+    copies: int = 1
+
+
+def make_pattern(seam: Outline, seal_width: float, wanted: Wanted) -> Pattern:
+    """The pattern of one panel with everything on it; seal_width is the film's [m].
+
+    Raises what build_pattern, with_tie_tab, with_label and with_notches raise.
+    """
+    pattern = build_pattern(
+        seam,
+        seal_width if wanted.seal_width is None else wanted.seal_width,
+        allowance=wanted.allowance,
+        intake=wanted.intake,
+        intake_kind=wanted.intake_kind,
+        intake_width=wanted.intake_width,
+        intake_length=wanted.intake_length,
+        intake_angle=wanted.intake_angle,
+        intake_along=wanted.intake_along,
+        corner_radius=wanted.corner_radius,
+    )
+    if wanted.tie_tab:
+        pattern = with_tie_tab(pattern, wanted.tie_tab_angle)
+    pattern = with_label(pattern, wanted.label, wanted.label_height)
+    return with_notches(pattern, wanted.notches, wanted.notch_depth)
+
+
+def sheet_of(pattern: Pattern, wanted: Wanted) -> Pattern:
+    """What is cut for it: the panel with its pieces, the second panel and copies as they are wanted."""
+    return on_sheet(pattern, wanted.allowance, wanted.mirror, wanted.copies)
