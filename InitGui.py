@@ -11,16 +11,19 @@ class BalloonWorkbench(Gui.Workbench):
     ToolTip = "Design balloons from film that does not stretch"
 
     def __init__(self):
-        from BalloonWorkbench.gui.qt import icon
+        from BalloonWorkbench.gui.qt import icon, translate
 
         self.__class__.Icon = icon("workbench")
+        self.__class__.MenuText = translate("Film Balloon", "Workbench")
+        self.__class__.ToolTip = translate("Design balloons from film that does not stretch", "Workbench")
 
     def Initialize(self):
+        from BalloonWorkbench.app.properties import QT_TRANSLATE_NOOP
         from BalloonWorkbench.gui import commands, equipment
 
         toolbar, menu = commands.register()
-        self.appendToolbar("Film Balloon", toolbar)
-        self.appendMenu("Film &Balloon", menu)
+        self.appendToolbar(QT_TRANSLATE_NOOP("Workbench", "Film Balloon"), toolbar)
+        self.appendMenu(QT_TRANSLATE_NOOP("Workbench", "Film &Balloon"), menu)
         equipment.tell_missing()
 
     def GetClassName(self):
@@ -30,10 +33,14 @@ class BalloonWorkbench(Gui.Workbench):
 def _plug_in():
     """Let the document objects use the window."""
     from BalloonWorkbench.app import hooks
-    from BalloonWorkbench.gui import patience, view
+    from BalloonWorkbench.gui import patience, preferences_page, qt, view
 
     hooks.dress = view.dress
     hooks.progress = patience.progress
+    Gui.addIconPath(qt.ICONS)
+    Gui.addLanguagePath(str(qt.TRANSLATIONS))
+    Gui.updateLocale()
+    Gui.addPreferencePage(preferences_page.PreferencesPage, "Film Balloon")
 
 
 _plug_in()

@@ -57,3 +57,13 @@ def has_material_system() -> bool:
     import importlib.util
 
     return importlib.util.find_spec("Materials") is not None
+
+
+def help_text(page) -> str:
+    """What's this of a command, from which FreeCAD opens a page of ours (a Path).
+
+    Its Help module takes paths; without it, as in 0.20, FreeCAD gives the text to the desktop as an address.
+    """
+    import importlib.util
+
+    return page.as_posix() if importlib.util.find_spec("Help") is not None else page.as_uri()

@@ -13,7 +13,7 @@ from BalloonWorkbench.app.host import qt
 QtCore, QtGui, QtWidgets = qt()
 
 _ROOT = Path(BalloonWorkbench.__file__).resolve().parent.parent
-_ICONS = _ROOT / "resources" / "icons"
+ICONS = str(_ROOT / "resources" / "icons")
 TRANSLATIONS = _ROOT / "resources" / "translations"
 HELP = _ROOT / "docs" / "help"
 
@@ -25,7 +25,7 @@ def translate(text: str, context: str = "BalloonWorkbench") -> str:
 
 def icon(name: str) -> str:
     """Path of an icon of the workbench."""
-    return str(_ICONS / f"{name}.svg")
+    return f"{ICONS}/{name}.svg"
 
 
 def drawn_icon(name: str, size: int = 96):

@@ -5,12 +5,14 @@ from __future__ import annotations
 
 import FreeCADGui as Gui
 
+from BalloonWorkbench.app.host import help_text
 from BalloonWorkbench.gui.commands.advice import Advice
 from BalloonWorkbench.gui.commands.equipment import Equipment
 from BalloonWorkbench.gui.commands.export_pattern import ExportPattern
 from BalloonWorkbench.gui.commands.from_picture import FromPicture
 from BalloonWorkbench.gui.commands.from_sketch import FromSketch
 from BalloonWorkbench.gui.commands.paint import Paint
+from BalloonWorkbench.gui.qt import HELP
 
 _COMMANDS = {
     "BalloonWorkbench_Paint": Paint,
@@ -27,5 +29,13 @@ _RARE = {"BalloonWorkbench_Equipment": Equipment}
 def register() -> tuple[list[str], list[str]]:
     """Make the commands known to FreeCAD; returns the names for the toolbar and those for the menu."""
     for name, command in (_COMMANDS | _RARE).items():
-        Gui.addCommand(name, command())
+        Gui.addCommand(name, _documented(name, command()))
     return list(_COMMANDS), [*_COMMANDS, "Separator", *_RARE]
+
+
+def _documented(name: str, command):
+    """The command with a status tip, and the page that What's this shows."""
+    own = command.GetResources()
+    own = {"StatusTip": own["ToolTip"], "WhatsThis": help_text(HELP / f"{name.split('_')[1]}.html"), **own}
+    command.GetResources = lambda: own
+    return command
