@@ -17,7 +17,6 @@ from BalloonWorkbench.app.solve import Request
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.job import Settings
 from BalloonWorkbench.core.outline.passages import linked
-from BalloonWorkbench.core.pattern.make import Wanted
 from BalloonWorkbench.core.types import Progress, no_progress
 
 #: Name of the text in a PNG file that holds the strokes.
@@ -109,13 +108,11 @@ def solve(
     path: Path,
     width: float,
     settings: Settings,
-    sheet: Wanted | None = None,
     progress: Progress = no_progress,
 ) -> Solved:
     """Design the balloons of a painting [width in mm]; may run in another thread.
 
-    sheet  values of a pattern as `pattern.values` has them: the arcs of its contours are prepared
-
+    The arcs of the patterns, as the settings want them, are prepared.
     Raises BalloonError when there is none, Cancelled when progress says stop.
     """
     from BalloonWorkbench.app.drawing import read_drawing
@@ -134,18 +131,18 @@ def solve(
         requests.append(request)
         designs.append(design)
         told.append(balloon.describe(request, design))
-        if sheet is not None:
-            _prepare(design.pattern, settings.film.seal_width, sheet)
+        _prepare(design.pattern, settings)
     place(path, width)  # the window will ask for it, and shall not wait
     return Solved(tuple(requests), tuple(designs), tuple(told))
 
 
-def _prepare(seam, seal_width: float, sheet: Wanted) -> None:
+def _prepare(seam, settings: Settings) -> None:
     from BalloonWorkbench.core.errors import InputError
-    from BalloonWorkbench.core.pattern.make import make_pattern
+    from BalloonWorkbench.core.pattern.make import make_pattern, sheet_of
 
     try:
-        contours = make_pattern(seam, seal_width, sheet).contours
+        made = make_pattern(seam, settings.film.seal_width, settings.wanted)
+        contours = sheet_of(made, settings.wanted).contours
     except InputError:  # the pattern object will say what is wrong
         return
     for contour in contours:

@@ -19,30 +19,24 @@ from BalloonWorkbench.gui.qt import translate
 class Kept:
     """What a painted balloon of a document was made with.
 
-    width   mm
-    sheet   values of the pattern
-    shown   names of the objects that can be seen
+    width  mm
+    shown  names of the objects that can be seen
     """
 
     file: Path
     width: float
-    settings: Settings | None
-    sheet: dict
+    settings: Settings
     shown: tuple[str, ...]
 
 
 def kept(parts: Parts) -> Kept:
-    """The values of a balloon that was made before; no settings while its outline is of no use."""
-    outline, settings = parts.outline, None
-    if outline.LoopCounts:
-        settings = replace(
-            balloon.request(parts.balloon).settings,
-            symmetry=SYMMETRY[outline.Symmetry],
-            intake=parts.pattern.Intake,
-        )
+    """The values of a balloon that was made before; usual ones while its outline is of no use."""
+    outline = parts.outline
+    settings = balloon.request(parts.balloon).settings if outline.LoopCounts else Settings()
+    settings = replace(settings, symmetry=SYMMETRY[outline.Symmetry], wanted=pattern.values(parts.pattern))
     everything = [obj for each in (parts, *create.companions(parts)) for obj in each]
     shown = tuple(obj.Name for obj in everything if obj.ViewObject.Visibility)
-    return Kept(Path(outline.Drawing), outline.Width.Value, settings, pattern.values(parts.pattern), shown)
+    return Kept(Path(outline.Drawing), outline.Width.Value, settings, shown)
 
 
 def keep(doc, parts: Parts | None, look, width: float, pause) -> Parts:

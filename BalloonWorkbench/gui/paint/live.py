@@ -11,7 +11,6 @@ import tempfile
 import time
 from pathlib import Path
 
-from BalloonWorkbench.app.pattern import usual_values
 from BalloonWorkbench.core.errors import Cancelled
 from BalloonWorkbench.core.job import Settings
 from BalloonWorkbench.gui.paint.look import Look
@@ -44,7 +43,6 @@ class Live(QtCore.QObject):
         self.painting = painting
         self.width = 300.0
         self.settings = Settings()
-        self.sheet = usual_values()
         self.latest: Look | None = None
         self.delays: list[float] = []
         self._folder = tempfile.TemporaryDirectory()
@@ -107,7 +105,6 @@ class Live(QtCore.QObject):
             self.painting.revision,
             self.width,
             self.settings,
-            self.sheet,
             folder / "painting.png",
         )
         self._told = 0.0

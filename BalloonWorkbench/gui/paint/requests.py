@@ -84,16 +84,12 @@ class Counsel:
 
 @dataclass
 class Study:
-    """The fitted balloons of an image, in the file that the document will have.
-
-    sheet  values of the pattern
-    """
+    """The fitted balloons of an image, in the file that the document will have."""
 
     image: object
     revision: int
     width: float
     settings: Settings
-    sheet: dict
     file: Path
 
     def solve(self, progress) -> Look:
@@ -105,7 +101,7 @@ class Study:
         drawing, frame = seen(self.image, self.width)
         check_area(drawing.largest)
         _go_on(progress)
-        solved = painting.solve(self.file, self.width, self.settings, self.sheet, progress)
+        solved = painting.solve(self.file, self.width, self.settings, progress)
         inflations = [design.inflation for design in solved.designs]
         findings = [finding_from(data) for told in solved.told for data in told["advice"]]
         findings.sort(key=lambda finding: -finding.severity.rank)

@@ -123,10 +123,8 @@ class PaintWindow(PaintDock):
         """The painting, width and values of a balloon that was made before."""
         before = kept(parts)
         self.painting.load(before.file)
-        self.live.width, self.live.sheet = before.width, before.sheet
+        self.live.width, self.live.settings = before.width, before.settings
         self.form.show_width(before.width)
-        if before.settings is not None:
-            self.live.settings = before.settings
         self._hidden = before.shown
 
     def _set_hidden(self, away: bool) -> None:
