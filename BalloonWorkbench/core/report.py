@@ -162,6 +162,7 @@ def build(
             "height_mm": to_mm(pattern_height),
             "seam_length_mm": to_mm(pattern.seam_length),
             "intake": None if pattern.intake is None else _intake(pattern.intake),
+            "more_intakes": [_intake(intake) for intake in pattern.more_intakes],
         },
         "warnings": [*design.warnings, *pattern.warnings],
     }
@@ -212,8 +213,10 @@ def _stretch(stretch: Stretch) -> dict[str, Any]:
 
 def _intake(intake: Intake) -> dict[str, Any]:
     return {
+        "kind": intake.kind,
         "width_mm": to_mm(intake.width),
         "length_mm": to_mm(intake.length),
         "angle_deg": float(np.degrees(intake.angle)),
         "at_mm": [to_mm(float(value)) for value in intake.at],
+        "along_mm": to_mm(intake.along),
     }

@@ -85,7 +85,8 @@ def build_pattern(
     for hole in holes:
         contours += _inner(hole, seal_width, margin, corner_radius, warnings)
     # Where the weld closes a bay of the outline, the rest of the bay is cut out like a hole.
-    sealed, cut = _largest(offset(whole, 0.5 * seal_width)), _largest(offset(whole, margin))
+    sealed = _largest(offset(whole, 0.5 * seal_width))
+    cut = _largest(offset(sealed, margin - 0.5 * seal_width))  # from the weld, also round its tips
     cut = relieved(cut, sealed.boundary, 0.5 * seal_width, corner_radius)
     contours += [Contour(Role.SEAL, closed_loop(ring, False), True) for ring in _sizeable(sealed.interiors)]
     contours += [Contour(Role.CUT_INNER, closed_loop(ring, False), True) for ring in _sizeable(cut.interiors)]
