@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where each place of the flat film is seen when the balloon is inflated.
+
+Inside the seam the simulation tells it: a point of a triangle of the flat panel is the same point of the
+inflated triangle, seen along z. Outside, the film is a flat fin round the balloon: the nearest point of the
+seam, and from there as far outward as on the flat film.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from BalloonWorkbench.core.solver.inflation import Inflation
+from BalloonWorkbench.core.types import Bools, Floats, Ints
+from BalloonWorkbench.core.units import from_mm
+
+#: Grid on which the map is computed; between its points it is straight to a thousandth of that [m].
+GRID = from_mm(0.5)
+#: Points along the seam from which the fin is measured [m].
+_ALONG = from_mm(0.25)
+#: A triangle takes points this part of its size outside, so that none between two is missed.
+_HAIR = 1e-9
+_BLOCK = 4_000_000  # distances looked at in one go
+
+
+@dataclass(frozen=True)
+class Film:
+    """The film of one side of a balloon, flat and as it is seen.
+
+    flat       (n, 2) m, vertices of the panel
+    seen       (n, 2) m, the same vertices of the inflated balloon in the drawing's plane
+    triangles  (m, 3)
+    seams      vertex indices of each boundary loop, film on the left
+    """
+
+    flat: Floats
+    seen: Floats
+    triangles: Ints
+    seams: tuple[Ints, ...]
+
+
+def front(inflation: Inflation) -> Film:
+    """The panel that faces the viewer."""
+    panel = inflation.panel
+    return Film(panel.rest_positions, inflation.positions[:, :2], panel.triangles, panel.seams)
+
+
+def back(inflation: Inflation) -> Film:
+    """The panel behind, seen through the front one: both are cut from one pattern."""
+    panel = inflation.panel
+    lower = inflation.positions if inflation.lower is None else inflation.lower
+    return Film(panel.rest_positions, lower[:, :2], panel.triangles, panel.seams)
+
+
+def seen_from(film: Film, x: Floats, y: Floats, wanted: Bools) -> Floats:
+    """Where the places of a grid of the flat film are seen: (len(y), len(x), 2) m in the drawing's plane.
+
+    x, y    even columns and rows of the grid in the flat film [m]
+    wanted  (len(y), len(x)) the places that matter outside the seam; the others there are NaN
+    """
+    found = np.full((len(y), len(x), 2), np.nan)
+    corners, images = film.flat[film.triangles], film.seen[film.triangles]
+    step = np.array([x[1] - x[0], y[1] - y[0]])
+    origin = np.array([x[0], y[0]])
+    low = np.ceil((corners.min(axis=1) - origin) / step - 1e-6).astype(int).clip(0)
+    high = np.floor((corners.max(axis=1) - origin) / step + 1e-6).astype(int) + 1
+    for corner, image, (left, bottom), (right, top) in zip(corners, images, low, high):
+        columns, rows = x[left:right], y[bottom:top, None]
+        one, other = corner[1] - corner[0], corner[2] - corner[0]
+        area = one[0] * other[1] - one[1] * other[0]
+        if area <= 0.0 or not len(columns) or not len(rows):
+            continue
+        dx, dy = columns - corner[0, 0], rows - corner[0, 1]
+        second = (dx * other[1] - dy * other[0]) / area
+        third = (dy * one[0] - dx * one[1]) / area
+        inside = (second >= -_HAIR) & (third >= -_HAIR) & (second + third <= 1.0 + _HAIR)
+        share = np.stack([1.0 - second - third, second, third], axis=-1)[inside]
+        found[bottom:top, left:right][inside] = share @ image
+    _add_fin(film, x, y, wanted, found)
+    return found
+
+
+def _add_fin(film: Film, x: Floats, y: Floats, wanted: Bools, found: Floats) -> None:
+    """Fill in what is wanted outside the seam."""
+    at, image, outward = (np.concatenate(parts) for parts in zip(*_along_seams(film)))
+    rows, columns = np.nonzero(wanted & np.isnan(found[..., 0]))
+    if len(rows):
+        nearest, away = _nearest(np.stack([x[columns], y[rows]], axis=1), at)
+        found[rows, columns] = image[nearest] + away[:, None] * outward[nearest]
+
+
+def _along_seams(film: Film) -> Iterator[tuple[Floats, Floats, Floats]]:
+    """Points along each seam: flat, as seen, and the direction outward as seen."""
+    for seam in film.seams:
+        flat, seen = film.flat[seam], film.seen[seam]
+        ahead = np.roll(seen, -1, axis=0) - np.roll(seen, 1, axis=0)
+        for _ in range(2):  # a crumpled rim has no direction of its own at each vertex
+            ahead = np.roll(ahead, -1, axis=0) + 2.0 * ahead + np.roll(ahead, 1, axis=0)
+        outward = np.stack([ahead[:, 1], -ahead[:, 0]], axis=1)
+        outward /= np.maximum(np.hypot(*outward.T)[:, None], 1e-300)
+        loops = [np.concatenate([values, values[:1]]) for values in (flat, seen, outward)]
+        steps = np.hypot(*np.diff(loops[0], axis=0).T)
+        along = np.append(0.0, np.cumsum(steps))
+        places = np.linspace(0.0, along[-1], max(8, int(np.ceil(along[-1] / _ALONG))), endpoint=False)
+        finer = [
+            np.stack([np.interp(places, along, values[:, k]) for k in range(2)], axis=1) for values in loops
+        ]
+        yield finer[0], finer[1], finer[2]
+
+
+def _nearest(points: Floats, at: Floats) -> tuple[Ints, Floats]:
+    """For each of points (n, 2) the nearest of `at` (k, 2), and how far it is."""
+    try:
+        from scipy.spatial import cKDTree
+    except ImportError:
+        found, away = np.zeros(len(points), dtype=np.int32), np.zeros(len(points))
+        block = max(1, _BLOCK // len(at))
+        for start in range(0, len(points), block):
+            part = slice(start, start + block)
+            square = ((points[part, None] - at) ** 2).sum(axis=2)
+            found[part] = square.argmin(axis=1)
+            away[part] = np.sqrt(square.min(axis=1))
+        return found, away
+    away, found = cKDTree(at).query(points)
+    return found.astype(np.int32), away

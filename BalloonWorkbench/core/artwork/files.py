@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Artwork as files: PNG that knows its resolution, PDF in real size."""
+
+from __future__ import annotations
+
+import io
+import struct
+import zlib
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from BalloonWorkbench.core.artwork.picture import Pixels
+from BalloonWorkbench.core.artwork.sheet import Sheet
+from BalloonWorkbench.core.errors import MissingPackageError
+from BalloonWorkbench.core.packages import reportlab_canvas
+from BalloonWorkbench.core.pattern.pattern import Role
+from BalloonWorkbench.core.units import INCH, from_mm
+
+_POINT = INCH / 72.0  # m
+_LINE = from_mm(0.25)
+
+
+def artwork_files(front: Sheet, back: Sheet) -> dict[str, bytes]:
+    """Contents of the files of both sides, by name."""
+    return {
+        "artwork-front.png": png_bytes(front.pixels, front.dpi),
+        "artwork-back.png": png_bytes(back.pixels, back.dpi),
+        "artwork.pdf": artwork_pdf((front, back)),
+    }
+
+
+def png_bytes(pixels: Pixels, dpi: float) -> bytes:
+    """Pixels (h, w, 4) as PNG with the resolution in its header (chunk pHYs: pixels per metre)."""
+    height, width = pixels.shape[:2]
+    lines = pixels.reshape(height, 4 * width)
+    above = np.concatenate([np.zeros((1, 4 * width), dtype=np.uint8), lines[:-1]])
+    # filter "up": the difference to the line above, which is mostly nothing
+    filtered = np.empty((height, 4 * width + 1), dtype=np.uint8)
+    filtered[:, 0] = 2
+    filtered[:, 1:] = lines - above
+    metre = round(dpi / INCH)
+    return b"".join(
+        (
+            b"\x89PNG\r\n\x1a\n",
+            _chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 6, 0, 0, 0)),
+            _chunk(b"sRGB", b"\0"),
+            _chunk(b"pHYs", struct.pack(">IIB", metre, metre, 1)),
+            _chunk(b"IDAT", zlib.compress(filtered.tobytes(), 6)),
+            _chunk(b"IEND", b""),
+        )
+    )
+
+
+def _chunk(kind: bytes, content: bytes) -> bytes:
+    return struct.pack(">I", len(content)) + kind + content + struct.pack(">I", zlib.crc32(kind + content))
+
+
+def artwork_pdf(sheets: Sequence[Sheet]) -> bytes:
+    """A page in real size for each sheet: the picture, and the marks as lines.
+
+    The same bytes for the same sheets. MissingPackageError without reportlab or Pillow.
+    """
+    stream = io.BytesIO()
+    # invariant: no date and no identifier that changes
+    canvas = reportlab_canvas()(stream, invariant=1)
+    canvas.setTitle("Balloon artwork")
+    canvas.setAuthor("")
+    canvas.setViewerPreference("PrintScaling", "None")  # printers must not fit the page
+    for sheet in sheets:
+        width, height = (length / _POINT for length in sheet.size)
+        canvas.setPageSize((width, height))
+        canvas.drawImage(_image(sheet.pixels), 0.0, 0.0, width, height, mask="auto")
+        _draw_marks(canvas, sheet)
+        canvas.showPage()
+    canvas.save()
+    return stream.getvalue()
+
+
+def _image(pixels: Pixels) -> Any:
+    try:
+        from PIL import Image
+        from reportlab.lib.utils import ImageReader
+    except ImportError as error:
+        raise MissingPackageError(
+            "Artwork as PDF needs Pillow: install it with pip install pillow, or use the PNG files."
+        ) from error
+    return ImageReader(Image.fromarray(np.ascontiguousarray(pixels)))
+
+
+def _draw_marks(canvas: Any, sheet: Sheet) -> None:
+    canvas.setStrokeColor("#000000")
+    canvas.setLineWidth(_LINE / _POINT)
+    for contour in sheet.pattern.of(Role.REGISTRATION):
+        points = ((contour.points - sheet.origin) / _POINT).tolist()
+        course = canvas.beginPath()
+        course.moveTo(*points[0])
+        for point in points[1:]:
+            course.lineTo(*point)
+        if contour.closed:
+            course.close()
+        canvas.drawPath(course, stroke=1, fill=0)

@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A picture and where it lies in the plane of the drawing, with its colours carried on past its edge."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from BalloonWorkbench.core.errors import MissingPackageError
+from BalloonWorkbench.core.outline.picture import placed_drawing, shrunk
+from BalloonWorkbench.core.outline.raster import opencv
+from BalloonWorkbench.core.outline.segment import segment
+from BalloonWorkbench.core.types import Bools, Floats
+
+Pixels = NDArray[np.uint8]
+
+#: Pixels at the edge of a shape that are mixed with its background: they are replaced too.
+_SOFT = 2
+
+
+@dataclass(frozen=True)
+class Picture:
+    """A picture in the plane of the drawing.
+
+    pixels  (h, w, 4) red, green, blue, alpha; the first row is the upper one
+    low     (2,) m, lower left corner
+    pixel   (2,) m, width and height of a pixel
+    """
+
+    pixels: Pixels
+    low: Floats
+    pixel: Floats
+
+    def columns_rows(self, points: Floats) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+        """Where points (..., 2) m lie in the picture, in pixels; whole numbers are the middles of pixels."""
+        at = (points - self.low) / self.pixel
+        height = len(self.pixels)
+        return (at[..., 0] - 0.5).astype(np.float32), (height - at[..., 1] - 0.5).astype(np.float32)
+
+
+def of_drawing(pixels: Pixels, low: Floats, size: Floats) -> Picture:
+    """The picture that was traced, in its place: its shapes fill the box `size` (2,) m from `low` (2,) m.
+
+    What is not part of a shape takes the colour of the nearest place that is. Raises PictureError where there
+    is no shape, MissingPackageError without OpenCV and SciPy.
+    """
+    small = shrunk(pixels)
+    step = max(pixels.shape[:2]) // max(small.shape[:2])
+    drawing, corner = placed_drawing(small)
+    pixel = size / (np.array(drawing.size) * step)
+    # `shrunk` leaves out rows at the lower edge that do not make a whole block
+    rest = len(pixels) - step * len(small)
+    origin = low - (corner * step + (0.0, rest)) * pixel
+    shape = np.repeat(np.repeat(segment(small)[0] > 0.5, step, axis=0), step, axis=1)
+    inside = np.zeros(pixels.shape[:2], dtype=np.bool_)
+    inside[: shape.shape[0], : shape.shape[1]] = shape
+    return Picture(carried_on(pixels, _thinner(inside)), origin, pixel)
+
+
+def covering(pixels: Pixels, low: Floats, size: Floats) -> Picture:
+    """Any picture, as large as it must be to cover the box `size` (2,) m from `low` (2,) m, in its middle.
+
+    What is transparent takes the colour of the nearest place that is not.
+    """
+    height, width = pixels.shape[:2]
+    scale = float(np.max(size / (width, height)))
+    corner = low + 0.5 * (size - scale * np.array([width, height]))
+    return placed(pixels, corner, scale * width)
+
+
+def placed(pixels: Pixels, low: Floats, width: float) -> Picture:
+    """Any picture from a lower left corner (2,) m on, so wide [m]; transparent parts as in `covering`."""
+    pixel = width / pixels.shape[1]
+    opaque = pixels[..., 3] > 127
+    filled = carried_on(pixels, opaque) if opaque.any() and not opaque.all() else pixels
+    return Picture(filled, np.asarray(low, dtype=np.float64), np.array([pixel, pixel]))
+
+
+def carried_on(pixels: Pixels, inside: Bools) -> Pixels:
+    """The picture with each pixel that is not inside (h, w) replaced by the nearest one that is.
+
+    MissingPackageError without OpenCV and SciPy.
+    """
+    if not inside.any():
+        return pixels
+    if cv2 := opencv():
+        _, labels = cv2.distanceTransformWithLabels(
+            (~inside).astype(np.uint8), cv2.DIST_L2, cv2.DIST_MASK_5, labelType=cv2.DIST_LABEL_PIXEL
+        )
+        source = np.zeros(int(labels.max()) + 1, dtype=np.intp)
+        source[labels[inside]] = np.flatnonzero(inside)
+        return np.asarray(pixels.reshape(-1, 4)[source[labels]])
+    try:
+        from scipy.ndimage import distance_transform_edt
+    except ImportError as error:
+        raise MissingPackageError(
+            "Artwork needs OpenCV or SciPy: install the package python3-opencv or python3-scipy."
+        ) from error
+    rows, columns = distance_transform_edt(~inside, return_distances=False, return_indices=True)
+    return np.asarray(pixels[rows, columns])
+
+
+def _thinner(inside: Bools) -> Bools:
+    """Without a rim of a few pixels, where that leaves anything."""
+    kept = inside
+    for _ in range(_SOFT):
+        padded = np.pad(kept, 1, constant_values=True)
+        kept = kept & padded[:-2, 1:-1] & padded[2:, 1:-1] & padded[1:-1, :-2] & padded[1:-1, 2:]
+    return kept if kept.any() else inside

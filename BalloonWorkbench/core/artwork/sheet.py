@@ -1,0 +1,225 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The sheet to print: pictures, bent so that they read right on the inflated balloons."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from BalloonWorkbench.core.artwork.carry import GRID, Film, back, front, seen_from
+from BalloonWorkbench.core.artwork.picture import Picture, Pixels
+from BalloonWorkbench.core.artwork.sample import sampled
+from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.pattern.motion import back_of
+from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
+from BalloonWorkbench.core.solver.inflation import Inflation
+from BalloonWorkbench.core.types import Bools, Floats, Ints
+from BalloonWorkbench.core.units import INCH, from_mm
+
+DPI = 300.0
+_LEAST_DPI, _MOST_DPI = 20.0, 2400.0
+#: More pixels than that are a mistake, or more than most programs open.
+_MOST_PIXELS = 300_000_000
+#: White paper round the outermost line [m].
+_BORDER = from_mm(2.0)
+_STRIP = 4_000_000  # pixels worked on in one go
+
+
+@dataclass(frozen=True)
+class Sheet:
+    """One side, ready to print.
+
+    pixels   (h, w, 4); transparent where nothing is printed
+    dpi      pixels per inch
+    pattern  the pattern with the print's border and marks; mirrored for the back
+    origin   (2,) m, where the lower left corner of the picture is in the pattern
+    """
+
+    pixels: Pixels
+    dpi: float
+    pattern: Pattern
+    origin: Floats
+
+    @property
+    def size(self) -> tuple[float, float]:
+        """Width and height [m]."""
+        height, width = self.pixels.shape[:2]
+        return width * INCH / self.dpi, height * INCH / self.dpi
+
+
+@dataclass(frozen=True)
+class Print:
+    """A balloon to be printed.
+
+    pattern  its pattern with the print's border, where it is on the sheet
+    shift    (2,) m, how far that is from where the panel of the inflation is
+    picture  what is printed on the front
+    behind   on the back, as seen through the front; None for the front's own picture
+    """
+
+    inflation: Inflation
+    pattern: Pattern
+    shift: Floats
+    picture: Picture
+    behind: Picture | None = None
+
+
+def artwork_sheets(prints: Sequence[Print], pattern: Pattern, dpi: float = DPI) -> tuple[Sheet, Sheet]:
+    """The front and the back of balloons whose patterns make one sheet.
+
+    pattern  that sheet: all patterns of the prints, and the marks
+    The back is mirrored: printed side up, it is cut from the mirrored pattern and laid on the front with its
+    printed side down. InputError for a resolution that makes no sense.
+    """
+    if not _LEAST_DPI <= dpi <= _MOST_DPI:
+        raise InputError(
+            f"{dpi:g} dots per inch cannot be printed well: give {_LEAST_DPI:g} to {_MOST_DPI:g}."
+        )
+    width, height = (int(np.ceil((size + 2.0 * _BORDER) * dpi / INCH)) for size in pattern.size)
+    if width * height > _MOST_PIXELS:
+        raise InputError(
+            f"At {dpi:g} dots per inch the sheet would have {width} x {height} pixels: give a lower"
+            " resolution."
+        )
+    frame = _Frame(pattern.bounds[0] - _BORDER, INCH / dpi, width, height)
+    marks = pattern.of(Role.REGISTRATION)
+    faces = _side(frame, marks, [(one, front(one.inflation), one.picture) for one in prints])
+    if all(one.behind is None and one.inflation.lower is None for one in prints):
+        behind = faces
+    else:
+        behind = _side(
+            frame, marks, [(one, back(one.inflation), one.behind or one.picture) for one in prints]
+        )
+    low = frame.low
+    right = low[0] + frame.width * frame.pixel
+    return (
+        Sheet(faces, dpi, pattern, low),
+        Sheet(behind[:, ::-1], dpi, back_of(pattern), np.array([-right, low[1]])),
+    )
+
+
+@dataclass(frozen=True)
+class _Frame:
+    """Lower left corner (2,) m, size of a pixel [m], pixels across and up."""
+
+    low: Floats
+    pixel: float
+    width: int
+    height: int
+
+    def columns(self, x: Floats) -> Floats:
+        """Whole numbers at the middles of pixels."""
+        return np.asarray((x - self.low[0]) / self.pixel - 0.5)
+
+    def rows(self, y: Floats) -> Floats:
+        """Counted from the upper edge."""
+        return np.asarray(self.height - (y - self.low[1]) / self.pixel - 0.5)
+
+    def x(self, columns: Ints) -> Floats:
+        return np.asarray(self.low[0] + (columns + 0.5) * self.pixel)
+
+    def y(self, rows: Ints) -> Floats:
+        return np.asarray(self.low[1] + (self.height - rows - 0.5) * self.pixel)
+
+
+def _side(frame: _Frame, marks: Sequence[Contour], parts: Sequence[tuple[Print, Film, Picture]]) -> Pixels:
+    sheet = np.zeros((frame.height, frame.width, 4), dtype=np.uint8)
+    for one, film, picture in parts:
+        _print(sheet, frame, one, film, picture)
+    for contour in marks:
+        _draw(sheet, frame, contour)
+    return sheet
+
+
+def _print(sheet: Pixels, frame: _Frame, one: Print, film: Film, picture: Picture) -> None:
+    """Print one balloon on the sheet, within its border."""
+    borders = one.pattern.of(Role.PRINT)
+    points = np.concatenate([border.points for border in borders])
+    low, high = points.min(axis=0), points.max(axis=0)
+    left, right = (int(np.rint(frame.columns(value))) for value in (low[0], high[0]))
+    top, bottom = (int(np.rint(frame.rows(value))) for value in (high[1], low[1]))
+    left, top = max(left, 0), max(top, 0)
+    right, bottom = min(right + 1, frame.width), min(bottom + 1, frame.height)
+    printed = _inside(frame, borders, left, right, top, bottom)
+    # the grid, in the panel's own place
+    x, y = (
+        np.arange(a - 2.0 * GRID, b + 3.0 * GRID, GRID) for a, b in zip(low - one.shift, high - one.shift)
+    )
+    columns, rows = frame.columns(x + one.shift[0]) - left, frame.rows(y + one.shift[1]) - top
+    wanted = printed[
+        np.clip(np.rint(rows), 0, len(printed) - 1).astype(int)[:, None],
+        np.clip(np.rint(columns), 0, right - left - 1).astype(int),
+    ]
+    seen = seen_from(film, x, y, _wider(wanted))
+    at = np.stack(picture.columns_rows(seen), axis=-1)
+    across = (frame.x(np.arange(left, right)) - one.shift[0] - x[0]) / GRID
+    strip = max(1, _STRIP // (right - left))
+    for start in range(0, bottom - top, strip):
+        inside = printed[start : start + strip]
+        down = (frame.y(top + start + np.arange(len(inside))) - one.shift[1] - y[0]) / GRID
+        place = np.nan_to_num(_between(at, across, down))
+        colours = sampled(picture.pixels, place[..., 0], place[..., 1])
+        sheet[top + start : top + start + len(inside), left:right][inside] = colours[inside]
+
+
+def _wider(mask: Bools) -> Bools:
+    """The mask and two cells round it: a place between grid points needs all four."""
+    for _ in range(2):
+        padded = np.pad(mask, 1)
+        mask = (
+            padded[1:-1, 1:-1] | padded[:-2, 1:-1] | padded[2:, 1:-1] | padded[1:-1, :-2] | padded[1:-1, 2:]
+        )
+    return mask
+
+
+def _between(grid: NDArray[np.float32], across: Floats, down: Floats) -> NDArray[np.float32]:
+    """Values (rows, columns, 2) between those of a grid: along its rows first, then along its columns."""
+
+    def pair(at: Floats, count: int) -> tuple[NDArray[np.intp], NDArray[np.float32]]:
+        first = np.clip(np.floor(at).astype(np.intp), 0, count - 2)
+        return first, (at - first).astype(np.float32)
+
+    row, share = pair(down, grid.shape[0])
+    lines = grid[row] + share[:, None, None] * (grid[row + 1] - grid[row])
+    column, share = pair(across, grid.shape[1])
+    return np.asarray(lines[:, column] + share[None, :, None] * (lines[:, column + 1] - lines[:, column]))
+
+
+def _inside(frame: _Frame, borders: Sequence[Contour], left: int, right: int, top: int, bottom: int) -> Bools:
+    """The pixels of a window whose middles lie inside closed lines: in an odd number of them."""
+    inside = np.zeros((bottom - top, right - left), dtype=np.bool_)
+    middles = np.arange(left, right)
+    for row, y in enumerate(frame.y(np.arange(top, bottom))):
+        at = np.sort(frame.columns(np.concatenate([_crossed(border.points, y) for border in borders])))
+        inside[row] = np.searchsorted(at, middles) % 2 == 1
+    return inside
+
+
+def _crossed(loop: Floats, y: float) -> Floats:
+    """Where a closed line (n, 2) crosses a height."""
+    x0, y0 = loop.T
+    x1, y1 = np.roll(loop, -1, axis=0).T
+    over = (y0 > y) != (y1 > y)
+    return np.asarray(x0[over] + (y - y0[over]) / (y1[over] - y0[over]) * (x1[over] - x0[over]))
+
+
+def _draw(sheet: Pixels, frame: _Frame, contour: Contour) -> None:
+    """A black line 0.25 mm wide."""
+    points = np.concatenate([contour.points, contour.points[:1]]) if contour.closed else contour.points
+    half = max(0.5 * from_mm(0.25), 0.5 * frame.pixel)
+    for start, end in pairwise(points):
+        low, high = np.minimum(start, end) - half, np.maximum(start, end) + half
+        left, right = (int(np.ceil(float(value))) for value in frame.columns(np.array([low[0], high[0]])))
+        top, bottom = (int(np.ceil(float(value))) for value in frame.rows(np.array([high[1], low[1]])))
+        left, top = max(left, 0), max(top, 0)
+        x = frame.x(np.arange(left, min(right, frame.width)))
+        y = frame.y(np.arange(top, min(bottom, frame.height)))
+        place = np.stack(np.meshgrid(x, y), axis=-1) - start
+        along = end - start
+        share = np.clip(place @ along / float(along @ along), 0.0, 1.0)
+        near = np.hypot(*np.moveaxis(place - share[..., None] * along, -1, 0)) <= half
+        sheet[top : top + len(y), left : left + len(x)][near] = (0, 0, 0, 255)

@@ -1,0 +1,389 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Artwork reads right on the inflated balloon, and prints at the right size and place."""
+
+from __future__ import annotations
+
+import io
+import shutil
+import subprocess
+from dataclasses import replace
+from pathlib import Path
+
+import ezdxf
+import numpy as np
+import pytest
+from drawn_shapes import NAMED
+from inflated import designed
+from matplotlib.image import imread
+from scipy.integrate import quad
+from solver_cases import circle
+
+from BalloonWorkbench.core.artwork import picture as pictures
+from BalloonWorkbench.core.artwork import sample
+from BalloonWorkbench.core.artwork.carry import front, seen_from
+from BalloonWorkbench.core.artwork.files import artwork_files
+from BalloonWorkbench.core.artwork.marks import bordered, marked
+from BalloonWorkbench.core.artwork.picture import Picture, carried_on, covering, of_drawing
+from BalloonWorkbench.core.artwork.sheet import Print, Sheet, artwork_sheets
+from BalloonWorkbench.core.design.fit import fit
+from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.export.fabricate import machine_file
+from BalloonWorkbench.core.export.machine import machine
+from BalloonWorkbench.core.export.render import _rasterised
+from BalloonWorkbench.core.film.library import custom_film, film
+from BalloonWorkbench.core.mesh.sizing import size_for
+from BalloonWorkbench.core.mesh.triangulate import triangulate
+from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.pattern.build import build_pattern
+from BalloonWorkbench.core.pattern.pattern import Pattern, Role
+from BalloonWorkbench.core.solver.inflate import inflate
+from BalloonWorkbench.core.solver.inflation import Inflation
+
+WHITE, FILM = (255, 255, 255, 255), (240, 200, 40, 255)
+COLOURS = [(200, 30, 40, 255), (20, 120, 60, 255), (30, 60, 200, 255), (0, 0, 0, 255)]
+DPI = 80.0
+VIEW = 0.4e-3  # m, pixel of the views of the balloon
+MM = 1e-3
+
+
+def dotted(
+    outline: Outline, pixel: float = 0.4 * MM, pitch: float = 32 * MM
+) -> tuple[np.ndarray, np.ndarray]:
+    """A picture of an outline on white paper, 20 pixels round it, with coloured dots inside, and their places
+    (k, 2) m from the lower left corner of the outline."""
+    from BalloonWorkbench.core.packages import shapely
+
+    low, high = outline.outer.min(axis=0), outline.outer.max(axis=0)
+    width, height = np.ceil((high - low) / pixel).astype(int) + 40
+    x, y = np.meshgrid((np.arange(width) - 19.5) * pixel, (height - 20.5 - np.arange(height)) * pixel)
+    package = shapely()
+    area = package.Polygon(outline.outer - low, [hole - low for hole in outline.holes])
+    pixels = np.where(package.contains_xy(area, x, y)[..., None], FILM, WHITE).astype(np.uint8)
+    room = area.buffer(-12 * MM)
+    places = [
+        (a, b)
+        for a in np.arange(0.0, high[0] - low[0], pitch)
+        for b in np.arange(0.0, high[1] - low[1], pitch)
+        if package.contains_xy(room, a, b)
+    ]
+    for k, (a, b) in enumerate(places):
+        pixels[np.hypot(x - a, y - b) < 5 * MM] = COLOURS[k % 4]
+    return pixels, np.array(places)
+
+
+def exactly(pixels: np.ndarray, outline: Outline, pixel: float = 0.4 * MM) -> Picture:
+    """A picture by `dotted` in its place, without looking for the shape in it."""
+    low = outline.outer.min(axis=0) - 20.0 * pixel
+    return Picture(carried_on(pixels, (pixels != WHITE).any(axis=2)), low, np.array([pixel, pixel]))
+
+
+def inflated_view(
+    sheet: Sheet, inflation: Inflation, low: np.ndarray, size: np.ndarray, pixel: float
+) -> np.ndarray:
+    """The printed balloon from the front, the nearest film in each pixel: by the renderer of the preview."""
+    shape = (int(size[1] / pixel), int(size[0] / pixel))
+    seen = (inflation.positions[:, :2] - low) / pixel
+    seen[:, 1] = shape[0] - seen[:, 1]
+    flat = inflation.panel.rest_positions
+    attributes = np.column_stack([flat, np.ones(len(flat))])
+    drawn = _rasterised(seen, inflation.positions[:, 2], inflation.panel.triangles, attributes, shape)
+    at = (drawn[..., :2] - sheet.origin) * sheet.dpi / 25.4e-3
+    rows = np.clip(np.rint(len(sheet.pixels) - at[..., 1] - 0.5), 0, len(sheet.pixels) - 1).astype(int)
+    columns = np.clip(np.rint(at[..., 0] - 0.5), 0, sheet.pixels.shape[1] - 1).astype(int)
+    view = sheet.pixels[rows, columns]
+    view[drawn[..., 2] < 0.5] = 0
+    return view
+
+
+def dots_of(pixels: np.ndarray, pixel: float, near: np.ndarray) -> np.ndarray:
+    """Middles (k, 2) m of the dots of a picture near places from its lower left corner."""
+    x = (np.arange(pixels.shape[1]) + 0.5) * pixel
+    y = (len(pixels) - np.arange(len(pixels)) - 0.5) * pixel
+    found = []
+    for k, (a, b) in enumerate(near):
+        alike = np.abs(pixels[..., :3].astype(int) - COLOURS[k % 4][:3]).max(axis=2) < 40
+        rows, columns = np.nonzero(alike & (np.hypot(x[None] - a, y[:, None] - b) < 10 * MM))
+        assert len(rows), f"dot {k} is gone"
+        found.append((x[columns].mean(), y[rows].mean()))
+    return np.array(found)
+
+
+def printed(
+    inflation: Inflation, seam: Outline, picture: Picture, **options: object
+) -> tuple[Sheet, Sheet, Pattern]:
+    own = bordered(build_pattern(seam, 0.005))
+    whole = marked(own)
+    one = Print(inflation, own, np.zeros(2), picture, **options)
+    return (*artwork_sheets([one], whole, DPI), whole)
+
+
+@pytest.fixture(scope="module")
+def heart() -> tuple:
+    """A heart with dots, fitted, printed and projected again."""
+    outline = NAMED["heart"]
+    design = fit(outline, film("mylar"), 2000.0, mesh_size=0.012)
+    pixels, places = dotted(outline)
+    low, size = outline.outer.min(axis=0), np.ptp(outline.outer, axis=0)
+    sheets = printed(design.inflation, design.pattern, exactly(pixels, outline))
+    return outline, design, pixels, places, low, size, *sheets
+
+
+def test_round_trip(heart: tuple) -> None:
+    """Drawing, pattern, inflated, seen from the front: every dot within 0.5 mm of where it was drawn."""
+    _outline, design, _, places, low, size, sheet, _, _ = heart
+    view = inflated_view(sheet, design.inflation, low, size, VIEW)
+    off = np.hypot(*(dots_of(view, VIEW, places) - places).T)
+    assert len(places) > 25
+    assert off.max() < 0.5 * MM
+    assert off.mean() < 0.2 * MM
+    lit = view[..., 3] > 0
+    assert lit.mean() > 0.5
+    assert (np.abs(view[lit][:, :3].astype(int) - FILM[:3]).max(axis=1) < 8).mean() > 0.6
+    assert not (view[lit][:, :3] > 250).all(axis=1).any()  # no white paper on the balloon
+
+
+def test_a_traced_picture_lies_in_its_place() -> None:
+    disc = Outline(circle(0.1) + 0.3)
+    pixels, _ = dotted(disc)
+    wanted, found = exactly(pixels, disc), of_drawing(pixels, *_box(disc.outer))
+    assert np.abs(found.low - wanted.low).max() < 0.1 * MM
+    assert np.abs(found.pixel / wanted.pixel - 1.0).max() < 2e-3
+    assert not (found.pixels[..., :3] > 250).all(axis=2).any()
+    large = np.repeat(np.repeat(pixels, 4, axis=0), 4, axis=1)  # looked at by blocks of pixels
+    assert max(large.shape) > 1700
+    found = of_drawing(large, *_box(disc.outer))
+    assert np.abs(found.low - wanted.low).max() < 0.1 * MM
+    assert found.pixels.shape == large.shape
+
+
+def test_an_unbent_picture_would_not_read_right(heart: tuple) -> None:
+    """The same picture only enlarged to the pattern is millimetres off: the test above can fail."""
+    _outline, design, pixels, places, low, size, _sheet, _, _ = heart
+    flat = replace(
+        design.inflation,
+        positions=np.column_stack(
+            [design.inflation.panel.rest_positions, np.zeros(len(design.inflation.positions))]
+        ),
+    )
+    plain, _, _ = printed(flat, design.pattern, of_drawing(pixels, *_box(design.pattern.outer)))
+    view = inflated_view(plain, design.inflation, low, size, VIEW)
+    middle = np.argsort(np.hypot(*(places - 0.5 * size).T))[:6]
+    alike = [
+        np.abs(view[int((size[1] - y) / VIEW), int(x / VIEW), :3].astype(int) - COLOURS[k % 4][:3]).max()
+        for k, (x, y) in enumerate(places)
+    ]
+    assert max(np.delete(alike, middle)) > 60
+
+
+def _box(loop: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    return loop.min(axis=0), np.ptp(loop, axis=0)
+
+
+def test_disc_follows_the_mylar_balloon() -> None:
+    """A place at s from the middle of the flat film is seen where the closed form has it (Paulsen 1994):
+    s = int_0^r R^2 du / sqrt(R^4 - u^4), R the rim's radius."""
+    radius, stiff = 0.15, replace(custom_film(2.4e10, 0.3, 25e-6), seal_width=0.0)
+    disc = Outline(circle(radius))
+    inflation = inflate(triangulate(disc, size_for(disc, 900)), stiff, 300.0)
+    rim = radius / 1.311028777146
+    x = np.arange(-0.14, 0.1401, 0.002)
+    seen = seen_from(front(inflation), x, x, np.zeros((len(x), len(x)), dtype=bool))
+    far = np.hypot(*np.meshgrid(x, x))
+    for r in (0.3 * rim, 0.6 * rim, 0.85 * rim):
+        s, _ = quad(lambda u: rim**2 / np.sqrt(rim**4 - u**4), 0.0, r)
+        ring = np.abs(far - s) < 0.0015
+        assert np.hypot(*seen[ring].T).mean() == pytest.approx(r, abs=0.4 * MM)
+
+
+def test_another_simulation_agrees() -> None:
+    """Printed with one mesh, inflated with a finer one: the dots stay within 1 mm."""
+    disc = Outline(circle(0.12))
+    coarse, fine = (
+        inflate(triangulate(disc, size_for(disc, count)), film("mylar"), 2000.0) for count in (500, 1300)
+    )
+    shown = Outline(circle(0.092))
+    pixels, places = dotted(shown, pitch=25 * MM)
+    low, size = _box(shown.outer)
+    sheet, _, _ = printed(coarse, disc, exactly(pixels, shown))
+    view = inflated_view(sheet, fine, low, size, VIEW)
+    assert np.hypot(*(dots_of(view, VIEW, places) - places).T).max() < 1.0 * MM
+
+
+def test_print_goes_past_the_cut(heart: tuple) -> None:
+    """All of the bleed is printed, in the colour of the shape: neither paper nor gaps; nothing beyond it."""
+    *_, sheet, _, whole = heart
+    from BalloonWorkbench.core.packages import shapely
+
+    package = shapely()
+    height, width = sheet.pixels.shape[:2]
+    pixel = 25.4e-3 / DPI
+    x, y = np.meshgrid(
+        sheet.origin[0] + (np.arange(width) + 0.5) * pixel,
+        sheet.origin[1] + (height - np.arange(height) - 0.5) * pixel,
+    )
+    cut = package.Polygon(whole.of(Role.CUT)[0].points)
+    ring = package.contains_xy(cut.buffer(2.8 * MM), x, y) & ~package.contains_xy(cut.buffer(-6.0 * MM), x, y)
+    assert (sheet.pixels[ring][:, 3] == 255).all()
+    assert (np.abs(sheet.pixels[ring][:, :3].astype(int) - FILM[:3]).max(axis=1) < 60).mean() > 0.999
+    marks = package.union_all(
+        [package.LineString(mark.points).buffer(4 * MM) for mark in whole.of(Role.REGISTRATION)]
+    )
+    outside = ~package.contains_xy(cut.buffer(3.3 * MM), x, y) & ~package.contains_xy(marks, x, y)
+    assert not sheet.pixels[outside][:, 3].any()
+
+
+def test_back_is_the_mirror_image(heart: tuple) -> None:
+    *_, sheet, behind, whole = heart
+    assert np.array_equal(behind.pixels, sheet.pixels[:, ::-1])
+    low, high = behind.pattern.bounds
+    assert np.allclose([-high[0], low[1]], whole.bounds[0])
+    (cut,), (other,) = whole.of(Role.CUT), behind.pattern.of(Role.CUT)
+    assert np.allclose(np.sort(other.points[:, 0]), np.sort(-cut.points[:, 0]))
+
+
+def test_back_may_have_its_own_picture(heart: tuple) -> None:
+    """Given as seen from the front: seen from behind it is mirrored, and the front is as before."""
+    outline, design, pixels, _places, _low, _size, sheet, _, _ = heart
+    front_picture = exactly(pixels, outline)
+    other = replace(front_picture, pixels=np.full_like(front_picture.pixels, 77))
+    faces, behind, _ = printed(design.inflation, design.pattern, front_picture, behind=other)
+    assert np.array_equal(faces.pixels, sheet.pixels)
+    inside = behind.pixels[..., 3] > 0
+    assert (behind.pixels[inside][:, 0] == 77).mean() > 0.99
+
+
+def test_files(heart: tuple, tmp_path: Path) -> None:
+    """PNG with its resolution, PDF in real size with both sides; the same bytes again."""
+    *_, sheet, behind, _ = heart
+    files = artwork_files(sheet, behind)
+    assert files == artwork_files(sheet, behind)
+    for name, content in files.items():
+        (tmp_path / name).write_bytes(content)
+    read = imread(io.BytesIO(files["artwork-front.png"]))
+    assert np.array_equal(np.rint(read * 255).astype(np.uint8), sheet.pixels)
+    from PIL import Image
+
+    across, up = Image.open(tmp_path / "artwork-back.png").info["dpi"]
+    assert across == up == pytest.approx(DPI, abs=0.03)
+    if shutil.which("pdfinfo") is None:
+        pytest.skip("poppler-utils are not installed")
+    told = subprocess.run(
+        ["pdfinfo", tmp_path / "artwork.pdf"], capture_output=True, text=True, check=True
+    ).stdout
+    page = next(line for line in told.splitlines() if line.startswith("Page size")).split()
+    for points, pixels in zip((page[2], page[4]), (sheet.pixels.shape[1], sheet.pixels.shape[0])):
+        assert float(points) / 72.0 == pytest.approx(pixels / DPI, abs=0.01)
+    assert next(line for line in told.splitlines() if line.startswith("Pages")).split()[1] == "2"
+    subprocess.run(
+        [
+            "pdftoppm",
+            "-r",
+            f"{DPI:g}",
+            "-f",
+            "1",
+            "-l",
+            "1",
+            "-png",
+            tmp_path / "artwork.pdf",
+            tmp_path / "page",
+        ],
+        check=True,
+    )
+    page_read = imread(next(tmp_path.glob("page*.png")))[..., :3]
+    rows, columns = (min(a, b) for a, b in zip(page_read.shape[:2], sheet.pixels.shape[:2]))
+    solid = sheet.pixels[:rows, :columns, 3] == 255
+    off = np.abs(page_read[:rows, :columns][solid] - sheet.pixels[:rows, :columns][solid][:, :3] / 255.0)
+    assert (off.max(axis=1) < 0.1).mean() > 0.97
+
+
+def test_marks_are_the_same_in_the_cut_file(heart: tuple) -> None:
+    """DXF and PNG: the cross is as far from the cut, and the marks are not symmetric."""
+    *_, sheet, _, whole = heart
+    content = machine_file(whole, machine("lightburn"))
+    lines = list(ezdxf.read(io.StringIO(content.decode("cp1252"))).modelspace())
+    of = {
+        layer: [
+            np.array([point[:2] for point in line.get_points("xy")])
+            for line in lines
+            if line.dxf.layer == layer
+        ]
+        for layer in ("CUT", "REGISTRATION")
+    }
+    crosses = [
+        mark
+        for mark in of["REGISTRATION"]
+        if len(mark) == 2 and np.ptp(mark, axis=0).max() == pytest.approx(10.0)
+    ]
+    assert len(crosses) == 6
+    middles = {tuple(np.round(cross.mean(axis=0), 2)) for cross in crosses}
+    assert len(middles) == 3
+    corner = of["CUT"][0].min(axis=0)
+    dark = (sheet.pixels[..., :3].max(axis=2) < 20) & (sheet.pixels[..., 3] == 255)
+    pixel = 25.4 / DPI
+    for middle in middles:
+        at = np.array(middle) - corner + whole.of(Role.CUT)[0].points.min(axis=0) / MM - sheet.origin / MM
+        column, row = at[0] / pixel - 0.5, len(dark) - at[1] / pixel - 0.5
+        window = dark[int(row) - 26 : int(row) + 27, int(column) - 26 : int(column) + 27]
+        rows, columns = np.nonzero(window)
+        assert abs(rows.mean() + int(row) - 26 - row) < 0.8
+        assert abs(columns.mean() + int(column) - 26 - column) < 0.8
+
+
+def test_film_round_a_hole_is_printed_from_its_own_side() -> None:
+    outline = NAMED["ring"]
+    design = designed(outline, 600)
+    pixels, _ = dotted(outline)
+    sheet, _, whole = printed(design.inflation, design.pattern, of_drawing(pixels, *_box(outline.outer)))
+    (hole,) = whole.of(Role.CUT_INNER)
+    middle = hole.points.mean(axis=0)
+    column, row = ((middle - sheet.origin) / (25.4e-3 / DPI) - 0.5).astype(int)
+    assert sheet.pixels[len(sheet.pixels) - 1 - row, column, 3] == 0
+    inside = sheet.pixels[..., 3] == 255
+    assert not (sheet.pixels[inside][:, :3] > 250).all(axis=1).any()
+
+
+def test_any_picture_covers_the_balloon() -> None:
+    pixels = np.full((40, 100, 4), 255, np.uint8)
+    pixels[:, :50, 0] = 10
+    picture = covering(pixels, np.array([1.0, 2.0]), np.array([0.2, 0.3]))
+    low, high = picture.low, picture.low + picture.pixel * (100, 40)
+    assert (low <= (1.0 + 1e-9, 2.0 + 1e-9)).all()
+    assert (high >= (1.2 - 1e-9, 2.3 - 1e-9)).all()
+    assert np.allclose(0.5 * (low + high), (1.1, 2.15))
+    assert picture.pixel[0] == picture.pixel[1] == pytest.approx(0.3 / 40)
+
+
+@pytest.mark.parametrize("name", ["heart", "ring"])
+def test_without_opencv_the_same_comes_out(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """NumPy and SciPy in its place: the same colours, but for rounding and ties."""
+    outline = NAMED[name]
+    pixels, _ = dotted(outline, pixel=1.0 * MM)
+    x, y = (
+        axis.astype(np.float32)
+        for axis in np.meshgrid(
+            np.linspace(-3, pixels.shape[1] + 3, 200), np.linspace(-3, len(pixels) + 3, 200)
+        )
+    )
+    pixels[:30, :40, 3] = 0
+    inside = (pixels[..., :3] < 250).any(axis=2)
+    with_it = sample.sampled(pixels, x, y), pictures.carried_on(pixels, inside)
+    for module in (sample, pictures):
+        monkeypatch.setattr(module, "opencv", lambda: None)
+    without = sample.sampled(pixels, x, y), pictures.carried_on(pixels, inside)
+    seen = with_it[0][..., 3] > 0
+    off = np.abs(without[0].astype(int) - with_it[0])
+    assert off[..., 3].max() <= 5
+    assert np.percentile(off[seen], 99) <= 8
+    assert (without[1] != with_it[1]).any(axis=2).mean() < 0.01
+
+
+def test_senseless_values_are_refused() -> None:
+    design = designed(NAMED["disc"], 300)
+    own = build_pattern(design.pattern, 0.005)
+    with pytest.raises(InputError, match="bleed"):
+        bordered(own, -1.0 * MM)
+    picture = covering(np.full((9, 9, 4), 200, np.uint8), *_box(NAMED["disc"].outer))
+    one = Print(design.inflation, bordered(own), np.zeros(2), picture)
+    for dpi in (5.0, 5000.0, 2400.0):
+        with pytest.raises(InputError, match=r"resolution|dots per inch"):
+            artwork_sheets([one], marked(one.pattern), dpi)
