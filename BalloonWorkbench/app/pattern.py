@@ -3,13 +3,13 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
-
 from BalloonWorkbench.app import migrate, status
 from BalloonWorkbench.app.properties import Property, add_missing, offer_choices, show_in_editor
 from BalloonWorkbench.app.stateless import Stateless
 
 DIRECTION, PLACE = "Direction", "Place on the seam"
+_MOST_MADE = 8
+_made: dict = {}  # the last patterns, by what they were made from
 
 PROPERTIES = (
     Property("Link", "Balloon", "Pattern", "The balloon that is cut from this pattern"),
@@ -219,9 +219,21 @@ def build(obj):
     """The pattern of one panel in full precision, from the balloon's seam and the object's own values."""
     from BalloonWorkbench.app import shapes
     from BalloonWorkbench.app.quantities import metres
+
+    return made(shapes.stored(obj.Balloon, "Seam"), metres(obj.Balloon.SealWidth), values(obj))
+
+
+def made(seam, seal_width: float, wanted):
+    """The core's pattern for a seam; the last ones are remembered, as several steps ask for the same one."""
     from BalloonWorkbench.core.pattern.make import make_pattern
 
-    return make_pattern(shapes.stored(obj.Balloon, "Seam"), metres(obj.Balloon.SealWidth), values(obj))
+    lines = tuple(line.tobytes() for line in (*seam.loops, *seam.welds))
+    key = lines, len(seam.loops), len(seam.spots), seal_width, wanted
+    if key not in _made:
+        _made[key] = make_pattern(seam, seal_width, wanted)
+        for old in list(_made)[:-_MOST_MADE]:
+            _made.pop(old, None)
+    return _made[key]
 
 
 def sheet(obj):
@@ -229,22 +241,6 @@ def sheet(obj):
     from BalloonWorkbench.core.pattern.make import sheet_of
 
     return sheet_of(build(obj), values(obj))
-
-
-@lru_cache(maxsize=64)
-def _fitted(points: bytes, closed: bool):
-    import numpy as np
-
-    from BalloonWorkbench.core.pattern.arcs import fit_curve
-
-    return fit_curve(np.frombuffer(points).reshape(-1, 2), closed)
-
-
-def arcs(points, closed: bool):
-    """The arcs of a contour; they take a while, and those of the last contours are remembered."""
-    import numpy as np
-
-    return _fitted((np.round(points, 9) + 0.0).tobytes(), closed)
 
 
 def show(obj, pattern) -> None:
@@ -274,11 +270,12 @@ def show(obj, pattern) -> None:
 
 def _wire(obj, contour):
     from BalloonWorkbench.app import shapes
+    from BalloonWorkbench.core.pattern.arcs import fit_curve
     from BalloonWorkbench.core.pattern.curves import polyline
 
     if not obj.Arcs:
         return shapes.curve_wire(polyline(contour.points, contour.closed))
-    fitted = arcs(contour.points, contour.closed)
+    fitted = fit_curve(contour.points, contour.closed)
     return shapes.spline_wire(fitted) if obj.Splines else shapes.curve_wire(fitted)
 
 

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import numpy as np
 
 from BalloonWorkbench.core.pattern.arc_spline import Knots, Samples, fewest_arcs, sample
@@ -33,7 +35,14 @@ def fit_curve(points: Floats, closed: bool, tolerance: float = TOLERANCE) -> Cur
 
     Corners above 25 degrees, corners of polygons, straight edges and the ends of an open polyline are kept
     exactly; elsewhere the tangent goes through. A closed curve begins near the polyline's first point.
+    The last curves are remembered: shape, check and file of a pattern ask for the same ones.
     """
+    return _remembered(np.ascontiguousarray(points, dtype=np.float64).tobytes(), closed, tolerance)
+
+
+@lru_cache(maxsize=64)
+def _remembered(content: bytes, closed: bool, tolerance: float) -> Curve:
+    points = np.frombuffer(content).reshape(-1, 2)
     joints: list[Floats] = []
     bulges: list[float] = []
     for stretch in stretches(points, closed, tolerance):
