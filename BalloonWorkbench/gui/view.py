@@ -3,17 +3,8 @@
 
 from __future__ import annotations
 
-import FreeCAD as App
-
 from BalloonWorkbench.app.stateless import Stateless
 from BalloonWorkbench.gui.qt import icon
-
-_FOIL = {
-    "DiffuseColor": (0.80, 0.16, 0.30),
-    "AmbientColor": (0.30, 0.06, 0.11),
-    "SpecularColor": (0.95, 0.80, 0.84),
-    "Shininess": 0.75,
-}
 
 
 class _View(Stateless):
@@ -30,6 +21,9 @@ class _View(Stateless):
 
     def attach(self, vobj):
         self.Object = vobj.Object
+
+    def restored(self, vobj):
+        """The document is open again: what an older one lacks is added."""
 
     def getIcon(self):
         from BalloonWorkbench.app import status
@@ -65,43 +59,49 @@ class OutlineView(_View):
 
 
 class BalloonView(_View):
-    """Shiny film."""
+    """Film, or what it does as colours."""
 
     icon = "balloon"
 
     def style(self, vobj):
-        vobj.DisplayMode = "Shaded"
-        vobj.CreaseAngle = 40.0  # smooth panels, a sharp seam
-        material = App.Material()
-        for name, value in _FOIL.items():
-            setattr(material, name, value)
-        vobj.ShapeMaterial = material
+        from BalloonWorkbench.gui.balloon_view import complete, take_look
+        from BalloonWorkbench.gui.film_display import FILM
+
+        complete(vobj)
+        vobj.CreaseAngle = 40.0  # in FreeCAD's own modes: smooth panels, a sharp seam
+        vobj.DisplayMode = FILM
+        take_look(vobj)
 
     def attach(self, vobj):
-        from BalloonWorkbench.gui.paint.display import PaintedFilm
+        from BalloonWorkbench.gui.balloon_view import BalloonDisplay
 
         super().attach(vobj)
-        self.painted = PaintedFilm(vobj)
+        self.display = BalloonDisplay(vobj)
+
+    def restored(self, vobj):
+        from BalloonWorkbench.gui.balloon_view import complete
+
+        complete(vobj)
+        self.display.follow()
 
     def getDisplayModes(self, vobj):
         """Beside FreeCAD's own for meshes."""
-        from BalloonWorkbench.gui.paint.display import MODE
+        from BalloonWorkbench.gui.balloon_view import MODES
 
-        return [MODE]
+        return MODES
 
     def setDisplayMode(self, mode):
-        from BalloonWorkbench.gui.paint.display import MODE
-
-        if mode == MODE:
-            self.painted.follow(self.Object)
+        self.display.mode_chosen(mode)
         return mode
 
     def updateData(self, obj, name):
-        from BalloonWorkbench.gui.paint.display import MODE
-
         super().updateData(obj, name)
-        if name == "Mesh" and hasattr(self, "painted") and obj.ViewObject.DisplayMode == MODE:
-            self.painted.follow(obj)
+        if hasattr(self, "display"):
+            self.display.object_changed(name)
+
+    def onChanged(self, vobj, name):
+        if hasattr(self, "display"):
+            self.display.view_changed(name)
 
 
 class PatternView(_View):
@@ -125,7 +125,7 @@ class PatternView(_View):
 
 def _layer_colour(role: str) -> tuple[float, ...]:
     """The colour of the layer in the files, from 0 to 1."""
-    from BalloonWorkbench.core.export.sheet import LAYERS
+    from BalloonWorkbench.core.export.layers import LAYERS
     from BalloonWorkbench.core.pattern.pattern import Role
 
     rgb = LAYERS[Role(role)].rgb
@@ -138,7 +138,10 @@ _VIEWS = {"OutlineProxy": OutlineView, "BalloonProxy": BalloonView, "PatternProx
 def dress(obj) -> None:
     """Give an object its view provider unless it has one, as after loading a file saved without a window."""
     vobj = obj.ViewObject
-    if vobj is None or isinstance(vobj.Proxy, _View):
+    if vobj is None:
+        return
+    if isinstance(vobj.Proxy, _View):
+        vobj.Proxy.restored(vobj)
         return
     _VIEWS[type(obj.Proxy).__name__](vobj)
     for shown in (obj, obj.getParentGroup()):  # FreeCAD hides what it loads without its looks

@@ -54,6 +54,7 @@ def test_thickness_is_largest_in_the_middle(disc):
     corners = found.positions[found.triangles]
     thickest = corners[np.unravel_index(np.argmax(shown.shares), shown.shares.shape)]
     assert np.hypot(*thickest[:2]) < 12.0
+    assert np.hypot(*shown.place[:2]) < 12.0
     at_rim = np.abs(corners[..., 2]) < 1e-6
     assert shown.shares[at_rim].max() < 1e-6
 

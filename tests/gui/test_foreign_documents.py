@@ -37,7 +37,7 @@ def test_objects_are_dressed_and_shown(doc):
         assert type(vobj.Proxy).__name__ == f"{name}View"
         assert vobj.Visibility
     assert doc.BalloonGroup.ViewObject.Visibility
-    assert doc.Balloon.ViewObject.DisplayMode == "Shaded"
+    assert doc.Balloon.ViewObject.DisplayMode == "Film"
     assert len(set(doc.Pattern.ViewObject.LineColorArray)) == 2
 
 

@@ -182,6 +182,6 @@ def test_reopened_in_the_window(made, tmp_path):
     hands.wait(0.2)
     balloon = again.Balloon
     assert type(balloon.ViewObject.Proxy).__name__ == "BalloonView"
-    assert balloon.ViewObject.DisplayMode == "Shaded"
+    assert balloon.ViewObject.DisplayMode == "Film"
     balloon.ViewObject.Proxy.doubleClicked(balloon.ViewObject)
     hands.wait_until(hands.panel_is_open)

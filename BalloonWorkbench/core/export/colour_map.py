@@ -36,6 +36,7 @@ STATES = ("slack", "wrinkled", "taut")
 _ODD = 0.005  # part of the area that may lie beyond the end of the scale: a few triangles in sharp tips
 _SAMPLES = 600  # along the longest loop of the silhouette
 _PERCENT = 100.0
+_NOTHING = 1e-9  # a scale needs an end
 
 
 @dataclass(frozen=True)
@@ -45,12 +46,14 @@ class ColourMap:
     shares   (2 m, 3) places on the scale, 0 to 1, of the three corners of each triangle of both panels
     top      value at the end of the scale, in `unit`; its begin is 0
     largest  the largest value, which may lie beyond the end of the scale
+    place    (3,) mm, where that is; None where no spot stands out
     """
 
     kind: str
     shares: Floats
     top: float
     largest: float
+    place: Floats | None = None
 
     @property
     def unit(self) -> str:
@@ -97,7 +100,8 @@ def film_map(found: Results, kind: str) -> ColourMap:
         return ColourMap(kind, shares, 1.0, 1.0)
     if kind == THICKNESS:
         values = found.of_vertices["thickness_mm"]
-        top = largest = max(float(values.max()), 1e-9)
+        top = largest = max(float(values.max()), _NOTHING)
+        place = found.positions[int(np.argmax(values))]
     else:
         name = {TENSION: "tension_N_per_m", WRINKLES: "wrinkle_intensity", STRAIN: "strain"}[kind]
         own = found.of_triangles[name] * (1.0 if kind == TENSION else _PERCENT)
@@ -107,9 +111,11 @@ def film_map(found: Results, kind: str) -> ColourMap:
         values = np.maximum(sums / np.where(weights > 0.0, weights, 1.0), 0.0)
         order = np.argsort(own)
         usual = np.searchsorted(np.cumsum(areas[order]), (1.0 - _ODD) * areas.sum())
-        largest = max(float(own.max()), 1e-9)
-        top = max(float(own[order][min(usual, len(own) - 1)]), 1e-9)
-    return ColourMap(kind, np.clip(values / top, 0.0, 1.0)[faces], top, largest)
+        largest = max(float(own.max()), _NOTHING)
+        top = max(float(own[order][min(usual, len(own) - 1)]), _NOTHING)
+        place = found.positions[faces[int(np.argmax(own))]].mean(axis=0)
+    shares = np.clip(values / top, 0.0, 1.0)[faces]
+    return ColourMap(kind, shares, top, largest, None if kind == WRINKLES else place)
 
 
 def distances(inflation: Inflation, drawing: Outline) -> Distances:

@@ -1,0 +1,154 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a balloon's view provider can show: film, colour maps, its painting, the drawing over it.
+
+State is in properties of the view provider: ColourMap chooses a result, and the display mode goes along; when
+it is off again, the mode that was before comes back.
+"""
+
+from __future__ import annotations
+
+import FreeCAD as App
+
+from BalloonWorkbench.app.host import is_replaying
+from BalloonWorkbench.app.properties import QT_TRANSLATE_NOOP
+from BalloonWorkbench.core.errors import BalloonError
+from BalloonWorkbench.core.export.colour_map import TENSION
+from BalloonWorkbench.gui.curves import curve_nodes
+from BalloonWorkbench.gui.film_display import FILM, MAP, FilmDisplay, look_of
+from BalloonWorkbench.gui.film_map import CHOICES, OFF
+from BalloonWorkbench.gui.paint.display import MODE as PAINTED
+from BalloonWorkbench.gui.paint.display import PaintedFilm
+from BalloonWorkbench.gui.qt import QtCore
+
+MODES = [FILM, MAP, PAINTED]
+#: The result and all that is shown beside it: a change of one of them changes the view.
+_RESULTS = ("SolvedFor", "Status", "Mesh", "FilmPoints", "PanelPoints")
+_GROUP = "Film Balloon"
+_PROPERTIES = (
+    (
+        "Enumeration",
+        "ColourMap",
+        QT_TRANSLATE_NOOP("App::Property", "Result that is shown as colours, with a legend"),
+    ),
+    (
+        "Bool",
+        "CompareOutlines",
+        QT_TRANSLATE_NOOP("App::Property", "Show the drawing and the silhouette over each other"),
+    ),
+    ("String", "ModeWithoutMap", QT_TRANSLATE_NOOP("App::Property", "Display mode when no map is shown")),
+)
+
+
+def complete(vobj) -> None:
+    """Give a view provider those properties that it does not have yet."""
+    for kind, name, tooltip in _PROPERTIES:
+        if name not in vobj.PropertiesList:
+            vobj.addProperty("App::Property" + kind, name, _GROUP, tooltip)
+    if vobj.getEnumerationsOfProperty("ColourMap") != CHOICES:
+        chosen = vobj.ColourMap if vobj.getEnumerationsOfProperty("ColourMap") else OFF
+        vobj.ColourMap = CHOICES
+        vobj.ColourMap = chosen if chosen in CHOICES else OFF
+    if not vobj.ModeWithoutMap:
+        vobj.ModeWithoutMap = FILM
+    vobj.setEditorMode("ModeWithoutMap", 2)
+
+
+class BalloonDisplay:
+    """What is shown of one balloon. It follows its object a moment after the last change."""
+
+    def __init__(self, vobj):
+        from pivy import coin
+
+        self.vobj = vobj
+        self._document, self._name = vobj.Object.Document.Name, vobj.Object.Name
+        self._film, self._painted = FilmDisplay(vobj), PaintedFilm(vobj)
+        self._curves = coin.SoSwitch()
+        self._curves.whichChild.setValue(coin.SO_SWITCH_NONE)
+        vobj.RootNode.addChild(self._curves)
+        self._switching = False
+        self._soon = QtCore.QTimer()
+        self._soon.setSingleShot(True)
+        self._soon.timeout.connect(self.follow)
+
+    def object_changed(self, name: str) -> None:
+        """A property of the balloon has changed."""
+        if name in _RESULTS:
+            self._soon.start(0)
+        elif name in ("Film", "Material") and not is_replaying(self.vobj.Object.Document):
+            take_look(self.vobj)
+
+    def view_changed(self, name: str) -> None:
+        """A property of the view provider has changed."""
+        if name in ("ShapeColor", "Transparency"):
+            self._film.follow_colour(self.vobj)
+        elif name in ("CompareOutlines", "Visibility"):
+            self._soon.start(0)
+        elif name in ("ColourMap", "DisplayMode") and not self._is_loading() and not self._switching:
+            self._switching = True
+            self._couple(name)
+            self._switching = False
+            self._soon.start(0)
+
+    def mode_chosen(self, mode: str) -> None:
+        """FreeCAD is about to show a display mode."""
+        if mode in MODES:
+            self._soon.start(0)
+
+    def follow(self) -> None:
+        """Show everything as it is now."""
+        if not self._is_there():
+            return
+        mode = self.vobj.DisplayMode
+        if mode == PAINTED:
+            self._painted.follow(self.vobj.Object)
+        else:
+            self._film.follow(self.vobj, mode)
+        self._show_curves()
+
+    def _show_curves(self) -> None:
+        from pivy import coin
+
+        self._curves.removeAllChildren()
+        self._curves.whichChild.setValue(coin.SO_SWITCH_NONE)
+        if not (self.vobj.CompareOutlines and self.vobj.Visibility):
+            return
+        try:
+            for node in curve_nodes(self.vobj.Object):
+                self._curves.addChild(node)
+        except BalloonError as error:
+            App.Console.PrintError(f"{self.vobj.Object.Label}: {error}\n")
+        self._curves.whichChild.setValue(coin.SO_SWITCH_ALL)
+
+    def _couple(self, name: str) -> None:
+        """Map and display mode go together."""
+        vobj = self.vobj
+        if name == "ColourMap":
+            if vobj.ColourMap == OFF:
+                if vobj.DisplayMode == MAP:
+                    vobj.DisplayMode = vobj.ModeWithoutMap
+            elif vobj.DisplayMode != MAP:
+                vobj.ModeWithoutMap = vobj.DisplayMode
+                vobj.DisplayMode = MAP
+        elif vobj.DisplayMode == MAP and vobj.ColourMap == OFF:
+            vobj.ColourMap = TENSION
+        elif vobj.DisplayMode != MAP and vobj.ColourMap != OFF:
+            vobj.ColourMap = OFF
+
+    def _is_loading(self) -> bool:
+        return "ModeWithoutMap" not in self.vobj.PropertiesList or is_replaying(self.vobj.Object.Document)
+
+    def _is_there(self) -> bool:
+        """The object may be gone by the time the timer rings."""
+        document = App.listDocuments().get(self._document)
+        return (
+            document is not None
+            and document.getObject(self._name) is not None
+            and "ModeWithoutMap" in self.vobj.PropertiesList
+        )
+
+
+def take_look(vobj) -> None:
+    """Give a view provider the colour and the transparency of the balloon's film."""
+    look = look_of(vobj.Object)
+    vobj.ShapeColor = tuple(int(look.colour[place : place + 2], 16) / 255.0 for place in (1, 3, 5))
+    vobj.Transparency = round(100.0 * (1.0 - look.opacity))

@@ -1,0 +1,198 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A balloon's results as colours on its film: the nodes of the 3D view and their legend."""
+
+from __future__ import annotations
+
+import FreeCAD as App
+import numpy as np
+
+from BalloonWorkbench.app import film_result, status
+from BalloonWorkbench.app.quantities import kilopascals
+from BalloonWorkbench.core.export import colour_map
+from BalloonWorkbench.core.export.results import results
+from BalloonWorkbench.core.solver.film_state import FilmState, State, film_state
+from BalloonWorkbench.core.solver.strength import strength
+from BalloonWorkbench.core.units import to_mm
+from BalloonWorkbench.gui.legend import TOP, Legend, corner_node, label_node
+from BalloonWorkbench.gui.qt import translate
+from BalloonWorkbench.gui.skin import SkinNodes, skin_from
+
+OFF = "Off"
+CHOICES = [OFF, *colour_map.KINDS]
+_TITLES = {
+    colour_map.TENSION: "Membrane tension",
+    colour_map.WRINKLES: "Width hidden in wrinkles",
+    colour_map.STATE: "Film",
+    colour_map.THICKNESS: "Thickness of the balloon",
+    colour_map.STRAIN: "Largest strain",
+    colour_map.RESIDUAL: "Silhouette off the drawing",
+}
+_COLOURS = 256  # of the scale, as a texture
+_LINE = 5.0  # px, of the silhouette
+_GREY = (0.72, 0.74, 0.77)
+
+
+def map_nodes(obj, kind: str) -> list:
+    """Nodes that show one kind of result of a balloon object; none where there is no result.
+
+    Raises BalloonError.
+    """
+    if not film_result.is_known(obj):
+        return []
+    inflation, film = film_result.stored(obj)
+    skin, found = skin_from(inflation, film), results(inflation, film)
+    if kind == colour_map.RESIDUAL:
+        return _residual_nodes(obj, inflation, skin)
+    shown = colour_map.film_map(found, kind)
+    factor, unit = _user_unit(shown.unit, shown.top)
+    legend = Legend(
+        _title(kind, unit),
+        () if kind == colour_map.STATE else _ticks(shown.top * factor),
+        _states(film_state(inflation, film)) if kind == colour_map.STATE else (),
+        _notes(kind, inflation, film, shown, factor, unit),
+        warnings_of(obj),
+    )
+    nodes = [_film(SkinNodes(skin, shown.shares), _scale_nodes()), corner_node(legend, TOP)]
+    if shown.place is not None:
+        nodes.append(label_node(shown.place, f"{shown.largest * factor:.4g} {unit}"))
+    return nodes
+
+
+def _film(skin: SkinNodes, before):
+    from pivy import coin
+
+    node, rim, shape = coin.SoSeparator(), coin.SoSeparator(), coin.SoSeparator()
+    light, colour = coin.SoLightModel(), coin.SoBaseColor()
+    light.model.setValue(coin.SoLightModel.BASE_COLOR)
+    colour.rgb.setValue(0.15, 0.15, 0.18)
+    for child in (*before, skin.film):
+        shape.addChild(child)
+    for child in (light, colour, skin.seam):
+        rim.addChild(child)
+    node.addChild(shape)
+    node.addChild(rim)
+    return node
+
+
+def _matt(coin, colour=(1.0, 1.0, 1.0)):
+    """A material that keeps the colours of a scale: little shade, no shine."""
+    material = coin.SoMaterial()
+    material.ambientColor.setValue(*colour)
+    material.diffuseColor.setValue(*(0.75 * part for part in colour))
+    material.emissiveColor.setValue(*(0.25 * part for part in colour))
+    material.specularColor.setValue(0.0, 0.0, 0.0)
+    return material
+
+
+def _scale_nodes() -> list:
+    from pivy import coin
+
+    texture = coin.SoTexture2()
+    row = colour_map.colours(np.linspace(0.0, 1.0, _COLOURS))
+    texture.image.setValue(coin.SbVec2s(_COLOURS, 1), 3, row.tobytes())
+    texture.wrapS.setValue(coin.SoTexture2.CLAMP)
+    texture.wrapT.setValue(coin.SoTexture2.CLAMP)
+    return [_matt(coin), texture]
+
+
+def _residual_nodes(obj, inflation, skin) -> list:
+    """Grey film with its silhouette coloured by the distance from the drawing."""
+    from pivy import coin
+
+    found = colour_map.distances(inflation, film_result.drawing(obj))
+    top = max(found.largest[2], 1e-9)
+    front, style, light = coin.SoAnnotation(), coin.SoDrawStyle(), coin.SoLightModel()
+    style.lineWidth.setValue(_LINE)
+    light.model.setValue(coin.SoLightModel.BASE_COLOR)
+    binding = coin.SoMaterialBinding()
+    binding.value.setValue(coin.SoMaterialBinding.PER_VERTEX)
+    for child in (style, light, binding):
+        front.addChild(child)
+    for loop, distance in zip(found.loops, found.distances):
+        rgb = colour_map.colours(np.append(distance, distance[:1]) / top) / 255.0
+        points, colours, line = coin.SoCoordinate3(), coin.SoMaterial(), coin.SoLineSet()
+        corners = [(x, y, 0.0) for x, y in to_mm(np.vstack([loop, loop[:1]])).tolist()]
+        points.point.setValues(0, len(corners), corners)
+        colours.diffuseColor.setValues(0, len(corners), rgb.tolist())
+        line.numVertices.setValue(len(corners))
+        for child in (colours, points, line):
+            front.addChild(child)
+    factor, unit = _user_unit("mm", top)
+    notes = (translate("in the mean {}").format(*lengths_text(obj.ResidualMean.Value)),)
+    legend = Legend(
+        _title(colour_map.RESIDUAL, unit), _ticks(top * factor), notes=notes, warnings=warnings_of(obj)
+    )
+    place, _, largest = found.largest
+    label = label_node((*to_mm(place), 0.0), lengths_text(largest)[0])
+    return [_film(SkinNodes(skin), [_matt(coin, _GREY)]), front, corner_node(legend, TOP), label]
+
+
+def _title(kind: str, unit: str) -> str:
+    title = translate(_TITLES[kind])
+    return f"{title} [{unit}]" if unit else title
+
+
+def _user_unit(unit: str, largest: float) -> tuple[float, str]:
+    """The unit in which the user reads lengths, and how many of it there are in a mm; others as they are."""
+    if unit != "mm":
+        return 1.0, unit
+    _, factor, preferred = App.Units.Quantity(largest, App.Units.Length).getUserPreferred()
+    return 1.0 / factor, preferred
+
+
+def _ticks(top: float) -> tuple[tuple[float, str], ...]:
+    return tuple((value / top, f"{value:.6g}") for value in colour_map.ticks(top))
+
+
+def _states(found: FilmState) -> tuple:
+    """The colours of the states, and how much of the film is in each."""
+    names = {
+        State.SLACK: translate("slack: {:.0f} %"),
+        State.WRINKLED: translate("wrinkled, taut along one direction: {:.0f} %"),
+        State.TAUT: translate("taut: {:.0f} %"),
+    }
+    rgb = colour_map.colours(np.array([0.0, 0.5, 1.0])).tolist()
+    return tuple(
+        (tuple(rgb[state]), names[state].format(100.0 * share)) for state, share in found.shares().items()
+    )
+
+
+def _notes(kind: str, inflation, film, shown, factor: float, unit: str) -> tuple[str, ...]:
+    told = []
+    if shown.largest > 1.05 * shown.top:
+        told.append(translate("at most {:.4g} {}").format(shown.largest * factor, unit))
+    if kind == colour_map.TENSION:
+        weakest = strength(inflation, film)
+        if weakest.safe_pressure is None:
+            told.append(translate("strength of the film not known"))
+        else:
+            told.append(
+                translate("safe to {}, margin {:.2g}").format(
+                    _pressure_text(weakest.safe_pressure), weakest.margin
+                )
+            )
+    return tuple(told)
+
+
+def _pressure_text(pressure: float) -> str:
+    """A pressure [Pa] in the user's unit; FreeCAD itself writes thousands of Pa."""
+    _, factor, unit = App.Units.Quantity(kilopascals(pressure), App.Units.Pressure).getUserPreferred()
+    if unit == "Pa":
+        factor, unit = 1.0, "kPa"
+    return f"{kilopascals(pressure) / factor:.3g} {unit}"
+
+
+def lengths_text(*lengths: float) -> list[str]:
+    """Lengths in mm as texts in the user's unit, with three digits."""
+    found = []
+    for length in lengths:
+        factor, unit = _user_unit("mm", length)
+        found.append(f"{length * factor:.3g} {unit}")
+    return found
+
+
+def warnings_of(obj) -> tuple[str, ...]:
+    """What a legend says when its balloon is not up to date."""
+    if status.is_ready(obj):
+        return ()
+    return (translate("stale: belongs to earlier values"),)
