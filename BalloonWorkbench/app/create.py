@@ -236,14 +236,19 @@ def _finish(parts: Parts, options) -> None:
     compute(parts, *add_companions(parts))
 
 
-def compute(*balloons: Parts) -> None:
-    """Compute new balloons of a drawing and lay their patterns beside it; InputError where there is none."""
+def compute(*balloons: Parts, pause=bool) -> None:
+    """Compute new balloons of a drawing and lay their patterns beside it; InputError where there is none.
+
+    pause is called between the steps of the work.
+    """
     doc = balloons[0].balloon.Document
     doc.recompute()
+    pause()
     for obj in (obj for parts in balloons for obj in parts):
         if not status.is_ready(obj):
             raise InputError(status.problem(obj))
     place_beside(*balloons)
+    pause()
     doc.recompute()
 
 

@@ -41,6 +41,10 @@ RESULTS = (
 )
 
 
+_MOST_AREAS = 8
+_areas: dict = {}
+
+
 def follow(obj) -> None:
     """Offer only what has an effect."""
     show_in_editor(
@@ -96,17 +100,28 @@ def set_filling(obj, wanted) -> None:
     obj.Altitude = to_mm(wanted.altitude)
 
 
+def usual_area(seam, film) -> float:
+    """Film of a panel with weld and intake as usual [m2]; those of the last seams are remembered."""
+    from BalloonWorkbench.core.pattern.build import usual_pattern
+
+    key = tuple(line.tobytes() for line in (*seam.loops, *seam.welds)), len(seam.spots), film.seal_width
+    if key not in _areas:
+        _areas[key] = usual_pattern(seam, film).film_area
+        for old in list(_areas)[:-_MOST_AREAS]:
+            _areas.pop(old, None)
+    return _areas[key]
+
+
 def show_lift(obj) -> None:
     """Weight and lift of the balloon that is shown, for the film and the gas as they are now."""
     from BalloonWorkbench.app import shapes
     from BalloonWorkbench.app.film import read
     from BalloonWorkbench.app.quantities import cubic_metres, metres, pascals
     from BalloonWorkbench.core.design.size_goal import Buoyancy, Scaling
-    from BalloonWorkbench.core.pattern.build import usual_pattern
     from BalloonWorkbench.core.units import to_grams, to_mm
 
     own, seam = read(obj), shapes.stored(obj, "Seam")
-    area = usual_pattern(seam, own).film_area
+    area = usual_area(seam, own)
     lightness = filling(obj).lightness(pascals(obj.ActivePressure))
     buoyancy = Buoyancy(lightness, own.areal_density, lambda seam: area)
     width = metres(obj.InflatedWidth)

@@ -29,7 +29,7 @@ class PaintedFilm:
         points, facets = obj.Mesh.Topology
         if not points:
             return
-        positions = np.array([tuple(point) for point in points])
+        positions = np.array([(point.x, point.y, point.z) for point in points])
         art = artwork(obj.Outline) if obj.Outline else None
         rgba = np.zeros((1, 1, 4), np.uint8) if art is None else art.rgba
         places = np.zeros((len(positions), 2)) if art is None else art.places(positions)

@@ -10,6 +10,7 @@ from BalloonWorkbench.gui.paint.painting import SIDE, Painting
 from BalloonWorkbench.gui.paint.requests import Counsel, Glance
 from BalloonWorkbench.gui.paint.strokes import PEN, Stroke
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets
+from BalloonWorkbench.gui.sentences import tell
 
 
 def load() -> None:
@@ -20,8 +21,11 @@ def load() -> None:
     import PartGui  # noqa: F401
     from pivy import coin  # noqa: F401
 
+    from BalloonWorkbench.gui import balloon_view  # noqa: F401
+
     dot = Painting()
     dot.do(Stroke(PEN, "#000000", points=[(SIDE / 2, SIDE / 2, SIDE / 2)]))
     look = Glance(dot.image, 0, 100.0, Settings()).solve(no_progress)
     Counsel(look, Settings()).solve(no_progress)
+    tell("")
     QtWidgets.QApplication.restoreOverrideCursor()

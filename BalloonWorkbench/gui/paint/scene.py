@@ -7,7 +7,7 @@ import FreeCADGui as Gui
 import numpy as np
 
 from BalloonWorkbench.app.qt_picture import pixels
-from BalloonWorkbench.core.export.sheet import LAYERS
+from BalloonWorkbench.core.export.layers import LAYERS
 from BalloonWorkbench.core.pattern.pattern import Role
 from BalloonWorkbench.gui.qt import QtCore, QtGui
 
