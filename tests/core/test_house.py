@@ -2,6 +2,7 @@
 """The rules of the house: which layer may use which, and what every source file looks like."""
 
 import ast
+import datetime
 import re
 import subprocess
 import sys
@@ -33,7 +34,8 @@ WINDOW = {"FreeCADGui", "Gui", "PartGui", "MeshGui", "SketcherGui", "pivy"}
 QT = {"PySide", "PySide2", "PySide6", "PyQt5", "PyQt6", "shiboken2", "shiboken6"}
 
 #: The rooms of the core in the order of the data; a room uses only those before it.
-ROOMS = ["outline", "mesh", "film", "solver", "design", "pattern", "coach", "export"]
+ROOMS = ["outline", "mesh", "film", "solver", "design", "pattern", "coach"]
+ROOMS += ["nesting", "maker", "export", "artwork", "assembly"]
 
 OPTIONAL = ["cv2", "scipy", "ezdxf", "shapely", "pythoncdt", "matplotlib", "reportlab", "PIL"]
 
@@ -148,13 +150,23 @@ def test_no_failure_is_swallowed(path: Path) -> None:
             assert not re.search(r"\b(Base)?Exception\b", caught), f"{named(path)}:{node.lineno}"
 
 
-def test_one_version_everywhere() -> None:
-    project = (ROOT / "pyproject.toml").read_text(encoding="utf-8")
+def test_one_source_of_version_and_date() -> None:
+    """package.xml has them; nothing else has a number of its own."""
     manifest = ElementTree.parse(ROOT / "package.xml").getroot()
-    written = re.search(r'^version = "(.+)"$', project, re.MULTILINE)
-    assert written
-    assert written[1] == manifest.findtext("{*}version") == BalloonWorkbench.__version__
-    assert f"\n## {BalloonWorkbench.__version__} " in (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
+    version, date = manifest.findtext("{*}version"), manifest.findtext("{*}date")
+    assert (BalloonWorkbench.__version__, BalloonWorkbench.__date__) == (version, date)
+    assert datetime.date.fromisoformat(str(date)) >= datetime.date(2026, 11, 21)
+    project = (ROOT / "pyproject.toml").read_text(encoding="utf-8")
+    assert not re.search(r"^version\b", project, re.MULTILINE)
+    assert 'attr = "BalloonWorkbench.__version__"' in project
+    newest = re.search(
+        r"^## (\S+) - (.+)$", (ROOT / "CHANGELOG.md").read_text(encoding="utf-8"), re.MULTILINE
+    )
+    assert newest
+    assert newest[1] == version
+    assert newest[2] in ("not released", date)
+    texts = [path.read_text(encoding="utf-8") for path in sources(".py", ".toml", ".sh", ".h", ".cpp")]
+    assert not [text for text in texts if f'version = "{version}"' in text]
 
 
 def test_manifest_names_what_is_there() -> None:
