@@ -26,8 +26,9 @@ LANGUAGES = {"de": "German", "ja": "Japanese", "fr": "French", "es-ES": "Spanish
 
 OURS, PROPERTY = "BalloonWorkbench", "App::Property"
 #: Files whose texts go into pictures and files, or to developers.
-_SILENT = ("export/preview.py", "export/svg.py", "export/vtu.py", "export/machine_svg.py", "export/render.py")
+_SILENT = ("export/preview.py", "export/vtu.py", "export/machine_svg.py", "export/render.py")
 _SILENT += ("export/machine_hpgl.py", "export/machine_pdf.py", "core/report.py", "app/host.py")
+_SPOKEN = ("equipment.py",)  # of the window, but in plain sentences like the engine
 #: Keys of the data files that people read, by folder or file.
 _DATA = {
     "advice/rules.json": ("title", "sentence"),
@@ -55,7 +56,7 @@ def texts() -> list[Text]:
         tree = ast.parse(path.read_text(encoding="utf-8"))
         found |= set(_named(tree))
         layer = path.relative_to(PACKAGE).parts[0] if PACKAGE in path.parents else ""
-        if layer in ("core", "app") and not str(path).endswith(_SILENT):
+        if (layer in ("core", "app") or path.name in _SPOKEN) and not str(path).endswith(_SILENT):
             found |= {Text(OURS, source, True) for source in _sentences(tree)}
         if layer == "app":
             found |= {Text(OURS, source, True) for source in _choices(tree)}

@@ -8,8 +8,6 @@ from pathlib import Path
 from BalloonWorkbench.app import status
 from BalloonWorkbench.core.errors import ExportError
 
-FORMATS = ("dxf", "svg")
-
 
 def export_pattern(pattern_obj, target) -> Path:
     """Write the pattern to a file, in the format of its ending, or into a folder as DXF; returns the file.
@@ -17,19 +15,15 @@ def export_pattern(pattern_obj, target) -> Path:
     Given the group of a drawing, all its patterns go on one sheet, none over another.
     Raises ExportError for another ending, a pattern that is not up to date, a place that cannot be written.
     """
-    from BalloonWorkbench.core.export.dxf import dxf_bytes
-    from BalloonWorkbench.core.export.files import write_files
-    from BalloonWorkbench.core.export.svg import svg_bytes
+    from BalloonWorkbench.core.export.machine import ANY
 
     path = Path(target)
     if path.is_dir():
         path = path / "pattern.dxf"
     kind = path.suffix.lower().lstrip(".")
-    if kind not in FORMATS:
+    if kind not in ANY:
         raise ExportError(f"{path.name} is neither DXF nor SVG: let the name end in .dxf or .svg.")
-    pattern = sheet(pattern_obj)
-    write_files(path.parent, {path.name: dxf_bytes(pattern) if kind == "dxf" else svg_bytes(pattern)})
-    return path
+    return export_for(pattern_obj, ANY[kind], path)
 
 
 def sheet(pattern_obj):

@@ -42,7 +42,7 @@ def _items() -> tuple[Item, ...]:
         of("balloon", balloon, "MeshSize"),
         of("balloon", balloon, "Live"),
         Item("ExportFolder", ""),
-        Item("Machine", ""),
+        Item("Machine", "any-dxf"),
     )
 
 
@@ -86,7 +86,7 @@ def choices(key: str) -> list[str]:
         return [name for name in film.names() if name != film.CUSTOM]
     if key == "Backend":
         return list(balloon.BACKENDS)
-    return ["", *machines()] if key == "Machine" else []
+    return list(machines()) if key == "Machine" else []
 
 
 def begin(parts) -> None:

@@ -28,11 +28,11 @@ from BalloonWorkbench.core.design.fit import fit, inflate_outline
 from BalloonWorkbench.core.design.size_goal import START_WIDTH, Buoyancy, SizeGoal, design_to_size
 from BalloonWorkbench.core.design.to_volume import design_to_volume
 from BalloonWorkbench.core.errors import InputError, MissingPackageError
-from BalloonWorkbench.core.export.dxf import dxf_bytes
+from BalloonWorkbench.core.export.fabricate import machine_file
+from BalloonWorkbench.core.export.machine import ANY, machine
 from BalloonWorkbench.core.export.preview import preview_png
 from BalloonWorkbench.core.export.results import frame_files, results_bytes
 from BalloonWorkbench.core.export.stl import stl_bytes
-from BalloonWorkbench.core.export.svg import svg_bytes
 from BalloonWorkbench.core.film.filling import Filling
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.film.library import DEFAULT_FILM, film
@@ -223,8 +223,7 @@ def files(balloon: Balloon, results: str | None = None) -> dict[str, bytes]:
     """
     sheet = balloon.sheet
     makers: dict[str, Callable[[], bytes]] = {
-        "pattern.dxf": lambda: dxf_bytes(sheet),
-        "pattern.svg": lambda: svg_bytes(sheet),
+        **{f"pattern.{kind}": partial(machine_file, sheet, machine(name)) for kind, name in ANY.items()},
         "balloon.stl": lambda: stl_bytes([design.inflation for design in balloon.designs]),
         "preview.png": lambda: preview_png(balloon.designs, balloon.patterns),
     }

@@ -124,5 +124,5 @@ def _title(key: str, choice: str) -> str:
     if key == "Film":
         return tell(known_films()[choice].title)
     if key == "Machine":
-        return tell(machines()[choice].title) if choice else translate("Any program")
+        return tell(machines()[choice].title)
     return tell(choice)

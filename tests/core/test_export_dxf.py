@@ -16,12 +16,18 @@ import numpy as np
 import pytest
 from drawn_shapes import NAMED, generated
 
-from BalloonWorkbench.core.export.dxf import dxf_bytes
+from BalloonWorkbench.core.export.fabricate import machine_file
+from BalloonWorkbench.core.export.machine import machine
 from BalloonWorkbench.core.pattern.build import build_pattern
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
 
 COLOURS = {"CUT": 1, "CUT_INNER": 5, "SEAL": 6}
 SHAPES = {**NAMED, **{f"generated {seed}": generated(seed) for seed in range(10)}}
+
+
+def dxf_bytes(pattern: Pattern) -> bytes:
+    """What goes to any program."""
+    return machine_file(pattern, machine("any-dxf"))
 
 
 def expected(pattern: Pattern) -> list[tuple[Role, np.ndarray, bool]]:

@@ -10,12 +10,18 @@ import numpy as np
 import pytest
 from drawn_shapes import NAMED
 
-from BalloonWorkbench.core.export.svg import svg_bytes
+from BalloonWorkbench.core.export.fabricate import machine_file
+from BalloonWorkbench.core.export.machine import machine
 from BalloonWorkbench.core.pattern.build import build_pattern
-from BalloonWorkbench.core.pattern.pattern import Role
+from BalloonWorkbench.core.pattern.pattern import Pattern, Role
 
 SVG, INKSCAPE = "{http://www.w3.org/2000/svg}", "{http://www.inkscape.org/namespaces/inkscape}"
 COLOURS = {"CUT": "#ff0000", "CUT_INNER": "#0000ff", "SEAL": "#ff00ff"}
+
+
+def svg_bytes(pattern: Pattern) -> bytes:
+    """What goes to any program."""
+    return machine_file(pattern, machine("any-svg"))
 
 
 @pytest.mark.parametrize("name", NAMED)
@@ -47,8 +53,8 @@ def test_real_size_and_layers(name: str) -> None:
             course = path.attrib["d"]
             assert course.startswith("M ")
             assert course.endswith(" Z") == contour.closed
-            pairs = course.removeprefix("M ").removesuffix(" Z").split(" ")
-            read = np.array([[float(value) for value in pair.split(",")] for pair in pairs])
+            words = course.removeprefix("M ").removesuffix(" Z").replace(" L ", " ").split(" ")
+            read = np.array(words, dtype=float).reshape(-1, 2)
             wanted = (
                 np.stack([contour.points[:, 0] - low[0], high[1] - contour.points[:, 1]], axis=1) * 1000.0
             )

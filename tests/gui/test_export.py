@@ -33,10 +33,11 @@ def test_size_is_shown_in_millimetres(panel):
 @pytest.mark.parametrize("kind", ["DXF", "SVG"])
 def test_file_is_written(panel, tmp_path, kind):
     hands.type_into(hands.find("File"), str(tmp_path / "mine.dxf"), confirm=False)
-    combo = hands.find("Format")
+    combo = hands.find("Machine")
     combo.setFocus()
     if kind == "SVG":
         hands.key(combo, hands.QtCore.Qt.Key_Down)
+    assert combo.currentText() == f"Any program ({kind})"
     hands.press("Ok")
     hands.wait_until(hands.panel_is_closed)
     assert [path.name for path in tmp_path.iterdir()] == [f"mine.{kind.lower()}"]

@@ -93,17 +93,15 @@ def _curves(contour: Contour, machine: Machine) -> Iterator[Curve]:
 
 def _once(paths: list[Path]) -> list[Path]:
     """Without paths that lie on an earlier one of the same role."""
-    kept: list[Path] = []
-    for path in paths:
-        points = path.curve.flattened(_SAME)
-        if not any(
-            other.role is path.role
-            and np.abs(np.subtract(other.curve.bounds, path.curve.bounds)).max() < _SAME
-            and _farthest(points, other.curve.flattened(_SAME)) < 2.0 * _SAME
-            for other in kept
-        ):
-            kept.append(path)
-    return kept
+    boxes = np.array([np.concatenate(path.curve.bounds) for path in paths])
+    kept: list[int] = []
+    for number, path in enumerate(paths):
+        near = np.abs(boxes[kept] - boxes[number]).max(axis=1) < _SAME if kept else np.zeros(0)
+        alike = [paths[kept[k]] for k in np.flatnonzero(near) if paths[kept[k]].role is path.role]
+        points = path.curve.flattened(_SAME) if alike else path.curve.joints
+        if not any(_farthest(points, other.curve.flattened(_SAME)) < 2.0 * _SAME for other in alike):
+            kept.append(number)
+    return [paths[number] for number in kept]
 
 
 def _farthest(points: Floats, others: Floats) -> float:

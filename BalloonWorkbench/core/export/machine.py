@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from BalloonWorkbench.core.errors import InputError
-from BalloonWorkbench.core.export.sheet import LAYERS
+from BalloonWorkbench.core.export.layers import LAYERS
 from BalloonWorkbench.core.pattern.pattern import Role
 from BalloonWorkbench.core.units import INCH, MILLIMETRE, from_mm
 
@@ -27,6 +27,7 @@ _VERSIONS = {"dxf": ("R2000", "R12"), "svg": ("",), "pdf": ("",), "hpgl": ("",)}
 UNITS = {"mm": MILLIMETRE, "in": INCH}
 LINE_TYPES = ("CONTINUOUS", "DASHED")
 _LAYER_NAME = re.compile(r"[A-Z0-9_$-]{1,31}")
+_FILE_NAME = re.compile(r"[\w .-]{0,60}")
 _COLOUR = re.compile(r"#[0-9a-f]{6}")
 
 
@@ -53,6 +54,7 @@ class Machine:
     kerf       width that the beam takes away; knife_offset of a swivel knife behind its axis; overrun of a
                closed weld past its start; least_radius and least_gap it can follow [m]
     control_bar  a bar of 100 mm on the layer REGISTRATION
+    file       name of its file without the ending, where it is not made from the machine's
     """
 
     name: str
@@ -70,10 +72,13 @@ class Machine:
     least_radius: float
     least_gap: float
     control_bar: bool
+    file: str = ""
 
     @property
     def file_name(self) -> str:
         """A name that tells the machine, and the unit where the format may leave it open."""
+        if self.file:
+            return f"{self.file}.{ENDINGS[self.format]}"
         unit = f"_{self.unit}" if self.format == "dxf" else ""
         return f"pattern-{self.name}{unit}.{ENDINGS[self.format]}"
 
@@ -85,12 +90,18 @@ def own_folder() -> Path:
 
 
 def machines() -> dict[str, Machine]:
-    """All machines by name, in alphabetical order; one of the user's own takes the place of ours.
+    """All machines by name: those for any program, then in alphabetical order; one of the user's own takes
+    the place of ours.
 
     Raises InputError when a data file is of no use.
     """
     paths = {path.stem: path for folder in (FOLDER, own_folder()) for path in sorted(folder.glob("*.json"))}
-    return {name: read_machine(paths[name]) for name in sorted(paths)}
+    order = sorted(paths, key=lambda name: (name not in ANY.values(), name))
+    return {name: read_machine(paths[name]) for name in order}
+
+
+#: The machines that stand for any program, by format.
+ANY = {"dxf": "any-dxf", "svg": "any-svg"}
 
 
 def machine(name: str) -> Machine:
@@ -130,7 +141,7 @@ def read_machine(path: Path) -> Machine:
 
 _KEYS = {
     "name", "title", "note", "format", "version", "unit", "arcs", "bed_mm", "kerf_mm", "knife_offset_mm",
-    "overrun_mm", "control_bar", "least_radius_mm", "least_gap_mm", "layers",
+    "overrun_mm", "control_bar", "file", "least_radius_mm", "least_gap_mm", "layers",
 }  # fmt: skip
 
 
@@ -155,7 +166,10 @@ def _machine_of(data: dict[str, Any]) -> Machine:
         least_radius=_length(data["least_radius_mm"], "least_radius_mm", 0.0),
         least_gap=_length(data["least_gap_mm"], "least_gap_mm", 0.0),
         control_bar=_truth(data["control_bar"], "control_bar"),
+        file=str(data.get("file", "")),
     )
+    if not _FILE_NAME.fullmatch(found.file):
+        raise InputError(f'the file name "{found.file}" may have letters, digits, spaces, _, - and . only.')
     if kind in ("hpgl", "pdf") and found.unit != "mm":
         raise InputError(f'a {kind.upper()} file has a unit of its own: give "unit": "mm".')
     if kind == "hpgl" and found.arcs:

@@ -42,11 +42,17 @@ def _course(curve: Curve, height: float) -> str:
     """The path's commands. SVG's y runs downward, so a turn to the left has the sweep flag 0."""
     x, y = curve.joints[0]
     words = [f"M {_number(x)} {_number(height - y)}"]
-    for segment, radius in zip(curve.segments, curve.radii):
+    command = ""
+    segments = curve.segments
+    if curve.closed and segments[-1].bulge == 0.0:
+        segments = segments[:-1]  # Z draws it
+    for segment, radius in zip(segments, curve.radii):
         end = f"{_number(segment.end[0])} {_number(height - segment.end[1])}"
         if segment.bulge == 0.0:
-            words.append(f"L {end}")
+            words.append(end if command == "L" else f"L {end}")
+            command = "L"
         else:
+            command = "A"
             size, large = _number(float(radius)), int(abs(segment.bulge) > 1.0)
             words.append(f"A {size} {size} 0 {large} {int(segment.bulge < 0.0)} {end}")
     return " ".join([*words, "Z"] if curve.closed else words)

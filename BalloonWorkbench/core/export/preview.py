@@ -11,8 +11,10 @@ import numpy as np
 
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.errors import MissingPackageError
+from BalloonWorkbench.core.export.drawing import Path, draw
+from BalloonWorkbench.core.export.layers import LAYERS
+from BalloonWorkbench.core.export.machine import ANY, FOLDER, read_machine
 from BalloonWorkbench.core.export.render import balloon_picture
-from BalloonWorkbench.core.export.sheet import LAYERS, Path, lay_out
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.pattern.layout import on_one_sheet
 from BalloonWorkbench.core.pattern.pattern import Pattern, Role
@@ -26,7 +28,16 @@ _DRAWING, _BALLOON, _UNREACHED = "#39424f", "#d81e3f", "#f2b705"
 # Cards in pixels from the lower left: x, y, width, height.
 _MARGIN, _GAP = 26, 20
 _LEFT, _MIDDLE = 480, 540
-_NAMES = {Role.CUT: "cut", Role.CUT_INNER: "cut inside", Role.SEAL: "weld", Role.WELD: "weld inside"}
+_NAMES = {
+    Role.CUT: "cut",
+    Role.CUT_INNER: "cut inside",
+    Role.SEAL: "weld",
+    Role.WELD: "weld inside",
+    Role.MARK: "marks",
+    Role.ENGRAVE: "text",
+    Role.PRINT: "print",
+    Role.REGISTRATION: "registration",
+}
 
 
 def preview_png(designs: Sequence[Design], patterns: Sequence[Pattern]) -> bytes:
@@ -153,7 +164,7 @@ def _silhouette(axes: Any, designs: Sequence[Design]) -> None:
 
 def _pattern(axes: Any, patterns: Sequence[Pattern]) -> None:
     pattern = on_one_sheet(patterns)
-    sheet = lay_out(pattern)
+    sheet = draw(pattern, read_machine(FOLDER / f"{ANY['svg']}.json"))
     frame = _Frame(np.zeros(2), np.array([sheet.width, sheet.height]), _box(axes, 74, 150, 40, 84))
     rings = {role: [_drawn(path, frame) for path in sheet.of(role)] for role in (Role.CUT, Role.CUT_INNER)}
     # A shape may lie in the hole of another: the larger ones first.
@@ -186,7 +197,8 @@ def _pattern(axes: Any, patterns: Sequence[Pattern]) -> None:
 
 def _drawn(path: Path, frame: _Frame) -> Floats:
     """Points (n, 2) of a path on the card, a closed one with its first point repeated."""
-    return frame(np.concatenate([path.points, path.points[:1]]) if path.closed else path.points)
+    points = path.curve.joints
+    return frame(np.concatenate([points, points[:1]]) if path.curve.closed else points)
 
 
 def _dimension(

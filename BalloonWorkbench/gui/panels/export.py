@@ -8,16 +8,17 @@ from pathlib import Path
 import FreeCADGui as Gui
 
 from BalloonWorkbench.app import preferences
-from BalloonWorkbench.app.export import FORMATS, export_for, export_pattern
+from BalloonWorkbench.app.export import export_for
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.gui import record
 from BalloonWorkbench.gui.panels.machine_box import MachineBox
 from BalloonWorkbench.gui.panels.watch import Watch
 from BalloonWorkbench.gui.qt import QtGui, QtWidgets, icon, translate
+from BalloonWorkbench.gui.sentences import tell
 
 
 class ExportPanel:
-    """Chooses a pattern, a machine or a format, and a file."""
+    """Chooses a pattern, a machine and a file."""
 
     def __init__(self, patterns, chosen=None):
         self.patterns = patterns
@@ -28,9 +29,7 @@ class ExportPanel:
         self.choice.setObjectName("Pattern")
         self.choice.addItems([_name(pattern) for pattern in patterns])
         self.machine = MachineBox(patterns[0].Document.Name)
-        self.format = QtWidgets.QComboBox()
-        self.format.setObjectName("Format")
-        self.format.addItems([ending.upper() for ending in FORMATS])
+        self.machine.choose(preferences.get("Machine"))
         self.path = QtWidgets.QLineEdit()
         self.path.setMinimumWidth(60)
         self.path.setObjectName("File")
@@ -48,17 +47,16 @@ class ExportPanel:
         form = QtWidgets.QFormLayout(self.form)
         form.addRow(translate("Pattern"), self.choice)
         form.addRow(translate("Machine"), self.machine)
-        form.addRow(translate("Format"), self.format)
         form.addRow(translate("File"), row)
         form.addRow(translate("Size"), self.size)
         form.addRow(self.message)
         self.choice.currentIndexChanged.connect(self.show_pattern)
         self.machine.changed.connect(self.follow_machine)
-        self.format.currentIndexChanged.connect(self.follow_format)
         browse.clicked.connect(self.browse)
         self.choice.setCurrentIndex(patterns.index(chosen) if chosen in patterns else 0)
         self.show_pattern()
-        self.path.setText(str(self.suggestion()))
+        self.suggested = self.suggestion()
+        self.path.setText(str(self.suggested))
         self.watch = Watch(patterns, self.close)
 
     def pattern(self):
@@ -70,13 +68,11 @@ class ExportPanel:
         document = self.pattern().Document.FileName
         folder = Path(document).parent if document else Path.home()
         folder = Path(preferences.get("ExportFolder") or folder)
-        made_for = self.machine.machine
-        return folder / (made_for.file_name if made_for else f"pattern.{self.ending()}")
+        return folder / self.machine.machine.file_name
 
     def ending(self) -> str:
         """The ending of the file's name."""
-        made_for = self.machine.machine
-        return Path(made_for.file_name).suffix[1:] if made_for else self.format.currentText().lower()
+        return Path(self.machine.machine.file_name).suffix[1:]
 
     def show_pattern(self, _index: int = 0) -> None:
         pattern = self.pattern()
@@ -89,17 +85,14 @@ class ExportPanel:
         self.machine.show_for(pattern)
 
     def follow_machine(self) -> None:
-        """Check the pattern for the machine; offer a format only where the machine leaves it open."""
-        self.format.setEnabled(self.machine.machine is None)
-        self.path.setText(
-            str(Path(self.path.text().strip() or self.suggestion()).parent / self.suggestion().name)
-        )
+        """Check the pattern for the machine; a name that the user has given keeps all but its ending."""
+        written = Path(self.path.text().strip() or self.suggested)
+        name = self.suggestion().name
+        if str(written.name) != self.suggested.name:
+            name = written.with_suffix("." + self.ending()).name
+        self.suggested = self.suggestion()
+        self.path.setText(str(written.parent / name))
         self.machine.show_for(self.pattern())
-
-    def follow_format(self, _index: int = 0) -> None:
-        """Give the file the ending of the format."""
-        if self.path.text().strip():
-            self.path.setText(str(Path(self.path.text()).with_suffix("." + self.ending())))
 
     def browse(self, _checked: bool = False) -> None:
         ending = self.ending()
@@ -113,18 +106,15 @@ class ExportPanel:
         """Write the file; the panel stays with the reason when that fails."""
         path = self.path.text().strip() or str(self.suggestion())
         made_for = self.machine.machine
-        if not path.lower().endswith((self.ending(),) if made_for else FORMATS):
+        if not path.lower().endswith("." + self.ending()):
             path += "." + self.ending()
         try:
-            if made_for is None:
-                written = export_pattern(self.pattern(), path)
-            else:
-                written = export_for(self.pattern(), made_for.name, path, self.machine.paper)
+            written = export_for(self.pattern(), made_for.name, path, self.machine.paper)
         except BalloonError as error:
-            self.message.setText(str(error))
+            self.message.setText(tell(str(error)))
             return False
-        chosen = {} if made_for is None else {"machine": record.text(made_for.name)}
-        if made_for is not None and self.machine.paper:
+        chosen = {"machine": record.text(made_for.name)}
+        if self.machine.paper:
             chosen["paper"] = record.text(self.machine.paper)
         record.call("export", record.obj(self.pattern()), record.text(written), **chosen)
         self.close()

@@ -12,6 +12,7 @@ from BalloonWorkbench.core.export.machine_pdf import TILES
 from BalloonWorkbench.core.export.preflight import ERROR
 from BalloonWorkbench.gui.marks import Overlay
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
+from BalloonWorkbench.gui.sentences import tell
 
 
 class MachineBox(QtWidgets.QWidget):
@@ -21,17 +22,16 @@ class MachineBox(QtWidgets.QWidget):
 
     def __init__(self, document_name: str):
         super().__init__()
-        self.known = [None, *machines().values()]
+        self.known = list(machines().values())
         self.overlay = Overlay(document_name)
         self.findings: tuple = ()
         self.pattern = None
         self.choice = QtWidgets.QComboBox()
         self.choice.setObjectName("Machine")
         self.choice.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLength)
-        self.choice.addItem(translate("Any program"))
-        for known in self.known[1:]:
-            self.choice.addItem(known.title)
-            self.choice.setItemData(self.choice.count() - 1, known.note, QtCore.Qt.ToolTipRole)
+        for known in self.known:
+            self.choice.addItem(tell(known.title))
+            self.choice.setItemData(self.choice.count() - 1, tell(known.note), QtCore.Qt.ToolTipRole)
         self.pages = QtWidgets.QComboBox()
         self.pages.setObjectName("Pages")
         self.pages.addItems([translate("One large page"), *TILES])
@@ -52,7 +52,7 @@ class MachineBox(QtWidgets.QWidget):
 
     @property
     def machine(self):
-        """The chosen machine, or None for a plain file."""
+        """The chosen machine."""
         return self.known[self.choice.currentIndex()]
 
     @property
@@ -63,8 +63,7 @@ class MachineBox(QtWidgets.QWidget):
 
     def choose(self, name: str, paper: str | None = None) -> None:
         """Take a machine by its name and, where it prints, the paper to divide the pattern on."""
-        names = [None, *(known.name for known in self.known[1:])]
-        self.choice.setCurrentIndex(names.index(name))
+        self.choice.setCurrentIndex([known.name for known in self.known].index(name))
         if paper is not None:
             self.pages.setCurrentText(paper)
 
@@ -74,21 +73,19 @@ class MachineBox(QtWidgets.QWidget):
         self.overlay.clear()
         self.list.clear()
         chosen = self.machine
-        self.pages.setVisible(chosen is not None and chosen.format == "pdf")
-        for widget in (self.note, self.list):
-            widget.setVisible(chosen is not None)
-        if chosen is None or pattern is None:
+        self.pages.setVisible(chosen.format == "pdf")
+        if pattern is None:
             return
-        self.note.setText(chosen.note)
+        self.note.setText(tell(chosen.note))
         try:
             self.findings = check_for(pattern, chosen.name)
         except BalloonError as error:
             self.findings = ()
-            self.list.addItem(str(error))
+            self.list.addItem(tell(str(error)))
             return
         for finding in self.findings:
             word = translate("Not possible") if finding.severity == ERROR else translate("Mind")
-            self.list.addItem(f"{word}: {finding.text}")
+            self.list.addItem(f"{word}: {tell(finding.text)}")
         if not self.findings:
             self.list.addItem(translate("Checked: nothing is in the way."))
 
