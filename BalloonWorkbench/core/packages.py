@@ -18,6 +18,7 @@ ABSENCES = {
     "svgelements": "SVG files can be written but not read without it; pictures, DXF and JSON can be read.",
     "pythoncdt": "SciPy triangulates instead, a little slower.",
     "matplotlib": "Previews and labels need it; everything else works.",
+    "spyrrow": "Panels are laid on the film in rows instead of closely; nothing else changes.",
     "reportlab": "PDF files need it; DXF, SVG and HPGL can be written.",
 }
 _TO_INSTALL = {"cv2": "opencv-python-headless"}

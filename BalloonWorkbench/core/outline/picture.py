@@ -54,7 +54,7 @@ def picture_drawing(
     if width is None and height is None:
         raise InputError("A picture has no size of its own. Give the width or the height of the balloon.")
     picture_size(path)
-    drawing = drawing_of(_shrink((decode or decode_with_opencv)(path)))
+    drawing = drawing_of(shrunk((decode or decode_with_opencv)(path)))
     return checked(scale_to(drawing, width, height))
 
 
@@ -132,7 +132,7 @@ def _simple(shapes: list[list[Floats]], radius: float) -> list[list[Floats]]:
     return [[trace(loop, radius, 0.0, 0.0) for loop in loops] for loops in shapes]
 
 
-def _shrink(rgba: NDArray[np.uint8]) -> NDArray[np.uint8]:
+def shrunk(rgba: NDArray[np.uint8]) -> NDArray[np.uint8]:
     """The picture with its longest side at most _LONGEST_SIDE px, by means over whole blocks of pixels."""
     step = -(-max(rgba.shape[:2]) // _LONGEST_SIDE)
     if step <= 1:

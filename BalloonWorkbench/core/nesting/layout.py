@@ -1,0 +1,165 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is laid out, on what film, and how it comes to lie."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from enum import Enum
+from typing import Any
+
+import numpy as np
+
+from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.packages import shapely
+from BalloonWorkbench.core.pattern.motion import back_of, turned
+from BalloonWorkbench.core.pattern.pattern import Pattern, Role
+from BalloonWorkbench.core.types import Floats
+from BalloonWorkbench.core.units import from_mm, mm_text
+
+SPACING = from_mm(3.0)
+_MOST_COPIES = 200
+
+
+class Grain(Enum):
+    """How the grain of the film may lie in a piece, relative to the length of the roll or sheet."""
+
+    ALONG = "along"
+    ACROSS = "across"
+    ANY = "any"
+
+
+@dataclass(frozen=True)
+class Stock:
+    """The film: it lies along x, its width along y.
+
+    width    of the roll or sheet [m]
+    length   of a sheet [m]; None for a roll
+    spacing  between pieces, and to the edges [m]
+    grain    how pieces lie
+    """
+
+    width: float
+    length: float | None = None
+    spacing: float = SPACING
+    grain: Grain = Grain.ALONG
+
+    @property
+    def room(self) -> float:
+        """Width that pieces may take [m]."""
+        return self.width - 2.0 * self.spacing
+
+
+@dataclass(frozen=True)
+class Piece:
+    """A pattern to be cut.
+
+    count     how often the front is cut
+    backs     how often the back is, mirrored: a film that seals on one side needs that
+    grain     direction of the film's grain in the pattern, from x [rad]
+    """
+
+    pattern: Pattern
+    count: int = 1
+    backs: int = 0
+    grain: float = 0.0
+
+    def panel(self, mirrored: bool) -> Pattern:
+        """The front, or the back."""
+        return back_of(self.pattern) if mirrored else self.pattern
+
+    def angles(self, mirrored: bool, grain: Grain) -> list[float]:
+        """Angles by which it may be turned [degrees], from -180 to 180."""
+        if grain is Grain.ANY:
+            return [float(angle) for angle in range(-165, 181, 15)]
+        own = np.degrees(np.pi - self.grain if mirrored else self.grain)
+        first = (90.0 if grain is Grain.ACROSS else 0.0) - own
+        return sorted(float(-((180.0 - angle) % 360.0) + 180.0) for angle in (first, first + 180.0))
+
+
+@dataclass(frozen=True)
+class Place:
+    """Where a piece lies: which one, front or mirrored back, turned by an angle [rad], moved by (2,) m."""
+
+    piece: int
+    mirrored: bool
+    angle: float
+    shift: Floats
+
+
+@dataclass(frozen=True)
+class Layout:
+    """A stretch of roll, or a sheet, with its pieces.
+
+    length       of film that is used [m]
+    utilisation  area of the pieces relative to that of the film used
+    """
+
+    stock: Stock
+    places: tuple[Place, ...]
+    length: float
+    utilisation: float
+
+    def pattern(self, pieces: Sequence[Piece]) -> Pattern:
+        """All pieces as one pattern, lower left corner of the film at the origin; it has no intake of its
+        own."""
+        laid = [
+            turned(pieces[place.piece].panel(place.mirrored), place.angle, place.shift)
+            for place in self.places
+        ]
+        return replace(
+            laid[0],
+            contours=tuple(contour for pattern in laid for contour in pattern.contours),
+            intake=None,
+            more_intakes=(),
+            seam_length=sum(pattern.seam_length for pattern in laid),
+            warnings=tuple(dict.fromkeys(warning for pattern in laid for warning in pattern.warnings)),
+        )
+
+
+def layout_of(stock: Stock, pieces: Sequence[Piece], places: Sequence[Place]) -> Layout:
+    """The layout of pieces in their places, in reading order."""
+    ordered = sorted(places, key=lambda place: (place.piece, place.mirrored, *np.round(place.shift, 6)))
+    ends = [_laid(pieces, place).bounds[1][0] for place in ordered]
+    length = max(ends) + stock.spacing if stock.length is None else stock.length
+    area = sum(pieces[place.piece].pattern.film_area for place in ordered)
+    return Layout(stock, tuple(ordered), float(length), float(area / (stock.width * length)))
+
+
+def _laid(pieces: Sequence[Piece], place: Place) -> Pattern:
+    return turned(pieces[place.piece].panel(place.mirrored), place.angle, place.shift)
+
+
+def outline_of(pattern: Pattern) -> Any:
+    """What a piece takes of the film: a polygon of shapely without holes; the hull of separate parts."""
+    package = shapely()
+    cuts = [*pattern.of(Role.CUT), *pattern.of(Role.PRINT)]
+    area = package.union_all([package.Polygon(cut.points) for cut in cuts])
+    if area.geom_type != "Polygon":
+        area = area.convex_hull
+    return package.Polygon(area.exterior)
+
+
+def check(pieces: Sequence[Piece], stock: Stock) -> None:
+    """Raise InputError for what cannot be laid out."""
+    count = sum(piece.count + piece.backs for piece in pieces)
+    if not 0 < count <= _MOST_COPIES or any(min(piece.count, piece.backs) < 0 for piece in pieces):
+        raise InputError(f"1 to {_MOST_COPIES} pieces can be laid out, not {count}.")
+    numbers = (stock.width, stock.spacing, *(() if stock.length is None else (stock.length,)))
+    if not (np.isfinite(numbers).all() and stock.spacing >= 0.0 and stock.room > 0.0):
+        raise InputError("The film needs a width of more than two spacings, and no spacing below 0.")
+    room = np.inf if stock.length is None else stock.length - 2.0 * stock.spacing
+    for piece in pieces:
+        sizes = [
+            turned(piece.pattern, float(np.radians(angle)), np.zeros(2)).size
+            for angle in piece.angles(False, stock.grain)
+        ]
+        if not any(width <= room and height <= stock.room for width, height in sizes):
+            width, height = min(sizes, key=lambda size: size[1])
+            wanted = mm_text(height + 2.0 * stock.spacing)
+            where = "" if stock.length is None else f" x {mm_text(stock.length)}"
+            raise InputError(
+                f"A piece of {mm_text(width)} x {mm_text(height)} does not fit on film of"
+                f" {mm_text(stock.width)}{where}: take film at least {wanted} wide, or let the grain lie in"
+                " another direction."
+            )

@@ -1,0 +1,181 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Laying out panels: by the nesting library spyrrow, else row by row.
+
+spyrrow (sparrow: Gardeyn, Vanden Berghe, Wauters 2025, strip packing by guided local search) looks for the
+shortest strip. With one thread and a fixed seed the way it goes is always the same, so the result is too
+whenever it is left to end by itself; stopped earlier, it gives the best that it has.
+"""
+
+from __future__ import annotations
+
+import _thread
+import importlib.util
+import signal
+import threading
+import time
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from BalloonWorkbench.core.errors import Cancelled, InputError
+from BalloonWorkbench.core.nesting.layout import Layout, Piece, Place, Stock, check, layout_of, outline_of
+from BalloonWorkbench.core.nesting.rows import in_rows
+from BalloonWorkbench.core.types import Progress, no_progress
+from BalloonWorkbench.core.units import from_mm, to_mm
+
+PACKAGE = "spyrrow"
+ROWS_NOTE = (
+    "Laid in rows, which takes more film: install the package spyrrow (pip install spyrrow) for a closer"
+    " layout."
+)
+#: Outlines are grown by that, then simplified within it: they enclose their pieces [m].
+_SLACK = from_mm(0.15)
+_SEED = 1
+_LIMIT = 600  # s, an end to the search should it never come to one
+_USUAL = 20.0  # s
+_LOOK = 0.05  # s
+#: A signal that nobody else uses; none is ever sent from outside.
+_SIGNAL = getattr(signal, "SIGUSR1", None) or signal.SIGTERM
+
+#: One piece of a kind: number of the piece, and whether it is the back.
+Unit = tuple[int, bool]
+
+
+def nest(
+    pieces: Sequence[Piece], stock: Stock, progress: Progress = no_progress
+) -> tuple[tuple[Layout, ...], tuple[str, ...]]:
+    """Layouts of all pieces, one for each sheet or one for a roll, and remarks for the user.
+
+    When progress says stop, the best layout so far is taken. Raises InputError for what cannot be laid out,
+    Cancelled when it is stopped before there is any layout.
+    """
+    check(pieces, stock)
+    units = _units(pieces)
+    if importlib.util.find_spec(PACKAGE) is None:
+        layouts = tuple(layout_of(stock, pieces, places) for places in in_rows(pieces, stock, units))
+        return layouts, (ROWS_NOTE,)
+    if stock.length is None:
+        return (layout_of(stock, pieces, _strip(pieces, stock, units, None, progress)[0]),), ()
+    return tuple(_sheets(pieces, stock, units, progress)), ()
+
+
+def _units(pieces: Sequence[Piece]) -> list[Unit]:
+    """All pieces, front and back of a balloon after one another."""
+    units: list[Unit] = []
+    for number, piece in enumerate(pieces):
+        for k in range(max(piece.count, piece.backs)):
+            units += [(number, False)] * (k < piece.count) + [(number, True)] * (k < piece.backs)
+    return units
+
+
+def _sheets(pieces: Sequence[Piece], stock: Stock, units: list[Unit], progress: Progress) -> list[Layout]:
+    """Sheets filled one after the other; the same set of pieces is laid out once."""
+    assert stock.length is not None
+    room = (stock.length - 2.0 * stock.spacing) * stock.room
+    layouts: list[Layout] = []
+    known: dict[tuple[Unit, ...], Layout] = {}
+    while units:
+        areas = np.cumsum([pieces[number].pattern.film_area for number, _ in units])
+        take = max(1, int(np.searchsorted(areas, room, side="right")))
+        while True:
+            chosen = units[:take]
+            found = known.get(tuple(sorted(chosen)))
+            if found is None:
+                places, width = _strip(pieces, stock, chosen, stock.length, progress)
+                if width <= stock.length + 1e-9:
+                    found = layout_of(stock, pieces, places)
+                    known[tuple(sorted(chosen))] = found
+            if found is not None:
+                break
+            if take == 1:
+                raise InputError("A piece does not fit on the sheet: take a larger one.")
+            take = max(1, min(take - 1, int(take * stock.length / width)))
+        layouts.append(found)
+        units = units[take:]
+    return layouts
+
+
+def _strip(
+    pieces: Sequence[Piece], stock: Stock, units: Sequence[Unit], enough: float | None, progress: Progress
+) -> tuple[list[Place], float]:
+    """Places of pieces on a strip and its length [m]; a strip of the length `enough` ends the search."""
+    import spyrrow
+
+    kinds = sorted(set(units))
+    items = []
+    for number, mirrored in kinds:
+        area = outline_of(pieces[number].panel(mirrored))
+        shape = area.buffer(_SLACK, join_style="mitre").simplify(_SLACK)
+        points = [tuple(point) for point in to_mm(np.asarray(shape.exterior.coords)[:-1]).tolist()]
+        count = list(units).count((number, mirrored))
+        angles = pieces[number].angles(mirrored, stock.grain)
+        items.append(spyrrow.Item(f"{number} {int(mirrored)}", points, count, angles))
+    # outlines lie up to two slacks outside the pieces, so a piece may fill the room to the last
+    edge = max(stock.spacing - 2.0 * _SLACK, 0.0)
+    instance = spyrrow.StripPackingInstance("", to_mm(stock.width - 2.0 * edge), items)
+    config = spyrrow.StripPackingConfig(
+        early_termination=True,
+        total_computation_time=None,
+        exploration_time=_LIMIT,
+        compression_time=0,
+        num_workers=1,
+        seed=_SEED,
+        min_items_separation=to_mm(stock.spacing) or None,
+    )
+    goal = None if enough is None else to_mm(enough - 2.0 * edge)
+    found = _search(spyrrow, instance, config, goal, progress)
+    origin = np.array([edge, edge])
+    places = []
+    for placed in found.placed_items:
+        number, side = placed.id.split()
+        angle = float(np.radians(placed.rotation))
+        places.append(Place(int(number), side == "1", angle, from_mm(np.array(placed.translation)) + origin))
+    return places, from_mm(found.width) + 2.0 * edge
+
+
+class _Enough(Exception):
+    """Ends a search from within."""
+
+
+def _search(package: Any, instance: Any, config: Any, goal: float | None, progress: Progress) -> Any:
+    """The best solution when the search ends, reaches the goal [mm] or is stopped.
+
+    The search looks for signals now and then, and only in the main thread; that is where progress is told.
+    """
+    if threading.current_thread() is not threading.main_thread():
+        return instance.solve(config)
+    queue, began = package.ProgressQueue(), time.monotonic()
+    usable = (package.ReportType.ExplFeas, package.ReportType.CmprFeas, package.ReportType.Final)
+    best: list[Any] = []
+
+    def look(*_: object) -> None:
+        for kind, solution in queue.drain():
+            if kind in usable and (not best or solution.width < best[-1].width):
+                best.append(solution)
+        reached = goal is not None and best and best[-1].width <= goal
+        share = 1.0 - _USUAL / (_USUAL + time.monotonic() - began)
+        told = f", {best[-1].width:.0f} mm so far" if best else ""
+        if reached or not progress(share, f"laying out{told}"):
+            raise _Enough
+
+    former = signal.signal(_SIGNAL, look)
+    done = threading.Event()
+    bell = threading.Thread(target=_ring, args=(done,), name="nesting", daemon=True)
+    bell.start()
+    try:
+        found = instance.solve(config, queue)
+    except _Enough:  # the bell rang just after the search had ended
+        if not best:
+            raise Cancelled("The layout was stopped; nothing was changed.") from None
+        found = best[-1]
+    finally:
+        done.set()
+        bell.join()
+        signal.signal(_SIGNAL, former or signal.SIG_DFL)
+    return found
+
+
+def _ring(done: threading.Event) -> None:
+    while not done.wait(_LOOK):
+        _thread.interrupt_main(_SIGNAL)

@@ -1,0 +1,177 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Panels on a roll and on sheets: none over another, spacing and grain kept, the same again."""
+
+from __future__ import annotations
+
+import io
+import math
+import time
+from dataclasses import replace
+from itertools import combinations
+
+import ezdxf
+import numpy as np
+import pytest
+import shapely
+from drawn_shapes import NAMED, corners_of
+from shapely import affinity
+
+from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.export.fabricate import machine_file
+from BalloonWorkbench.core.export.machine import machines
+from BalloonWorkbench.core.nesting import nest as nesting
+from BalloonWorkbench.core.nesting.layout import Grain, Layout, Piece, Stock
+from BalloonWorkbench.core.nesting.nest import ROWS_NOTE, nest
+from BalloonWorkbench.core.pattern.build import build_pattern
+from BalloonWorkbench.core.pattern.pattern import Pattern, Role
+
+HEART = build_pattern(NAMED["heart"].map(lambda loop: 0.5 * loop), 0.005)
+WEDGE = build_pattern(corners_of((0.0, 0.0), (0.12, 0.0), (0.12, 0.05)), 0.005, intake=False)
+RIGHT = pytest.mark.skipif(
+    not nesting.importlib.util.find_spec(nesting.PACKAGE), reason="the nesting library is not installed"
+)
+
+
+def areas(layout: Layout, pieces: list[Piece]) -> list[shapely.Polygon]:
+    """The pieces where they lie, by shapely's own mirroring and turning of the first pattern."""
+    found = []
+    for place in layout.places:
+        (cut,) = pieces[place.piece].pattern.of(Role.CUT)
+        area = shapely.Polygon(cut.points)
+        if place.mirrored:
+            area = affinity.scale(area, -1.0, 1.0, origin=(0.0, 0.0))
+        area = affinity.rotate(area, place.angle, origin=(0.0, 0.0), use_radians=True)
+        found.append(affinity.translate(area, *place.shift))
+    return found
+
+
+def hold(layout: Layout, pieces: list[Piece]) -> None:
+    """All rules of a layout, looked at from outside."""
+    stock, laid = layout.stock, areas(layout, pieces)
+    for one, other in combinations(laid, 2):
+        assert one.distance(other) >= stock.spacing - 2e-5
+    box = shapely.box(0.0, 0.0, layout.length, stock.width)
+    for area in laid:
+        assert box.contains(area)
+        assert area.distance(box.exterior) >= stock.spacing - 2e-5
+    share = sum(area.area for area in laid) / (layout.length * stock.width)
+    assert layout.utilisation == pytest.approx(share, rel=1e-9)
+    if stock.grain is not Grain.ANY:
+        wanted = 0.5 * math.pi if stock.grain is Grain.ACROSS else 0.0
+        for place in layout.places:
+            own = pieces[place.piece].grain
+            grain = (math.pi - own if place.mirrored else own) + place.angle
+            assert math.sin(grain - wanted) == pytest.approx(0.0, abs=1e-6)
+    whole = layout.pattern(pieces)
+    found = sorted(shapely.Polygon(cut.points).centroid.x for cut in whole.of(Role.CUT))
+    assert np.allclose(found, sorted(area.centroid.x for area in laid), atol=1e-9)
+
+
+@RIGHT
+def test_hearts_on_a_roll() -> None:
+    """Fronts and mirrored backs, the grain of the film at an angle; closer than in rows."""
+    pieces = [Piece(HEART, 2, 2, math.radians(20.0))]
+    stock = Stock(0.32)
+    began = time.process_time()
+    (layout,), remarks = nest(pieces, stock, lambda share, text: time.process_time() < began + 1.0)
+    assert not remarks
+    assert [place.mirrored for place in layout.places] == [False, False, True, True]
+    hold(layout, pieces)
+    (row,) = nesting.in_rows(pieces, stock, [(0, False), (0, False), (0, True), (0, True)])
+    assert layout.length < nesting.layout_of(stock, pieces, row).length - 0.01
+
+
+@RIGHT
+def test_wedges_find_into_each_other() -> None:
+    """Two triangles make about a rectangle: the library really nests, boxes would take twice the film; and
+    the same comes out again, to the last digit."""
+    pieces = [Piece(WEDGE, 2)]
+    (layout,), _ = nest(pieces, Stock(0.085, spacing=0.002))
+    hold(layout, pieces)
+    (again,), _ = nest(pieces, Stock(0.085, spacing=0.002))
+    assert [(*place.shift, place.angle) for place in again.places] == [
+        (*place.shift, place.angle) for place in layout.places
+    ]
+    width, _ = WEDGE.size
+    assert layout.length < 1.5 * width
+
+
+@RIGHT
+def test_sheets_hold_as_many_as_fit() -> None:
+    width, height = WEDGE.size
+    stock = Stock(height + 0.03, 1.5 * width, 0.002)
+    pieces = [Piece(WEDGE, 5)]
+    layouts, _ = nest(pieces, stock)
+    assert [len(layout.places) for layout in layouts] == [2, 2, 1]
+    for layout in layouts:
+        hold(layout, pieces)
+        assert layout.length == stock.length
+
+
+@RIGHT
+def test_stopping_takes_what_there_is() -> None:
+    pieces = [Piece(HEART, 2)]
+    asked: list[str] = []
+    (layout,), _ = nest(pieces, Stock(0.32), lambda share, text: not (asked.append(text) or "mm" in text))
+    hold(layout, pieces)
+    assert "so far" in asked[-1]
+
+
+@pytest.mark.parametrize("grain", list(Grain))
+@pytest.mark.parametrize("length", [None, 0.45])
+def test_without_the_library_rows_do(
+    grain: Grain, length: float | None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(nesting, "PACKAGE", "no_such_package")
+    pieces = [Piece(HEART, 3, 3, math.radians(30.0)), Piece(WEDGE, 4)]
+    layouts, remarks = nest(pieces, Stock(0.5, length, 0.004, grain))
+    assert remarks == (ROWS_NOTE,)
+    assert sum(len(layout.places) for layout in layouts) == 10
+    assert len(layouts) == 1 or length is not None
+    for layout in layouts:
+        hold(layout, pieces)
+
+
+def test_every_machine_takes_the_sheet(monkeypatch: pytest.MonkeyPatch) -> None:
+    """All pieces and their lines are in the file; holes stay with their pieces."""
+    monkeypatch.setattr(nesting, "PACKAGE", "no_such_package")
+    holed = build_pattern(NAMED["ring"].map(lambda loop: 0.4 * loop), 0.004)
+    pieces = [Piece(holed, 1, 1), Piece(HEART)]
+    (layout,), _ = nest(pieces, Stock(0.3))
+    sheet = layout.pattern(pieces)
+    assert sheet.seam_length == pytest.approx(2.0 * holed.seam_length + HEART.seam_length)
+    assert len(sheet.of(Role.CUT_INNER)) == 2
+    for cut in sheet.of(Role.CUT):
+        assert shapely.LinearRing(cut.points).is_ccw
+    for known in machines().values():
+        assert len(machine_file(sheet, known)) > 200
+    made_for = machines()["cutting-shop"]
+    content = machine_file(sheet, made_for).decode("cp1252")
+    lines = ezdxf.read(io.StringIO(content)).modelspace()
+    assert len([line for line in lines if line.dxf.layer == "CUT"]) == 3
+
+
+def test_back_leaves_out_what_only_the_front_has() -> None:
+    (cut,) = HEART.of(Role.CUT)
+    hole = replace(cut, role=Role.CUT_INNER, points=0.1 * cut.points, front=True)
+    pattern: Pattern = replace(HEART, contours=(hole, *HEART.contours))
+    piece = Piece(pattern, 1, 1)
+    assert len(piece.panel(False).of(Role.CUT_INNER)) == 1
+    assert not piece.panel(True).of(Role.CUT_INNER)
+    assert piece.panel(True).size == pytest.approx(HEART.size)
+
+
+@pytest.mark.parametrize(
+    ("pieces", "stock", "text"),
+    [
+        ([Piece(HEART, 0)], Stock(0.5), "pieces"),
+        ([Piece(HEART, 500)], Stock(0.5), "pieces"),
+        ([Piece(HEART)], Stock(0.1), "does not fit"),
+        ([Piece(HEART)], Stock(0.5, 0.05), "does not fit"),
+        ([Piece(HEART)], Stock(0.5, spacing=-0.001), "spacing"),
+        ([Piece(HEART)], Stock(math.nan), "width"),
+    ],
+)
+def test_senseless_wishes_are_refused(pieces: list[Piece], stock: Stock, text: str) -> None:
+    with pytest.raises(InputError, match=text):
+        nest(pieces, stock)
