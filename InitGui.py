@@ -36,7 +36,7 @@ def _plug_in():
     from BalloonWorkbench.gui import patience, preferences_page, qt, view
 
     hooks.dress = view.dress
-    hooks.progress = patience.progress
+    hooks.work = patience.work
     Gui.addIconPath(qt.ICONS)
     Gui.addLanguagePath(str(qt.TRANSLATIONS))
     Gui.updateLocale()

@@ -153,8 +153,8 @@ class BalloonProxy(Stateless):
                 if not obj.Live:
                     status.set_problem(obj, bool(obj.SolvedFor), _not_asked(obj))
                     return
-                with hooks.progress(f"Inflating {obj.Label}") as progress:
-                    show(obj, wanted, wanted.solve(progress))
+                design, told = hooks.work(f"Inflating {obj.Label}", lambda progress: solve(wanted, progress))
+                show(obj, wanted, design, told)
             size_goal.show_lift(obj)
             status.set_status(obj, _verdict(obj))
         if obj.Placement != obj.Outline.Placement:
@@ -207,6 +207,12 @@ def request(obj):
             ),
         ),
     )
+
+
+def solve(wanted, progress):
+    """A request's design and what there is to tell about it; touches no document."""
+    design = wanted.solve(progress)
+    return design, describe(wanted, design)
 
 
 def describe(wanted, design) -> dict:

@@ -3,16 +3,19 @@
 
 from __future__ import annotations
 
-from contextlib import contextmanager
+from collections.abc import Callable
+from typing import Any
 
 
 def dress(obj) -> None:
     """Give a document object its view provider; without a window there is none."""
 
 
-@contextmanager
-def progress(title: str):
-    """Yield a progress callback for work that happens inside a recompute; without a window it is silent."""
+def work(title: str, job: Callable[..., Any]) -> Any:
+    """What job(progress) returns: work inside a recompute that takes a while and touches no document.
+
+    With a window it runs in a thread, and can be stopped: Cancelled.
+    """
     from BalloonWorkbench.core.types import no_progress
 
-    yield no_progress
+    return job(no_progress)

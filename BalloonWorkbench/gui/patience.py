@@ -1,16 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Long work inside a recompute: the status bar tells how far it is, Esc stops it, the window stays alive."""
+"""Long work inside a recompute: a thread does it, the status bar tells how far it is, Esc stops it, and the
+window stays alive. The document is not touched before the work is done, and then by the main thread."""
 
 from __future__ import annotations
 
-import time
-from contextlib import contextmanager
-
-import FreeCADGui as Gui
-
+from BalloonWorkbench.core.errors import Cancelled
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
+from BalloonWorkbench.gui.worker import Worker
 
-_INTERVAL = 0.05  # s between looks at the event queue: Esc answers within a tenth of a second
 _USER_INPUT = frozenset(
     (
         QtCore.QEvent.KeyPress,
@@ -27,48 +24,44 @@ _USER_INPUT = frozenset(
 )
 
 
-class _Guard(QtCore.QObject):
-    """Keeps the user's input away from a document that is being recomputed; remembers Esc."""
+class _Job:
+    """A function of a progress callback, as a worker wants it."""
 
-    def __init__(self):
-        super().__init__()
-        self.stopped = False
+    def __init__(self, job):
+        self.solve = job
+
+
+class _Guard(QtCore.QObject):
+    """Keeps the user's input away from a document that is being recomputed."""
 
     def eventFilter(self, watched, event):
         if event.type() not in _USER_INPUT:
             return False
-        if event.type() == QtCore.QEvent.KeyPress and event.key() == QtCore.Qt.Key_Escape:
-            self.stopped = True
         if event.type() == QtCore.QEvent.Close:
             event.ignore()
         return True
 
 
-@contextmanager
-def progress(title: str):
-    """Yield a progress callback that keeps the window alive; it returns False after Esc."""
+def work(title: str, job):
+    """What job(progress) returns; it runs in a thread and must not touch the document.
+
+    Raises the job's BalloonError, Cancelled after Esc.
+    """
     application = QtWidgets.QApplication.instance()
-    bar = QtWidgets.QProgressBar()
-    bar.setMaximumWidth(240)
-    status_bar = Gui.getMainWindow().statusBar()
-    status_bar.addPermanentWidget(bar)
+    worker = Worker(_Job(job), title=title)
+    loop = QtCore.QEventLoop()
+    worker.finished.connect(loop.quit)
+    worker.start()
     guard = _Guard()
-    looked = time.monotonic()
-
-    def report(fraction: float, text: str) -> bool:
-        nonlocal looked
-        if time.monotonic() - looked >= _INTERVAL:
-            bar.setValue(round(100 * fraction))
-            status_bar.showMessage(translate("{}: {}. Esc stops.").format(title, text))
-            application.processEvents()
-            looked = time.monotonic()
-        return not guard.stopped
-
     application.installEventFilter(guard)
+    application.installEventFilter(worker.shown)  # the last one is asked first: Esc and its button
     try:
-        yield report
+        (loop.exec_ if hasattr(loop, "exec_") else loop.exec)()
     finally:
         application.removeEventFilter(guard)
-        status_bar.removeWidget(bar)
-        bar.deleteLater()
-        status_bar.clearMessage()
+        worker.wait()
+    if worker.error is not None:
+        raise worker.error
+    if worker.design is None:
+        raise Cancelled(translate("The solver stopped; the report view tells why."))
+    return worker.design

@@ -8,6 +8,7 @@ import sys
 
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.gui.qt import QtCore
+from BalloonWorkbench.gui.status_progress import StatusProgress
 
 _TURN = 0.001  # s that a thread may keep the interpreter while another one wants it; Python's own are 0.005
 
@@ -44,11 +45,15 @@ _sharing = _Sharing()
 
 
 class Worker(QtCore.QThread):
-    """Solves one request. After `finished`, either `design` or `error` is set."""
+    """Solves one request. After `finished`, either `design` or `error` is set.
+
+    title  of the work for the status bar, where it can be stopped; without one it is not shown there
+    """
 
     progressed = QtCore.Signal(float, str)
+    ended = QtCore.Signal()
 
-    def __init__(self, request, parent=None):
+    def __init__(self, request, parent=None, title: str = ""):
         super().__init__(parent)
         # without a name the new thread asks PySide for one, unprotected, and the program may end
         self.setObjectName("Balloon worker")
@@ -56,10 +61,16 @@ class Worker(QtCore.QThread):
         self.design = None
         self.error: BalloonError | None = None
         self._stop = False
+        self._title = title
+        self.shown: StatusProgress | None = None
 
     def start(self, *priority):
         """Begin; call it in the main thread."""
         _sharing.one_more()
+        if self._title:
+            self.shown = StatusProgress(self._title, self.stop)
+            self.progressed.connect(self.shown.show_part)
+            self.ended.connect(self.shown.close)
         super().start(*priority)
 
     def run(self):
@@ -68,6 +79,7 @@ class Worker(QtCore.QThread):
         except BalloonError as error:
             self.error = error
         finally:
+            self.ended.emit()
             _sharing.ended.emit()
 
     def stop(self):

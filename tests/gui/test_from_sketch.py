@@ -154,25 +154,6 @@ def test_editing_the_sketch_is_followed_in_the_window(made):
     assert made.balloon.InflatedWidth.Value == pytest.approx(110, rel=0.03)
 
 
-def test_escape_stops_a_recompute(made):
-    doc = made.balloon.Document
-    volume = made.balloon.Volume.Value
-    made.balloon.MeshSize = 3
-    window, timer = Gui.getMainWindow(), hands.QtCore.QTimer()
-
-    def escape():
-        if "Esc stops" in window.statusBar().currentMessage():
-            timer.stop()
-            hands.key(window, hands.QtCore.Qt.Key_Escape)
-
-    timer.timeout.connect(escape)
-    timer.start(20)
-    doc.recompute()
-    assert not timer.isActive()
-    assert made.balloon.Status.startswith(status.STALE)
-    assert made.balloon.Volume.Value == volume
-
-
 def test_reopened_in_the_window(made, tmp_path):
     doc = made.balloon.Document
     path = str(tmp_path / "box.FCStd")
