@@ -59,6 +59,15 @@ def has_material_system() -> bool:
     return importlib.util.find_spec("Materials") is not None
 
 
+def material_tree():
+    """FreeCAD's widget for choosing a material: what wraps one made by its loader; None before 1.0."""
+    if not has_material_system():
+        return None
+    import MatGui
+
+    return getattr(MatGui, "MaterialTreeWidget", None)
+
+
 def help_text(page) -> str:
     """What's this of a command, from which FreeCAD opens a page of ours (a Path).
 

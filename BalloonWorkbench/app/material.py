@@ -17,6 +17,7 @@ from BalloonWorkbench.app.host import has_material_system
 
 ROOT = Path(__file__).resolve().parents[2]
 RESOURCES = ROOT / "resources" / "materials"
+FILM = "1d3f5c9e-6a0b-5e52-9c35-6f1c4b0b7f21"  # models of the material system
 LINEAR_ELASTIC = "7b561d1d-fb9b-44f6-9da9-56a4f74d7536"
 _PLACE = "User parameter:BaseApp/Preferences/Mod/Material/Resources/Modules/BalloonWorkbench"
 
@@ -55,6 +56,26 @@ def card_named(name: str) -> Card:
         if card.name == name:
             return card
     raise InputError(f'FreeCAD has no material card "{name}": choose one of its material editor.')
+
+
+def card_with(uuid: str) -> Card | None:
+    """The card of the material system with this identity; None when there is none."""
+    import Materials
+
+    found = Materials.MaterialManager().Materials.get(uuid)
+    return None if found is None else Card(found.Name, found.LibraryName, dict(found.Properties))
+
+
+def filters(films: str, others: str) -> list:
+    """What FreeCAD's material tree may show, by these titles: our kind of card, or any elastic one."""
+    import Materials
+
+    made = []
+    for title, models in ((films, [FILM]), (others, [LINEAR_ELASTIC])):
+        each = Materials.MaterialFilter()
+        each.Name, each.RequiredModels = title, models
+        made.append(each)
+    return made
 
 
 def take(obj, card: Card) -> None:

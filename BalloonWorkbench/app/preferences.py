@@ -92,19 +92,18 @@ def choices(key: str) -> list[str]:
 def begin(parts) -> None:
     """Give the objects of a new balloon the user's preferences; nothing is computed."""
     for item in items().values():
-        value = get(item.key)
-        if item.prop and value != item.default:
-            setattr(getattr(parts, item.part), item.prop, value)
+        if item.prop and get(item.key) != item.default:
+            setattr(getattr(parts, item.part), item.prop, get(item.key))
 
 
 def settings():
     """The engine's settings for a balloon that begins with the preferences and is no document object yet."""
     from BalloonWorkbench.app import balloon, quantities
-    from BalloonWorkbench.core.film.library import film
+    from BalloonWorkbench.app.film import known_films
     from BalloonWorkbench.core.job import Settings
 
     return Settings(
-        film=film(get("Film")),
+        film=known_films()[get("Film")],
         pressure=quantities.pascals(get("Pressure")),
         mesh_size=quantities.metres(get("MeshSize")) or None,
         backend=balloon.BACKENDS[get("Backend")],

@@ -7,6 +7,7 @@ import FreeCADGui as Gui
 
 from BalloonWorkbench.app.properties import QT_TRANSLATE_NOOP
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, icon, translate
+from BalloonWorkbench.gui.sentences import tell
 
 
 class Equipment:
@@ -38,7 +39,7 @@ class _Panel:
         self.form = QtWidgets.QWidget()
         self.form.setWindowTitle(translate("What works here"))
         self.form.setWindowIcon(QtGui.QIcon(icon("workbench")))
-        text = QtWidgets.QLabel("\n\n".join(described()))
+        text = QtWidgets.QLabel("\n\n".join(map(tell, described())))
         text.setObjectName("Equipment")
         text.setWordWrap(True)
         text.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)

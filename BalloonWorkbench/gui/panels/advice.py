@@ -17,6 +17,7 @@ from BalloonWorkbench.gui import record
 from BalloonWorkbench.gui.marks import COLOURS, Overlay
 from BalloonWorkbench.gui.panels.watch import Watch
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, icon, translate
+from BalloonWorkbench.gui.sentences import tell
 
 _DOT = 12  # px
 
@@ -99,17 +100,18 @@ class AdvicePanel:
             measured = status.is_ready(self.parts.balloon) and advice.is_solved(self.parts.balloon)
         except BalloonError as error:
             self.found, measured = [], False
-            self.message.setText(str(error))
+            self.message.setText(tell(str(error)))
         self.source.setText(self._source(measured))
         self.list.blockSignals(True)
         self.list.clear()
         for finding in self.found:
-            item = QtWidgets.QListWidgetItem(_dot(finding.severity.value), finding.text)
-            item.setToolTip(finding.severity.value)
+            item = QtWidgets.QListWidgetItem(_dot(finding.severity.value), tell(finding.text))
+            item.setToolTip(tell(finding.severity.value))
             self.list.addItem(item)
         self.list.blockSignals(False)
         if not self.found and not self.message.text():
-            self.message.setText(status.problem(self.parts.outline) or translate("Nothing to improve."))
+            problem = status.problem(self.parts.outline)
+            self.message.setText(tell(problem) or translate("Nothing to improve."))
         self.choose(self.list.currentRow())
         self.show_map()
 
@@ -133,7 +135,7 @@ class AdvicePanel:
         try:
             found = advice.advice_before(self.parts).map
         except BalloonError as error:
-            self.legend.setText(str(error))
+            self.legend.setText(tell(str(error)))
             return
         self.legend.setText(
             translate("Blue 0 mm, green {:.0f} mm, red {:.0f} mm").format(
@@ -151,7 +153,7 @@ class AdvicePanel:
         finding = self.found[row] if 0 <= row < len(self.found) else None
         repair = None if finding is None else finding.repair
         self.repair.setEnabled(repair is not None)
-        self.repair.setText(translate("Repair") if repair is None else repair_text(repair))
+        self.repair.setText(translate("Repair") if repair is None else tell(repair_text(repair)))
         if finding is None:
             self.overlay.clear("mark")
             return
@@ -164,7 +166,7 @@ class AdvicePanel:
         finding = self.found[self.list.currentRow()]
         repair = finding.repair
         self.overlay.clear()
-        self.doc.openTransaction(repair_text(repair))
+        self.doc.openTransaction(tell(repair_text(repair)))
         advice.take(self.parts, repair)
         self.doc.recompute()
         self.doc.commitTransaction()
@@ -174,7 +176,7 @@ class AdvicePanel:
         self.refresh()
         trouble = next((status.problem(obj) for obj in self.parts if not status.is_ready(obj)), "")
         if trouble:
-            self.message.setText(trouble)
+            self.message.setText(tell(trouble))
 
 
 class _Follow:

@@ -56,7 +56,8 @@ class BalloonPanel:
         self.boxes = (self.drawing, self.film, self.pattern, self.simulation)
         self.form = [_tabs(*self.boxes), self.result]
         self.drawing.changed.connect(self.trace)
-        self.drawing.refused.connect(lambda text: self.result.show_message(text, warning=True))
+        for box in (self.drawing, self.film):
+            box.refused.connect(lambda text: self.result.show_message(text, warning=True))
         self.film.changed.connect(self.values_changed)
         self.simulation.changed.connect(self.values_changed)
         self.pattern.changed.connect(self.pattern_changed)
@@ -140,7 +141,7 @@ class BalloonPanel:
             return False
         if wanted.key() == self.parts.balloon.SolvedFor:
             return self.settle()
-        self.worker = Worker(wanted, self.result)
+        self.worker = Worker(wanted, self.result, translate("Inflating"))
         self.worker.progressed.connect(self.result.show_progress)
         self.worker.finished.connect(self.work_done)
         self.result.start()

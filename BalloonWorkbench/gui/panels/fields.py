@@ -6,6 +6,7 @@ from __future__ import annotations
 import FreeCADGui as Gui
 
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, translate
+from BalloonWorkbench.gui.sentences import tell
 
 _MIN_WIDTH = 120  # px; a task panel may be 190 px wide
 
@@ -62,6 +63,23 @@ class Fields(QtCore.QObject):
         widget.valueChanged.connect(lambda value: self._write(name, value))
         return widget
 
+    def whole(self, name: str, least: int, most: int):
+        """A spin box for a whole number."""
+        widget = QtWidgets.QSpinBox()
+        widget.setRange(least, most)
+        widget.setKeyboardTracking(False)
+        self._add(name, widget, widget.setValue)
+        widget.valueChanged.connect(lambda value: self._write(name, value))
+        return widget
+
+    def text(self, name: str):
+        """A line of text."""
+        widget = QtWidgets.QLineEdit()
+        self._add(name, widget, widget.setText)
+        widget.editingFinished.connect(lambda: self._write(name, widget.text()))
+        ReturnKey(widget, widget.editingFinished.emit)
+        return widget
+
     def check(self, name: str, text: str):
         """A check box for a Boolean."""
         widget = QtWidgets.QCheckBox(text)
@@ -72,9 +90,10 @@ class Fields(QtCore.QObject):
     def choice(self, name: str):
         """A combo box for an enumeration."""
         widget = QtWidgets.QComboBox()
-        widget.addItems(self.obj.getEnumerationsOfProperty(name))
-        self._add(name, widget, lambda value: widget.setCurrentIndex(widget.findText(value)))
-        widget.activated.connect(lambda index: self._write(name, widget.itemText(index)))
+        for entry in self.obj.getEnumerationsOfProperty(name):
+            widget.addItem(tell(entry), entry)
+        self._add(name, widget, lambda value: widget.setCurrentIndex(widget.findData(value)))
+        widget.activated.connect(lambda index: self._write(name, widget.itemData(index)))
         return widget
 
     def has(self, name: str) -> bool:
@@ -99,11 +118,13 @@ class Fields(QtCore.QObject):
         for widget, _ in self._widgets.values():
             if isinstance(widget, QtWidgets.QAbstractSpinBox):
                 _confirm(widget)
+            elif isinstance(widget, QtWidgets.QLineEdit):
+                widget.editingFinished.emit()
 
     def _add(self, name: str, widget, show) -> None:
         widget.setObjectName(name)
         widget.setMinimumWidth(_MIN_WIDTH)
-        widget.setToolTip(translate(self.obj.getDocumentationOfProperty(name)))
+        widget.setToolTip(translate(self.obj.getDocumentationOfProperty(name), "App::Property"))
         self._widgets[name] = widget, show
         if isinstance(widget, QtWidgets.QAbstractSpinBox):
             ReturnKey(widget, lambda: _confirm(widget))

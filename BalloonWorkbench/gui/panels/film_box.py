@@ -3,28 +3,37 @@
 
 from __future__ import annotations
 
+from BalloonWorkbench.app import film as film_values
 from BalloonWorkbench.app import size_goal
 from BalloonWorkbench.app.balloon import VOLUME
 from BalloonWorkbench.app.film import CUSTOM
+from BalloonWorkbench.gui.panels.card_box import CardBox
 from BalloonWorkbench.gui.panels.fields import Fields
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
+from BalloonWorkbench.gui.sentences import tell
 
 
 class FilmBox(QtWidgets.QWidget):
-    """Edits a balloon's film, pressure and size. `changed` follows each edit."""
+    """Edits a balloon's film, pressure and size. `changed` follows each edit, `refused` carries a message."""
 
     changed = QtCore.Signal()
+    refused = QtCore.Signal(str)
 
     def __init__(self, balloon):
         super().__init__()
         self.setWindowTitle(translate("Film"))
         self.balloon = balloon
         self.fields = Fields(balloon, self)
+        film_values.offer(balloon)
         film = self.fields.choice("Film")
         _describe(film)
         form = QtWidgets.QFormLayout(self)
         form.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)
         form.addRow(translate("Film"), film)
+        self.card = CardBox(balloon)
+        self.card.changed.connect(self.changed)
+        self.card.refused.connect(self.refused)
+        form.addRow(translate("Material"), self.card)
         form.addRow(translate("Young's modulus"), self.fields.quantity("YoungModulus", "kPa", 1e5))
         form.addRow(translate("Poisson's ratio"), self.fields.number("PoissonRatio", 0.01, 3))
         self._grain = [
@@ -52,10 +61,12 @@ class FilmBox(QtWidgets.QWidget):
 
     def release(self) -> None:
         """The panel closes."""
+        self.card.release()
         self.fields.release()
 
     def refresh(self) -> None:
         self.fields.refresh()
+        self.card.refresh()
         own = self.balloon.Film == CUSTOM  # the library's films have no grain
         shown = {field: own for _, field in self._grain}
         shown |= {field: self.balloon.SizeGoal == goal for goal, field in self._goals.items()}
@@ -68,9 +79,8 @@ class FilmBox(QtWidgets.QWidget):
 
 def _describe(combo) -> None:
     """The full names of the materials as tooltips."""
-    from BalloonWorkbench.core.film.library import films
-
-    known = films()
+    known = film_values.known_films()
     for index in range(combo.count()):
-        if combo.itemText(index) in known:
-            combo.setItemData(index, known[combo.itemText(index)].title, QtCore.Qt.ToolTipRole)
+        name = combo.itemData(index)
+        if name in known:
+            combo.setItemData(index, tell(known[name].title), QtCore.Qt.ToolTipRole)

@@ -6,6 +6,7 @@ from __future__ import annotations
 from BalloonWorkbench.app import shapes, status
 from BalloonWorkbench.core.units import to_mm
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, translate
+from BalloonWorkbench.gui.sentences import tell
 
 _MARGIN = 6
 
@@ -19,7 +20,7 @@ def notes_of(outline) -> str:
             outline.SizeX.UserString, outline.SizeY.UserString, outline.HoleCount
         )
     ]
-    return "\n".join([*lines, *outline.Notes])
+    return "\n".join([*lines, *map(tell, outline.Notes)])
 
 
 class Preview(QtWidgets.QWidget):

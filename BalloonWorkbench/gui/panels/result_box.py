@@ -6,6 +6,7 @@ from __future__ import annotations
 from BalloonWorkbench.app import status
 from BalloonWorkbench.app.balloon import VOLUME
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, icon, translate
+from BalloonWorkbench.gui.sentences import tell
 
 _ICON = 16
 
@@ -65,7 +66,7 @@ class ResultBox(QtWidgets.QWidget):
 
     def show_progress(self, fraction: float, text: str) -> None:
         self._bar.setValue(round(1000 * fraction))
-        self._step.setText(text)
+        self._step.setText(tell(text))
 
     def finish(self) -> None:
         """The work is over."""
@@ -78,7 +79,7 @@ class ResultBox(QtWidgets.QWidget):
         kind = style.SP_MessageBoxWarning if warning else style.SP_MessageBoxInformation
         self._sign.setPixmap(self.style().standardIcon(kind).pixmap(_ICON, _ICON))
         self._sign.setVisible(bool(text))
-        self._message.setText(text)
+        self._message.setText(tell(text))
         self._message.setVisible(bool(text))
 
     def message(self) -> str:
@@ -136,11 +137,11 @@ def measures(balloon, pattern) -> list[tuple[str, str]]:
 def _weight(balloon) -> str:
     if balloon.Floats:
         told = translate("{:.3g} g, carries {:.3g} g with {}")
-        return told.format(balloon.Weight, balloon.Lift, balloon.Gas.lower())
+        return told.format(balloon.Weight, balloon.Lift, tell(balloon.Gas.lower()))
     if not balloon.FloatsFrom:
-        return translate("{:.3g} g, never floats with {}").format(balloon.Weight, balloon.Gas.lower())
+        return translate("{:.3g} g, never floats with {}").format(balloon.Weight, tell(balloon.Gas.lower()))
     told = translate("{:.3g} g, floats from {:.0f} mm width on with {}")
-    return told.format(balloon.Weight, balloon.FloatsFrom.Value, balloon.Gas.lower())
+    return told.format(balloon.Weight, balloon.FloatsFrom.Value, tell(balloon.Gas.lower()))
 
 
 def _state(balloon) -> str:
