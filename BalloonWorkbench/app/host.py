@@ -19,6 +19,10 @@ def qt():
     return QtCore, QtGui, QtWidgets
 
 
+#: What a view provider says has changed when its colour has: the second one since 1.0.
+COLOUR_PROPERTIES = ("ShapeColor", "ShapeAppearance")
+
+
 def has_screen() -> bool:
     """FreeCAD runs with its window."""
     return bool(App.GuiUp)

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import FreeCAD as App
 
-from BalloonWorkbench.app.host import is_replaying
+from BalloonWorkbench.app.host import COLOUR_PROPERTIES, is_replaying
 from BalloonWorkbench.app.properties import QT_TRANSLATE_NOOP
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.export.colour_map import TENSION
@@ -79,7 +79,7 @@ class BalloonDisplay:
 
     def view_changed(self, name: str) -> None:
         """A property of the view provider has changed."""
-        if name in ("ShapeColor", "Transparency"):
+        if name in (*COLOUR_PROPERTIES, "Transparency"):
             self._film.follow_colour(self.vobj)
         elif name in ("CompareOutlines", "Visibility"):
             self._soon.start(0)

@@ -40,6 +40,11 @@ def drawn_icon(name: str, size: int = 96):
     return QtGui.QIcon(pixmap)
 
 
+def number_of(buttons) -> int:
+    """Standard buttons as the number that FreeCAD asks a panel for; those of Qt 6 are no numbers."""
+    return int(getattr(buttons, "value", buttons))
+
+
 def position(event):
     """Where a mouse, wheel or tablet event happened in its widget (QPointF), under Qt 5 and 6."""
     for name in ("position", "localPos", "posF"):

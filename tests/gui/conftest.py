@@ -23,7 +23,7 @@ def workbench():
     Gui.Selection.clearSelection()
     yield Gui.activeWorkbench()
     if hands.panel_is_open():
-        hands.press("Cancel")
+        hands.leave()
     for name in list(App.listDocuments()):
         App.closeDocument(name)
     hands.wait(0.05)

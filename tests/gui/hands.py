@@ -126,6 +126,27 @@ def press(name):
     click(boxes[0].button(getattr(QtWidgets.QDialogButtonBox, name)))
 
 
+def leave():
+    """Cancel the open panel, or close one that has nothing to take back."""
+    box = visible(QtWidgets.QDialogButtonBox)[0]
+    press("Cancel" if box.button(QtWidgets.QDialogButtonBox.Cancel) else "Close")
+
+
+def drag(widget, start, end, steps=6):
+    """Press the left button at a point (x, y) of a widget, move to another one and let go."""
+    left, none = QtCore.Qt.LeftButton, QtCore.Qt.NoModifier
+    places = [
+        QtCore.QPointF(*(a + (b - a) * step / steps for a, b in zip(start, end))) for step in range(steps + 1)
+    ]
+    kinds = [QtCore.QEvent.MouseButtonPress, *[QtCore.QEvent.MouseMove] * steps]
+    for kind, at in [*zip(kinds, places), (QtCore.QEvent.MouseButtonRelease, places[-1])]:
+        there = QtCore.QPointF(widget.mapToGlobal(at.toPoint()))
+        button = QtCore.Qt.NoButton if kind == QtCore.QEvent.MouseMove else left
+        held = QtCore.Qt.NoButton if kind == QtCore.QEvent.MouseButtonRelease else left
+        QtWidgets.QApplication.sendEvent(widget, QtGui.QMouseEvent(kind, at, at, there, button, held, none))
+        wait(0.02)
+
+
 def panel_is_open():
     return bool(Gui.Control.activeDialog())
 

@@ -7,12 +7,14 @@ import hands
 import pytest
 from PySide import QtSvg
 
-COMMANDS = ("FromPicture", "FromSketch", "Advice", "ExportPattern")
+COMMANDS = ("FromPicture", "FromSketch", "Advice", "ColourMap", "Animate", "ExportPattern")
 TEXTS = [
     "Paint a balloon",
     "New balloon from picture",
     "New balloon from sketch",
     "Advice",
+    "Colour map",
+    "Animate inflation",
     "Export pattern",
 ]
 
@@ -51,6 +53,8 @@ def test_commands_are_offered_when_they_make_sense():
         "FromPicture": True,
         "FromSketch": False,
         "Advice": False,
+        "ColourMap": False,
+        "Animate": False,
         "ExportPattern": False,
     }
     App.newDocument("Empty")

@@ -7,6 +7,8 @@ import FreeCADGui as Gui
 
 from BalloonWorkbench.app.host import help_text
 from BalloonWorkbench.gui.commands.advice import Advice
+from BalloonWorkbench.gui.commands.animate import Animate
+from BalloonWorkbench.gui.commands.colour_map import ColourMap
 from BalloonWorkbench.gui.commands.equipment import Equipment
 from BalloonWorkbench.gui.commands.export_pattern import ExportPattern
 from BalloonWorkbench.gui.commands.from_picture import FromPicture
@@ -19,6 +21,8 @@ _COMMANDS = {
     "BalloonWorkbench_FromPicture": FromPicture,
     "BalloonWorkbench_FromSketch": FromSketch,
     "BalloonWorkbench_Advice": Advice,
+    "BalloonWorkbench_ColourMap": ColourMap,
+    "BalloonWorkbench_Animate": Animate,
     "BalloonWorkbench_ExportPattern": ExportPattern,
 }
 

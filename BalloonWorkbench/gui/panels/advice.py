@@ -16,7 +16,7 @@ from BalloonWorkbench.core.units import to_mm
 from BalloonWorkbench.gui import record
 from BalloonWorkbench.gui.marks import COLOURS, Overlay
 from BalloonWorkbench.gui.panels.watch import Watch
-from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, icon, translate
+from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, icon, number_of, translate
 from BalloonWorkbench.gui.sentences import tell
 
 _DOT = 12  # px
@@ -64,7 +64,7 @@ class AdvicePanel:
     # the dialog
 
     def getStandardButtons(self):
-        return int(QtWidgets.QDialogButtonBox.Close)
+        return number_of(QtWidgets.QDialogButtonBox.Close)
 
     def isAllowedAlterDocument(self):
         return True

@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The inflation of a balloon, played."""
+
+from __future__ import annotations
+
+import FreeCADGui as Gui
+
+from BalloonWorkbench.app.properties import QT_TRANSLATE_NOOP
+from BalloonWorkbench.gui.commands import solved
+from BalloonWorkbench.gui.qt import icon
+
+
+class Animate:
+    """Opens the panel that plays the inflation of the selected balloon."""
+
+    def GetResources(self):
+        return {
+            "Pixmap": icon("animate"),
+            "MenuText": QT_TRANSLATE_NOOP("BalloonWorkbench_Animate", "Animate inflation"),
+            "ToolTip": QT_TRANSLATE_NOOP(
+                "BalloonWorkbench_Animate",
+                "Play how the balloon inflates, from the flat film to rest, with a slider",
+            ),
+        }
+
+    def IsActive(self):
+        return solved.is_offered()
+
+    def Activated(self):
+        from BalloonWorkbench.gui.panels.animation import AnimationPanel
+
+        Gui.Control.showDialog(AnimationPanel(solved.chosen()))

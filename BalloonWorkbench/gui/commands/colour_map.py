@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Results of a balloon as colours."""
+
+from __future__ import annotations
+
+import FreeCADGui as Gui
+
+from BalloonWorkbench.app.properties import QT_TRANSLATE_NOOP
+from BalloonWorkbench.gui.commands import solved
+from BalloonWorkbench.gui.qt import icon
+
+
+class ColourMap:
+    """Opens the panel that chooses what is shown on the selected balloon."""
+
+    def GetResources(self):
+        return {
+            "Pixmap": icon("colour_map"),
+            "MenuText": QT_TRANSLATE_NOOP("BalloonWorkbench_ColourMap", "Colour map"),
+            "ToolTip": QT_TRANSLATE_NOOP(
+                "BalloonWorkbench_ColourMap",
+                "Show tension, wrinkles, thickness and other results as colours on the balloon",
+            ),
+        }
+
+    def IsActive(self):
+        return solved.is_offered()
+
+    def Activated(self):
+        from BalloonWorkbench.gui.panels.colour_map import ColourMapPanel
+
+        Gui.Control.showDialog(ColourMapPanel(solved.chosen()))

@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Saving what the simulation found: asks for a file, says what became of it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from BalloonWorkbench.app.export import export_results
+from BalloonWorkbench.core.errors import BalloonError
+from BalloonWorkbench.gui.qt import QtWidgets, translate
+from BalloonWorkbench.gui.sentences import tell
+
+_KINDS = (("ParaView", "vtu"), ("STL", "stl"), ("NumPy", "npz"))
+
+
+def save_results(balloon) -> str:
+    """Ask for a file, write the results of a balloon object; a sentence about it, empty when cancelled."""
+    group = balloon.getParentGroup()
+    document = balloon.Document.FileName
+    folder = Path(document).parent if document else Path.home()
+    kinds = [f"{program} (*.{ending})" for program, ending in _KINDS]
+    path, kind = QtWidgets.QFileDialog.getSaveFileName(
+        None,
+        translate("Save results"),
+        str(folder / f"{group.Label if group else balloon.Label}.{_KINDS[0][1]}"),
+        ";;".join(kinds),
+    )
+    if not path:
+        return ""
+    if Path(path).suffix.lower().lstrip(".") not in [ending for _, ending in _KINDS]:
+        path += "." + _KINDS[max(kinds.index(kind) if kind in kinds else 0, 0)][1]
+    try:
+        written = export_results(balloon, path)
+    except BalloonError as error:
+        return tell(str(error))
+    return translate("Results written to {}").format(written)
