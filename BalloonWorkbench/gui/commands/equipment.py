@@ -6,7 +6,7 @@ from __future__ import annotations
 import FreeCADGui as Gui
 
 from BalloonWorkbench.app.properties import QT_TRANSLATE_NOOP
-from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, icon, translate
+from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, icon, number_of, translate
 from BalloonWorkbench.gui.sentences import tell
 
 
@@ -46,7 +46,7 @@ class _Panel:
         QtWidgets.QVBoxLayout(self.form).addWidget(text)
 
     def getStandardButtons(self):
-        return int(QtWidgets.QDialogButtonBox.Close)
+        return number_of(QtWidgets.QDialogButtonBox.Close)
 
     def reject(self):
         Gui.Control.closeDialog()
