@@ -20,26 +20,37 @@ def read_drawing(path: str, width, height, keep_aspect: bool = True, symmetry: s
     file.
     """
     wanted = metres(width) or None, metres(height) or None
-    drawing, kind = _shapes(Path(path), wanted, symmetry)
+    drawing, kind = shapes_in(path, wanted, symmetry)
     if None in wanted or keep_aspect:
         return drawing, kind
     factors = [want / have for want, have in zip(wanted, drawing.size, strict=True)]
     return drawing.map(lambda loop: loop * factors), kind
 
 
-def _shapes(path: Path, wanted, symmetry: str):
-    """The shapes in a file at their size and its kind; a picture that was read lately is not traced again."""
+def is_known(path: str, wanted, symmetry: str) -> bool:
+    """The picture was read lately, or the file is none: reading it takes no time."""
+    suffix = Path(path).suffix.lower()
+    return suffix in (".svg", ".dxf", ".json") or _key(Path(path), wanted, symmetry) in _read
+
+
+def _key(path: Path, wanted, symmetry: str):
+    """What a picture is remembered by; None for a file that cannot be read: the reader says what is wrong."""
+    try:
+        return hashlib.sha256(path.read_bytes()).digest(), wanted, symmetry
+    except OSError:
+        return None
+
+
+def shapes_in(path: str, wanted, symmetry: str):
+    """The shapes in a file at their size [m] and its kind; a picture read lately is not traced again."""
     from BalloonWorkbench.core.outline import read
     from BalloonWorkbench.core.outline.loops import scale_to
     from BalloonWorkbench.core.outline.symmetry import evened
 
-    try:
-        key = (hashlib.sha256(path.read_bytes()).digest(), wanted, symmetry)
-    except OSError:  # the reader says what is wrong
-        key = None
+    key = _key(Path(path), wanted, symmetry)
     if key in _read:
         return _read[key]
-    drawing, kind = read.read_drawing(path, *wanted, decode=_decoder())
+    drawing, kind = read.read_drawing(Path(path), *wanted, decode=_decoder())
     drawing = scale_to(evened(drawing, symmetry, drawn=kind == "picture"), *wanted)
     if kind == "picture":
         _read[key] = drawing, kind

@@ -98,6 +98,7 @@ class OutlineProxy(Stateless):
             status.set_problem(obj, has_result, "Choose a picture or a sketch.")
             return
         with status.reported(obj, has_result):
+            _trace_ahead(leader(obj))
             outline, kind, placement = read(obj)
             outline = linked(outline, metres(leader(obj).Passage))
             outline = advice.repair_outline(obj, outline, scales=not leader(obj).Source)
@@ -106,6 +107,18 @@ class OutlineProxy(Stateless):
                 obj.Placement = placement
             status.set_status(obj, status.READY)
         obj.positionBySupport()
+
+
+def _trace_ahead(obj) -> None:
+    """Trace a picture in a thread, where there is a window; `read` finds it then."""
+    from BalloonWorkbench.app import hooks
+    from BalloonWorkbench.app.drawing import is_known, shapes_in
+    from BalloonWorkbench.app.quantities import metres
+
+    path, symmetry = obj.Drawing, SYMMETRY[obj.Symmetry]
+    wanted = metres(obj.Width) or None, metres(obj.Height) or None
+    if not obj.Source and not is_known(path, wanted, symmetry):
+        hooks.work(f"Tracing {obj.Label}", lambda progress: shapes_in(path, wanted, symmetry))
 
 
 def set_drawing(obj, path) -> None:

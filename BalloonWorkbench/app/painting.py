@@ -139,9 +139,7 @@ def solve(
 def _prepare(seam, settings: Settings) -> None:
     """Work out what the Pattern object will ask for, to the last digit: it keeps its seam in mm."""
     from BalloonWorkbench.core.errors import InputError
-    from BalloonWorkbench.core.pattern.arcs import fit_curve
     from BalloonWorkbench.core.pattern.intake_kinds import intake_kind
-    from BalloonWorkbench.core.pattern.make import sheet_of
     from BalloonWorkbench.core.units import from_mm, to_mm
 
     wanted = settings.wanted
@@ -151,11 +149,9 @@ def _prepare(seam, settings: Settings) -> None:
     kept = seam.map(lambda line: from_mm(to_mm(line)))
     size_goal.usual_area(kept, settings.film)
     try:
-        made = pattern.made(kept, from_mm(to_mm(settings.film.seal_width)), wanted)
+        pattern.work_out(kept, from_mm(to_mm(settings.film.seal_width)), wanted)
     except InputError:  # the pattern object will say what is wrong
         return
-    for contour in sheet_of(made, wanted).contours:
-        fit_curve(contour.points, contour.closed)
 
 
 def make(doc, path: Path, width: float, solved: Solved, pause: Callable[[], object] = bool) -> Parts:

@@ -116,6 +116,7 @@ class PatternProxy(Stateless):
         if status.waits_for(obj, obj.Balloon, has_result, "Choose the balloon that it belongs to."):
             return
         with status.reported(obj, has_result):
+            _work_out(obj)
             show(obj, sheet(obj))
             status.set_status(obj, status.READY)
         obj.positionBySupport()
@@ -221,6 +222,27 @@ def build(obj):
     from BalloonWorkbench.app.quantities import metres
 
     return made(shapes.stored(obj.Balloon, "Seam"), metres(obj.Balloon.SealWidth), values(obj))
+
+
+def _work_out(obj) -> None:
+    """What `show` needs and finds remembered: in a thread, where there is a window."""
+    from BalloonWorkbench.app import hooks, shapes
+    from BalloonWorkbench.app.quantities import metres
+
+    seam, seal_width = shapes.stored(obj.Balloon, "Seam"), metres(obj.Balloon.SealWidth)
+    wanted, arcs = values(obj), obj.Arcs
+    hooks.work(f"Drawing {obj.Label}", lambda progress: work_out(seam, seal_width, wanted, arcs))
+
+
+def work_out(seam, seal_width: float, wanted, arcs: bool = True):
+    """All that is cut, and its arcs; touches no document. Raises what `make_pattern` raises."""
+    from BalloonWorkbench.core.pattern.arcs import fit_curve
+    from BalloonWorkbench.core.pattern.make import sheet_of
+
+    pattern = sheet_of(made(seam, seal_width, wanted), wanted)
+    for contour in pattern.contours if arcs else ():
+        fit_curve(contour.points, contour.closed)
+    return pattern
 
 
 def made(seam, seal_width: float, wanted):

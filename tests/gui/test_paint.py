@@ -407,19 +407,19 @@ def dot(x, y, r, start, end, count=30):
 
 
 def test_a_picture_is_paint_or_backdrop(window):
-    window.lay_under(HEART)
+    window.pictures.lay_under(HEART)
     assert window.painting.is_empty()
     grabbed = window.canvas.grab().toImage()
     middle = hands.QtGui.QColor(grabbed.pixel(grabbed.width() // 2, grabbed.height() // 2))
     assert middle.green() < 230
     press("PaintBackdrop")
     assert window.painting.backdrop is None
-    window.put_picture(HEART)
+    window.pictures.put_on(HEART)
     hands.wait_until(lambda: not window.painting.is_empty(), 10)
     assert colour_at(window, 0.02, 0.02)[3] == 0
     assert colour_at(window, 0.5, 0.5)[3] == 255
     hands.wait_until(window.scene.is_shown, 5)
-    window.put_picture(Path("README.md"))
+    window.pictures.put_on(Path("README.md"))
     assert "not a picture" in window.form.hint.text()
 
 

@@ -7,6 +7,7 @@ from BalloonWorkbench.gui.paint.tools import COLOURS, THICKEST, THINNEST, TOOLS,
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, drawn_icon, translate
 
 _TOOL, _ACTION, _COLOUR = 40, 26, 24  # px
+_THICKER = 3  # px, for one press of a key
 
 
 class Buttons(QtWidgets.QWidget):
@@ -113,6 +114,10 @@ class ActionBar(Buttons):
             button.clicked.connect(lambda checked=False, name=name: self.acted.emit(name))
             self.buttons[name] = button
         self.room.addStretch()
+
+    def thicken(self, steps: int) -> None:
+        """A thicker pen, or a thinner one; the slider knows its ends."""
+        self.thickness.setValue(self.thickness.value() + steps * _THICKER)
 
 
 def _dab(colour: str):

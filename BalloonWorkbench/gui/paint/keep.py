@@ -53,3 +53,12 @@ def keep(doc, parts: Parts | None, look, width: float, pause) -> Parts:
         each.balloon.ViewObject.DisplayMode = MODE
         pause()
     return parts
+
+
+def show(document, names, shown: bool) -> None:
+    """Show or hide objects of a document in the window; nothing in one that is being closed: None."""
+    if document is None:
+        return
+    for obj in map(document.Document.getObject, names):
+        if obj is not None:
+            obj.ViewObject.Visibility = shown

@@ -61,7 +61,7 @@ class Live(QtCore.QObject):
         """A step is done: look at once, and closer when nothing more happens."""
         self._changed_at = time.perf_counter()
         self._dirty = True
-        self._drop_study()
+        self.drop_study()
         self._rest.start()
         if self._glance is None:
             self._begin_glance()
@@ -69,7 +69,7 @@ class Live(QtCore.QObject):
     def drawing(self) -> None:
         """A stroke is growing: look now and then."""
         self.painting.revision += 1
-        self._drop_study()
+        self.drop_study()
         self._rest.stop()
         self._dirty = True
         if self._glance is None and not self._soon.isActive():
@@ -204,8 +204,8 @@ class Live(QtCore.QObject):
             self.latest = None
             self.refused.emit(str(worker.error or ""))
 
-    def _drop_study(self) -> None:
-        """The painting has changed: let the engine stop by itself, nobody waits for it."""
+    def drop_study(self) -> None:
+        """Nobody wants it any more: let the engine stop by itself, nobody waits for it."""
         if self._study is not None:
             self._study.stop()
             self._retired.append(self._study)

@@ -6,8 +6,6 @@ The document is untouched until "Make it!"; that is one undo step.
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import FreeCAD as App
 import FreeCADGui as Gui
 
@@ -17,21 +15,20 @@ from BalloonWorkbench.gui.paint.bars import ActionBar, ToolBox
 from BalloonWorkbench.gui.paint.canvas import Canvas
 from BalloonWorkbench.gui.paint.dock import PaintDock
 from BalloonWorkbench.gui.paint.form import Form
-from BalloonWorkbench.gui.paint.keep import keep, kept
+from BalloonWorkbench.gui.paint.keep import keep, kept, show
 from BalloonWorkbench.gui.paint.live import Live
-from BalloonWorkbench.gui.paint.painting import Painting, picture_from
+from BalloonWorkbench.gui.paint.painting import Painting
+from BalloonWorkbench.gui.paint.pictures import Pictures
 from BalloonWorkbench.gui.paint.ready import load
-from BalloonWorkbench.gui.paint.requests import CutOut
 from BalloonWorkbench.gui.paint.scene import Scene
 from BalloonWorkbench.gui.paint.size_card import SizeCard
-from BalloonWorkbench.gui.paint.strokes import Clear, Picture
-from BalloonWorkbench.gui.paint.tools import THICKEST, THINNEST, TOOLS
+from BalloonWorkbench.gui.paint.strokes import Clear
+from BalloonWorkbench.gui.paint.tools import TOOLS
 from BalloonWorkbench.gui.panels import is_free
 from BalloonWorkbench.gui.panels.watch import Watch
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
-from BalloonWorkbench.gui.worker import Worker
+from BalloonWorkbench.gui.status_progress import StatusProgress
 
-_PICTURES = "*.png *.jpg *.jpeg *.bmp *.webp"
 _open: list[PaintWindow] = []  # none or one
 
 
@@ -55,12 +52,12 @@ class PaintWindow(PaintDock):
         self.making = False
         self._is_sized = parts is not None  # the width was asked for
         self._hidden: tuple[str, ...] = ()
-        self._import: Worker | None = None
+        self._waiting: StatusProgress | None = None
         self.painting = Painting(self)
         self.canvas = Canvas(self.painting)
         self.hand = self.canvas.hand
         self.live = Live(self.painting, self)
-        self.scene = Scene(doc.Name)
+        self.scene, self.pictures = Scene(doc.Name), Pictures(self.painting, self)
         self.tools, self.actions = ToolBox(), ActionBar()
         self.form, self.card = Form(self.live.width), SizeCard(self.canvas)
         self.fill(self.actions, self.tools, self.canvas, self.form)
@@ -73,7 +70,7 @@ class PaintWindow(PaintDock):
     def reveal(self) -> None:
         """Take the left half of the window, with the painting as it was left."""
         super().reveal()
-        self._set_hidden(True)
+        show(self.scene.document(), self._hidden, False)
         self.canvas.setFocus()
         if not self.painting.is_empty():
             self.live.changed()
@@ -82,18 +79,17 @@ class PaintWindow(PaintDock):
         """Close for good."""
         self.watch.remove()
         self.leave()
-        if self._import is not None:
-            self._import.wait()
+        self.pictures.wait()
         super().finish()
         if self in _open:
             _open.remove(self)
 
     def leave(self) -> None:
         """Closed, now or for good."""
-        self.making = False
+        self._not_making()
         self.live.stop()
         self.scene.clear()
-        self._set_hidden(False)
+        show(self.scene.document(), self._hidden, True)
 
     def _connect(self) -> None:
         self.tools.chosen.connect(self.choose)
@@ -104,6 +100,7 @@ class PaintWindow(PaintDock):
         self.canvas.chosen.connect(self._key)
         self.canvas.accepted.connect(self.widen)
         self.hand.told.connect(self.form.tell)
+        self.pictures.told.connect(self.form.tell)
         self.hand.growing.connect(self.live.drawing)
         self.painting.changed.connect(self._painted)
         self.live.found.connect(self._found)
@@ -126,14 +123,6 @@ class PaintWindow(PaintDock):
         self.live.width, self.live.settings = before.width, before.settings
         self.form.show_width(before.width)
         self._hidden = before.shown
-
-    def _set_hidden(self, away: bool) -> None:
-        """The objects of the balloon make room for its live look."""
-        if self.scene.document() is None:
-            return
-        for obj in map(self.doc.getObject, self._hidden):
-            if obj is not None:
-                obj.ViewObject.Visibility = not away
 
     # what the user does
 
@@ -160,7 +149,7 @@ class PaintWindow(PaintDock):
         elif name == "backdrop" and self.painting.backdrop is not None:
             self.painting.set_backdrop(None)
         else:
-            self._choose_file(as_paint=name == "picture")
+            self.pictures.choose(as_paint=name == "picture")
 
     def widen(self, number: int) -> None:
         """Repair a thin place, on both sides of the mirror when it is on."""
@@ -179,24 +168,6 @@ class PaintWindow(PaintDock):
         self.live.set_width(width)
         self.canvas.update()
 
-    def put_picture(self, path: Path) -> None:
-        """Paint a picture, without its background, on the paper."""
-        try:
-            content = picture_from(path).content
-        except BalloonError as error:
-            self.form.tell(str(error))
-            return
-        self._import = Worker(CutOut(content), self)
-        self._import.finished.connect(self._cut_out)
-        self._import.start()
-
-    def lay_under(self, path: Path) -> None:
-        """A picture for tracing."""
-        try:
-            self.painting.set_backdrop(picture_from(path))
-        except BalloonError as error:
-            self.form.tell(str(error))
-
     def make(self) -> None:
         """Put the balloon into the document, as soon as it is solved."""
         if self.making or not is_free():
@@ -213,18 +184,33 @@ class PaintWindow(PaintDock):
             self._keep(self.live.latest)
         else:
             self.form.tell(translate("The pattern is being fitted to the painting ..."))
+            self._waiting = StatusProgress(translate("Fitting the pattern"), self._stop_making)
+            self.live.progressed.connect(self._waiting.show_part)
             self.live.study()
+
+    def _stop_making(self) -> None:
+        """The painting stays as it is, and nothing is made of it."""
+        self.live.drop_study()
+        self._not_making()
+        self.form.tell(translate("Stopped. Your painting is still here."))
+
+    def _not_making(self) -> None:
+        """Made, or given up."""
+        self.making = False
+        if self._waiting is not None:
+            self._waiting.close()
+            self._waiting = None
+        self.refresh()
 
     def _keep(self, look) -> None:
         """Take a study over into the document, in one undo step."""
         is_new = self.parts is None
+        self._not_making()
         self.doc.openTransaction(translate("Paint a balloon"))
         try:
             parts = keep(self.doc, self.parts, look, self.live.width, _breathe)
         except BalloonError as error:
             self.doc.abortTransaction()
-            self.making = False
-            self.refresh()
             self.form.tell(str(error))
             return
         self.doc.commitTransaction()
@@ -233,27 +219,11 @@ class PaintWindow(PaintDock):
         if is_new:
             print_out.offer(parts)
 
-    def _choose_file(self, as_paint: bool) -> None:
-        path, _ = QtWidgets.QFileDialog.getOpenFileName(
-            self, translate("Choose a picture"), "", translate("Pictures") + f" ({_PICTURES})"
-        )
-        if path:
-            (self.put_picture if as_paint else self.lay_under)(Path(path))
-
-    def _cut_out(self) -> None:
-        worker, self._import = self._import, None
-        if worker.design is not None:
-            self.painting.do(Picture(worker.design))
-        else:
-            self.form.tell(str(worker.error or ""))
-
     def _key(self, letter: str) -> None:
-        thickness = self.actions.thickness
         if letter == "M":
             self.actions.buttons["mirror"].toggle()
         elif letter in ("[", "]"):
-            step = 3 if letter == "]" else -3
-            thickness.setValue(min(max(thickness.value() + step, THINNEST), THICKEST))
+            self.actions.thicken(1 if letter == "]" else -1)
         else:
             self.choose(next(tool for tool in TOOLS if tool.key == letter))
 
@@ -307,13 +277,12 @@ class PaintWindow(PaintDock):
 
     def _nothing(self) -> None:
         """There is no balloon to show."""
-        self.making = False
+        self._not_making()
         self.canvas.overlay.clear()
         self.canvas.thin.show(())
         self.canvas.update()
         self.scene.clear()
         self.form.show_look(None)
-        self.refresh()
 
     def refresh(self) -> None:
         """Buttons that would do nothing are off."""
