@@ -43,11 +43,13 @@ class Buoyancy:
     lightness   density of the air less that of the gas [kg/m3]
     density     of the film [kg/m2]
     film_area   of one panel with its welds and intake [m2], for its seam
+    fixed       what weighs the same at any size, such as a valve [kg]
     """
 
     lightness: float
     density: float
     film_area: Callable[[Outline], float]
+    fixed: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -71,8 +73,9 @@ class Scaling:
         return self.volume * scale**self.exponent
 
     def weight_at(self, scale: float, buoyancy: Buoyancy) -> float:
-        """Mass of both panels [kg]."""
-        return 2.0 * buoyancy.density * (self.inner * scale**2 + self.border * scale)
+        """Mass of both panels and of what does not grow [kg]."""
+        film = 2.0 * buoyancy.density * (self.inner * scale**2 + self.border * scale)
+        return film + buoyancy.fixed
 
     def lift_at(self, scale: float, buoyancy: Buoyancy) -> float:
         """What the balloon carries besides itself [kg]; below 0 it sinks."""

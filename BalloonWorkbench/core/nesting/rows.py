@@ -13,8 +13,19 @@ from BalloonWorkbench.core.types import Floats
 
 
 def in_rows(pieces: Sequence[Piece], stock: Stock, units: Sequence[tuple[int, bool]]) -> list[list[Place]]:
-    """Places on one roll or on several sheets: rows across the film, the longest pieces first."""
-    boxes = {unit: _box(pieces, stock, unit) for unit in set(units)}
+    """Places on one roll or on several sheets: rows across the film, the longest pieces first.
+
+    Pieces lie so that they are least long, or least high: whichever takes less film.
+    """
+    ways = [_laid(pieces, stock, units, axis) for axis in (0, 1)]
+    return min(ways, key=lambda way: (len(way[0]), way[1]))[0]
+
+
+def _laid(
+    pieces: Sequence[Piece], stock: Stock, units: Sequence[tuple[int, bool]], axis: int
+) -> tuple[list[list[Place]], float]:
+    """The places, and the length of the last sheet [m]."""
+    boxes = {unit: _box(pieces, stock, unit, axis) for unit in set(units)}
     order = sorted(units, key=lambda unit: (-boxes[unit][1][0], unit))
     sheets: list[list[Place]] = [[]]
     x, y, depth = stock.spacing, stock.spacing, 0.0
@@ -27,11 +38,13 @@ def in_rows(pieces: Sequence[Piece], stock: Stock, units: Sequence[tuple[int, bo
             x, y, depth = stock.spacing, stock.spacing, 0.0
         sheets[-1].append(Place(*unit, angle, np.array([x, y]) - low))
         y, depth = y + float(size[1]) + stock.spacing, max(depth, float(size[0]))
-    return sheets
+    return sheets, x + depth
 
 
-def _box(pieces: Sequence[Piece], stock: Stock, unit: tuple[int, bool]) -> tuple[float, Floats, Floats]:
-    """Angle [rad], size (2,) and lower left corner (2,) [m] of a piece: lying so that it is least long."""
+def _box(
+    pieces: Sequence[Piece], stock: Stock, unit: tuple[int, bool], axis: int
+) -> tuple[float, Floats, Floats]:
+    """Angle [rad], size (2,) and lower left corner (2,) [m] of a piece that is least along an axis."""
     number, mirrored = unit
     panel = pieces[number].panel(mirrored)
     found = []
@@ -42,6 +55,6 @@ def _box(pieces: Sequence[Piece], stock: Stock, unit: tuple[int, bool]) -> tuple
         if stock.length is not None:
             fits &= high[0] - low[0] <= stock.length - 2.0 * stock.spacing + 1e-12
         if fits:
-            found.append((round(float(high[0] - low[0]), 9), abs(degrees), angle, high - low, low))
+            found.append((round(float((high - low)[axis]), 9), abs(degrees), angle, high - low, low))
     _, _, angle, size, low = min(found, key=lambda each: each[:3])
     return angle, size, low
