@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
@@ -13,6 +14,8 @@ from BalloonWorkbench.core.errors import InputError, MissingPackageError
 from BalloonWorkbench.core.outline.welds import LAYER
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import INCH, MILLIMETRE
+
+logging.getLogger("ezdxf").addHandler(logging.NullHandler())  # it would print what it mends
 
 _LINES = {"LINE", "ARC", "CIRCLE", "ELLIPSE", "SPLINE", "LWPOLYLINE", "POLYLINE"}
 _MOST_POINTS = 500_000
@@ -59,7 +62,10 @@ def read_dxf(path: Path, tolerance: float) -> tuple[list[Floats], list[Floats], 
         lines, welds = (
             [line * unit for layer, line in found if (layer == LAYER) == on] for on in (False, True)
         )
-    except (ezdxf.DXFError, OSError, ValueError, TypeError, LookupError, StopIteration):  # type: ignore[attr-defined]
+    except (
+        *(ezdxf.DXFError, OSError, ValueError, TypeError, LookupError),  # type: ignore[attr-defined]
+        *(AttributeError, ArithmeticError, RecursionError, StopIteration),
+    ):
         raise InputError(f"'{path.name}' is damaged or not a DXF file. Save it once more.") from None
     return lines, welds, notes
 

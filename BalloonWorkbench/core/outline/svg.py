@@ -54,6 +54,8 @@ def read_svg(data: bytes, tolerance: float) -> tuple[list[Floats], list[Floats],
             # Arcs do not stay arcs under every transform, so that points are transformed, not segments.
             a, b, c, d, e, f = (float(getattr(path.transform, name)) for name in "abcdef")
             matrix = np.array([[a, b], [c, d]])
+            if not np.isfinite([a, b, c, d, e, f]).all():
+                raise ValueError("a transform is not a number")
             scale = float(np.linalg.norm(matrix, 2))
             if scale == 0:
                 continue

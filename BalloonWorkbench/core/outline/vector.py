@@ -3,7 +3,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
+
+import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.outline.chains import drawing_from
@@ -12,11 +15,13 @@ from BalloonWorkbench.core.outline.dxf import read_dxf
 from BalloonWorkbench.core.outline.loops import scale_to
 from BalloonWorkbench.core.outline.points import read_points
 from BalloonWorkbench.core.outline.svg import read_svg
+from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import from_mm
 
 #: Largest distance between a curve of the file and the outline [m].
 FLATNESS = from_mm(0.02)
 _MOST_BYTES = 64 << 20
+_FARTHEST = 1e6  # m
 
 
 def read_vector(path: str | Path, width: float | None = None, height: float | None = None) -> Drawing:
@@ -30,15 +35,28 @@ def read_vector(path: str | Path, width: float | None = None, height: float | No
     kind = vector_kind(path, data[:4096])
     if kind == "json":
         drawing = read_points(data)
+        _check_places([line for part in drawing.parts for line in (*part.loops, *part.welds)])
     elif kind == "svg":
         lines, filled, welds = read_svg(data, FLATNESS)
+        _check_places([*lines, *welds])
         drawing = drawing_from(lines, (), filled, welds)
     elif kind == "dxf":
         lines, welds, notes = read_dxf(path, FLATNESS)
+        _check_places([*lines, *welds])
         drawing = drawing_from(lines, notes, (), welds)
     else:
         raise InputError(f"'{path.name}' is neither SVG, DXF nor JSON. Save the drawing as one of these.")
     return checked(scale_to(checked(drawing), width, height))
+
+
+def _check_places(lines: Sequence[Floats]) -> None:
+    """InputError for points so far away that nothing can be told about millimetres there."""
+    for line in lines:
+        if not (np.abs(line) <= _FARTHEST).all():
+            raise InputError(
+                f"The drawing has points more than {_FARTHEST / 1000:.0f} km from its origin. "
+                "Move it there, and give it a size between 1 mm and 100 m."
+            )
 
 
 def vector_kind(path: Path, head: bytes) -> str | None:
