@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import gc
 import sys
+import time
 
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.gui.qt import QtCore
@@ -47,6 +48,7 @@ _sharing = _Sharing()
 class Worker(QtCore.QThread):
     """Solves one request. After `finished`, either `design` or `error` is set.
 
+    work   seconds of the processor that it took in its own thread
     title  of the work for the status bar, where it can be stopped; without one it is not shown there
     """
 
@@ -60,6 +62,7 @@ class Worker(QtCore.QThread):
         self.request = request
         self.design = None
         self.error: BalloonError | None = None
+        self.work = 0.0
         self._stop = False
         self._title = title
         self.shown: StatusProgress | None = None
@@ -74,11 +77,13 @@ class Worker(QtCore.QThread):
         super().start(*priority)
 
     def run(self):
+        begun = time.thread_time()
         try:
             self.design = self.request.solve(self._report)
         except BalloonError as error:
             self.error = error
         finally:
+            self.work = time.thread_time() - begun
             self.ended.emit()
             _sharing.ended.emit()
 

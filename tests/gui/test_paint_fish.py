@@ -1,0 +1,234 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""As used: a fish is drawn with the mouse, becomes a balloon, is made smaller, saved, opened again and cut,
+while the window answers throughout."""
+
+import os
+
+import FreeCAD as App
+import FreeCADGui as Gui
+import hands
+import pytest
+from brush import (
+    BLACK,
+    BLUE,
+    ORANGE,
+    RED,
+    YELLOW,
+    click,
+    close_window,
+    colour_at,
+    draw,
+    ellipse,
+    is_closed,
+    open_window,
+    press,
+    rgba,
+)
+from heartbeat import Heartbeat
+
+from BalloonWorkbench.app import status
+from BalloonWorkbench.app.painting import artwork, is_painting
+
+TAIL = [(0.70, 0.5), (0.88, 0.34), (0.85, 0.5), (0.88, 0.66), (0.70, 0.5)]
+
+
+@pytest.fixture
+def window(doc):
+    yield open_window()
+    close_window()
+
+
+@pytest.fixture
+def beat():
+    heart = Heartbeat()
+    yield heart
+    heart.stop()
+
+
+def test_a_fish_from_the_first_stroke_to_the_cutter(doc, window, beat, tmp_path):
+    painted = paint(window, beat)
+    record("painting", beat, window.live.delays)
+    answers(beat)
+    assert sorted(work for _, work in painted)[len(painted) // 2] < 0.15
+
+    beat.reset()
+    press("PaintMake")
+    hands.wait_until(is_closed, 60)
+    hands.wait_until(hands.panel_is_open)
+    record("making", beat)
+    answers(beat)
+    assert doc.UndoNames == ["Paint a balloon"]
+    assert_made(doc, 250)
+    assert is_painting(doc.Outline.Drawing)
+    hands.wait(0.5)
+    image = hands.screenshot("paint-made")
+    assert painted_in_view(image, image.width() // 4)
+    print_on_a4(tmp_path / "fish.pdf")
+    doc.undo()
+    assert doc.Objects == []
+    doc.redo()
+    assert_made(doc, 250)
+
+    beat.reset()
+    doc.Balloon.ViewObject.Proxy.doubleClicked(doc.Balloon.ViewObject)
+    hands.wait_until(hands.panel_is_open)
+    hands.type_into(hands.find("Width"), "200 mm")
+    hands.press("Ok")
+    hands.wait_until(hands.panel_is_closed, 60)
+    record("another width", beat)
+    answers(beat)
+    assert_made(doc, 200)
+    hands.screenshot("paint-smaller")
+    doc.undo()
+    doc.recompute()
+    assert_made(doc, 250)
+    doc.redo()
+    doc.recompute()
+    assert_made(doc, 200)
+
+    doc = reopened(doc, str(tmp_path / "fish.FCStd"))
+    assert_made(doc, 200)
+    assert doc.Balloon.ViewObject.DisplayMode == "Painted"
+    hands.wait(0.5)
+    image = hands.screenshot("paint-reopened")
+    assert painted_in_view(image, image.width() // 4)
+    the_artwork_lies_on_the_outline(doc)
+    cut(doc, tmp_path / "fish.dxf")
+
+
+def paint(window, beat):
+    """Body, tail, colours, an eye, a mouth and stripes; returns what each glance took, see `Live.delays`."""
+    beat.reset()
+    canvas, live, doc = window.canvas, window.live, window.doc
+    assert canvas.width() > 0.3 * Gui.getMainWindow().width()
+    press(f"PaintColour{BLUE}")
+    draw(canvas, ellipse(0.44, 0.5, 0.30, 0.19))
+    hands.wait_until(window.scene.is_shown, 10)
+    assert live.latest.solved is None  # a glance; nothing was waited for
+    hands.wait_until(window.card.isVisible, 10)
+    assert canvas.scale.shown
+    hands.screenshot("paint-size")
+    beat.skip()
+    hands.type_into(window.card.field, "25")
+    press("PaintSizeDone")
+    assert not window.card.isVisible()
+    assert live.width == pytest.approx(250)
+    body = live.latest.volume
+    draw(canvas, TAIL)
+    hands.wait_until(lambda: live.latest is not None and live.latest.volume != body, 10)
+    press("PaintFill")
+    press(f"PaintColour{YELLOW}")
+    click(canvas, (0.44, 0.5))
+    press(f"PaintColour{RED}")
+    click(canvas, (0.82, 0.5))
+    assert colour_at(window, 0.44, 0.5) == rgba(YELLOW)
+    assert colour_at(window, 0.82, 0.5) == rgba(RED)
+    press("PaintPen")
+    press(f"PaintColour{BLACK}")
+    draw(canvas, ellipse(0.26, 0.44, 0.022, 0.022, 12))
+    draw(canvas, [(0.16, 0.55), (0.20, 0.57), (0.25, 0.57)])
+    press("PaintBrush")
+    press(f"PaintColour{ORANGE}")
+    for x in (0.42, 0.52, 0.62):
+        draw(canvas, [(x, 0.40), (x + 0.02, 0.5), (x, 0.58)])
+        hands.wait(0.4)
+    hands.screenshot("paint-glance")
+    beat.skip()
+    hands.wait_until(live.is_settled, 60)
+    image = hands.screenshot("paint-fish")
+    beat.skip()
+    assert painted_in_view(image, window.mapToGlobal(window.rect().topRight()).x() + 20)
+    assert doc.Objects == []  # the document waits
+    assert len(live.delays) >= 5
+    return list(live.delays)
+
+
+def assert_made(doc, width):
+    """Outline, mesh and pattern are there and so wide in mm."""
+    assert [obj.Status for obj in (doc.Outline, doc.Balloon, doc.Pattern)] == [status.READY] * 3
+    assert doc.Balloon.isDerivedFrom("Mesh::Feature")
+    assert doc.Balloon.Mesh.isSolid()
+    assert doc.Outline.SizeX.Value == pytest.approx(width, abs=1)
+    assert doc.Balloon.InflatedWidth.Value == pytest.approx(width, rel=0.02)
+    assert doc.Balloon.ResidualMean.Value < 0.01 * width
+
+
+def print_on_a4(path):
+    """The panel that opens by itself writes the pattern in real size on A4."""
+    hands.screenshot("paint-print")
+    assert hands.find("Pages").currentText() == "A4"
+    hands.type_into(hands.find("File"), str(path), confirm=False)
+    hands.press("Ok")
+    hands.wait_until(hands.panel_is_closed)
+    content = path.read_bytes()
+    assert content.startswith(b"%PDF")
+    assert content.count(b"/MediaBox") >= 2
+    assert b"/MediaBox [ 0 0 595.2756 841.8898 ]" in content or b"841.8898 595.2756" in content
+
+
+def reopened(doc, path):
+    doc.saveAs(path)
+    App.closeDocument(doc.Name)
+    again = App.openDocument(path)
+    hands.wait(0.2)
+    return again
+
+
+def the_artwork_lies_on_the_outline(doc):
+    """Colours painted inside are kept, with their place: yellow in the body, red in the tail."""
+    art = artwork(doc.Outline)
+    height, width = art.rgba.shape[:2]
+    points = [(0.3 * 200, doc.Outline.SizeY.Value / 2), (0.95 * 200, doc.Outline.SizeY.Value / 2)]
+    for place, colour in zip(art.places(points), (YELLOW, RED), strict=True):
+        x, y = int(place[0] * width), int((1 - place[1]) * height)
+        assert tuple(art.rgba[y, x]) == rgba(colour)
+    assert art.pixel * width > 200
+
+
+def cut(doc, path):
+    """The pattern as DXF, through the command and its panel."""
+    import ezdxf
+
+    Gui.Selection.addSelection(doc.Pattern)
+    Gui.runCommand("BalloonWorkbench_ExportPattern")
+    hands.wait_until(hands.panel_is_open)
+    hands.type_into(hands.find("File"), str(path), confirm=False)
+    hands.screenshot("paint-export")
+    hands.press("Ok")
+    hands.wait_until(hands.panel_is_closed)
+    drawing = ezdxf.readfile(path)
+    lines = [line for line in drawing.modelspace() if line.dxf.layer == "CUT"]
+    xs = [x for line in lines for x, *_ in line.get_points()]
+    assert max(xs) - min(xs) == pytest.approx(doc.Pattern.PatternWidth.Value, abs=1)
+
+
+def answers(beat):
+    """The window answers: what it works itself between two beats, and what our threads keep from it."""
+    assert beat.gui < 0.1
+    assert beat.own < 0.1
+
+
+def record(what, beat, delays=()):
+    """Keep what was measured beside the screenshots."""
+    others = os.getloadavg()[0] / (os.cpu_count() or 1)
+    line = (
+        f"{what}: deaf for {1e3 * beat.longest:.0f} ms at most by the clock, {1e3 * beat.own:.0f} ms by us,"
+    )
+    line += f" {1e3 * beat.gui:.0f} ms of work in the window; {others:.1f} programs for each core"
+    if delays:
+        line += "; glances: " + ", ".join(f"{1e3 * a:.0f} ms, work {1e3 * b:.0f} ms" for a, b in delays)
+    hands.SCREENSHOTS.mkdir(parents=True, exist_ok=True)
+    with (hands.SCREENSHOTS / "paint.txt").open("a") as file:
+        file.write(line + "\n")
+
+
+def painted_in_view(image, left):
+    """The balloon in the 3D view has the colours of the painting."""
+    colours = [
+        hands.QtGui.QColor(image.pixel(x, y))
+        for x in range(left, image.width() - 20, 4)
+        for y in range(150, image.height() - 150, 4)
+    ]
+    yellow = sum(c.red() > 150 and c.green() > 120 and c.blue() < 110 for c in colours)
+    red = sum(c.red() > 120 and c.green() < 70 and c.blue() < 100 for c in colours)
+    return yellow > 300 and red > 60
