@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The steps of the work, from resources/assembly/steps.json: those that fit the film and the intake."""
+
+from __future__ import annotations
+
+import json
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.film.film import Film
+from BalloonWorkbench.core.maker.numbers import Numbers
+from BalloonWorkbench.core.pattern.intake_kinds import RIM, intake_kind
+from BalloonWorkbench.core.pattern.pattern import Pattern, Role
+from BalloonWorkbench.core.units import to_mm
+
+FILE = Path(__file__).resolve().parents[3] / "resources" / "assembly" / "steps.json"
+#: How films that are in no list are joined.
+_USUAL = "weld"
+
+
+def steps(pattern: Pattern, film: Film, numbers: Numbers) -> list[str]:
+    """What to do, one or two sentences each, in order. InputError when the data file is broken."""
+    data = _data()
+    kinds = [intake_kind(intake.kind) for intake in pattern.intakes]
+    safe = numbers.safety.safe_pressure
+    is_so = {
+        "grain": film.young_modulus_across is not None,
+        "holes": bool(pattern.of(Role.CUT_INNER)),
+        "welds": bool(pattern.of(Role.WELD)),
+        "neck": any(kind.place == RIM for kind in kinds),
+        "safe": None if safe is None else safe >= numbers.safety.pressure,
+    }
+    words = {
+        "film": film.title or film.name,
+        "seal": f"{to_mm(pattern.seal_width):.3g}",
+        "pressure": f"{1e-3 * numbers.safety.pressure:.3g}",
+        "safe": "" if safe is None else f"{1e-3 * safe:.3g}",
+        "margin": f"{numbers.safety.margin:g}",
+    }
+    names = list(dict.fromkeys(kind.name for kind in kinds))
+    found = []
+    for step in data["steps"]:
+        wanted = step.get("intakes")
+        used = names if wanted is None else [name for name in names if name in wanted]
+        if (wanted is not None and not used) or _join(film) not in step.get("joins", [_join(film)]):
+            continue
+        if all(is_so[key] is step[key] for key in is_so if key in step):
+            told = words | {"intake": " ".join(intake_kind(name).note for name in used)}
+            found.append(str(step["text"]).format(**told))
+    return found
+
+
+def _join(film: Film) -> str:
+    """How the panels of a film are joined: a word of the data file."""
+    return next((join for join, names in _data()["joins"].items() if film.name in names), _USUAL)
+
+
+@cache
+def _data() -> dict[str, Any]:
+    try:
+        data = json.loads(FILE.read_text(encoding="utf-8"))
+        return {"joins": dict(data["joins"]), "steps": [dict(step) for step in data["steps"]]}
+    except (OSError, ValueError, TypeError, KeyError) as error:
+        raise InputError(f"The file {FILE.name} is of no use: {error!r}. Install it anew.") from error

@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The assembly sheet: one page, read back by other people's programs."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+from drawn_shapes import NAMED
+from inflated import designed
+from matplotlib.image import imread
+
+from BalloonWorkbench.core.assembly.page import PAGES, Subject, assembly_pdf
+from BalloonWorkbench.core.assembly.steps import _data, steps
+from BalloonWorkbench.core.errors import ExportError
+from BalloonWorkbench.core.film.filling import Filling
+from BalloonWorkbench.core.film.library import film, films
+from BalloonWorkbench.core.maker.numbers import maker_numbers
+from BalloonWorkbench.core.pattern.intake_kinds import intake_kind, intake_kinds
+from BalloonWorkbench.core.pattern.make import Wanted, make_pattern
+
+DPI = 150
+POPPLER = pytest.mark.skipif(shutil.which("pdftotext") is None, reason="poppler-utils are not installed")
+
+
+@cache
+def subject(shape: str = "heart", film_name: str = "nylon-foil", intake: str = "straw") -> Subject:
+    design, made_of = designed(NAMED[shape], 300), film(film_name)
+    wanted = Wanted(intake=intake != "none", intake_kind="straw" if intake == "none" else intake)
+    pattern = make_pattern(design.pattern, made_of.seal_width, wanted)
+    numbers = maker_numbers(design.inflation, made_of, design.pattern, pattern, 0.3, Filling())
+    return Subject("Grandma's heart $1", made_of, design.inflation, pattern, numbers)
+
+
+def told_by(program: str, *arguments: str | Path) -> str:
+    return subprocess.run([program, *arguments], capture_output=True, text=True, check=True).stdout
+
+
+@pytest.fixture(scope="module", params=PAGES)
+def page(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, str]:
+    path = tmp_path_factory.mktemp("assembly") / f"{request.param}.pdf"
+    path.write_bytes(assembly_pdf(subject(), request.param))
+    return path, request.param
+
+
+@POPPLER
+def test_one_page_of_the_paper(page: tuple[Path, str]) -> None:
+    path, paper = page
+    lines = dict(line.split(":", 1) for line in told_by("pdfinfo", path).splitlines() if ":" in line)
+    assert lines["Pages"].strip() == "1"
+    assert lines["Title"].strip() == "Grandma's heart $1: assembly sheet"
+    assert "CreationDate" not in lines
+    width, _, height, *_ = lines["Page size"].split()
+    found = float(width) * 25.4 / 72.0, float(height) * 25.4 / 72.0
+    assert found == pytest.approx(PAGES[paper], abs=0.2)
+
+
+@POPPLER
+def test_text_is_text(page: tuple[Path, str]) -> None:
+    """Everything that a maker reads can be searched for: sizes, material, numbers, steps in their order."""
+    path, _ = page
+    text = " ".join(told_by("pdftotext", path, "-").replace("\u00a0", " ").split())
+    about = subject()
+    width, height = (1000.0 * size for size in about.pattern.size)
+    for wanted in (
+        "Grandma's heart $1",
+        f"{width:.1f} mm",
+        f"{height:.1f} mm",
+        "Aluminised nylon/PE foil",
+        "30 µm, 31.5 g/m²",
+        "of a roll 500 mm wide",
+        "Straw neck, 10 mm",
+        "Will it float?",
+        "mm on paper =",
+        "Pattern drawn 1 :",
+    ):
+        assert wanted in text, wanted
+    # columns are read one after the other or row by row: each step begins somewhere
+    for step in steps(about.pattern, about.film, about.numbers):
+        assert " ".join(step.split()[:4]) in text, step
+
+
+@POPPLER
+def test_bar_and_drawing_are_to_scale(page: tuple[Path, str], tmp_path: Path) -> None:
+    """Measured in the picture of the page: the bar is 50 mm; the drawn weld has the size that is told."""
+    path, _ = page
+    subprocess.run(["pdftoppm", "-r", str(DPI), "-png", path, tmp_path / "page"], check=True)
+    shown = imread(next(tmp_path.glob("page*.png")))[..., :3]
+    pixel = 25.4 / DPI
+    strip = shown[int(-18.0 / pixel) : int(-10.0 / pixel), : int(70.0 / pixel)]
+    columns = np.flatnonzero((strip.max(axis=2) < 0.35).any(axis=0))
+    columns = columns[columns * pixel < 13.0 + 51.0]
+    assert (columns.max() + 1 - columns.min()) * pixel == pytest.approx(50.0, abs=0.6)
+    text = told_by("pdftotext", path, "-")
+    scale = float(text.split("Pattern drawn 1 : ")[1].split()[0])
+    left = shown[: int(170.0 / pixel), : int(120.0 / pixel)]
+    magenta = (left[..., 0] > 0.8) & (left[..., 1] < 0.4) & (left[..., 2] > 0.8)
+    rows, columns = np.nonzero(magenta)
+    rows, columns = rows[rows < rows.max() - 8], columns[rows < rows.max() - 8]  # not the legend
+    seal = np.concatenate([line.points for line in subject().pattern.contours if line.role.value == "SEAL"])
+    assert np.ptp(columns) * pixel * scale == pytest.approx(1000.0 * np.ptp(seal[:, 0]), rel=0.02)
+
+
+def test_the_same_bytes_again() -> None:
+    assert assembly_pdf(subject()) == assembly_pdf(subject())
+
+
+@pytest.mark.parametrize("name", films())
+def test_each_film_has_its_steps(name: str) -> None:
+    """Glue for paper, heat for foil, high frequency for what must not see a laser."""
+    about = subject("disc", name)
+    work = " ".join(steps(about.pattern, about.film, about.numbers))
+    join = next(join for join, names in _data()["joins"].items() if name in names)
+    word = {"weld": "Weld along", "hf": "Never cut this film with a laser", "glue": "Glue a strip"}[join]
+    assert word in work
+    assert ("sealing sides" in work) == (join == "weld")
+    assert "{" not in work
+
+
+@pytest.mark.parametrize("name", [*intake_kinds(), "none"])
+def test_each_intake_has_its_step(name: str) -> None:
+    about = subject("ring" if name == "none" else "disc", intake=name)
+    work = steps(about.pattern, about.film, about.numbers)
+    notes = [number for number, step in enumerate(work) if name != "none" and intake_kind(name).note in step]
+    weld = next(number for number, step in enumerate(work) if step.startswith("Weld along"))
+    assert len(notes) == (name != "none")
+    if notes:
+        assert (notes[0] < weld) == (name in ("nozzle", "film-valve"))
+    assert ("all the way round" in work[weld]) == (name in ("none", "nozzle"))
+    assert any("holes inside" in step for step in work) == (name in ("none", "nozzle"))
+
+
+def test_unknown_paper_is_refused() -> None:
+    with pytest.raises(ExportError, match="A4 or Letter"):
+        assembly_pdf(subject(), "A0")
