@@ -154,12 +154,21 @@ def _prepare(seam, settings: Settings) -> None:
         return
 
 
-def make(doc, path: Path, width: float, solved: Solved, pause: Callable[[], object] = bool) -> Parts:
+def make(
+    doc,
+    path: Path,
+    width: float,
+    solved: Solved,
+    pause: Callable[[], object] = bool,
+    begin: Callable[..., Parts] = create.make,
+) -> Parts:
     """The objects of a painted balloon, width in mm; pause is called between the steps of the work.
+
+    begin  makes the objects in a document, with a label
 
     Raises BalloonError when no balloon comes out; the objects stay for the caller to take back.
     """
-    parts = create.make(doc, path.stem)
+    parts = begin(doc, path.stem)
     everyone = _fill(parts, path, width, solved, pause)
     create.compute(*everyone, pause=pause)
     return parts

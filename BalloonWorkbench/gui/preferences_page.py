@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from BalloonWorkbench.app import preferences
-from BalloonWorkbench.gui.panels.fields import new_quantity_box
+from BalloonWorkbench.gui.panels.fields import new_box
 from BalloonWorkbench.gui.qt import QtWidgets, translate
 from BalloonWorkbench.gui.sentences import tell
 
@@ -77,7 +77,7 @@ class PreferencesPage:
     def _field(self, key: str, label: str):
         item = preferences.items()[key]
         if key in _UNITS:
-            field = new_quantity_box()
+            field = new_box("Gui::QuantitySpinBox")
             field.setProperty("unit", _UNITS[key])
             field.setProperty("minimum", 0.0)
         elif preferences.choices(key):

@@ -42,9 +42,9 @@ def came_from(outline, path) -> None:
     _drawings[outline.Drawing] = str(path)
 
 
-def begin(doc):
+def begin(doc, label: str = "Balloon"):
     """The objects of a new balloon with the user's preferences, and the edit that begins with them."""
-    parts = create.make(doc)
+    parts = create.make(doc, label)
     edit = Edit(parts, values.texts(parts))
     preferences.begin(parts)
     return parts, edit

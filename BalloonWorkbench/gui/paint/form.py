@@ -6,7 +6,8 @@ from __future__ import annotations
 import FreeCAD as App
 
 from BalloonWorkbench.app.quantities import cubic_millimetres
-from BalloonWorkbench.gui.panels.fields import new_quantity_box
+from BalloonWorkbench.gui import sentences
+from BalloonWorkbench.gui.panels.fields import new_box
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, drawn_icon, translate
 
 
@@ -18,7 +19,7 @@ class Form(QtWidgets.QWidget):
 
     def __init__(self, width: float, parent=None):
         super().__init__(parent)
-        self.width_field = new_quantity_box()
+        self.width_field = new_box("Gui::QuantitySpinBox")
         self.width_field.setObjectName("PaintWidth")
         self.width_field.setProperty("unit", "mm")
         self.width_field.setProperty("minimum", 1.0)
@@ -78,7 +79,9 @@ class Form(QtWidgets.QWidget):
 
     def tell(self, text: str) -> None:
         """One sentence; without one, what to do first."""
-        self.hint.setText(text or translate("Draw a closed line, or paint an area: it becomes a balloon."))
+        self.hint.setText(
+            sentences.tell(text) or translate("Draw a closed line, or paint an area: it becomes a balloon.")
+        )
 
 
 def _label(name: str):

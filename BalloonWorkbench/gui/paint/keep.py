@@ -3,14 +3,19 @@
 
 from __future__ import annotations
 
+import hashlib
 from dataclasses import dataclass, replace
 from pathlib import Path
+
+import FreeCAD as App
 
 from BalloonWorkbench.app import balloon, create, pattern
 from BalloonWorkbench.app import painting as painted
 from BalloonWorkbench.app.create import Parts
 from BalloonWorkbench.app.outline import SYMMETRY
+from BalloonWorkbench.core.export.files import write_files
 from BalloonWorkbench.core.job import Settings
+from BalloonWorkbench.gui import record
 from BalloonWorkbench.gui.paint.display import MODE
 from BalloonWorkbench.gui.qt import translate
 
@@ -45,14 +50,34 @@ def keep(doc, parts: Parts | None, look, width: float, pause) -> Parts:
     pause is called between the steps of the work. Raises BalloonError.
     """
     if parts is not None:
+        edit = record.Edit(parts)
         painted.update(parts, look.file, width, look.solved, pause)
+        _record(edit, look.file)
         return parts
-    parts = painted.make(doc, look.file, width, look.solved, pause)
+    edits: list[record.Edit] = []
+
+    def begin(doc, label: str) -> Parts:
+        parts, edit = record.begin(doc, label)
+        edits.append(edit)
+        return parts
+
+    parts = painted.make(doc, look.file, width, look.solved, pause, begin)
+    _record(edits[0], look.file)
     parts.balloon.getParentGroup().Label = translate("Painted balloon")
     for each in (parts, *create.companions(parts)):
         each.balloon.ViewObject.DisplayMode = MODE
         pause()
     return parts
+
+
+def _record(edit, file: Path) -> None:
+    """The macro needs the painting: it stays in a folder of the user's data."""
+    content = file.read_bytes()
+    folder = Path(App.getUserAppDataDir()) / "BalloonWorkbench" / "paintings"
+    path = folder / f"{file.stem}-{hashlib.sha256(content).hexdigest()[:8]}.png"
+    write_files(folder, {path.name: content})
+    record.came_from(edit.parts.outline, path)
+    edit.write()
 
 
 def show(document, names, shown: bool) -> None:

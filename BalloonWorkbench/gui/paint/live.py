@@ -11,8 +11,8 @@ import tempfile
 import time
 from pathlib import Path
 
+from BalloonWorkbench.app import preferences
 from BalloonWorkbench.core.errors import Cancelled
-from BalloonWorkbench.core.job import Settings
 from BalloonWorkbench.gui.paint.look import Look
 from BalloonWorkbench.gui.paint.painting import Painting
 from BalloonWorkbench.gui.paint.requests import Counsel, Glance, Study
@@ -42,8 +42,8 @@ class Live(QtCore.QObject):
     def __init__(self, painting: Painting, parent=None):
         super().__init__(parent)
         self.painting = painting
-        self.width = 300.0
-        self.settings = Settings()
+        self.width = preferences.get("Width")
+        self.settings = preferences.settings()
         self.latest: Look | None = None
         self.delays: list[tuple[float, float]] = []
         self._folder = tempfile.TemporaryDirectory()
