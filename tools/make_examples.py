@@ -1,0 +1,200 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Makes the example documents in resources/examples. `make examples` runs it inside FreeCAD's window.
+
+Each is made as a user would make it, and saved as it looks best.
+"""
+
+import math
+import os
+import sys
+import traceback
+from pathlib import Path
+
+import FreeCAD as App
+import FreeCADGui as Gui
+
+FOLDER = Path(__file__).resolve().parents[1] / "resources" / "examples"
+MESH = 9.0  # mm
+
+
+def painted_fish(doc):
+    """Strokes, as the paint window has them; a double-click on the Outline opens them."""
+    import fish_painting
+
+    from BalloonWorkbench.app import painting
+    from BalloonWorkbench.core.job import Settings
+    from BalloonWorkbench.gui.paint.display import MODE
+    from BalloonWorkbench.gui.paint.painting import SIDE, Painting
+
+    paper = Painting()
+    for step in fish_painting.steps(SIDE):
+        paper.do(step)
+    file = Path(doc.TransientDir) / "fish.png"
+    paper.file_image().save(str(file), "PNG")
+    solved = painting.solve(file, 300.0, Settings())
+    parts = painting.make(doc, file, 300.0, solved)
+    parts.balloon.getParentGroup().Label = "Painted fish"
+    parts.balloon.ViewObject.DisplayMode = MODE
+    return parts
+
+
+def parametric_heart(doc):
+    """A sketch whose dimensions, and the pressure, come from a spreadsheet: change a cell, all follows."""
+    from BalloonWorkbench.app import create
+
+    sheet = doc.addObject("Spreadsheet::Sheet", "Sizes")
+    rows = (("Width", "width", "250 mm"), ("Height", "height", "230 mm"), ("Pressure", "pressure", "2 kPa"))
+    for row, (title, alias, value) in enumerate(rows, 1):
+        sheet.set(f"A{row}", title)
+        sheet.set(f"B{row}", f"={value}")
+        sheet.setAlias(f"B{row}", alias)
+    doc.recompute()
+    sketch = heart_sketch(doc)
+    lobe = "0.29 * Sizes.width"
+    sketch.setExpression("Constraints.Lobe", lobe)
+    sketch.setExpression("Constraints.Apart", f"Sizes.width - 2 * {lobe}")
+    sketch.setExpression("Constraints.Depth", f"Sizes.height - {lobe}")
+    doc.recompute()
+    parts = create.balloon_from_sketch(doc, sketch, mesh_size=MESH)
+    parts.balloon.setExpression("Pressure", "Sizes.pressure")
+    doc.recompute()
+    sketch.ViewObject.Visibility = False
+    return parts
+
+
+def heart_sketch(doc):
+    """Two lobes and two tangents to the tip: free are only the three named dimensions."""
+    import Part
+    import Sketcher
+
+    def point(x, y):
+        return App.Vector(x, y, 0)
+
+    def lobe(x, start, end):
+        circle = Part.Circle(point(x, 0), App.Vector(0, 0, 1), 72.5)
+        return Part.ArcOfCircle(circle, math.radians(start), math.radians(end))
+
+    obj = doc.addObject("Sketcher::SketchObject", "Heart")
+    right, left = lobe(52.5, -45, 136), lobe(-52.5, 44, 225)
+    down = Part.LineSegment(point(104, -51), point(0, -157))
+    up = Part.LineSegment(point(0, -157), point(-104, -51))
+    obj.addGeometry([right, left, down, up], False)
+    start, end, centre, upright, origin = 1, 2, 3, -2, 1
+    coincident = [(0, end, 1, start), (2, end, 3, start)]
+    for a, pa, b, pb in coincident:
+        obj.addConstraint(Sketcher.Constraint("Coincident", a, pa, b, pb))
+    for a, pa in ((0, end), (2, end)):
+        obj.addConstraint(Sketcher.Constraint("PointOnObject", a, pa, upright))
+    obj.addConstraint(Sketcher.Constraint("PointOnObject", 0, centre, -1))
+    obj.addConstraint(Sketcher.Constraint("Tangent", 0, start, 2, start))
+    obj.addConstraint(Sketcher.Constraint("Tangent", 3, end, 1, end))
+    obj.addConstraint(Sketcher.Constraint("Symmetric", 0, centre, 1, centre, -1, origin))
+    sizes = (
+        ("Lobe", Sketcher.Constraint("Radius", 0, 72.5)),
+        ("Apart", Sketcher.Constraint("DistanceX", 1, centre, 0, centre, 105.0)),
+        ("Depth", Sketcher.Constraint("DistanceY", 2, end, -1, origin, 157.5)),
+    )
+    for name, constraint in sizes:
+        obj.renameConstraint(obj.addConstraint(constraint), name)
+    doc.recompute()
+    return obj
+
+
+def letter_s(doc):
+    """Nothing but arcs: two bowls, broad strokes, round ends."""
+    import Part
+
+    from BalloonWorkbench.app import create
+
+    bowl, stroke, end = 62.0, 60.0, math.radians(10)
+
+    def arc(x, y, radius, start, stop):
+        """Counter-clockwise."""
+        circle = Part.Circle(App.Vector(x, y, 0), App.Vector(0, 0, 1), radius)
+        return Part.ArcOfCircle(circle, start, stop)
+
+    half, quarter = 0.5 * stroke, 0.5 * math.pi
+    geometry = []
+    for side, turn in ((1, 0.0), (-1, math.pi)):  # the lower half is the upper one, turned round
+        x, y = side * bowl * math.cos(end), side * (bowl + bowl * math.sin(end))
+        geometry += [
+            arc(0, side * bowl, bowl + half, end + turn, 3 * quarter + turn),
+            arc(0, side * bowl, bowl - half, end + turn, 3 * quarter + turn),
+            arc(x, y, half, end + turn - math.pi, end + turn),
+        ]
+    sketch = doc.addObject("Sketcher::SketchObject", "LetterS")
+    sketch.Label = "Letter S"
+    sketch.addGeometry(geometry, False)
+    doc.recompute()
+    parts = create.balloon_from_sketch(doc, sketch, mesh_size=MESH)
+    sketch.ViewObject.Visibility = False
+    return parts
+
+
+def ring(doc):
+    """Two circles with their diameters as dimensions."""
+    import Part
+    import Sketcher
+
+    from BalloonWorkbench.app import create
+
+    sketch = doc.addObject("Sketcher::SketchObject", "Circles")
+    for number, (name, radius) in enumerate((("Outside", 150.0), ("Inside", 70.0))):
+        sketch.addGeometry(Part.Circle(App.Vector(), App.Vector(0, 0, 1), radius), False)
+        sketch.addConstraint(Sketcher.Constraint("Coincident", number, 3, -1, 1))
+        added = sketch.addConstraint(Sketcher.Constraint("Diameter", number, 2 * radius))
+        sketch.renameConstraint(added, name)
+    doc.recompute()
+    parts = create.balloon_from_sketch(doc, sketch, mesh_size=12.0)
+    sketch.ViewObject.Visibility = False
+    return parts
+
+
+EXAMPLES = {
+    "painted-fish": painted_fish,
+    "parametric-heart": parametric_heart,
+    "letter": letter_s,
+    "ring": ring,
+}
+
+
+def make(name):
+    """Make one, and save it."""
+    doc = App.newDocument(name.replace("-", " ").capitalize())
+    parts = EXAMPLES[name](doc)
+    wrong = [obj.Status for obj in parts if obj.Status != "up to date"]
+    if wrong:
+        raise SystemExit(f"{name}: {wrong}")
+    Gui.activeDocument().activeView().viewTop()
+    Gui.SendMsgToActiveView("ViewFit")
+    Gui.updateGui()
+    doc.CreatedBy = doc.LastModifiedBy = ""
+    doc.saveAs(str(FOLDER / f"{name}.FCStd"))
+    App.closeDocument(doc.Name)
+    sys.stderr.write(f"{name}: {(FOLDER / f'{name}.FCStd').stat().st_size // 1024} KiB\n")
+
+
+def run():
+    """Make all, or those that the environment variable EXAMPLES names, and end the program."""
+    code = 1
+    try:
+        Gui.activateWorkbench("BalloonWorkbench")
+        settings = App.ParamGet("User parameter:BaseApp/Preferences/Document")
+        settings.SetBool("SaveThumbnail", False)
+        settings.SetBool("CreateBackupFiles", False)
+        wanted = os.environ.get("EXAMPLES", "").split() or list(EXAMPLES)
+        for name in wanted:
+            make(name)
+        code = 0
+    finally:
+        if code:
+            traceback.print_exc()
+        sys.stderr.flush()
+        os._exit(code)
+
+
+sys.path.append(str(Path(__file__).resolve().parent))
+sys.path.insert(0, os.path.join(App.getUserAppDataDir(), "AdditionalPythonPackages"))
+from PySide import QtCore  # noqa: E402
+
+QtCore.QTimer.singleShot(0, run)
