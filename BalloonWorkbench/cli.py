@@ -11,7 +11,7 @@ import sys
 from collections.abc import Sequence
 from typing import Any, NoReturn, TextIO
 
-from BalloonWorkbench import __version__, cli_pattern
+from BalloonWorkbench import __version__, cli_making, cli_pattern
 from BalloonWorkbench.core.design.size_goal import SizeGoal
 from BalloonWorkbench.core.errors import BalloonError, InputError
 from BalloonWorkbench.core.export.fabricate import checked_files
@@ -112,6 +112,7 @@ def _parser() -> argparse.ArgumentParser:
             "--frames", metavar="N", type=int, help="also write so many frames of the inflation, for ParaView"
         )
         _add_machines(command)
+        cli_making.add_making(command)
         cli_pattern.add_pattern(command)
         _add_simulation(command)
     return parser
@@ -202,6 +203,7 @@ def _run(options: argparse.Namespace) -> int:
     width, height = _length(options.width), _length(options.height)
     settings = _settings(options)
     chosen = [machine(name) for name in options.machine]  # a mistake shows before the work
+    make = cli_making.checked(options, _decode())
     line = _StatusLine(sys.stderr)
     try:
         balloon = make_balloon(
@@ -213,13 +215,15 @@ def _run(options: argparse.Namespace) -> int:
             contents.update(inflation_files(balloon, options.frames, line.show))
         made, remarks = checked_files(balloon.sheet, chosen, options.tiled)
         contents.update(made)
+        made, told = make(balloon, chosen, line.show)
+        contents.update(made)
         if settings.goal is not None:
             width = balloon.drawing.size[0]
         if importlib.util.find_spec("FreeCAD") is not None:
             contents[DOCUMENT] = _document(options.input, balloon, width, height)
     finally:
         line.clear()
-    _write(options.out, contents, balloon, remarks)
+    _write(options.out, contents, balloon, remarks, told)
     return 0
 
 
@@ -293,7 +297,9 @@ def _document(drawing: str, balloon: Balloon, width: float | None, height: float
     return fcstd_bytes(drawing, balloon.settings, balloon.designs, width=width, height=height)
 
 
-def _write(folder: str, contents: dict[str, bytes], balloon: Balloon, remarks: Sequence[str]) -> None:
+def _write(
+    folder: str, contents: dict[str, bytes], balloon: Balloon, remarks: Sequence[str], made: Sequence[str]
+) -> None:
     from BalloonWorkbench.core.export.files import write_files
 
     paths = write_files(folder, contents)
@@ -310,9 +316,11 @@ def _write(folder: str, contents: dict[str, bytes], balloon: Balloon, remarks: S
                 f"Silhouette {error['mean']:.2f} mm off the drawing on average, {error['max']:.1f} mm at most"
             )
         lines.append(_lift_line(part["lift"]))
+        lines.append(_making_line(part["maker"]))
     lines += [f"Note: {warning}" for warning in report["warnings"]]
     lines += [_advice_line(finding) for part in report["parts"] for finding in part["advice"]]
     lines += [f"Check: {remark}" for remark in remarks]
+    lines += made
     lines += [f"Wrote {path}" for path in paths]
     sys.stdout.write("\n".join(lines) + "\n")
 
@@ -324,6 +332,18 @@ def _lift_line(lift: dict[str, Any]) -> str:
     if lift["floats_from_width_mm"] is None:
         return f"{weight}; it does not float with {gas_name}"
     return f"{weight}; filled with {gas_name} it floats from {lift['floats_from_width_mm']:.0f} mm width on"
+
+
+def _making_line(maker: dict[str, Any]) -> str:
+    """What it takes, and how much pressure it bears."""
+    strong = maker["strength"]
+    told = f"Film {1e4 * maker['film_area_m2']:.0f} cm2"
+    if maker["roll_length_mm"] is not None:
+        told += f" from {maker['roll_length_mm']:.0f} mm of a {maker['roll_width_mm']:.0f} mm roll"
+    told += f", weld {maker['seam_length_mm']:.0f} mm"
+    if strong["safe_pressure_Pa"] is None:
+        return told
+    return told + f"; {strong['weakest']} safe to {1e-3 * strong['safe_pressure_Pa']:.2g} kPa"
 
 
 def _advice_line(finding: dict[str, Any]) -> str:

@@ -8,7 +8,8 @@
    the drawing, and repeat 3
 5. weld, cut and intake around the corrected seam       pattern/build.py
 6. say what would inflate badly                         coach/coach.py
-7. files                                                export/
+7. say what it takes to make it                         maker/numbers.py
+8. files                                                export/
 """
 
 from __future__ import annotations
@@ -36,6 +37,8 @@ from BalloonWorkbench.core.export.stl import stl_bytes
 from BalloonWorkbench.core.film.filling import Filling
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.film.library import DEFAULT_FILM, film
+from BalloonWorkbench.core.maker.numbers import Numbers, maker_numbers
+from BalloonWorkbench.core.maker.numbers import told as told_numbers
 from BalloonWorkbench.core.outline.drawing import Drawing
 from BalloonWorkbench.core.outline.loops import scale_to
 from BalloonWorkbench.core.outline.outline import Outline
@@ -49,6 +52,8 @@ from BalloonWorkbench.core.pattern.make import Wanted, make_pattern, sheet_of
 from BalloonWorkbench.core.pattern.pattern import Pattern
 from BalloonWorkbench.core.rounded import rounded, rounded_outline
 from BalloonWorkbench.core.solver.animation import inflate_in_time
+from BalloonWorkbench.core.solver.inflate import inflate
+from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.solver.model import Model
 from BalloonWorkbench.core.types import Progress, no_progress
 
@@ -90,6 +95,7 @@ class Part:
 
     design: Design
     pattern: Pattern
+    numbers: Numbers
 
 
 @dataclass(frozen=True)
@@ -154,13 +160,41 @@ def make_balloon(
     for design, outline in zip(designs, drawing.parts, strict=True):
         pattern = make_pattern(design.pattern, settings.film.seal_width, settings.wanted)
         source = report.Source(Path(path).name, kind, outline)
-        made.append(Part(design, pattern))
+        numbers = _numbers(design, pattern, settings)
+        made.append(Part(design, pattern, numbers))
         of_part = report.build(
-            source, settings.film, design, pattern, settings.volume, settings.filling, settings.goal
+            source,
+            settings.film,
+            design,
+            pattern,
+            settings.volume,
+            settings.filling,
+            settings.goal,
+            numbers.valve,
         )
+        of_part["maker"] = told_numbers(numbers)
         told.append(of_part | advice_report(advise_design(design, settings.film)))
     sheet = on_one_sheet([sheet_of(part.pattern, settings.wanted) for part in made])
     return Balloon(drawing, settings, tuple(made), report.together(told, drawing, sheet))
+
+
+def _numbers(design: Design, pattern: Pattern, settings: Settings) -> Numbers:
+    """What a maker wants to know; a film too weak for the pressure is inflated anew at lower ones."""
+
+    def at_pressure(pressure: float) -> Inflation:
+        known = design.inflation
+        return inflate(known.panel, settings.film, pressure, start=known, model=known.report.model)
+
+    return maker_numbers(
+        design.inflation,
+        settings.film,
+        design.pattern,
+        pattern,
+        design.target.size[0],
+        settings.filling,
+        pieces=sheet_of(pattern, replace(settings.wanted, mirror=True, copies=1)),
+        at_pressure=at_pressure,
+    )
 
 
 def _share(progress: Progress, number: int, count: int) -> Progress:

@@ -25,7 +25,7 @@ SCHEMA = 2
 #: What the report tells of each shape of the drawing.
 _OF_A_PART = (
     *("pressure_Pa", "mesh", "solve", "design", "inflated"),
-    *("lift", "pattern", "puffiness", "advice", "warnings"),
+    *("lift", "maker", "pattern", "puffiness", "advice", "warnings"),
 )
 
 
@@ -82,11 +82,12 @@ def build(
     volume: float | None = None,
     filling: Filling | None = None,
     goal: SizeGoal | None = None,
+    valve: float = 0.0,
 ) -> dict[str, Any]:
     """The report of one shape as plain numbers, strings, lists and dicts; keys carry their units.
 
     volume [m3]: what was asked for instead of a pressure; filling: what lifts, helium by default; goal: what
-    decided the size, None for the drawing's own.
+    decided the size, None for the drawing's own; valve: what its intake weighs besides the panels [kg].
     """
     inflation = design.inflation
     panel, solve = inflation.panel, inflation.report
@@ -156,7 +157,7 @@ def build(
             "area_shares": {kind.name.lower(): share for kind, share in state.shares().items()},
         },
         "goal": None if goal is None else _goal(goal),
-        "lift": _lift(design, film, pattern, filling or Filling()),
+        "lift": _lift(design, film, pattern, filling or Filling(), valve),
         "pattern": {
             "width_mm": to_mm(pattern_width),
             "height_mm": to_mm(pattern_height),
@@ -172,10 +173,10 @@ def _goal(goal: SizeGoal) -> dict[str, Any]:
     return {"volume_m3": goal.volume, "lift_g": None if goal.lift is None else to_grams(goal.lift)}
 
 
-def _lift(design: Design, film: Film, pattern: Pattern, filling: Filling) -> dict[str, Any]:
+def _lift(design: Design, film: Film, pattern: Pattern, filling: Filling, valve: float) -> dict[str, Any]:
     """What the balloon weighs, what it carries, and from which width of the drawing on it floats."""
     lightness = filling.lightness(design.inflation.report.pressure)
-    buoyancy = Buoyancy(lightness, film.areal_density, lambda seam: pattern.film_area)
+    buoyancy = Buoyancy(lightness, film.areal_density, lambda seam: pattern.film_area, valve)
     scaling = scaling_of(design, buoyancy)
     lift, scale = scaling.lift_at(1.0, buoyancy), scaling.floating(buoyancy)
     return {

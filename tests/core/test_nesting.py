@@ -109,6 +109,15 @@ def test_sheets_hold_as_many_as_fit() -> None:
 
 
 @RIGHT
+@pytest.mark.parametrize("width", [0.15, 1.5, 19.0])
+def test_one_piece_on_any_width(width: float) -> None:
+    pieces = [Piece(build_pattern(corners_of((0, 0), (0.1, 0), (0.1, 0.01), (0, 0.01)), 0.003, intake=False))]
+    (layout,), _ = nest(pieces, Stock(width), lambda share, text: share < 0.02)
+    hold(layout, pieces)
+    assert layout.length < 0.15
+
+
+@RIGHT
 def test_stopping_takes_what_there_is() -> None:
     pieces = [Piece(HEART, 2)]
     asked: list[str] = []
@@ -170,6 +179,7 @@ def test_back_leaves_out_what_only_the_front_has() -> None:
         ([Piece(HEART)], Stock(0.5, 0.05), "does not fit"),
         ([Piece(HEART)], Stock(0.5, spacing=-0.001), "spacing"),
         ([Piece(HEART)], Stock(math.nan), "width"),
+        ([Piece(HEART)], Stock(500.0), "write 500mm"),
     ],
 )
 def test_senseless_wishes_are_refused(pieces: list[Piece], stock: Stock, text: str) -> None:

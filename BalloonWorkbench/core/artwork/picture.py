@@ -78,6 +78,11 @@ def placed(pixels: Pixels, low: Floats, width: float) -> Picture:
     return Picture(filled, np.asarray(low, dtype=np.float64), np.array([pixel, pixel]))
 
 
+def mirrored(picture: Picture) -> Picture:
+    """The picture seen from behind, in the same place."""
+    return Picture(np.ascontiguousarray(picture.pixels[:, ::-1]), picture.low, picture.pixel)
+
+
 def carried_on(pixels: Pixels, inside: Bools) -> Pixels:
     """The picture with each pixel that is not inside (h, w) replaced by the nearest one that is.
 

@@ -19,6 +19,7 @@ from BalloonWorkbench.core.units import from_mm, mm_text
 
 SPACING = from_mm(3.0)
 _MOST_COPIES = 200
+_MOST_FILM = 20.0  # m
 
 
 class Grain(Enum):
@@ -148,6 +149,8 @@ def check(pieces: Sequence[Piece], stock: Stock) -> None:
     numbers = (stock.width, stock.spacing, *(() if stock.length is None else (stock.length,)))
     if not (np.isfinite(numbers).all() and stock.spacing >= 0.0 and stock.room > 0.0):
         raise InputError("The film needs a width of more than two spacings, and no spacing below 0.")
+    if max(stock.width, stock.length or 0.0) > _MOST_FILM:
+        raise InputError(f"Film {max(stock.width, stock.length or 0.0):g} m large is too much: write 500mm.")
     room = np.inf if stock.length is None else stock.length - 2.0 * stock.spacing
     for piece in pieces:
         sizes = [

@@ -14,6 +14,7 @@ import signal
 import threading
 import time
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -34,6 +35,8 @@ _SLACK = from_mm(0.15)
 _SEED = 1
 _LIMIT = 600  # s, an end to the search should it never come to one
 _USUAL = 20.0  # s
+#: A strip that the pieces would fill to less than that is laid in rows [m].
+_LEAST_DEPTH = from_mm(5.0)
 _LOOK = 0.05  # s
 #: A signal that nobody else uses; none is ever sent from outside.
 _SIGNAL = getattr(signal, "SIGUSR1", None) or signal.SIGTERM
@@ -113,7 +116,12 @@ def _strip(
         items.append(spyrrow.Item(f"{number} {int(mirrored)}", points, count, angles))
     # outlines lie up to two slacks outside the pieces, so a piece may fill the room to the last
     edge = max(stock.spacing - 2.0 * _SLACK, 0.0)
-    instance = spyrrow.StripPackingInstance("", to_mm(stock.width - 2.0 * edge), items)
+    # no higher than all pieces on top of each other: a strip that is all width is none to the library
+    stacked = sum(max(pieces[number].pattern.size) + 2.0 * stock.spacing for number, _ in units)
+    height = min(stock.width - 2.0 * edge, stacked)
+    if _area_of(pieces, units) / height < _LEAST_DEPTH + 4.0 * stock.spacing:
+        return _one_row(pieces, stock, units)
+    instance = spyrrow.StripPackingInstance("", to_mm(height), items)
     config = spyrrow.StripPackingConfig(
         early_termination=True,
         total_computation_time=None,
@@ -132,6 +140,17 @@ def _strip(
         angle = float(np.radians(placed.rotation))
         places.append(Place(int(number), side == "1", angle, from_mm(np.array(placed.translation)) + origin))
     return places, from_mm(found.width) + 2.0 * edge
+
+
+def _area_of(pieces: Sequence[Piece], units: Sequence[Unit]) -> float:
+    """Film in pieces [m2]."""
+    return sum(pieces[number].pattern.film_area for number, _ in units)
+
+
+def _one_row(pieces: Sequence[Piece], stock: Stock, units: Sequence[Unit]) -> tuple[list[Place], float]:
+    """Few small pieces on wide film: rows are as good."""
+    (places,) = in_rows(pieces, replace(stock, length=None), units)
+    return places, layout_of(replace(stock, length=None), pieces, places).length
 
 
 class _Enough(Exception):

@@ -7,21 +7,31 @@ from dataclasses import replace
 
 import numpy as np
 
-from BalloonWorkbench.core.pattern.pattern import Contour, Intake, Pattern
+from BalloonWorkbench.core.packages import shapely
+from BalloonWorkbench.core.pattern.pattern import Contour, Intake, Pattern, Role
 from BalloonWorkbench.core.types import Floats
+
+_HAIR = 1e-6  # m; a cut lies on its own film
 
 
 def back_of(pattern: Pattern) -> Pattern:
-    """The back panel: mirrored about the y axis, without what only the front has; closed loops keep their
-    sense."""
+    """The back panel: mirrored about the y axis, without what only the front has.
+
+    Closed loops keep their sense, and a label stays readable.
+    """
     flip = np.array([-1.0, 1.0])
+    text = [contour.points[:, 0] for contour in pattern.contours if contour.role is Role.ENGRAVE]
+    ends = np.concatenate(text) if text else np.zeros(1)
+    beside = np.array([-float(ends.min() + ends.max()), 0.0])
+
+    def laid(contour: Contour) -> Contour:
+        if contour.role is Role.ENGRAVE:
+            return replace(contour, points=contour.points + beside)
+        return replace(contour, points=_kept_sense(contour, contour.points * flip))
+
     return replace(
         pattern,
-        contours=tuple(
-            replace(contour, points=_kept_sense(contour, contour.points * flip))
-            for contour in pattern.contours
-            if not contour.front
-        ),
+        contours=tuple(laid(contour) for contour in pattern.contours if not contour.front),
         intake=None if pattern.intake is None else _mirrored(pattern.intake),
         more_intakes=tuple(_mirrored(intake) for intake in pattern.more_intakes),
     )
@@ -34,6 +44,29 @@ def _kept_sense(contour: Contour, points: Floats) -> Floats:
 
 def _mirrored(intake: Intake) -> Intake:
     return replace(intake, at=intake.at * (-1.0, 1.0), angle=float(np.pi - intake.angle))
+
+
+def split(pattern: Pattern) -> list[Pattern]:
+    """The pieces of film that a pattern consists of: each outer cut with all lines inside it."""
+    package = shapely()
+    films = [package.Polygon(cut.points).buffer(_HAIR) for cut in pattern.of(Role.CUT)]
+    owned: list[list[Contour]] = [[] for _ in films]
+    for contour in pattern.contours:
+        at = package.Point(contour.points[len(contour.points) // 2])
+        for film, lines in zip(films, owned):
+            if film.contains(at):
+                lines.append(contour)
+                break
+    return [
+        replace(pattern, contours=tuple(lines), intake=None, more_intakes=(), seam_length=_seams(lines))
+        for lines in owned
+    ]
+
+
+def _seams(lines: list[Contour]) -> float:
+    seals = [line for line in lines if line.role is Role.SEAL]
+    ends = [np.concatenate([seal.points, seal.points[:1]]) if seal.closed else seal.points for seal in seals]
+    return float(sum(np.hypot(*np.diff(points, axis=0).T).sum() for points in ends))
 
 
 def turned(pattern: Pattern, angle: float, shift: Floats) -> Pattern:

@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The options of the command line for making a balloon: prints, layout on film, assembly sheet."""
+
+from __future__ import annotations
+
+import argparse
+import re
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any
+
+from BalloonWorkbench.core.artwork.marks import BLEED
+from BalloonWorkbench.core.artwork.sheet import DPI
+from BalloonWorkbench.core.assembly.page import PAGES
+from BalloonWorkbench.core.errors import ExportError, InputError
+from BalloonWorkbench.core.export.fabricate import checked_files
+from BalloonWorkbench.core.export.machine import ANY, Machine, machine
+from BalloonWorkbench.core.job import Balloon
+from BalloonWorkbench.core.making import Artwork, assembly_files, nested, print_files
+from BalloonWorkbench.core.nesting.layout import SPACING, Grain, Stock
+from BalloonWorkbench.core.outline.decode import decode, picture_size
+from BalloonWorkbench.core.types import Progress
+from BalloonWorkbench.core.units import mm_text, parse_length, to_mm
+
+
+def add_making(command: argparse.ArgumentParser) -> None:
+    """Options for what is made beside the pattern."""
+    group = command.add_argument_group("making")
+    group.add_argument(
+        "--artwork",
+        metavar="PICTURE",
+        help="print this on the balloon; the input itself as it was drawn",
+    )
+    group.add_argument("--artwork-back", metavar="PICTURE", help="another picture for the back")
+    group.add_argument(
+        "--dpi", metavar="N", type=float, default=DPI, help=f"resolution of the prints (default {DPI:g})"
+    )
+    group.add_argument(
+        "--bleed",
+        metavar="LENGTH",
+        help=f"how far the print goes past the cut (default {mm_text(BLEED).replace(' ', '')})",
+    )
+    group.add_argument(
+        "--nest", metavar="WIDTH[xLENGTH]", help="lay all panels out on a roll of this width, or on sheets"
+    )
+    group.add_argument(
+        "--balloons", metavar="N", type=int, default=1, help="how many are laid out (default 1)"
+    )
+    group.add_argument(
+        "--spacing",
+        metavar="LENGTH",
+        help=f"between pieces laid out (default {mm_text(SPACING).replace(' ', '')})",
+    )
+    group.add_argument(
+        "--grain-lies",
+        choices=[grain.value for grain in Grain],
+        default=Grain.ALONG.value,
+        help="how the grain of pieces lies on the roll (default along)",
+    )
+    group.add_argument("--assembly", choices=list(PAGES), help="write an assembly sheet on this paper")
+
+
+def checked(options: argparse.Namespace, reader: Callable[[Path], Any] | None) -> Callable[..., Any]:
+    """Look at the options before the work; returns what makes the files of a balloon.
+
+    reader  of pictures, None for OpenCV. Raises InputError for options that make no sense.
+    """
+    artwork = _artwork(options, reader or decode)
+    stock = None if options.nest is None else _stock(options)
+
+    def make(
+        balloon: Balloon, chosen: Sequence[Machine], progress: Progress
+    ) -> tuple[dict[str, bytes], list[str]]:
+        """Contents of the files by name, and lines for the user."""
+        machines = list(chosen) or [machine(name) for name in ANY.values()]
+        contents: dict[str, bytes] = {}
+        lines: list[str] = []
+        if artwork is not None:
+            progress(1.0, "printing")
+            files, front, back = print_files(balloon, artwork)
+            contents |= files
+            for side, sheet in (("front", front), ("back", back)):
+                made, remarks = checked_files(sheet.pattern, machines)
+                contents |= {f"print-{side}-{name}": content for name, content in made.items()}
+                lines += [f"Check, {side}: {remark}" for remark in remarks]
+            width, height = front.size
+            lines.append(
+                f"Print {to_mm(width):.0f} x {to_mm(height):.0f} mm at {front.dpi:g} dpi, front and back"
+            )
+        if stock is not None:
+            contents |= _nest(balloon, stock, options.balloons, machines, progress, lines)
+        if options.assembly is not None:
+            contents |= assembly_files(balloon, Path(options.input).stem.capitalize(), options.assembly)
+        return contents, lines
+
+    return make
+
+
+def _artwork(options: argparse.Namespace, reader: Callable[[Path], Any]) -> Artwork | None:
+    if options.artwork is None:
+        if options.artwork_back is not None:
+            raise InputError("Give --artwork for the front too.")
+        return None
+    paths = [Path(name) for name in (options.artwork, options.artwork_back) if name is not None]
+    for path in paths:
+        picture_size(path)
+    front, *back = (reader(path) for path in paths)
+    traced = Path(options.input).exists() and paths[0].read_bytes() == Path(options.input).read_bytes()
+    bleed = BLEED if options.bleed is None else parse_length(options.bleed)
+    return Artwork(front, traced, back[0] if back else None, options.dpi, bleed)
+
+
+def _stock(options: argparse.Namespace) -> Stock:
+    """'500mm', '500mmx700mm' or '50 x 70 cm': width, and length of a sheet."""
+    words = re.split(r"\s*[x×]\s*", options.nest.strip())
+    if not 1 <= len(words) <= 2:
+        raise InputError(f"'{options.nest}' is no film: write 500mm for a roll, 500mmx700mm for sheets.")
+    unit = re.sub(r"[\d.\s]", "", words[-1])
+    sizes = [parse_length(word if re.search(r"[^\d.]", word) else word + unit) for word in words]
+    spacing = SPACING if options.spacing is None else parse_length(options.spacing)
+    return Stock(sizes[0], sizes[1] if len(sizes) > 1 else None, spacing, Grain(options.grain_lies))
+
+
+def _nest(
+    balloon: Balloon,
+    stock: Stock,
+    count: int,
+    machines: Sequence[Machine],
+    progress: Progress,
+    lines: list[str],
+) -> dict[str, bytes]:
+    layouts, pieces, remarks = nested(balloon, stock, count, progress)
+    contents: dict[str, bytes] = {}
+    for number, layout in enumerate(layouts, 1):
+        which = "" if number == 1 else f"-{number}"
+        for each in machines:
+            try:
+                made, doubts = checked_files(layout.pattern(pieces), [each])
+            except ExportError as error:
+                lines.append(f"Left out: {error}")
+                continue
+            contents |= {f"nested{which}-{name}": content for name, content in made.items()}
+            lines += [f"Check, film {number}: {doubt}" for doubt in doubts]
+        lines.append(
+            f"Film {number}: {len(layout.places)} pieces on {to_mm(layout.length):.0f} x"
+            f" {to_mm(stock.width):.0f} mm, {100.0 * layout.utilisation:.0f} % used"
+        )
+    lines += [f"Note: {remark}" for remark in remarks]
+    return contents
