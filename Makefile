@@ -5,7 +5,7 @@ SHELL := /bin/bash
 .DEFAULT_GOAL := help
 PYTHON := .venv/bin/python
 
-.PHONY: help setup native demo test test-core test-app test-gui matrix lint format validation bench fuzz freecad clean
+.PHONY: help setup native demo test test-core test-app test-gui matrix lint format validation bench fuzz release release-check translations freecad clean
 
 help: ## List these targets
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' $(MAKEFILE_LIST) | expand -t 12
@@ -55,6 +55,25 @@ bench: native ## Time against a yardstick, NumPy and Surface Evolver, write docs
 
 fuzz: native ## Inflate 2 000 random outlines
 	@BALLOON_OUTLINES=2000 $(PYTHON) -m pytest -q -o faulthandler_timeout=0 tests/core/test_random_outlines.py
+
+build/release-tools/made-from: tools/requirements-release.txt | setup
+	@.venv/bin/pip install --quiet --disable-pip-version-check --upgrade --target build/release-tools -r $<
+	@cp $< $@
+
+release release-check: export PYTHONPATH := $(CURDIR)/build/release-tools
+
+release: build/release-tools/made-from ## Compile the solver for five platforms, pack addon and wheels into build/release
+	@$(PYTHON) tools/native_libraries.py build/native-libraries
+	@$(PYTHON) tools/release.py build/native-libraries build/release
+
+release-check: release ## Run and read what was released: here, in QEMU, in Wine
+	@tools/install-debian-packages.sh debian-packages-release.txt
+	@$(PYTHON) tools/check_release.py build/native-libraries build/release
+
+translations: setup ## Collect the texts of the source into resources/translations, compile what is translated
+	@tools/install-debian-packages.sh debian-packages-translations.txt
+	@$(PYTHON) tools/translations.py
+	@lrelease -silent resources/translations/*.ts
 
 freecad: native ## Open FreeCAD with the workbench, in a user folder of its own under build
 	@tools/in-freecad.sh build/freecad freecad

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from BalloonWorkbench.app import preferences
-from BalloonWorkbench.gui.panels.fields import new_box
+from BalloonWorkbench.gui.panels.fields import new_quantity_box
 from BalloonWorkbench.gui.qt import QtWidgets, translate
 from BalloonWorkbench.gui.sentences import tell
 
@@ -60,12 +60,12 @@ class PreferencesPage:
                 ("Film", translate("Film")),
                 ("Width", translate("Width")),
                 ("Pressure", translate("Pressure")),
-                ("SealWidth", translate("Seal width")),
+                ("SealWidth", translate("Seal width (0: the film's)")),
                 ("Allowance", translate("Allowance")),
             ],
             translate("Simulation"): [
                 ("Backend", translate("Solver")),
-                ("MeshSize", translate("Mesh size")),
+                ("MeshSize", translate("Mesh size (0: automatic)")),
                 ("Live", translate("Follow every change at once")),
             ],
             translate("Export"): [
@@ -77,7 +77,7 @@ class PreferencesPage:
     def _field(self, key: str, label: str):
         item = preferences.items()[key]
         if key in _UNITS:
-            field = new_box("Gui::QuantitySpinBox")
+            field = new_quantity_box()
             field.setProperty("unit", _UNITS[key])
             field.setProperty("minimum", 0.0)
         elif preferences.choices(key):

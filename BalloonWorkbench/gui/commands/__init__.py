@@ -5,17 +5,16 @@ from __future__ import annotations
 
 import FreeCADGui as Gui
 
-from BalloonWorkbench.app.host import help_text
 from BalloonWorkbench.gui.commands import examples
 from BalloonWorkbench.gui.commands.advice import Advice
 from BalloonWorkbench.gui.commands.animate import Animate
 from BalloonWorkbench.gui.commands.colour_map import ColourMap
+from BalloonWorkbench.gui.commands.documented import documented
 from BalloonWorkbench.gui.commands.equipment import Equipment
 from BalloonWorkbench.gui.commands.export_pattern import ExportPattern
 from BalloonWorkbench.gui.commands.from_picture import FromPicture
 from BalloonWorkbench.gui.commands.from_sketch import FromSketch
 from BalloonWorkbench.gui.commands.paint import Paint
-from BalloonWorkbench.gui.qt import HELP
 
 _COMMANDS = {
     "BalloonWorkbench_Paint": Paint,
@@ -27,17 +26,6 @@ _COMMANDS = {
     "BalloonWorkbench_ExportPattern": ExportPattern,
 }
 
-#: B for balloon, then a letter that FreeCAD's own workbenches leave free.
-_KEYS = {
-    "Paint": "B, D",
-    "FromPicture": "B, I",
-    "FromSketch": "B, K",
-    "Advice": "B, A",
-    "ColourMap": "B, M",
-    "Animate": "B, V",
-    "ExportPattern": "B, E",
-}
-
 #: In the menu only.
 _RARE = {"BalloonWorkbench_Examples": examples.Examples, "BalloonWorkbench_Equipment": Equipment}
 
@@ -46,15 +34,5 @@ def register() -> tuple[list[str], list[str]]:
     """Make the commands known to FreeCAD; returns the names for the toolbar and those for the menu."""
     examples.register()
     for name, command in (_COMMANDS | _RARE).items():
-        Gui.addCommand(name, _documented(name, command()))
+        Gui.addCommand(name, documented(name, command()))
     return list(_COMMANDS), [*_COMMANDS, "Separator", *_RARE]
-
-
-def _documented(name: str, command):
-    """The command with its keys, a status tip, and the page that What's this shows."""
-    own, short = command.GetResources(), name.split("_")[1]
-    own |= {"StatusTip": own["ToolTip"], "WhatsThis": help_text(HELP / f"{short}.html")}
-    if short in _KEYS:
-        own["Accel"] = _KEYS[short]
-    command.GetResources = lambda: own
-    return command

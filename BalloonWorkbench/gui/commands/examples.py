@@ -7,6 +7,7 @@ import FreeCADGui as Gui
 
 from BalloonWorkbench.app.examples import EXAMPLES, Example, open_copy
 from BalloonWorkbench.app.properties import QT_TRANSLATE_NOOP
+from BalloonWorkbench.gui.commands.documented import documented
 from BalloonWorkbench.gui.qt import icon, translate
 
 
@@ -58,4 +59,4 @@ def _name(example: Example) -> str:
 def register() -> None:
     """Make the commands of the submenu known to FreeCAD."""
     for example in EXAMPLES:
-        Gui.addCommand(_name(example), OpenExample(example))
+        Gui.addCommand(_name(example), documented(_name(example), OpenExample(example), "Examples"))

@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What FreeCAD's users expect of every command besides a name: keys, a status tip, and What's this."""
+
+from __future__ import annotations
+
+from BalloonWorkbench.app.host import help_text
+from BalloonWorkbench.gui.qt import HELP
+
+#: B for balloon, then a letter that FreeCAD's own workbenches leave free.
+_KEYS = {
+    "Paint": "B, D",
+    "FromPicture": "B, I",
+    "FromSketch": "B, K",
+    "Advice": "B, A",
+    "ColourMap": "B, M",
+    "Animate": "B, V",
+    "ExportPattern": "B, E",
+}
+
+
+def documented(name: str, command, page: str = ""):
+    """The command, with a page of docs/help: that of its own name, or another one."""
+    own, short = command.GetResources(), name.split("_")[1]
+    own |= {"StatusTip": own["ToolTip"], "WhatsThis": help_text(HELP / f"{page or short}.html")}
+    if short in _KEYS:
+        own["Accel"] = _KEYS[short]
+    command.GetResources = lambda: own
+    return command

@@ -1,0 +1,186 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the user does is written into the macro, and the macro does it again, without a window."""
+
+import json
+import subprocess
+from pathlib import Path
+
+import FreeCAD as App
+import FreeCADGui as Gui
+import hands
+import pytest
+import sketches
+
+from BalloonWorkbench.app import create
+from BalloonWorkbench.app.parts import patterns
+from BalloonWorkbench.gui import record
+
+HEART = Path("resources/examples/pictures/heart.png").resolve()
+
+
+@pytest.fixture
+def macro(monkeypatch):
+    """The lines that go into the macro; they run as in FreeCAD."""
+    lines = []
+    run = Gui.doCommand
+
+    def listen(line):
+        lines.append(line)
+        run(line)
+
+    monkeypatch.setattr(record.Gui, "doCommand", listen)
+    return lines
+
+
+def measures(doc):
+    """What two documents must agree in."""
+    found = {}
+    for pattern in patterns(doc):
+        balloon = pattern.Balloon
+        found[balloon.Name] = [
+            balloon.Volume.Value,
+            balloon.InflatedThickness.Value,
+            balloon.Mesh.CountFacets,
+            pattern.PatternWidth.Value,
+            pattern.SeamLength.Value,
+        ]
+    return found
+
+
+def run_without_window(lines, tmp_path, before=""):
+    """Run a macro in FreeCAD's console program; returns the measures of its document."""
+    told = tmp_path / "told.json"
+    code = f"""
+import json, os, sys
+import FreeCAD as App
+App.newDocument("Replay")
+{before}
+{chr(10).join(lines)}
+sys.path.append({str(Path(__file__).parent)!r})
+from BalloonWorkbench.app.parts import patterns
+found = {{}}
+for pattern in patterns(App.ActiveDocument):
+    balloon = pattern.Balloon
+    found[balloon.Name] = [balloon.Volume.Value, balloon.InflatedThickness.Value, balloon.Mesh.CountFacets,
+                           pattern.PatternWidth.Value, pattern.SeamLength.Value]
+open({str(told)!r}, "w").write(json.dumps(found))
+os._exit(0)
+"""
+    path = tmp_path / "replay.py"
+    path.write_text(code, encoding="utf-8")
+    ended = subprocess.run(
+        ["freecadcmd", str(path)], capture_output=True, text=True, timeout=120, check=False
+    )
+    assert told.exists(), ended.stdout + ended.stderr
+    return json.loads(told.read_text(encoding="utf-8"))
+
+
+def test_new_balloon_from_picture(macro, tmp_path):
+    Gui.runCommand("BalloonWorkbench_FromPicture")
+    hands.wait_until(hands.panel_is_open)
+    hands.type_into(hands.find("Drawing"), str(HEART))
+    hands.type_into(hands.find("Width"), "120 mm")
+    hands.type_into(hands.find("MeshSize"), "12 mm")
+    hands.choose(hands.find("Film"), "pe")
+    hands.type_into(hands.find("Allowance"), "4 mm")
+    hands.press("Ok")
+    hands.wait_until(hands.panel_is_closed, 120)
+    made = [line for line in macro if "from_picture" in line]
+    assert len(made) == 1
+    assert f'from_picture(App.ActiveDocument, "{HEART}", width="120 mm"' in made[0]
+    assert all(text in made[0] for text in ('film="pe"', 'mesh_size="12 mm"', 'allowance="4 mm"'))
+    assert "young" not in made[0], "the film's own values need no saying"
+    replayed = run_without_window(macro, tmp_path)
+    assert list(replayed) == list(measures(App.ActiveDocument))
+    for name, expected in measures(App.ActiveDocument).items():
+        assert replayed[name] == pytest.approx(expected, rel=1e-6)
+
+
+def test_cancelled_balloon_leaves_no_line(doc, macro):
+    Gui.runCommand("BalloonWorkbench_FromPicture")
+    hands.wait_until(hands.panel_is_open)
+    hands.press("Cancel")
+    assert not macro
+
+
+def test_edit_records_what_changed(opened, macro, tmp_path):
+    """The same line does the same to another balloon like it."""
+    hands.type_into(hands.find("Pressure"), "1.2 kPa")
+    hands.press("Ok")
+    hands.wait_until(hands.panel_is_closed, 60)
+    balloon = f'BalloonWorkbench.parts(App.ActiveDocument.getObject("{opened.balloon.Name}"))'
+    assert macro == ["import BalloonWorkbench", f'BalloonWorkbench.change({balloon}, pressure="1.2 kPa")']
+    before = f"""
+sys.path.append({str(Path(sketches.__file__).parent)!r})
+import sketches
+from BalloonWorkbench.app import create
+plate = sketches.rectangle(App.ActiveDocument, 90, 60)
+create.balloon_from_sketch(App.ActiveDocument, plate, mesh_size=12, correct=False)
+"""
+    replayed = run_without_window(macro, tmp_path, before)
+    expected = measures(opened.balloon.Document)[opened.balloon.Name]
+    assert replayed[opened.balloon.Name] == pytest.approx(expected, rel=1e-6)
+
+
+def test_from_sketch(doc, macro):
+    sketch = sketches.rectangle(doc, 90, 60)
+    Gui.Selection.addSelection(sketch)
+    Gui.runCommand("BalloonWorkbench_FromSketch")
+    hands.wait_until(hands.panel_is_open)
+    hands.type_into(hands.find("MeshSize"), "15 mm")
+    hands.press("Ok")
+    hands.wait_until(hands.panel_is_closed, 120)
+    source = f'App.ActiveDocument.getObject("{sketch.Name}")'
+    made = f'BalloonWorkbench.from_sketch(App.ActiveDocument, {source}, mesh_size="15 mm")'
+    assert macro[-1] == f"balloon = {made}"
+    count = len(doc.Objects)
+    exec(macro[-1], {"BalloonWorkbench": __import__("BalloonWorkbench"), "App": App})
+    assert len(doc.Objects) == count + 4, "run again, it makes a second balloon"
+    first, second = measures(doc).values()
+    assert second == pytest.approx(first, rel=1e-6)
+
+
+def test_recorded_call_does_not_run_twice(doc, macro):
+    """The window has done the work: while its call is recorded nothing is made."""
+    made = create.make(doc)
+    count = len(doc.Objects)
+    record.call("from_picture", "App.ActiveDocument", '"no such file.png"', result=made, name="balloon")
+    assert len(doc.Objects) == count
+    assert macro[-1] == 'balloon = BalloonWorkbench.from_picture(App.ActiveDocument, "no such file.png")'
+
+
+def test_export(opened, macro, tmp_path):
+    hands.press("Cancel")
+    Gui.runCommand("BalloonWorkbench_ExportPattern")
+    hands.wait_until(hands.panel_is_open)
+    hands.type_into(hands.find("File"), str(tmp_path / "plate.dxf"))
+    hands.press("Ok")
+    hands.wait_until(hands.panel_is_closed)
+    written = next(tmp_path.glob("plate*"))
+    content = written.read_bytes()
+    written.unlink()
+    exec("\n".join(macro), {"App": App})
+    assert written.read_bytes() == content
+
+
+def test_repair(doc, macro):
+    import Part
+
+    corners = [(0, 0), (120, 0), (120, 45), (220, 45), (220, 53), (120, 53), (120, 100), (0, 100)]
+    wire = doc.addObject("Part::Feature", "Plate")
+    wire.Shape = Part.makePolygon([App.Vector(x, y) for x, y in (*corners, corners[0])])
+    made = create.balloon_from_sketch(doc, wire, mesh_size=14, correct=False, intake=False)
+    Gui.runCommand("BalloonWorkbench_Advice")
+    hands.wait_until(hands.panel_is_open)
+    findings = hands.find("Findings")
+    findings.setCurrentRow(0)
+    hands.wait(0.1)
+    hands.click(hands.find("Repair"))
+    hands.wait(0.1)
+    repaired = list(made.outline.Repairs)
+    assert len(repaired) == 1
+    made.outline.Repairs = []
+    doc.recompute()
+    exec("\n".join(macro), {"App": App})
+    assert list(made.outline.Repairs) == repaired
+    hands.press("Close")
