@@ -38,9 +38,8 @@ def curve_wire(curve: Curve):
 
 
 def spline_wire(curve: Curve, tolerance: float = from_mm(0.005)):
-    """A wire of straight edges and splines: what is smooth between them is one spline within a tolerance [m]."""
+    """A wire of straight edges and splines: smooth stretches between them are one each, near to it [m]."""
     turned = curve.begun_at(int(np.flatnonzero(curve.corners)[0])) if _cornered(curve) else curve
-    first, last = turned.headings
     corners, straight = turned.corners, turned.bulges == 0.0
     edges, run = [], []
     for k in range(len(turned)):

@@ -172,7 +172,7 @@ def test_polyline_is_a_curve_of_lines() -> None:
     assert np.array_equal(curve.flattened(1e-3), NAMED["star"].outer)
 
 
-@pytest.mark.parametrize("name", ["heart", "star"])
+@pytest.mark.parametrize("name", ["heart", "star", "fish", "trex"])
 def test_patterns_of_pictures_take_a_tenth(name: str) -> None:
     """Ten times fewer lines and arcs than the seam of a corrected pattern has points."""
     balloon = make_balloon(PICTURES / f"{name}.png", Settings(), width=0.3)

@@ -82,7 +82,8 @@ def _curves(contour: Contour, machine: Machine) -> Iterator[Curve]:
     """The curves [mm] of one contour: several where the kerf parts it, none where it swallows it."""
     cuts = contour.role in (Role.CUT, Role.CUT_INNER)
     for points in without_kerf(contour, machine.kerf) if cuts else (contour.points,):
-        fit = fit_curve(points, contour.closed) if machine.arcs else polyline(points, contour.closed)
+        line = polyline(points, contour.closed)
+        fit = fit_curve(points, contour.closed, machine.tolerance) if machine.arcs else line
         curve = fit.moved(np.zeros(2), 1.0 / MILLIMETRE)
         if contour.role is Role.SEAL and contour.closed:
             curve = overrun(curve, to_mm(machine.overrun))

@@ -16,8 +16,9 @@ from typing import Any
 
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.export.layers import LAYERS
+from BalloonWorkbench.core.pattern.arcs import TOLERANCE
 from BalloonWorkbench.core.pattern.pattern import Role
-from BalloonWorkbench.core.units import INCH, MILLIMETRE, from_mm
+from BalloonWorkbench.core.units import INCH, MILLIMETRE, from_mm, to_mm
 
 FOLDER = Path(__file__).resolve().parents[3] / "resources" / "machines"
 
@@ -48,7 +49,7 @@ class Machine:
 
     format     one of ENDINGS; version is R2000 or R12 for DXF
     unit       of the coordinates, "mm" or "in"
-    arcs       arcs where they fit, else polylines only
+    arcs       arcs where they fit, else polylines only; tolerance how far they may be from the points [m]
     layers     the roles that are written
     bed        width and height that it can work on [m], None where there is no limit
     kerf       width that the beam takes away; knife_offset of a swivel knife behind its axis; overrun of a
@@ -73,6 +74,7 @@ class Machine:
     least_gap: float
     control_bar: bool
     file: str = ""
+    tolerance: float = TOLERANCE
 
     @property
     def file_name(self) -> str:
@@ -141,7 +143,7 @@ def read_machine(path: Path) -> Machine:
 
 _KEYS = {
     "name", "title", "note", "format", "version", "unit", "arcs", "bed_mm", "kerf_mm", "knife_offset_mm",
-    "overrun_mm", "control_bar", "file", "least_radius_mm", "least_gap_mm", "layers",
+    "overrun_mm", "control_bar", "file", "tolerance_mm", "least_radius_mm", "least_gap_mm", "layers",
 }  # fmt: skip
 
 
@@ -167,6 +169,7 @@ def _machine_of(data: dict[str, Any]) -> Machine:
         least_gap=_length(data["least_gap_mm"], "least_gap_mm", 0.0),
         control_bar=_truth(data["control_bar"], "control_bar"),
         file=str(data.get("file", "")),
+        tolerance=_length(data.get("tolerance_mm", to_mm(TOLERANCE)), "tolerance_mm", 0.005, 0.5),
     )
     if not _FILE_NAME.fullmatch(found.file):
         raise InputError(f'the file name "{found.file}" may have letters, digits, spaces, _, - and . only.')

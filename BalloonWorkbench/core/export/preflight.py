@@ -11,10 +11,10 @@ import numpy as np
 from BalloonWorkbench.core.export.drawing import BAR, BAR_ROOM
 from BalloonWorkbench.core.export.machine import Machine
 from BalloonWorkbench.core.packages import shapely
-from BalloonWorkbench.core.pattern.arcs import fit_curve
+from BalloonWorkbench.core.pattern.arcs import TOLERANCE, fit_curve
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
 from BalloonWorkbench.core.types import Floats
-from BalloonWorkbench.core.units import INCH, from_mm, mm_text, place_text
+from BalloonWorkbench.core.units import INCH, from_mm, mm_text, place_text, to_mm
 
 ERROR, WARNING = "error", "warning"
 
@@ -22,6 +22,8 @@ ERROR, WARNING = "error", "warning"
 _SPACING = from_mm(0.25)
 #: Two places of one line are a gap between them when the way along it is so many times as long as across.
 _WAY_ROUND = 3.0
+#: Share of the tolerance with which a radius that is too small is measured once more.
+_FINE = 0.25
 _CUTS = (Role.CUT_INNER, Role.CUT)
 #: Lines whose bends matter; letters and marks have their own.
 _LONG = (*_CUTS, Role.SEAL, Role.WELD)
@@ -97,22 +99,28 @@ def _radius(contours: list[Contour], machine: Machine) -> list[Finding]:
     """The tightest bend between corners; corners themselves are meant."""
     least: tuple[float, Floats] | None = None
     for contour in contours:
-        curve = fit_curve(contour.points, contour.closed)
-        if len(curve):
-            radii = curve.radii
-            tightest = int(np.argmin(radii))
-            if least is None or radii[tightest] < least[0]:
-                least = float(radii[tightest]), curve.starts[tightest]
+        radius, place = _tightest(contour, TOLERANCE)
+        if radius < machine.least_radius:
+            radius, place = _tightest(contour, _FINE * TOLERANCE)
+        if least is None or radius < least[0]:
+            least = radius, place
     if least is None or least[0] >= machine.least_radius:
         return []
     return [
         Finding(
             WARNING,
-            f"The smallest radius is {mm_text(least[0])}, near {place_text(least[1])};"
+            f"The smallest radius is {to_mm(least[0]):.2g} mm, near {place_text(least[1])};"
             f" {machine.title} follows {mm_text(machine.least_radius)}. It will come out rounder there.",
             least[1],
         )
     ]
+
+
+def _tightest(contour: Contour, tolerance: float) -> tuple[float, Floats]:
+    """The smallest radius of a contour, and where it is."""
+    curve = fit_curve(contour.points, contour.closed, tolerance)
+    number = int(np.argmin(curve.radii))
+    return float(curve.radii[number]), curve.starts[number]
 
 
 def _gap(contours: list[Contour], machine: Machine) -> list[Finding]:

@@ -28,7 +28,7 @@ _MOST_TURN = 2.0
 #: curvatures tried for each such place.
 _BEAM = 20
 _PER_PLACE = 4
-_BREAKS = np.array([1.0, 0.92, 0.8, 0.6])
+_BREAKS = np.array([1.0, 0.96, 0.92, 0.86, 0.8, 0.7, 0.6, 0.4])
 _CURVATURES = np.array([0.08, 0.5, 0.92])
 #: Share of the tolerance by which an arc may rise between two samples.
 _BETWEEN = 0.3

@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
-
 import numpy as np
 
 from BalloonWorkbench.core.pattern.arc_spline import Knots, Samples, fewest_arcs, sample
@@ -24,6 +22,9 @@ from BalloonWorkbench.core.units import from_mm
 #: How far a curve may be from its polyline, and the polyline from the curve [m].
 TOLERANCE = from_mm(0.02)
 _SPACING = from_mm(0.5)
+#: Digits after the metre at which two polylines have one shape, and how many curves are remembered.
+_SAME_SHAPE = 10
+_MOST_REMEMBERED = 64
 #: Shares of the tolerance with which the search is tried: what it neglects is small but not nothing.
 #: A stretch of so many points is divided when no search leads through it.
 _DIVISIBLE = 5
@@ -35,14 +36,23 @@ def fit_curve(points: Floats, closed: bool, tolerance: float = TOLERANCE) -> Cur
 
     Corners above 25 degrees, corners of polygons, straight edges and the ends of an open polyline are kept
     exactly; elsewhere the tangent goes through. A closed curve begins near the polyline's first point.
-    The last curves are remembered: shape, check and file of a pattern ask for the same ones.
+    The last curves are remembered, wherever they were: shape, check and file of a pattern ask for the same
+    ones, and copies are alike.
     """
-    return _remembered(np.ascontiguousarray(points, dtype=np.float64).tobytes(), closed, tolerance)
+    shape = np.round(points - points[0], _SAME_SHAPE) + 0.0
+    key = shape.tobytes(), closed, tolerance
+    if key not in _remembered:
+        _remembered[key] = points[0].copy(), _fit(points, closed, tolerance)
+        for old in list(_remembered)[:-_MOST_REMEMBERED]:
+            _remembered.pop(old, None)
+    place, curve = _remembered[key]
+    return curve if np.array_equal(place, points[0]) else curve.moved(points[0] - place)
 
 
-@lru_cache(maxsize=64)
-def _remembered(content: bytes, closed: bool, tolerance: float) -> Curve:
-    points = np.frombuffer(content).reshape(-1, 2)
+_remembered: dict[tuple[bytes, bool, float], tuple[Floats, Curve]] = {}
+
+
+def _fit(points: Floats, closed: bool, tolerance: float) -> Curve:
     joints: list[Floats] = []
     bulges: list[float] = []
     for stretch in stretches(points, closed, tolerance):

@@ -57,14 +57,14 @@ def build_pattern(
     seal_width     of the weld [m]
     allowance      film left outside the weld [m]
     intake_kind    a name of intake_kinds; width and length [m] are the kind's unless given. It points from
-                   the pattern's centre of area to the farthest point of the seam, or along intake_angle [rad],
-                   or sits at intake_along [m] on the seam, counter-clockwise from its rightmost point
+                   the pattern's centre of area to the farthest point of the seam, or along intake_angle
+                   [rad], or sits at intake_along [m] on the seam, counter-clockwise from its rightmost point
     corner_radius  with which corners of the cuts are rounded [m]; the weld keeps its corners
     Each chamber that the welds cut off gets an intake. Raises InputError for senseless values, OutlineError
     where the seam crosses itself.
     """
-    if not (np.isfinite(seal_width) and seal_width > 0.0 and np.isfinite(allowance) and allowance >= 0.0):
-        raise InputError("The seal width must be above 0 and the allowance not below 0.")
+    if not (1e-5 <= seal_width <= 1.0 and 0.0 <= allowance <= 1.0):
+        raise InputError("The seal width must be between 0.01 mm and 1 m, the allowance between 0 and 1 m.")
     margin = seal_width + allowance
     seam = replace(seam, outer=faired(seam.outer), holes=tuple(faired(hole) for hole in seam.holes))
     whole, holes = polygon(seam.outer), [polygon(hole) for hole in seam.holes]

@@ -30,7 +30,7 @@ def beside(patterns: Sequence[Pattern]) -> list[Floats]:
     near = tree.query(films, predicate="dwithin", distance=SPACING)
     if (near[0] == near[1]).all():
         return [np.zeros(2) for _ in patterns]
-    return _in_rows([pattern.bounds for pattern in patterns])
+    return in_rows([pattern.bounds for pattern in patterns])
 
 
 def on_one_sheet(patterns: Sequence[Pattern]) -> Pattern:
@@ -56,7 +56,7 @@ def _film(pattern: Pattern) -> Any:
     return outer.difference(package.union_all(inner)) if inner else outer
 
 
-def _in_rows(boxes: Sequence[tuple[Floats, Floats]]) -> list[Floats]:
+def in_rows(boxes: Sequence[tuple[Floats, Floats]]) -> list[Floats]:
     """Shifts that lay boxes from left to right in rows, each row above the one before."""
     sizes = np.array([high - low for low, high in boxes]) + SPACING
     width = max(float(sizes[:, 0].max()), _ROW * float(np.sqrt(sizes.prod(axis=1).sum())))

@@ -11,7 +11,7 @@ import numpy as np
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.pattern.intake_kinds import Piece, intake_kind, measure, placed
 from BalloonWorkbench.core.pattern.label import lettering
-from BalloonWorkbench.core.pattern.layout import SPACING, on_one_sheet
+from BalloonWorkbench.core.pattern.layout import SPACING, in_rows
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
 from BalloonWorkbench.core.units import from_mm
 
@@ -40,7 +40,15 @@ def on_sheet(pattern: Pattern, allowance: float, mirror: bool, copies: int) -> P
     if front and not mirror:
         told = "Both panels are on the sheet: only the front one gets the hole of the nozzle. Cut it once."
         made = replace(made, warnings=(*made.warnings, told))
-    return made if copies == 1 else replace(_in_order(on_one_sheet([made] * copies)), warnings=made.warnings)
+    return made if copies == 1 else _repeated(made, copies)
+
+
+def _repeated(pattern: Pattern, copies: int) -> Pattern:
+    """So many of it in rows; the first one stays in its place."""
+    shifts = in_rows([pattern.bounds] * copies)
+    contours = [contour for shift in shifts for contour in pattern.moved(shift - shifts[0]).contours]
+    sheet = replace(pattern, contours=tuple(contours), seam_length=copies * pattern.seam_length)
+    return _in_order(sheet)
 
 
 def _with_pieces(pattern: Pattern, allowance: float, second: bool) -> Pattern:
