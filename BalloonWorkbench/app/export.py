@@ -29,11 +29,16 @@ def export_pattern(pattern_obj, target) -> Path:
 def sheet(pattern_obj):
     """The pattern of an object in full precision, or all patterns of a group on one sheet.
 
+    An artwork or a sheet of film gives what is cut for it.
     Raises ExportError when there is none, or one is not up to date.
     """
     from BalloonWorkbench.app import pattern
     from BalloonWorkbench.core.pattern.layout import on_one_sheet
 
+    own = getattr(getattr(pattern_obj, "Proxy", None), "cut_pattern", None)
+    if own is not None:
+        _insist_on_ready(pattern_obj)
+        return own(pattern_obj)
     objects = [obj for obj in getattr(pattern_obj, "Group", [pattern_obj]) if pattern.is_pattern(obj)]
     if not objects:
         raise ExportError(f"{pattern_obj.Label} has no pattern: choose a balloon.")

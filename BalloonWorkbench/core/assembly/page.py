@@ -40,7 +40,7 @@ _NAMES = {
     Role.MARK: "mark",
 }
 #: Height of a line of the lists [mm], dots of the balloon's picture per mm.
-_LINE, _DOTS = 4.2, 7.0
+_LINE, _DOTS = 4.2, 6.0
 #: Width of a letter of the body text, in parts of its size; points to millimetres.
 _LETTER, _POINT = 0.535, 25.4 / 72.0
 

@@ -13,13 +13,13 @@ import importlib.util
 import signal
 import threading
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
-from BalloonWorkbench.core.errors import Cancelled, InputError
+from BalloonWorkbench.core.errors import Cancelled, InputError, SolverError
 from BalloonWorkbench.core.nesting.layout import Layout, Piece, Place, Stock, check, layout_of, outline_of
 from BalloonWorkbench.core.nesting.rows import in_rows
 from BalloonWorkbench.core.types import Progress, no_progress
@@ -33,7 +33,7 @@ ROWS_NOTE = (
 #: Outlines are grown by that, then simplified within it: they enclose their pieces [m].
 _SLACK = from_mm(0.15)
 _SEED = 1
-_LIMIT = 600  # s, an end to the search should it never come to one
+_LIMIT = 120  # s, an end to the search should it never come to one
 _USUAL = 20.0  # s
 #: A strip that the pieces would fill to less than that is laid in rows [m].
 _LEAST_DEPTH = from_mm(5.0)
@@ -160,10 +160,9 @@ class _Enough(Exception):
 def _search(package: Any, instance: Any, config: Any, goal: float | None, progress: Progress) -> Any:
     """The best solution when the search ends, reaches the goal [mm] or is stopped.
 
-    The search looks for signals now and then, and only in the main thread; that is where progress is told.
+    The search looks for signals now and then, but only in the main thread. Elsewhere it runs in a thread of
+    its own, which ends by itself some time after it was stopped.
     """
-    if threading.current_thread() is not threading.main_thread():
-        return instance.solve(config)
     queue, began = package.ProgressQueue(), time.monotonic()
     usable = (package.ReportType.ExplFeas, package.ReportType.CmprFeas, package.ReportType.Final)
     best: list[Any] = []
@@ -178,6 +177,8 @@ def _search(package: Any, instance: Any, config: Any, goal: float | None, progre
         if reached or not progress(share, f"laying out{told}"):
             raise _Enough
 
+    if threading.current_thread() is not threading.main_thread():
+        return _beside(instance, config, queue, look, best)
     former = signal.signal(_SIGNAL, look)
     done = threading.Event()
     bell = threading.Thread(target=_ring, args=(done,), name="nesting", daemon=True)
@@ -193,6 +194,24 @@ def _search(package: Any, instance: Any, config: Any, goal: float | None, progre
         bell.join()
         signal.signal(_SIGNAL, former or signal.SIG_DFL)
     return found
+
+
+def _beside(instance: Any, config: Any, queue: Any, look: Callable[[], None], best: list[Any]) -> Any:
+    """The search in a thread beside this one."""
+    ended: list[Any] = []
+    worker = threading.Thread(target=lambda: ended.append(instance.solve(config, queue)), name="nesting")
+    worker.start()
+    try:
+        while worker.is_alive():
+            worker.join(_LOOK)
+            look()
+    except _Enough:
+        if not best:
+            raise Cancelled("The layout was stopped; nothing was changed.") from None
+        return best[-1]
+    if not ended:
+        raise SolverError("The layout failed: give the pieces more room.")
+    return ended[0]
 
 
 def _ring(done: threading.Event) -> None:

@@ -1,0 +1,247 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The Artwork object: what is printed on a balloon before it is cut, bent so that it reads right inflated."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from pathlib import Path
+
+from BalloonWorkbench.app import migrate, status
+from BalloonWorkbench.app.properties import Property, add_missing, offer_choices
+from BalloonWorkbench.app.stateless import Stateless
+from BalloonWorkbench.core.errors import ExportError, InputError
+
+FRONT, BACK = "Front", "Back"
+CHOICES = {"Side": [FRONT, BACK]}
+
+PROPERTIES = (
+    Property("Link", "Pattern", "Artwork", "The pattern that is printed"),
+    Property(
+        "FileIncluded",
+        "Picture",
+        "Artwork",
+        "What is printed; empty takes the picture or painting of the outline",
+    ),
+    Property(
+        "FileIncluded",
+        "BackPicture",
+        "Artwork",
+        "Another picture for the back; empty takes that of the front",
+    ),
+    Property("Length", "Bleed", "Artwork", "How far the print goes past the cut", 3.0),
+    Property("Float", "Resolution", "Artwork", "Dots per inch of the files", 300.0),
+    Property("Enumeration", "Side", "Artwork", "The side that is shown and exported for a cutter"),
+    Property("Length", "SeamLength", "Result", "Length of the weld", result=True),
+    Property("Length", "PatternWidth", "Result", "Width of the print with its marks", result=True),
+    Property("Length", "PatternHeight", "Result", "Height of the print with its marks", result=True),
+    Property("StringList", "Roles", "Result", "What to do along each wire of the shape", result=True),
+    Property("String", "Status", "Result", "Up to date, or what is wrong", result=True),
+)
+
+
+class ArtworkProxy(Stateless):
+    """Behaviour of the Artwork object (Part::Part2DObjectPython)."""
+
+    def __init__(self, obj):
+        add_missing(obj, (migrate.VERSION, *PROPERTIES))
+        offer_choices(obj, CHOICES)
+        obj.Proxy = self
+
+    def onDocumentRestored(self, obj):
+        from BalloonWorkbench.app import hooks
+
+        if migrate.bring_up_to_date(obj, PROPERTIES):
+            offer_choices(obj, CHOICES)
+        hooks.dress(obj)
+
+    def execute(self, obj):
+        if status.waits_for(obj, obj.Pattern, bool(obj.Roles), "Choose the pattern to print on."):
+            return
+        with status.reported(obj, bool(obj.Roles)):
+            _pictures(obj)
+            show(obj, self.cut_pattern(obj))
+            status.set_status(obj, status.READY)
+        obj.positionBySupport()
+
+    def cut_pattern(self, obj):
+        """What a cutter gets for the side that is shown: the panel, the print's border and the marks."""
+        from BalloonWorkbench.core.pattern.motion import back_of
+
+        front = _marked(obj)
+        return back_of(front) if obj.Side == BACK else front
+
+
+def is_artwork(obj) -> bool:
+    """Whether a document object is an artwork."""
+    return isinstance(getattr(obj, "Proxy", None), ArtworkProxy)
+
+
+def make(pattern_obj, picture: str = "", back: str = ""):
+    """An artwork for a pattern, in its group and its place; nothing is computed yet.
+
+    picture, back  files; empty as in the properties. Raises OSError where there is no such file.
+    """
+    from BalloonWorkbench.app import hooks
+
+    obj = pattern_obj.Document.addObject("Part::Part2DObjectPython", "Artwork")
+    ArtworkProxy(obj)
+    hooks.dress(obj)
+    obj.Pattern = pattern_obj
+    group = pattern_obj.getParentGroup()
+    if group is not None:
+        group.addObject(obj)
+    place = pattern_obj.Placement
+    place.Base = place.Base - place.Rotation.multVec(_down(1.2 * pattern_obj.PatternHeight.Value))
+    obj.Placement = place
+    for name, path in (("Picture", picture), ("BackPicture", back)):
+        if path:
+            setattr(obj, name, str(path))
+    return obj
+
+
+def _down(length: float):
+    import FreeCAD as App
+
+    return App.Vector(0.0, length, 0.0)
+
+
+def of_balloon(balloon_obj):
+    """The artwork printed on a balloon, None where there is none."""
+    for pattern_obj in balloon_obj.InList:
+        for obj in pattern_obj.InList:
+            if is_artwork(obj) and obj.Pattern == pattern_obj:
+                return obj
+    return None
+
+
+def sheets(obj, dpi: float | None = None):
+    """Front and back, ready to print, in the object's resolution or another one.
+
+    Raises ExportError when the object is not up to date, else what the core's artwork raises.
+    """
+    from BalloonWorkbench.app import film_result
+    from BalloonWorkbench.core.artwork.sheet import Print, artwork_sheets
+
+    if not status.is_ready(obj):
+        raise ExportError(f"{obj.Label} is not up to date. {status.problem(obj)} Repair that and recompute.")
+    import numpy as np
+
+    from BalloonWorkbench.app.pattern import build
+    from BalloonWorkbench.app.quantities import metres
+    from BalloonWorkbench.core.artwork.marks import bordered
+
+    inflation, _ = film_result.stored(obj.Pattern.Balloon)
+    front, behind = _pictures(obj)
+    own = bordered(build(obj.Pattern), metres(obj.Bleed))
+    one = Print(inflation, own, np.zeros(2), front, behind)
+    return artwork_sheets([one], _marked(obj), obj.Resolution if dpi is None else dpi)
+
+
+def write(obj, folder, machine_names=("any-dxf", "any-svg")) -> list[Path]:
+    """Write both sides as PNG and PDF, and what cutters read, with the same marks; returns the files.
+
+    Raises ExportError, and writes nothing, when something is not up to date or cannot be made.
+    """
+    from BalloonWorkbench.core.artwork.files import artwork_files
+    from BalloonWorkbench.core.export.fabricate import checked_files
+    from BalloonWorkbench.core.export.files import write_files
+    from BalloonWorkbench.core.export.machine import machine
+
+    front, back = sheets(obj)
+    contents = artwork_files(front, back)
+    for side, sheet in (("front", front), ("back", back)):
+        made, _ = checked_files(sheet.pattern, [machine(name) for name in machine_names])
+        contents |= {f"print-{side}-{name}": content for name, content in made.items()}
+    return list(write_files(folder, contents))
+
+
+def show(obj, pattern) -> None:
+    """Write the lines of a side into the object."""
+    import Part
+
+    from BalloonWorkbench.app.shapes import wire
+    from BalloonWorkbench.core.pattern.pattern import Role
+    from BalloonWorkbench.core.units import to_mm
+
+    roles = (Role.CUT, Role.CUT_INNER, Role.SEAL, Role.PRINT, Role.REGISTRATION)
+    lines = [contour for role in roles for contour in pattern.of(role)]
+    obj.Shape = Part.makeCompound([wire(line.points, line.closed) for line in lines])
+    obj.Roles = [line.role.value for line in lines]
+    obj.SeamLength = to_mm(pattern.seam_length)
+    obj.PatternWidth, obj.PatternHeight = (to_mm(length) for length in pattern.size)
+
+
+def _marked(obj):
+    from BalloonWorkbench.app.pattern import build
+    from BalloonWorkbench.app.quantities import metres
+    from BalloonWorkbench.core.artwork.marks import bordered, marked
+
+    return marked(bordered(build(obj.Pattern), metres(obj.Bleed)))
+
+
+def _pictures(obj):
+    """The pictures of front and back in their places; the back's is None where it is the front's.
+
+    InputError where there is nothing to print.
+    """
+    from BalloonWorkbench.core.artwork.picture import covering, mirrored
+
+    low, size, drawing = _frame(obj.Pattern.Balloon)
+    path = obj.Picture or drawing
+    if not path:
+        raise InputError("There is no picture to print: choose one, as the outline has none of its own.")
+    own = bool(drawing) and (path == drawing or Path(path).read_bytes() == Path(drawing).read_bytes())
+    front = _traced(path, *low, *size) if own else covering(_pixels(path), low, size)
+    behind = mirrored(covering(_pixels(obj.BackPicture), low, size)) if obj.BackPicture else None
+    return front, behind
+
+
+def _frame(balloon):
+    """Lower left corner and size (2,) [m] of all that was drawn, and its file where that is a picture."""
+    import numpy as np
+
+    from BalloonWorkbench.app import film_result
+    from BalloonWorkbench.app.drawing import read_drawing
+    from BalloonWorkbench.app.outline import SYMMETRY, leader
+
+    shown, first = film_result.drawing(balloon), leader(balloon.Outline)
+    if first.Source or first.Kind != "picture":
+        return shown.outer.min(axis=0), np.ptp(shown.outer, axis=0), ""
+    read, _ = read_drawing(
+        first.Drawing, first.Width, first.Height, first.KeepAspect, SYMMETRY[first.Symmetry]
+    )
+    goal = 1.0
+    if balloon.SizeGoal != "Width" and balloon.Outline.SizeX.Value:
+        goal = shown.size[0] * 1e3 / balloon.Outline.SizeX.Value
+    points = np.concatenate([part.outer for part in read.parts]) * goal
+    return points.min(axis=0), np.ptp(points, axis=0), first.Drawing
+
+
+def _pixels(path: str):
+    return _decoded(path, Path(path).stat().st_mtime_ns)
+
+
+@lru_cache(maxsize=4)
+def _decoded(path: str, _changed: int):
+    from BalloonWorkbench.core.outline.decode import decode, picture_size
+    from BalloonWorkbench.core.outline.raster import opencv
+
+    picture_size(Path(path))
+    if opencv() is not None:
+        return decode(Path(path))
+    from BalloonWorkbench.app import qt_picture
+
+    return qt_picture.decode(path)
+
+
+def _traced(path: str, *frame: float):
+    return _traced_once(path, Path(path).stat().st_mtime_ns, frame)
+
+
+@lru_cache(maxsize=4)
+def _traced_once(path: str, changed: int, frame: tuple[float, ...]):
+    import numpy as np
+
+    from BalloonWorkbench.core.artwork.picture import of_drawing
+
+    return of_drawing(_decoded(path, changed), np.array(frame[:2]), np.array(frame[2:]))

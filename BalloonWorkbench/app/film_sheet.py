@@ -1,0 +1,192 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The FilmSheet object: panels of balloons laid out on a roll or on sheets of film."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+
+from BalloonWorkbench.app import migrate, status
+from BalloonWorkbench.app.properties import Property, add_missing, offer_choices
+from BalloonWorkbench.app.stateless import Stateless
+from BalloonWorkbench.core.errors import InputError
+
+GRAINS = {"Along": "along", "Across": "across", "Any": "any"}
+CHOICES = {"Grain": list(GRAINS)}
+
+PROPERTIES = (
+    Property("LinkList", "Patterns", "Film", "The patterns that are laid out"),
+    Property("Integer", "Balloons", "Film", "How many balloons of each pattern", 1),
+    Property("Length", "FilmWidth", "Film", "Width of the roll or sheet", 500.0),
+    Property("Length", "FilmLength", "Film", "Length of a sheet; 0 is a roll"),
+    Property("Length", "Spacing", "Film", "Film left between pieces, and at the edges", 3.0),
+    Property(
+        "Enumeration", "Grain", "Film", "How the grain of the pieces lies, relative to the film's length"
+    ),
+    Property("Integer", "Shown", "Film", "Number of the sheet that is shown and exported", 1),
+    Property("Float", "Used", "Result", "Part of the film that the pieces take, in per cent", result=True),
+    Property("Length", "UsedLength", "Result", "Length of the roll that is used", result=True),
+    Property("Integer", "Sheets", "Result", "Number of sheets", result=True),
+    Property("Integer", "Pieces", "Result", "Number of pieces on what is shown", result=True),
+    Property("Length", "SeamLength", "Result", "Length of all welds on it", result=True),
+    Property("Length", "PatternWidth", "Result", "Width of all that is cut", result=True),
+    Property("Length", "PatternHeight", "Result", "Height of all that is cut", result=True),
+    Property("StringList", "Roles", "Result", "What to do along each wire of the shape", result=True),
+    Property("StringList", "Warnings", "Result", "Remarks on the layout", result=True),
+    Property("String", "Status", "Result", "Up to date, or what is wrong", result=True),
+    Property("String", "Layouts", "Result", "Where all pieces lie, as JSON", result=True, hidden=True),
+    Property("String", "LaidOutFor", "Result", "Label of what was laid out", result=True, hidden=True),
+)
+
+
+class FilmSheetProxy(Stateless):
+    """Behaviour of the FilmSheet object (Part::Part2DObjectPython)."""
+
+    def __init__(self, obj):
+        add_missing(obj, (migrate.VERSION, *PROPERTIES))
+        offer_choices(obj, CHOICES)
+        obj.Proxy = self
+
+    def onDocumentRestored(self, obj):
+        from BalloonWorkbench.app import hooks
+
+        if migrate.bring_up_to_date(obj, PROPERTIES):
+            offer_choices(obj, CHOICES)
+        hooks.dress(obj)
+
+    def execute(self, obj):
+        from BalloonWorkbench.app import hooks
+
+        has_result = bool(obj.LaidOutFor)
+        if not obj.Patterns:
+            status.set_problem(obj, has_result, "Choose the patterns to lay out.")
+            return
+        for pattern_obj in obj.Patterns:
+            if status.waits_for(obj, pattern_obj, has_result, ""):
+                return
+        with status.reported(obj, has_result):
+            pieces, stock = _pieces(obj), _stock(obj)
+            wanted = _label(pieces, stock)
+            if wanted != obj.LaidOutFor:
+                from BalloonWorkbench.core.nesting.nest import nest
+
+                layouts, remarks = hooks.work(
+                    f"Laying out {obj.Label}", lambda progress: nest(pieces, stock, progress)
+                )
+                _keep(obj, layouts)
+                obj.Warnings, obj.LaidOutFor = list(remarks), wanted
+            show(obj, pieces, stock)
+            status.set_status(obj, status.READY)
+
+    def cut_pattern(self, obj):
+        """All pieces of the sheet that is shown, as one pattern."""
+        pieces = _pieces(obj)
+        return _layout(obj, _stock(obj), pieces).pattern(pieces)
+
+
+def is_film_sheet(obj) -> bool:
+    """Whether a document object is a sheet of film."""
+    return isinstance(getattr(obj, "Proxy", None), FilmSheetProxy)
+
+
+def make(doc, patterns):
+    """A sheet of film with patterns, below all of them; nothing is laid out yet."""
+    import FreeCAD as App
+
+    from BalloonWorkbench.app import hooks
+
+    obj = doc.addObject("Part::Part2DObjectPython", "FilmSheet")
+    FilmSheetProxy(obj)
+    hooks.dress(obj)
+    obj.Patterns = list(patterns)
+    boxes = [pattern.Shape.BoundBox for pattern in patterns]
+    low = min(box.YMin for box in boxes) - 0.1 * max(box.YLength for box in boxes)
+    obj.Placement.Base = App.Vector(min(box.XMin for box in boxes), low - obj.FilmWidth.Value, 0.0)
+    return obj
+
+
+def show(obj, pieces, stock) -> None:
+    """Write the chosen sheet into the object: the pieces, and the edge of the film."""
+    import Part
+
+    from BalloonWorkbench.app.shapes import wire
+    from BalloonWorkbench.core.pattern.pattern import Role
+    from BalloonWorkbench.core.units import to_mm
+
+    layout = _layout(obj, stock, pieces)
+    pattern = layout.pattern(pieces)
+    cuts, inner = pattern.of(Role.CUT), pattern.of(Role.CUT_INNER)
+    beside = (Role.SEAL, Role.WELD, Role.MARK, Role.ENGRAVE)
+    lines = [*cuts, *inner, *(contour for role in beside for contour in pattern.of(role))]
+    edge = Part.makePlane(to_mm(layout.length), to_mm(stock.width)).OuterWire
+    obj.Shape = Part.makeCompound([edge, *(wire(line.points, line.closed) for line in lines)])
+    obj.Roles = ["", *(line.role.value for line in lines)]
+    obj.Used, obj.UsedLength = 100.0 * layout.utilisation, to_mm(layout.length)
+    obj.Pieces, obj.Sheets = len(layout.places), len(json.loads(obj.Layouts))
+    obj.SeamLength = to_mm(pattern.seam_length)
+    obj.PatternWidth, obj.PatternHeight = (to_mm(length) for length in pattern.size)
+
+
+def _pieces(obj) -> list:
+    """What is laid out: the panels of each pattern and the pieces of its intake."""
+    from dataclasses import replace
+
+    from BalloonWorkbench.app import film, pattern
+    from BalloonWorkbench.core.making import pieces_of
+    from BalloonWorkbench.core.pattern.make import sheet_of
+
+    if obj.Balloons < 1:
+        raise InputError(f"{obj.Balloons} balloons cannot be laid out: give 1 or more.")
+    found = []
+    for each in obj.Patterns:
+        panel = pattern.build(each)
+        whole = sheet_of(panel, replace(pattern.values(each), mirror=True, copies=1))
+        found += pieces_of(panel, whole, obj.Balloons, film.read(each.Balloon).grain_angle)
+    return found
+
+
+def _stock(obj):
+    from BalloonWorkbench.app.quantities import metres
+    from BalloonWorkbench.core.nesting.layout import Grain, Stock
+
+    length = metres(obj.FilmLength) or None
+    return Stock(metres(obj.FilmWidth), length, metres(obj.Spacing), Grain(GRAINS[obj.Grain]))
+
+
+def _label(pieces, stock) -> str:
+    """The same for the same layout: pieces and film without their last digits."""
+    import numpy as np
+
+    digest = hashlib.sha256()
+    for piece in pieces:
+        digest.update(f"{piece.count} {piece.backs} {piece.grain:.6g}".encode())
+        for contour in piece.pattern.contours:
+            digest.update((np.round(contour.points, 7) + 0.0).tobytes())
+    numbers = (stock.width, stock.length or 0.0, stock.spacing)
+    digest.update(f"{' '.join(f'{number:.9g}' for number in numbers)} {stock.grain.value}".encode())
+    return digest.hexdigest()
+
+
+def _keep(obj, layouts) -> None:
+    """Write where all pieces lie into the object."""
+    kept = [
+        [[place.piece, place.mirrored, place.angle, *place.shift.tolist()] for place in layout.places]
+        for layout in layouts
+    ]
+    obj.Layouts = json.dumps(kept)
+
+
+def _layout(obj, stock, pieces):
+    """The layout that is shown, from what `_keep` has written. InputError for a number that there is not."""
+    import numpy as np
+
+    from BalloonWorkbench.core.nesting.layout import Place, layout_of
+
+    kept = json.loads(obj.Layouts)
+    if not 1 <= obj.Shown <= len(kept):
+        raise InputError(f"There is no sheet {obj.Shown}: give a number from 1 to {len(kept)}.")
+    places = [
+        Place(int(piece), bool(mirrored), angle, np.array([x, y]))
+        for piece, mirrored, angle, x, y in kept[obj.Shown - 1]
+    ]
+    return layout_of(stock, pieces, places)
