@@ -14,6 +14,7 @@ from BalloonWorkbench.core.design.compare import alignment, residual
 from BalloonWorkbench.core.design.fit import fit, inflate_outline
 from BalloonWorkbench.core.design.turning import seam_turns, turned_back
 from BalloonWorkbench.core.errors import Cancelled, InputError, MeshError, OutlineError
+from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.film.library import custom_film, film
 from BalloonWorkbench.core.outline.crossings import first_crossing
 from BalloonWorkbench.core.outline.outline import Outline, signed_area
@@ -42,30 +43,36 @@ def test_pictures_inflate_to_the_drawing(name: str) -> None:
     size = max(drawing.size)
     assert design.reached
     assert design.inflation.report.converged
-    assert design.residual.mean < 0.003 * size
-    assert design.residual.p95 < 0.01 * size
+    assert design.residual.mean < 0.0015 * size
+    assert design.residual.p95 < 0.006 * size
     assert first_crossing(design.pattern.loops) is None
 
 
+SEALED = pytest.mark.parametrize(
+    "film", [replace(STIFF, seal_width=0.005), STIFF], ids=["sealed", "unsealed"]
+)
+
+
+@SEALED
 @pytest.mark.parametrize("backend", [backend.name for backend in available()])
-def test_pattern_of_a_disc_is_larger_by_the_elliptic_integral(backend: str) -> None:
+def test_pattern_of_a_disc_is_larger_by_the_elliptic_integral(backend: str, film: Film) -> None:
     """A disc of radius R needs a pattern of radius R int_0^1 dt / sqrt(1 - t^4)."""
-    calm = replace(STIFF, seal_width=0.005)  # without a sealed band the rim crumples as it likes
-    design = fit(Outline(circle(0.1)), calm, 300.0, mesh_size=0.009, backend=backend)
+    design = fit(Outline(circle(0.1)), film, 300.0, mesh_size=0.009, backend=backend)
     radius = np.sqrt(signed_area(design.pattern.outer) / np.pi)
     assert radius / 0.1 == pytest.approx(1.311028777, rel=3e-3)
 
 
-def test_pattern_of_a_strip_is_wider_by_half_pi() -> None:
-    """Far from its ends a long tube of width w needs a strip of width pi/2 w."""
-    half, width = 0.2, 0.06
+@SEALED
+def test_pattern_of_a_strip_is_wider_by_half_pi(film: Film) -> None:
+    """Far from its ends a tube of width w, here 20 times as long, needs a strip of width pi/2 w."""
+    half, width = 0.6, 0.06
     strip = Outline(
         np.array([[-half, -width / 2], [half, -width / 2], [half, width / 2], [-half, width / 2]])
     )
-    design = fit(strip, STIFF, 300.0)
-    middle = design.pattern.outer[np.abs(design.pattern.outer[:, 0]) < 0.3 * half]
+    design = fit(strip, film, 300.0)
+    middle = design.pattern.outer[np.abs(design.pattern.outer[:, 0]) < 0.5 * half]
     grown = middle[middle[:, 1] > 0, 1].mean() - middle[middle[:, 1] < 0, 1].mean()
-    assert grown / width == pytest.approx(np.pi / 2, rel=0.01)
+    assert grown / width == pytest.approx(np.pi / 2, rel=3e-3)
 
 
 def test_ring_keeps_its_hole() -> None:
@@ -91,7 +98,8 @@ def test_inflating_an_outline_keeps_it_as_the_pattern() -> None:
     design = inflate_outline(drawing, film("mylar"), 2000.0, mesh_size=0.01)
     assert design.passes == 0
     np.testing.assert_allclose(design.pattern.outer, drawing.outer)
-    assert design.silhouette.size[0] == pytest.approx(0.1 * 2 * 0.7644, rel=0.01)
+    shown = np.sqrt(signed_area(design.silhouette.outer) / np.pi)
+    assert shown == pytest.approx(0.1 * 0.7644, rel=0.005)
 
 
 def test_same_input_gives_the_same_pattern_to_the_last_digit() -> None:

@@ -10,6 +10,7 @@ import numpy as np
 from BalloonWorkbench.core.design.carry import carried
 from BalloonWorkbench.core.design.compare import Misfit, alignment, loop_weights, misfit
 from BalloonWorkbench.core.design.course import Course, SeamNodes, seam_nodes
+from BalloonWorkbench.core.design.seen import trimmed
 from BalloonWorkbench.core.design.silhouette import silhouette
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.mesh.panel import Panel
@@ -19,14 +20,15 @@ from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.solver.inflate import inflate
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.solver.model import Model
+from BalloonWorkbench.core.solver.problem import NewtonSettings
 from BalloonWorkbench.core.types import Bools, Progress
 
 
 @dataclass(frozen=True)
 class Work:
-    """What stays the same from pass to pass, but for edge and lost.
+    """What stays the same from pass to pass, but for edge, lost and settings.
 
-    edge [m] of the mesh; lost: points of the course that are given up
+    edge [m] of the mesh; lost: points of the course that are given up; settings: when the film is at rest
     """
 
     target: Outline
@@ -37,6 +39,7 @@ class Work:
     model: Model | None
     progress: Progress
     lost: tuple[Bools, ...]
+    settings: NewtonSettings | None = None
 
 
 @dataclass(frozen=True)
@@ -44,7 +47,7 @@ class Pass:
     """A pattern and what it inflates to, placed over the drawing.
 
     nodes   the seam vertices along each loop of the course
-    shown   the silhouette; misfit: how far it is from the drawing
+    shown   the silhouette of the film that the facets stand for; misfit: how far it is from the drawing
     """
 
     course: Course
@@ -76,9 +79,10 @@ def attempt(work: Work, course: Course, previous: Pass | None, last: Pass | None
         backend=work.backend,
         model=work.model,
         progress=work.progress,
+        settings=work.settings,
     )
     placed = _aligned(course, nodes, inflation, work.lost)
-    shown = silhouette(placed)
+    shown = silhouette(trimmed(placed))
     return Pass(course, panel, nodes, placed, shown, misfit(work.target, shown))
 
 

@@ -3,9 +3,13 @@
 
     1. inflate the panel
     2. align its seam with the drawing: barycentre, then least-squares rotation
-    3. v = drawing - inflated, from each seam vertex to its goal, turned back with the film around it
+    3. v = drawing - inflated, from where each seam vertex is seen to its goal, turned back with the film
+       around it
     4. smooth v along the seam, mix it with what the last passes taught, clamp it in proportion to the balloon
     5. add it to the pattern, which grows where the balloon is too small
+
+The last balloon is brought to rest more exactly than the ones before. Where it moves on, so does the
+correction.
 
 Smoothing the correction rather than the pattern leaves the corners of the drawing alone and still lets no
 mesh-scale noise in: what is left of v at rest is shorter than the smoothing.
@@ -27,6 +31,7 @@ from BalloonWorkbench.core.design.growth import grown
 from BalloonWorkbench.core.design.mixing import AndersonMixing
 from BalloonWorkbench.core.design.reach import Hopes
 from BalloonWorkbench.core.design.room import CUT_ROOM
+from BalloonWorkbench.core.design.seen import seen
 from BalloonWorkbench.core.design.turning import seam_turns, turned_back
 from BalloonWorkbench.core.design.twins import nearer, twinned
 from BalloonWorkbench.core.design.verdict import verdict
@@ -40,24 +45,29 @@ from BalloonWorkbench.core.outline.loops import check
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.outline.symmetry import exact_mirror, mirrored
 from BalloonWorkbench.core.solver.model import Model
+from BalloonWorkbench.core.solver.problem import NewtonSettings
 from BalloonWorkbench.core.types import Progress, no_progress
 
 VERTICES = 1500  # of an automatic mesh
-MOST_PASSES = 14
+MOST_PASSES = 10
 GUESS_VERTICES = 300  # of the mesh for the first pattern
 SAMPLES = 400  # of the drawing and the pattern along the larger dimension
 GAIN = 1.3  # a pattern of a disc must grow by 1.311 for a silhouette that grows by 1
 CLAMP = 0.05  # of the larger dimension, for one pass
-SMOOTHING = 1.0  # mesh sizes
+SMOOTHING, UNSEALED = 1.0, 4.0  # mesh sizes; a rim without a sealed band crumples, and no pattern undoes that
 TURNING = 16.0  # mesh sizes over which the film's turning is averaged: of arms, not of folds
 DRIFT = 2.0  # mesh sizes that seam vertices may slide along the drawing
 TIP = 2.0  # mesh sizes from a tip to where its sides are film and not mesh
-ENOUGH = 1e-3  # mean error, of the larger dimension, at which nothing more is gained
+ENOUGH = 5e-4  # mean error, of the breadth, at which nothing more is gained
+GOOD = 1e-3  # and at which a pass that brings nothing is the last one
+AT_REST = NewtonSettings(tolerance=1e-6)  # of the balloon that is shown
+SAME = 1.1  # so much more error at rest is none
+OVERHANG = 0.0075  # of the larger dimension, that the silhouette may lie beside the seam
 COARSENING = 1.8  # of the mesh for the first passes
 WORTHWHILE = 700.0  # squares of the mesh size in the area, from which a coarser mesh saves time
 CLOSE = 3e-3  # mean error, of the larger dimension, at which the wanted mesh takes over
 STALLED = 0.9  # a pass that leaves more than this part of the best error brings nothing
-PATIENCE = 2  # such passes in a row
+PATIENCE, PATIENCE_AT_REST = 2, 1  # such passes in a row
 SHORTER = 0.5  # gain after such a pass
 MOST_HALVINGS = 8  # of a step that leads to a pattern without a mesh
 
@@ -90,6 +100,8 @@ def fit(
     if mirror is not None:
         target = mirrored(target, mirror)
     size = max(target.size)
+    smoothing = SMOOTHING if film.seal_width > 0.0 else UNSEALED
+    breadth = min(size, 2.0 * target.area / size)  # less than the size only for slender shapes
     room = 2.0 * film.seal_width + CUT_ROOM
     drawn, twins = twinned(Course.begun(target, size / SAMPLES), mirror)
     known = None if start is None else drawn.resized(start.pattern, size / max(start.target.size))
@@ -100,9 +112,11 @@ def fit(
     best: Pass | None = None
     last: Pass | None = None
     previous: Pass | None = None  # whose mesh may still serve
+    settings: NewtonSettings | None = None
     stalled = passes = meshes = halvings = 0
-    while passes < MOST_PASSES and stalled <= PATIENCE:
-        work = Work(target, film, pressure, edge, backend, model, _part(progress, passes), hopes.lost)
+    while True:
+        shown = _part(progress, passes)
+        work = Work(target, film, pressure, edge, backend, model, shown, hopes.lost, settings)
         course = twins.matched(course, None if last is None else last.course)
         try:
             current = attempt(work, course, previous, last)
@@ -128,9 +142,22 @@ def fit(
             best = current
         else:  # the step went too far: a shorter one from where it began
             mixing, last = AndersonMixing(GAIN * SHORTER**stalled), best
-        if edge == fine and found <= ENOUGH * size and weld_error(current) <= CLOSE * size:
-            break
-        course = _corrected(last, mixing, hopes, edge, size, room)
+        over = passes >= MOST_PASSES or stalled > (PATIENCE if settings is None else PATIENCE_AT_REST)
+        if over or (edge == fine and _good(best, hopes.mean(best.misfit) / breadth, stalled)):
+            if settings is not None:
+                break
+            settings, least = AT_REST, hopes.mean(best.misfit)
+            work = replace(work, settings=settings, progress=_part(progress, passes))
+            best = last = attempt(work, best.course, best, best)
+            passes += 1
+            found = hopes.mean(best.misfit)
+            if passes > MOST_PASSES or found <= max(SAME * least, ENOUGH * breadth):
+                break
+            mixing, stalled = AndersonMixing(GAIN), 0
+        given_up = hopes.given_up
+        course = _corrected(last, mixing, hopes, edge, smoothing * edge, size, room)
+        if hopes.given_up > given_up:  # the rest has its chance now
+            stalled = 0
         previous = last
         if edge > fine and (found <= CLOSE * size or stalled):
             edge, previous, best, stalled = fine, None, None, 0
@@ -144,6 +171,13 @@ def fit(
         return design
     again = partial(fit, mesh_size=mesh_size, backend=backend, model=model, symmetric=False)
     return nearer(design, again(target, film, pressure, progress=_later(progress, passes)))
+
+
+def _good(best: Pass, error: float, stalled: int) -> bool:
+    """Whether a correction with a mean error relative to its breadth is at its aim."""
+    if error > (GOOD if stalled else ENOUGH):
+        return False
+    return weld_error(best) <= CLOSE * max(best.shown.size)
 
 
 def inflate_outline(
@@ -196,16 +230,24 @@ def _meshed(outline: Outline, edge: float) -> Panel:
 
 
 def _corrected(
-    current: Pass, mixing: AndersonMixing, hopes: Hopes, edge: float, size: float, room: float
+    current: Pass,
+    mixing: AndersonMixing,
+    hopes: Hopes,
+    edge: float,
+    width: float,
+    size: float,
+    room: float,
 ) -> Course:
-    """The course with its pattern moved by the smoothed, mixed and clamped differences."""
+    """The course with its pattern moved by the mixed and clamped differences, smoothed over a width [m]."""
     course = current.course
     differences = []
     for drawing, node, seam in zip(course.drawing, current.nodes, current.panel.seams, strict=True):
         points = current.inflation.positions[seam, :2]
         reach = np.full(len(points), DRIFT * edge)
-        v = goals(drawing, points, node.lengths, node.corner_nodes, node.corners, reach) - points
-        smooth = node.field(v, drawing, SMOOTHING * edge)
+        places = seen(points, current.shown, OVERHANG * size)
+        places[node.corner_nodes] = points[node.corner_nodes]
+        v = goals(drawing, places, node.lengths, node.corner_nodes, node.corners, reach) - places
+        smooth = node.field(v, drawing, width)
         turn = seam_turns(current.panel.rest_positions[seam], points)
         differences.append(turned_back(smooth, node.field(turn, drawing, TURNING * edge)))
     wanted = hopes.weighed(course, tuple(differences), 2.0 * edge)

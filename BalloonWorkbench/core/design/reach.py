@@ -17,6 +17,7 @@ from BalloonWorkbench.core.types import Bools, Floats
 UNREACHED, NEARLY = 0.01, 0.005
 FAR = 0.01  # mean distance, of the larger dimension, above which nothing is given up as long as it falls
 IDLE = 2  # passes without gain after which a place is given up
+_FAR_OFF = 3.0  # medians of the distance, beyond which a place counts no more
 _GAIN = 0.9  # a pass that leaves more than this part of the least distance is no gain
 
 
@@ -30,6 +31,11 @@ class Hopes:
         self._idle = [np.zeros(len(loop), dtype=np.int32) for loop in course.pattern]
         self._tried: list[tuple[tuple[Floats, ...], list[Floats]]] = []  # patterns, distances
         self.lost: tuple[Bools, ...] = tuple(np.zeros(len(loop), dtype=np.bool_) for loop in course.pattern)
+
+    @property
+    def given_up(self) -> int:
+        """Number of points that are given up."""
+        return sum(int(lost.sum()) for lost in self.lost)
 
     def weighed(self, course: Course, wanted: tuple[Floats, ...], width: float) -> tuple[Floats, ...]:
         """The wanted moves (n, 2) of a course, none where they have not paid for some passes.
@@ -62,13 +68,18 @@ class Hopes:
         return tuple(moves)
 
     def mean(self, misfit: Misfit) -> float:
-        """Mean distance [m] at the places that are not given up."""
+        """Mean distance [m] at the places that are not given up.
+
+        Single far places, perhaps out of reach, count as much as others at most: else they hide what the rest
+        gains.
+        """
         used = np.ones(len(misfit.distances), dtype=np.bool_)
         for k, lost in enumerate(self.lost):
             mine = misfit.loop == k
             index = (misfit.share[mine] * len(lost)).astype(np.int64) % len(lost)
             used[mine] = ~lost[index]
-        return misfit.over(used).mean
+        away = misfit.distances[used] if used.any() else misfit.distances
+        return float(np.minimum(away, max(UNREACHED * self._size, _FAR_OFF * float(np.median(away)))).mean())
 
 
 def _nearness(drawing: Floats, marked: Bools, width: float) -> Floats:
