@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Pack what users install, from the files of the repository and the libraries of native_libraries.py.
+
+    release.py LIBRARIES FOLDER
+
+writes an addon to unpack into FreeCAD's Mod folder, a wheel with the native library for each platform, and
+SHA256SUMS. The same content gives the same bytes.
+"""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+import io
+import subprocess
+import sys
+import zipfile
+from collections.abc import Mapping
+from pathlib import Path
+from xml.etree import ElementTree
+
+from native_libraries import PLATFORMS, ROOT
+
+ADDON = "BalloonWorkbench"
+WHEEL = "film_balloon_native"
+#: What an addon needs; of a folder all that is in it.
+PARTS = (
+    *("BalloonWorkbench", "resources", "Init.py", "InitGui.py", "package.xml"),
+    *(
+        "LICENSE",
+        "LICENSE-ARTWORK",
+        "LICENSE-THIRD-PARTY",
+        "README.md",
+        "CHANGELOG.md",
+        "docs/images/fish.png",
+    ),
+)
+_LICENCES = ("LICENSE", "LICENSE-THIRD-PARTY")
+
+
+def version_and_date() -> tuple[str, tuple[int, int, int]]:
+    """Those of package.xml."""
+    manifest = ElementTree.parse(ROOT / "package.xml").getroot()
+    year, month, day = map(int, str(manifest.findtext("{*}date")).split("-"))
+    return str(manifest.findtext("{*}version")), (year, month, day)
+
+
+def packed(contents: Mapping[str, bytes], date: tuple[int, int, int]) -> bytes:
+    """A zip of files by name, in the given order; the same bytes for the same content."""
+    stream = io.BytesIO()
+    with zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, content in contents.items():
+            entry = zipfile.ZipInfo(name, (*date, 0, 0, 0))
+            entry.compress_type = zipfile.ZIP_DEFLATED
+            entry.create_system = 3  # the mode below is a Unix one
+            entry.external_attr = 0o100644 << 16
+            archive.writestr(entry, content)
+    return stream.getvalue()
+
+
+def addon(libraries: Path, date: tuple[int, int, int]) -> bytes:
+    """The workbench with the libraries of all platforms."""
+    listed = subprocess.run(
+        ["git", "ls-files", "-z", "--", *PARTS], cwd=ROOT, check=True, capture_output=True, text=True
+    )
+    names = [name for name in listed.stdout.split("\0") if name]
+    contents = {f"{ADDON}/{name}": (ROOT / name).read_bytes() for name in names}
+    for name, platform in PLATFORMS.items():
+        place = f"{ADDON}/BalloonWorkbench/native/lib/{name}/{platform.file}"
+        contents[place] = (libraries / name / platform.file).read_bytes()
+    return packed(dict(sorted(contents.items())), date)
+
+
+def wheel(library: Path, tag: str, version: str, date: tuple[int, int, int]) -> bytes:
+    """A package with nothing but the library of one platform, for any Python 3."""
+    about = f"{WHEEL}-{version}.dist-info"
+    metadata = (
+        f"Metadata-Version: 2.1\nName: {WHEEL.replace('_', '-')}\nVersion: {version}\n"
+        "Summary: The native solver of the Film Balloon workbench for FreeCAD\n"
+        "License: LGPL-2.1-or-later\nRequires-Python: >=3.10\n"
+        + "".join(f"License-File: {name}\n" for name in _LICENCES)
+        + "\nA library with a plain C interface; the Film Balloon workbench finds it by itself.\n"
+    )
+    tags = "".join(f"Tag: py3-none-{each}\n" for each in tag.split("."))
+    contents = {
+        f"{WHEEL}/__init__.py": b'# SPDX-License-Identifier: LGPL-2.1-or-later\n"""Holds a library."""\n',
+        f"{WHEEL}/{library.name}": library.read_bytes(),
+        f"{about}/METADATA": metadata.encode(),
+        f"{about}/WHEEL": f"Wheel-Version: 1.0\nGenerator: release\nRoot-Is-Purelib: false\n{tags}".encode(),
+        **{f"{about}/{name}": (ROOT / name).read_bytes() for name in _LICENCES},
+    }
+    record = "".join(
+        f"{name},sha256={_digest(content)},{len(content)}\n" for name, content in contents.items()
+    )
+    contents[f"{about}/RECORD"] = f"{record}{about}/RECORD,,\n".encode()
+    return packed(contents, date)
+
+
+def _digest(content: bytes) -> str:
+    return base64.urlsafe_b64encode(hashlib.sha256(content).digest()).rstrip(b"=").decode()
+
+
+def files(libraries: Path) -> dict[str, bytes]:
+    """Everything that is released, by name."""
+    version, date = version_and_date()
+    made = {f"film-balloon-{version}.zip": addon(libraries, date)}
+    for name, platform in PLATFORMS.items():
+        file = f"{WHEEL}-{version}-py3-none-{platform.wheel}.whl"
+        made[file] = wheel(libraries / name / platform.file, platform.wheel, version, date)
+    sums = "".join(f"{hashlib.sha256(made[name]).hexdigest()}  {name}\n" for name in sorted(made))
+    return {**made, "SHA256SUMS": sums.encode()}
+
+
+def main(arguments: list[str]) -> None:
+    """Write the files."""
+    libraries, folder = map(Path, arguments)
+    folder.mkdir(parents=True, exist_ok=True)
+    for name, content in files(libraries).items():
+        (folder / name).write_bytes(content)
+        print(f"{len(content):8d} bytes  {folder / name}")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])
