@@ -161,12 +161,19 @@ class BalloonProxy(Stateless):
             obj.Placement = obj.Outline.Placement
 
 
-def inflate_now(obj, progress=None) -> None:
-    """Inflate a balloon that does not do so by itself, property Live; raises BalloonError."""
-    from BalloonWorkbench.core.types import no_progress
+def inflate_now(obj) -> None:
+    """Inflate a balloon that does not do so by itself, property Live; the document follows.
 
-    wanted = request(obj)
-    show(obj, wanted, wanted.solve(progress or no_progress))
+    Why nothing comes of it is told in its Status.
+    """
+    from BalloonWorkbench.app import hooks
+
+    with status.reported(obj, bool(obj.SolvedFor)):
+        wanted = request(obj)
+        design, told = hooks.work(f"Inflating {obj.Label}", lambda progress: solve(wanted, progress))
+        show(obj, wanted, design, told)
+        obj.touch()
+        obj.Document.recompute()
 
 
 def follow_load(obj) -> None:

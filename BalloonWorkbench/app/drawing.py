@@ -75,6 +75,12 @@ def place_in_picture(path: str) -> tuple[float, float, float, float] | None:
 
     For showing the outline over the picture; None where there is no picture or no shape.
     """
+    from BalloonWorkbench.app import hooks
+
+    return hooks.work("Looking at the picture", lambda progress: _found_in(path))
+
+
+def _found_in(path: str) -> tuple[float, float, float, float] | None:
     from BalloonWorkbench.core.errors import BalloonError
     from BalloonWorkbench.core.outline.contour import contours
     from BalloonWorkbench.core.outline.decode import decode, picture_size

@@ -52,10 +52,12 @@ def check_for(pattern_obj, machine_name: str):
 
     Raises what `sheet` and `machine` raise.
     """
+    from BalloonWorkbench.app import hooks
     from BalloonWorkbench.core.export.machine import machine
     from BalloonWorkbench.core.export.preflight import preflight
 
-    return preflight(sheet(pattern_obj), machine(machine_name))
+    made_for, pattern = machine(machine_name), sheet(pattern_obj)
+    return hooks.work("Checking the pattern", lambda progress: preflight(pattern, made_for))
 
 
 def export_for(pattern_obj, machine_name: str, target, paper: str | None = None) -> Path:
@@ -64,19 +66,24 @@ def export_for(pattern_obj, machine_name: str, target, paper: str | None = None)
     paper divides a PDF into pages of "A4", "A3" or "Letter". Raises ExportError, and writes nothing, when the
     machine cannot make the pattern.
     """
+    from BalloonWorkbench.app import hooks
     from BalloonWorkbench.core.export.fabricate import machine_file
     from BalloonWorkbench.core.export.files import write_files
     from BalloonWorkbench.core.export.machine import machine
     from BalloonWorkbench.core.export.preflight import ERROR, preflight
 
     made_for, pattern = machine(machine_name), sheet(pattern_obj)
-    for finding in preflight(pattern, made_for):
-        if finding.severity == ERROR:
-            raise ExportError(finding.text)
+
+    def content(progress) -> bytes:
+        for finding in preflight(pattern, made_for):
+            if finding.severity == ERROR:
+                raise ExportError(finding.text)
+        return machine_file(pattern, made_for, paper)
+
     path = Path(target)
     if path.is_dir():
         path = path / made_for.file_name
-    write_files(path.parent, {path.name: machine_file(pattern, made_for, paper)})
+    write_files(path.parent, {path.name: hooks.work(f"Writing {path.name}", content)})
     return path
 
 

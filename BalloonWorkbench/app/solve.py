@@ -73,3 +73,13 @@ class Request:
     def solve(self, progress: Progress = no_progress) -> Design:
         """The balloon and its seam; BalloonError when there is none, Cancelled when progress says stop."""
         return design_outline(self.source.outline, self.settings, progress)
+
+
+class Told(Request):
+    """A request that is answered with what `balloon.describe` says, too: that takes a while as well."""
+
+    def solve(self, progress: Progress = no_progress) -> tuple[Design, dict]:
+        """The design, and what there is to tell about it; raises as a plain request does."""
+        from BalloonWorkbench.app.balloon import solve
+
+        return solve(Request(self.source, self.settings), progress)

@@ -25,10 +25,13 @@ _USER_INPUT = frozenset(
 
 
 class _Job:
-    """A function of a progress callback, as a worker wants it."""
+    """A function of a progress callback, as a worker wants it; its answer may be None."""
 
     def __init__(self, job):
-        self.solve = job
+        self._job = job
+
+    def solve(self, progress):
+        return (self._job(progress),)
 
 
 class _Guard(QtCore.QObject):
@@ -64,4 +67,9 @@ def work(title: str, job):
         raise worker.error
     if worker.design is None:
         raise Cancelled(translate("The solver stopped; the report view tells why."))
-    return worker.design
+    return worker.design[0]
+
+
+def breathe() -> None:
+    """Let the window answer while the document is filled; nobody may change it meanwhile."""
+    QtWidgets.QApplication.processEvents(QtCore.QEventLoop.ExcludeUserInputEvents)

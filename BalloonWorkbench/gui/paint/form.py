@@ -7,7 +7,7 @@ import FreeCAD as App
 
 from BalloonWorkbench.app.quantities import cubic_millimetres
 from BalloonWorkbench.gui import sentences
-from BalloonWorkbench.gui.panels.fields import new_box
+from BalloonWorkbench.gui.panels.fields import new_quantity_box
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, drawn_icon, translate
 
 
@@ -19,7 +19,7 @@ class Form(QtWidgets.QWidget):
 
     def __init__(self, width: float, parent=None):
         super().__init__(parent)
-        self.width_field = new_box("Gui::QuantitySpinBox")
+        self.width_field = new_quantity_box()
         self.width_field.setObjectName("PaintWidth")
         self.width_field.setProperty("unit", "mm")
         self.width_field.setProperty("minimum", 1.0)

@@ -16,6 +16,7 @@ _FOIL = (236, 238, 242)  # colour of the film where nothing is painted
 _TILT = -35.0  # degrees that the balloon leans back, so that it is seen to be round
 _BESIDE = 0.12  # gap to the pattern, of the balloon's width
 _CREASE = 0.7  # rad between facets that are shaded as one surface
+_AROUND = 1.15  # of what is seen, for the view
 _GROWN = 0.1  # change of the size from which the camera follows
 
 
@@ -54,7 +55,7 @@ class Scene:
         if before is None or any(
             abs(now - then) > _GROWN * max(before) for now, then in zip(look.size, before, strict=True)
         ):
-            view.fitAll()
+            _fit(view, node)
             self._size = look.size
 
     def clear(self) -> None:
@@ -82,6 +83,41 @@ class Scene:
     def _look_at(coin, view) -> None:
         camera = view.getCameraNode()
         camera.orientation.setValue(coin.SbRotation(coin.SbVec3f(1, 0, 0), float(np.radians(-_TILT))))
+
+
+def _fit(view, node) -> None:
+    """Let a node fill the view. FreeCAD fits a ball around everything: a narrow view stays half empty."""
+    from pivy import coin
+
+    camera, (width, height) = view.getCameraNode(), view.getSize()
+    if camera.getTypeId() != coin.SoOrthographicCamera.getClassTypeId() or min(width, height) < 1:
+        view.fitAll()
+        return
+    action = coin.SoGetBoundingBoxAction(coin.SbViewportRegion(width, height))
+    action.apply(node)
+    box = action.getBoundingBox()
+    low, high = (np.array(corner.getValue()) for corner in (box.getMin(), box.getMax()))
+    turn = _axes(*camera.orientation.getValue().getValue())
+    corners = np.array([[(low, high)[k >> axis & 1][axis] for axis in range(3)] for k in range(8)])
+    seen = corners @ turn.T
+    across, up, deep = np.ptp(seen, axis=0) * _AROUND
+    aspect = width / height
+    middle = 0.5 * (seen.min(axis=0) + seen.max(axis=0)) + np.array([0.0, 0.0, deep])
+    camera.position.setValue(*(middle @ turn).tolist())
+    camera.focalDistance.setValue(float(deep))
+    # Coin takes the height for the smaller side of the view
+    camera.height.setValue(float(max(across, up * aspect) if aspect < 1.0 else max(up, across / aspect)))
+
+
+def _axes(x, y, z, w) -> np.ndarray:
+    """Right, up and backward of a camera that was turned by a quaternion, as rows."""
+    return np.array(
+        [
+            [1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w)],
+            [2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w)],
+            [2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y)],
+        ]
+    )
 
 
 def film_nodes(coin, image) -> list:

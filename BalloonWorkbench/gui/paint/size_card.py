@@ -6,7 +6,7 @@ from __future__ import annotations
 from BalloonWorkbench.gui.paint.lengths import large
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 
-_ABOVE = 10  # px over the lower edge of the canvas
+_GAP = 10  # px to the edges of the canvas
 
 
 class SizeCard(QtWidgets.QFrame):
@@ -60,8 +60,8 @@ class SizeCard(QtWidgets.QFrame):
         self.answered.emit(self.field.value() * self._unit.mm)
 
     def place(self) -> None:
-        """At the bottom of the canvas."""
+        """In the corner of the canvas that the hand leaves free."""
         self.adjustSize()
         room = self.parentWidget()
-        self.move((room.width() - self.width()) // 2, room.height() - self.height() - _ABOVE)
+        self.move(room.width() - self.width() - _GAP, room.height() - self.height() - _GAP)
         self.raise_()

@@ -6,7 +6,6 @@ The document is untouched until "Make it!"; that is one undo step.
 
 from __future__ import annotations
 
-import FreeCAD as App
 import FreeCADGui as Gui
 
 from BalloonWorkbench.core.errors import BalloonError
@@ -16,6 +15,7 @@ from BalloonWorkbench.gui.paint.canvas import Canvas
 from BalloonWorkbench.gui.paint.dock import PaintDock
 from BalloonWorkbench.gui.paint.form import Form
 from BalloonWorkbench.gui.paint.keep import keep, kept, show
+from BalloonWorkbench.gui.paint.lengths import short
 from BalloonWorkbench.gui.paint.live import Live
 from BalloonWorkbench.gui.paint.painting import Painting
 from BalloonWorkbench.gui.paint.pictures import Pictures
@@ -26,9 +26,11 @@ from BalloonWorkbench.gui.paint.strokes import Clear
 from BalloonWorkbench.gui.paint.tools import TOOLS
 from BalloonWorkbench.gui.panels import is_free
 from BalloonWorkbench.gui.panels.watch import Watch
+from BalloonWorkbench.gui.patience import breathe
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.status_progress import StatusProgress
 
+_SETTLED = 50  # ms, in which the 3D view takes the room of a window that has closed
 _open: list[PaintWindow] = []  # none or one
 
 
@@ -51,7 +53,10 @@ class PaintWindow(PaintDock):
         self.doc, self.parts = doc, parts
         self.making = False
         self._is_sized = parts is not None  # the width was asked for
-        self._hidden: tuple[str, ...] = ()
+        self._is_refused, self._hidden = (
+            False,
+            (),
+        )  # the last words say why there is no balloon; what is hidden
         self._waiting: StatusProgress | None = None
         self.painting = Painting(self)
         self.canvas = Canvas(self.painting)
@@ -208,14 +213,14 @@ class PaintWindow(PaintDock):
         self._not_making()
         self.doc.openTransaction(translate("Paint a balloon"))
         try:
-            parts = keep(self.doc, self.parts, look, self.live.width, _breathe)
+            parts = keep(self.doc, self.parts, look, self.live.width, breathe)
         except BalloonError as error:
             self.doc.abortTransaction()
             self.form.tell(str(error))
             return
         self.doc.commitTransaction()
         self.finish()
-        Gui.SendMsgToActiveView("ViewFit")
+        QtCore.QTimer.singleShot(_SETTLED, lambda: Gui.SendMsgToActiveView("ViewFit"))
         if is_new:
             print_out.offer(parts)
 
@@ -250,14 +255,16 @@ class PaintWindow(PaintDock):
         self.refresh()
 
     def _found(self, look) -> None:
-        width = App.Units.Quantity(self.live.width, App.Units.Length).UserString
-        self.canvas.overlay.show(look, width)
+        self.canvas.overlay.show(look, short(self.live.width))
         self.canvas.scale.fit(look, self.live.width)
         if not self._is_sized and not self.card.isVisible() and self.hand.stroke is None:
             self.canvas.scale.shown = True
             self.card.ask(self.live.width)
         self.scene.show(look, self.painting.image)
         self.form.show_look(look)
+        if self._is_refused:
+            self._is_refused = False
+            self.form.tell("")
         if look.solved is not None:
             self._advised(look.remarks)
         self.canvas.update()
@@ -268,11 +275,13 @@ class PaintWindow(PaintDock):
         """Thin places turn orange; the worst thing is said."""
         self.canvas.thin.show(remarks)
         serious = [remark.text for remark in remarks if remark.severity != "hint"]
-        self.form.tell(serious[0] if serious else "")
+        fine = translate("Nothing is in the way. Paint on, or press Make it!")
+        self.form.tell(serious[0] if serious else fine)
         self.canvas.update()
 
     def _refused(self, text: str) -> None:
         self._nothing()
+        self._is_refused = True
         self.form.tell(text)
 
     def _nothing(self) -> None:
@@ -292,8 +301,3 @@ class PaintWindow(PaintDock):
         self.form.make_button.setEnabled(not self.making)
         if not self.form.hint.text():
             self.form.tell("")
-
-
-def _breathe() -> None:
-    """Let the window answer while the document is filled; nobody may change it meanwhile."""
-    QtWidgets.QApplication.processEvents(QtCore.QEventLoop.ExcludeUserInputEvents)

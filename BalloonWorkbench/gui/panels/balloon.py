@@ -7,6 +7,7 @@ The engine works in a thread; the document is touched in the main thread alone.
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 
 import FreeCAD as App
@@ -16,6 +17,7 @@ from BalloonWorkbench.app import balloon as balloon_object
 from BalloonWorkbench.app import create, status
 from BalloonWorkbench.app.create import Parts
 from BalloonWorkbench.app.outline import leader
+from BalloonWorkbench.app.solve import Told
 from BalloonWorkbench.core.errors import BalloonError, Cancelled
 from BalloonWorkbench.gui.panels.file_box import FileBox
 from BalloonWorkbench.gui.panels.film_box import FilmBox
@@ -28,6 +30,8 @@ from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, icon, translate
 from BalloonWorkbench.gui.record import Edit
 from BalloonWorkbench.gui.worker import Worker
 
+_REST = 400  # ms without an edit, then a live balloon follows
+
 
 class BalloonPanel:
     """Edits one balloon.
@@ -35,10 +39,17 @@ class BalloonPanel:
     sketch        the outline follows a sketch, not a file
     new_document  the document was made for this balloon and goes with it on Cancel
     edit          of a new balloon, what goes into the macro
+    start         the object of `parts` whose page is in front
     """
 
     def __init__(
-        self, parts: Parts, *, sketch: bool = False, new_document: bool = False, edit: Edit | None = None
+        self,
+        parts: Parts,
+        *,
+        sketch: bool = False,
+        new_document: bool = False,
+        edit: Edit | None = None,
+        start=None,
     ):
         self.parts = parts
         self.edit = edit or Edit(parts)
@@ -47,15 +58,24 @@ class BalloonPanel:
         self.is_new = self.was_new = not parts.balloon.SolvedFor
         self.worker: Worker | None = None
         self.closing = False
+        self.again = False  # values have changed while the worker was at it
+        self.then = ""
         outline = leader(parts.outline)
         self.drawing = (SketchBox if sketch or outline.Source else FileBox)(outline)
         self.film = FilmBox(parts.balloon)
         self.simulation = SimulationBox(parts.balloon)
         self.pattern = PatternBox(parts.pattern)
-        self.result = ResultBox()
+        self.result = ResultBox(parts.balloon)
         self.boxes = (self.drawing, self.film, self.pattern, self.simulation)
-        self.form = [_tabs(*self.boxes), self.result]
-        self.drawing.changed.connect(self.trace)
+        pages = _tabs(*self.boxes)
+        if start in parts:
+            pages.setCurrentWidget((self.drawing, self.film, self.pattern)[parts.index(start)])
+        self.form = [pages, self.result]
+        self.soon = QtCore.QTimer(self.result)
+        self.soon.setSingleShot(True)
+        self.soon.setInterval(_REST)
+        self.soon.timeout.connect(self.follow)
+        self.drawing.changed.connect(self.drawing_changed)
         for box in (self.drawing, self.film):
             box.refused.connect(lambda text: self.result.show_message(text, warning=True))
         self.film.changed.connect(self.values_changed)
@@ -63,6 +83,8 @@ class BalloonPanel:
         self.pattern.changed.connect(self.pattern_changed)
         self.result.wanted.connect(self.apply)
         self.result.stopped.connect(self.stop)
+        self.result.live_changed.connect(self.values_changed)
+        self.result.asked_for.connect(self.accept_and_go)
         self.watch = Watch(parts, self.abandon)
         self.show_state()
         if parts.outline.Source and self.is_new:
@@ -77,6 +99,11 @@ class BalloonPanel:
             self.close(keep=True)
         return False  # `close` does it, now or when the worker is done
 
+    def accept_and_go(self, command: str):
+        """OK, then a command about this balloon."""
+        self.then = command
+        self.accept()
+
     def reject(self):
         self.close(keep=False)
         return False
@@ -87,6 +114,8 @@ class BalloonPanel:
         if keep:
             self.doc.commitTransaction()
             self.edit.write()
+            if self.then:
+                QtCore.QTimer.singleShot(0, partial(_run, self.then, self.doc.Name, self.parts.balloon.Name))
         else:
             self.doc.abortTransaction()
             if self.new_document:
@@ -97,12 +126,13 @@ class BalloonPanel:
     def abandon(self):
         """Close the panel without touching the document: its objects may be about to go."""
         self.watch.remove()
+        self.soon.stop()
         if self.worker is not None:
             self.worker.finished.disconnect()
             self.worker.stop()
             self.worker.wait()
             self.worker = None
-        for box in self.boxes:
+        for box in (*self.boxes, self.result):
             box.release()
         Gui.Control.closeDialog()
 
@@ -117,8 +147,32 @@ class BalloonPanel:
         self.show_state()
         return status.is_ready(self.parts.outline)
 
+    def drawing_changed(self):
+        self.trace()
+        self.follow_soon()
+
     def values_changed(self):
         self.show_state()
+        self.follow_soon()
+
+    def follow_soon(self):
+        """A live balloon follows when the edits pause."""
+        if self.parts.balloon.Live and not self.closing:
+            self.soon.start()
+
+    def follow(self):
+        """Inflate with the values as they are, those half typed left alone."""
+        if self.worker is None:
+            self.bring_up_to_date()
+        elif not self._is_current(self.worker.request):
+            self.again = True
+            self.worker.stop()
+
+    def _is_current(self, request) -> bool:
+        try:
+            return balloon_object.request(self.parts.balloon).key() == request.key()
+        except BalloonError:
+            return False
 
     def pattern_changed(self):
         if status.is_ready(self.parts.balloon):
@@ -131,6 +185,11 @@ class BalloonPanel:
             return False
         for box in self.boxes:
             box.finish_typing()
+        self.soon.stop()
+        return self.bring_up_to_date()
+
+    def bring_up_to_date(self) -> bool:
+        """As `apply`, with what is typed already."""
         if not self.trace():
             self.closing = False
             return False
@@ -141,7 +200,8 @@ class BalloonPanel:
             return False
         if wanted.key() == self.parts.balloon.SolvedFor:
             return self.settle()
-        self.worker = Worker(wanted, self.result, translate("Inflating"))
+        told = Told(wanted.source, wanted.settings)
+        self.worker = Worker(told, self.result, translate("Inflating"))
         self.worker.progressed.connect(self.result.show_progress)
         self.worker.finished.connect(self.work_done)
         self.result.start()
@@ -150,7 +210,8 @@ class BalloonPanel:
 
     def stop(self):
         """Stop the engine; what was shown stays."""
-        self.closing = False
+        self.closing = self.again = False
+        self.soon.stop()
         if self.worker is not None:
             self.worker.stop()
 
@@ -158,15 +219,22 @@ class BalloonPanel:
         """The worker is finished: take over its design or tell why there is none."""
         worker, self.worker = self.worker, None
         self.result.finish()
+        if self.again:
+            self.again = False
+            if worker.design is None:
+                self.bring_up_to_date()
+                return
         if worker.design is None:
             self.fail(worker.error or Cancelled(translate("The solver stopped; the report view tells why.")))
             return
         try:
-            balloon_object.show(self.parts.balloon, worker.request, worker.design)
+            balloon_object.show(self.parts.balloon, worker.request, *worker.design)
         except BalloonError as error:
             self.fail(error)
             return
-        if self.apply() and self.closing:  # works once more when values were changed meanwhile
+        # works once more when values were changed meanwhile
+        done = self.apply() if self.closing else self.bring_up_to_date()
+        if done and self.closing:
             self.close(keep=True)
 
     def settle(self) -> bool:
@@ -195,6 +263,13 @@ class BalloonPanel:
         for box in self.boxes:
             box.refresh()
         self.result.show_result(self.parts)
+
+
+def _run(command: str, document_name: str, balloon_name: str) -> None:
+    """Start a command for a balloon."""
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(document_name, balloon_name)
+    Gui.runCommand(f"BalloonWorkbench_{command}")
 
 
 def _tabs(*boxes):

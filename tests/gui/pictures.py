@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Pictures of the window for the tutorial: `make pictures` copies them to docs/images."""
+
+from contextlib import contextmanager
+from pathlib import Path
+
+import FreeCADGui as Gui
+import hands
+
+FOLDER = Path("build/pictures")
+SIZE = 1400, 900  # px
+
+
+@contextmanager
+def framed():
+    """FreeCAD's window in the size of the pictures."""
+    main = Gui.getMainWindow()
+    before = main.geometry()
+    main.showNormal()
+    main.setGeometry(0, 0, *SIZE)
+    hands.wait(0.3)
+    yield
+    main.setGeometry(before)
+    hands.wait(0.1)
+
+
+def picture(name):
+    """Take a picture of the window as it is now, and return it."""
+    FOLDER.mkdir(parents=True, exist_ok=True)
+    hands.wait(0.3)
+    taken = hands.QtWidgets.QApplication.primaryScreen().grabWindow(0, 0, 0, *SIZE)
+    assert taken.save(str(FOLDER / f"{name}.png"), "PNG", 0)
+    return taken.toImage()
