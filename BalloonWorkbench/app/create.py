@@ -19,6 +19,7 @@ from BalloonWorkbench.app.balloon import (
     VOLUME,
     BalloonProxy,
 )
+from BalloonWorkbench.app.group import make_group
 from BalloonWorkbench.app.outline import OutlineProxy, set_drawing, shape_count
 from BalloonWorkbench.app.pattern import PatternProxy
 from BalloonWorkbench.core.errors import InputError
@@ -35,9 +36,7 @@ class Parts(NamedTuple):
 
 def make(doc, label: str = "Balloon") -> Parts:
     """The three objects, linked and in a group of their own, still without a drawing; nothing is computed."""
-    group = doc.addObject("App::DocumentObjectGroup", "BalloonGroup")
-    group.Label = label
-    return _make_in(group)
+    return _make_in(make_group(doc, label))
 
 
 def _make_in(group) -> Parts:

@@ -8,6 +8,7 @@ it is off again, the mode that was before comes back.
 from __future__ import annotations
 
 import FreeCAD as App
+import FreeCADGui as Gui
 
 from BalloonWorkbench.app.host import COLOUR_PROPERTIES, is_replaying
 from BalloonWorkbench.app.properties import QT_TRANSLATE_NOOP
@@ -18,7 +19,7 @@ from BalloonWorkbench.gui.film_display import FILM, MAP, FilmDisplay, look_of
 from BalloonWorkbench.gui.film_map import CHOICES, OFF
 from BalloonWorkbench.gui.paint.display import MODE as PAINTED
 from BalloonWorkbench.gui.paint.display import PaintedFilm
-from BalloonWorkbench.gui.qt import QtCore
+from BalloonWorkbench.gui.qt import QtCore, translate
 
 MODES = [FILM, MAP, PAINTED]
 #: The result and all that is shown beside it: a change of one of them changes the view.
@@ -152,3 +153,23 @@ def take_look(vobj) -> None:
     look = look_of(vobj.Object)
     vobj.ShapeColor = tuple(int(look.colour[place : place + 2], 16) / 255.0 for place in (1, 3, 5))
     vobj.Transparency = round(100.0 * (1.0 - look.opacity))
+
+
+def fill_menu(obj, menu) -> None:
+    """What the context menu of a balloon has beside FreeCAD's own."""
+    from BalloonWorkbench.app.balloon import inflate_now
+
+    def inflate(_checked=False):
+        obj.Document.openTransaction(translate("Inflate now"))
+        inflate_now(obj)
+        obj.Document.commitTransaction()
+
+    def run(command: str):
+        Gui.Selection.clearSelection()
+        Gui.Selection.addSelection(obj)
+        Gui.runCommand(f"BalloonWorkbench_{command}")
+
+    menu.addAction(translate("Inflate now")).triggered.connect(inflate)
+    if obj.SolvedFor:
+        for text, command in (("Colour map", "ColourMap"), ("Animate inflation", "Animate")):
+            menu.addAction(translate(text)).triggered.connect(lambda _checked=False, name=command: run(name))

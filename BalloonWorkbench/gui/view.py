@@ -26,20 +26,27 @@ class _View(Stateless):
         """The document is open again: what an older one lacks is added."""
 
     def getIcon(self):
-        from BalloonWorkbench.app import status
+        from BalloonWorkbench.gui.remarks import sign
 
-        calm = getattr(self.Object, "Status", "") in ("", status.READY)
-        return icon(self.icon if calm else f"{self.icon}_warning")
+        return icon(self.icon + sign(self.Object))
 
     def updateData(self, obj, name):
-        if name == "Status":
-            obj.ViewObject.signalChangeIcon()
+        if name in ("Status", "Reached"):
+            for shown in (obj, obj.getParentGroup()):
+                if shown is not None and shown.ViewObject is not None:
+                    shown.ViewObject.signalChangeIcon()
 
     def doubleClicked(self, vobj):
         from BalloonWorkbench.gui.panels import edit
 
         edit(vobj.Object)
         return True
+
+
+class GroupView(_View):
+    """Its members say what is wrong; so does it, when it is closed."""
+
+    icon = "group"
 
 
 class OutlineView(_View):
@@ -99,6 +106,11 @@ class BalloonView(_View):
         if hasattr(self, "display"):
             self.display.object_changed(name)
 
+    def setupContextMenu(self, vobj, menu):
+        from BalloonWorkbench.gui.balloon_view import fill_menu
+
+        fill_menu(vobj.Object, menu)
+
     def onChanged(self, vobj, name):
         if hasattr(self, "display"):
             self.display.view_changed(name)
@@ -132,18 +144,35 @@ def _layer_colour(role: str) -> tuple[float, ...]:
     return tuple(int(rgb[i : i + 2], 16) / 255 for i in (1, 3, 5))
 
 
-_VIEWS = {"OutlineProxy": OutlineView, "BalloonProxy": BalloonView, "PatternProxy": PatternView}
+_VIEWS = {
+    "GroupProxy": GroupView,
+    "OutlineProxy": OutlineView,
+    "BalloonProxy": BalloonView,
+    "PatternProxy": PatternView,
+}
+
+
+def _view_of(proxy: str):
+    """The view provider of a kind of object; those for making come when they are wanted."""
+    if proxy in _VIEWS:
+        return _VIEWS[proxy]
+    from BalloonWorkbench.gui.making_view import VIEWS
+
+    return VIEWS[proxy]
 
 
 def dress(obj) -> None:
     """Give an object its view provider unless it has one, as after loading a file saved without a window."""
+    from BalloonWorkbench.gui import remarks
+
     vobj = obj.ViewObject
     if vobj is None:
         return
+    remarks.watch_trees()
     if isinstance(vobj.Proxy, _View):
         vobj.Proxy.restored(vobj)
         return
-    _VIEWS[type(obj.Proxy).__name__](vobj)
+    _view_of(type(obj.Proxy).__name__)(vobj)
     for shown in (obj, obj.getParentGroup()):  # FreeCAD hides what it loads without its looks
         if shown is not None:
             shown.ViewObject.Visibility = True

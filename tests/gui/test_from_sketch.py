@@ -137,7 +137,8 @@ def test_field_of_a_bound_property_shows_it(made):
     made.balloon.ViewObject.Proxy.doubleClicked(made.balloon.ViewObject)
     hands.wait_until(hands.panel_is_open)
     assert hands.find("Pressure").property("rawValue") == pytest.approx(3)
-    assert not hands.find("Pressure").isEnabled()
+    assert hands.find("Pressure").isEnabled()  # behind f(x) the expression can be changed
+    assert hands.find("Pressure").property("expression") == "1 kPa + 2 kPa"
 
 
 def test_second_panel_is_not_opened(made):

@@ -17,7 +17,7 @@ def edit(obj) -> None:
     if parts is None or not is_free():
         return
     obj.Document.openTransaction(translate("Edit balloon"))
-    Gui.Control.showDialog(BalloonPanel(parts))
+    Gui.Control.showDialog(BalloonPanel(parts, start=obj))
 
 
 def paint_again(outline) -> bool:

@@ -12,7 +12,7 @@ _MIN_WIDTH = 120  # px; a task panel may be 190 px wide
 
 
 class ReturnKey(QtCore.QObject):
-    """Lets Return confirm what was typed; a task panel would take it for OK."""
+    """Lets Return confirm what was typed; with nothing typed it is the panel's OK."""
 
     def __init__(self, widget, confirm):
         super().__init__(widget)
@@ -24,9 +24,14 @@ class ReturnKey(QtCore.QObject):
             QtCore.Qt.Key_Return,
             QtCore.Qt.Key_Enter,
         )
-        if is_return:
+        if not is_return:
+            return False
+        line = widget if isinstance(widget, QtWidgets.QLineEdit) else widget.findChild(QtWidgets.QLineEdit)
+        typed = line.isModified()
+        if typed:
             self._confirm()
-        return is_return
+            line.setModified(False)
+        return typed
 
 
 class Fields(QtCore.QObject):
@@ -38,29 +43,22 @@ class Fields(QtCore.QObject):
         super().__init__(parent)
         self.obj = obj
         self._widgets: dict[str, tuple] = {}
+        self._bound: set[str] = set()
 
     def quantity(self, name: str, unit: str, step: float = 1.0):
         """A spin box for a quantity property; `unit` is the one for plain numbers."""
         widget = new_quantity_box()
         widget.setProperty("unit", unit)
-        widget.setProperty("singleStep", step)
-        Gui.ExpressionBinding(widget).bind(self.obj, name)
-        widget.setKeyboardTracking(False)
-        self._add(name, widget, lambda value: widget.setProperty("rawValue", value.Value))
-        QtCore.QObject.connect(
-            widget, QtCore.SIGNAL("valueChanged(double)"), lambda value: self._write(name, value)
-        )
+        self._add_number(name, widget, step, lambda value: value.Value)
         return widget
 
     def number(self, name: str, step: float, decimals: int, most: float = 0.49):
         """A spin box for a plain number from 0 on."""
-        widget = QtWidgets.QDoubleSpinBox()
-        widget.setDecimals(decimals)
-        widget.setSingleStep(step)
-        widget.setMaximum(most)
-        widget.setKeyboardTracking(False)
-        self._add(name, widget, widget.setValue)
-        widget.valueChanged.connect(lambda value: self._write(name, value))
+        widget = new_quantity_box()
+        widget.setProperty("decimals", decimals)  # heard by newer FreeCADs only
+        widget.setProperty("minimum", 0.0)
+        widget.setProperty("maximum", most)
+        self._add_number(name, widget, step, float)
         return widget
 
     def whole(self, name: str, least: int, most: int):
@@ -111,7 +109,9 @@ class Fields(QtCore.QObject):
             blocked = widget.blockSignals(True)
             show(getattr(self.obj, name))
             widget.blockSignals(blocked)
-            widget.setEnabled("ReadOnly" not in self.obj.getEditorMode(name) and name not in driven)
+            # a field with an expression shows it by its sign f(x), behind which it can be changed
+            free = name not in driven or name in self._bound
+            widget.setEnabled("ReadOnly" not in self.obj.getEditorMode(name) and free)
 
     def finish_typing(self) -> None:
         """Take over a number that is still being typed."""
@@ -120,6 +120,17 @@ class Fields(QtCore.QObject):
                 _confirm(widget)
             elif isinstance(widget, QtWidgets.QLineEdit):
                 widget.editingFinished.emit()
+
+    def _add_number(self, name: str, widget, step: float, shown) -> None:
+        """Tie a spin box to a property; shown turns its value into a number."""
+        widget.setProperty("singleStep", step)
+        Gui.ExpressionBinding(widget).bind(self.obj, name)
+        self._bound.add(name)
+        widget.setKeyboardTracking(False)
+        self._add(name, widget, lambda value: widget.setProperty("rawValue", shown(value)))
+        QtCore.QObject.connect(
+            widget, QtCore.SIGNAL("valueChanged(double)"), lambda value: self._write(name, value)
+        )
 
     def _add(self, name: str, widget, show) -> None:
         widget.setObjectName(name)
@@ -144,7 +155,7 @@ class Fields(QtCore.QObject):
 
 
 def new_quantity_box():
-    """FreeCAD's spin box for quantities.
+    """FreeCAD's spin box for quantities, which takes expressions; also for numbers without a unit.
 
     Python is not told when Qt deletes what FreeCAD has made. As long as anything holds the shell of such a
     widget, a new one at the same address gets that shell, dead or of another kind. The next lies elsewhere.

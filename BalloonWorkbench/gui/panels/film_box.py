@@ -36,23 +36,15 @@ class FilmBox(QtWidgets.QWidget):
         form.addRow(translate("Material"), self.card)
         form.addRow(translate("Young's modulus"), self.fields.quantity("YoungModulus", "kPa", 1e5))
         form.addRow(translate("Poisson's ratio"), self.fields.number("PoissonRatio", 0.01, 3))
-        self._grain = [
-            (translate("E across the grain"), self.fields.quantity("YoungModulusAcross", "kPa", 1e5)),
-            (translate("Grain"), self.fields.quantity("GrainAngle", "deg", 5.0)),
-        ]
-        for text, field in self._grain:
-            form.addRow(text, field)
+        form.addRow(translate("E across the grain"), self.fields.quantity("YoungModulusAcross", "kPa", 1e5))
+        form.addRow(translate("Grain"), self.fields.quantity("GrainAngle", "deg", 5.0))
         self._form = form
         form.addRow(translate("Thickness"), self.fields.quantity("Thickness", "mm", 0.005))
         form.addRow(translate("Pressure"), self.fields.quantity("Pressure", "kPa", 0.1))
         form.addRow(translate("Mode"), self.fields.choice("Mode"))
         form.addRow(translate("Size from"), self.fields.choice("SizeGoal"))
-        self._goals = {
-            size_goal.VOLUME: self.fields.quantity("GoalVolume", "l", 1e5),
-            size_goal.LIFT: self.fields.number("GoalLift", 1.0, 1, 1e7),
-        }
-        form.addRow(translate("Volume"), self._goals[size_goal.VOLUME])
-        form.addRow(translate("Lift in g"), self._goals[size_goal.LIFT])
+        form.addRow(translate("Volume"), self.fields.quantity("GoalVolume", "l", 1e5))
+        form.addRow(translate("Lift in g"), self.fields.number("GoalLift", 1.0, 1, 1e7))
         form.addRow(translate("Gas"), self.fields.choice("Gas"))
         self.fields.changed.connect(lambda name: self.changed.emit())
 
@@ -68,9 +60,11 @@ class FilmBox(QtWidgets.QWidget):
         self.fields.refresh()
         self.card.refresh()
         own = self.balloon.Film == CUSTOM  # the library's films have no grain
-        shown = {field: own for _, field in self._grain}
-        shown |= {field: self.balloon.SizeGoal == goal for goal, field in self._goals.items()}
-        for field, visible in shown.items():
+        shown = dict.fromkeys(("YoungModulusAcross", "GrainAngle"), own)
+        shown["GoalVolume"] = self.balloon.SizeGoal == size_goal.VOLUME
+        shown["GoalLift"] = self.balloon.SizeGoal == size_goal.LIFT
+        for name, visible in shown.items():
+            field = self.fields.widget(name)
             field.setVisible(visible)
             self._form.labelForField(field).setVisible(visible)
         if self.balloon.Load == VOLUME:

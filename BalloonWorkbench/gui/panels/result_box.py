@@ -3,21 +3,36 @@
 
 from __future__ import annotations
 
+import FreeCADGui as Gui
+
 from BalloonWorkbench.app import status
 from BalloonWorkbench.app.balloon import VOLUME
+from BalloonWorkbench.gui.panels.fields import Fields
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, icon, translate
 from BalloonWorkbench.gui.sentences import tell
 
 _ICON = 16
+#: Commands for a finished balloon, with their icons.
+_NEXT = (
+    ("ColourMap", "colour_map"),
+    ("Animate", "animate"),
+    ("Advice", "advice"),
+    ("ExportPattern", "export_pattern"),
+)
 
 
 class ResultBox(QtWidgets.QWidget):
-    """A button that starts the work (`wanted`), one that stops it (`stopped`), and what comes of it."""
+    """A button that starts the work (`wanted`), one that stops it (`stopped`), and what comes of it.
+
+    `asked_for` carries the name of a command that looks closer at the balloon.
+    """
 
     wanted = QtCore.Signal()
     stopped = QtCore.Signal()
+    live_changed = QtCore.Signal()
+    asked_for = QtCore.Signal(str)
 
-    def __init__(self):
+    def __init__(self, balloon):
         super().__init__()
         self.setObjectName("Result")
         self.setWindowTitle(translate("Result"))
@@ -26,12 +41,15 @@ class ResultBox(QtWidgets.QWidget):
         self._apply.setObjectName("Apply")
         self._apply.setToolTip(translate("Inflate with these values and show the balloon"))
         self._apply.clicked.connect(lambda _checked=False: self.wanted.emit())
+        self._fields = Fields(balloon, self)
+        self._fields.changed.connect(lambda _name: self.live_changed.emit())
         self._bar = QtWidgets.QProgressBar()
         self._bar.setObjectName("Progress")
         self._bar.setRange(0, 1000)
         self._step = QtWidgets.QLabel()
         self._stop = QtWidgets.QPushButton(translate("Stop"))
         self._stop.setObjectName("Stop")
+        self._stop.setToolTip(translate("Stop and keep the last result"))
         self._stop.clicked.connect(lambda _checked=False: self.stopped.emit())
         self._working = QtWidgets.QWidget()
         working = QtWidgets.QGridLayout(self._working)
@@ -50,11 +68,34 @@ class ResultBox(QtWidgets.QWidget):
         told.addWidget(self._message, 1)
         self._measures = QtWidgets.QFormLayout()
         column = QtWidgets.QVBoxLayout(self)
-        column.addWidget(self._apply)
+        start = QtWidgets.QHBoxLayout()
+        start.addWidget(self._apply, 1)
+        start.addWidget(self._fields.check("Live", translate("Live")))
+        column.addLayout(start)
         column.addWidget(self._working)
         column.addLayout(told)
         column.addLayout(self._measures)
+        column.addLayout(self._next_steps())
         self.finish()
+
+    def _next_steps(self):
+        """Buttons for what may be done with a finished balloon."""
+        row = QtWidgets.QHBoxLayout()
+        row.addStretch(1)
+        self._steps = []
+        for command, name in _NEXT:
+            button = QtWidgets.QToolButton()
+            button.setObjectName(f"Go{command}")
+            button.setIcon(QtGui.QIcon(icon(name)))
+            button.setToolTip(translate("OK, then {}").format(_menu_text(command)))
+            button.clicked.connect(lambda _checked=False, chosen=command: self.asked_for.emit(chosen))
+            row.addWidget(button)
+            self._steps.append(button)
+        return row
+
+    def release(self) -> None:
+        """The panel closes."""
+        self._fields.release()
 
     def start(self) -> None:
         """The work begins."""
@@ -91,6 +132,9 @@ class ResultBox(QtWidgets.QWidget):
         while self._measures.rowCount():
             self._measures.removeRow(0)
         outline, balloon, pattern = parts
+        self._fields.refresh()
+        for button in self._steps:
+            button.setVisible(bool(balloon.SolvedFor))
         for obj in parts:
             if obj.Status and not status.is_ready(obj):
                 self.show_message(
@@ -109,6 +153,10 @@ class ResultBox(QtWidgets.QWidget):
             value.setWordWrap(True)
             value.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
             self._measures.addRow(name, value)
+
+
+def _menu_text(command: str) -> str:
+    return Gui.Command.get(f"BalloonWorkbench_{command}").getInfo()["menuText"].replace("&", "")
 
 
 def _has_source(outline) -> bool:

@@ -18,7 +18,7 @@ class SketchBox(QtWidgets.QWidget):
     def __init__(self, outline):
         super().__init__()
         self.outline = outline
-        self.setWindowTitle(translate("Sketch"))
+        self.setWindowTitle(translate("Outline"))
         self.source = QtWidgets.QLabel()
         self.source.setObjectName("Source")
         self.source.setWordWrap(True)
