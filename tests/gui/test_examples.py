@@ -6,6 +6,7 @@ import FreeCADGui as Gui
 import hands
 import pytest
 from brush import close_window
+from pictures import framed, picture
 
 from BalloonWorkbench.app import status
 from BalloonWorkbench.app.examples import EXAMPLES
@@ -29,6 +30,23 @@ def test_it_opens_from_the_menu(example):
     left, right = image.width() // 4, image.width() - 40
     colours = {image.pixel(x, y) for x in range(left, right, 6) for y in range(200, image.height() - 200, 6)}
     assert len(colours) > 200  # shaded, not flat
+
+
+def test_the_heart_follows_a_cell_beside_its_panel():
+    with framed():
+        Gui.runCommand("BalloonWorkbench_Example_parametric_heart")
+        hands.wait_until(lambda: App.ActiveDocument is not None)
+        doc = App.ActiveDocument
+        doc.Balloon.MeshSize = 20
+        doc.Sizes.set("height", "=300 mm")
+        doc.recompute()
+        assert doc.Outline.SizeY.Value == pytest.approx(300, abs=0.5)
+        Gui.SendMsgToActiveView("ViewFit")
+        assert doc.Balloon.ViewObject.Proxy.doubleClicked(doc.Balloon.ViewObject)
+        hands.wait_until(hands.panel_is_open)
+        picture("tutorial-heart")
+        hands.press("Cancel")
+        hands.wait_until(hands.panel_is_closed)
 
 
 def test_the_menu_has_them():

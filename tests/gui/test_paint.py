@@ -29,6 +29,7 @@ from brush import (
     rgba,
     tablet,
 )
+from pictures import framed, picture
 
 from BalloonWorkbench.app import status
 from BalloonWorkbench.app.qt_picture import pixels
@@ -145,6 +146,11 @@ def test_pressure_of_a_tablet_is_the_width(window):
 
 
 def test_a_click_widens_an_arm_that_is_too_thin(window):
+    with framed():
+        widen_an_arm(window)
+
+
+def widen_an_arm(window):
     canvas = window.canvas
     press(f"PaintColour{RED}")
     arm = [(0.46, 0.494), (0.60, 0.494)]
@@ -155,7 +161,7 @@ def test_a_click_widens_an_arm_that_is_too_thin(window):
     assert "too thin" in remark.question
     before = arm_width(window)
     assert abs(remark.step.was - before) < 4
-    hands.screenshot("paint-thin")
+    picture("tutorial-thin")
     steps = len(window.painting.steps)
     place = canvas.thin.question_place()
     mouse_at(canvas, QEvent.MouseButtonPress, place)
@@ -164,7 +170,6 @@ def test_a_click_widens_an_arm_that_is_too_thin(window):
     assert arm_width(window) == pytest.approx(before + remark.step.wanted - remark.step.was, abs=3)
     wide = pixels(window.painting.image)
     hands.wait_until(window.live.is_settled, 40)
-    hands.screenshot("paint-widened")
     assert not [told for told in canvas.thin.remarks if told.step is not None]
     press("PaintUndo")
     assert arm_width(window) == before
