@@ -17,6 +17,7 @@ import numpy as np
 from BalloonWorkbench.core.errors import Cancelled, SolverError
 from BalloonWorkbench.core.solver.problem import Energies, Equilibrium, FilmProblem, NewtonSettings
 from BalloonWorkbench.core.solver.shell import Shell, tangent_frames, turned
+from BalloonWorkbench.core.solver.sight import Sight
 from BalloonWorkbench.core.types import Floats, Progress, no_progress
 
 if TYPE_CHECKING:
@@ -28,9 +29,11 @@ LEVEL_TOLERANCE = 0.02  # a softer level is good enough at this relative decreme
 SHIFT = 1e-6  # of the area of each vertex, on the diagonal: holds what moves in the plane as a whole
 DIRECTOR_SHIFT = 0.1  # of the flexural rigidity, for a unit of shift
 FIRST_TENSION = 0.03  # in p L, tried when the Hessian is indefinite
+HELD_BACK = 0.1  # a step with more tension than that says little about the rest
 LARGEST_TENSION = 1e12
 TENSION_GROWTH = 8.0
 TENSION_DECAY = 0.2
+NEED_DECAY = 0.5  # of the tension that made the Hessian definite: it is not tried without it again at once
 SUFFICIENT = 2e-4  # part of the predicted decrease that a step must bring
 SHORTEST = 1e-3  # of a Newton step; shorter ones are rejected
 
@@ -50,21 +53,24 @@ def solve(
     """
     shell = Shell(problem)
     shift = SHIFT * _masses(shell)
-    shell.tension = 0.0
+    shell.tension = needed = 0.0
+    sight = Sight(problem.fixed, settings.tolerance)
     steps = factorisations = 0
     converged = False
     for level, stiffness in enumerate(levels):
         shell.membrane_stiffness = stiffness
         last = level == len(levels) - 1
         tolerance = settings.tolerance if last else LEVEL_TOLERANCE
-        energy = shell.energies(positions, directors).total
-        if not np.isfinite(energy):
+        energy = shell.energies(positions, directors)
+        if not np.isfinite(energy.total):
             raise SolverError("The simulation has no finite start. Check the outline for degenerate parts.")
         level_done = False
         while not level_done and steps < settings.max_steps:
             frames = tangent_frames(directors)
             gradient, factor, tries = _definite_factor(shell, positions, directors, frames, shift)
             factorisations += tries
+            if tries > 1:
+                needed = shell.tension
             if factor is None:
                 return Equilibrium(positions, directors, steps, factorisations, False)
             step = factor.solve(-gradient)
@@ -75,20 +81,26 @@ def solve(
             while length >= SHORTEST:
                 next_positions = positions + length * moves
                 next_directors = turned(directors, frames, length * turns)
-                trial = shell.energies(next_positions, next_directors).total
-                if trial <= energy - SUFFICIENT * length * decrement:
+                trial = shell.energies(next_positions, next_directors)
+                if trial.total <= energy.total - SUFFICIENT * length * decrement:
                     break
                 length *= 0.5
             if length < SHORTEST:
-                level_done = decrement <= tolerance * abs(energy)
+                level_done = decrement <= tolerance * abs(energy.total)
                 shell.tension = min(max(TENSION_GROWTH**2 * shell.tension, FIRST_TENSION), LARGEST_TENSION)
             else:
+                held_back = last and shell.tension > HELD_BACK
+                at_rest = sight.at_rest(
+                    positions, next_positions, energy, trial, length, decrement, held_back
+                )
                 positions, directors, energy = next_positions, next_directors, trial
-                level_done = decrement <= tolerance * abs(energy)
-                shell.tension = _next_tension(shell.tension, length)
+                small = decrement <= tolerance * abs(energy.total)
+                level_done = not held_back and (small or at_rest)
+                needed *= NEED_DECAY
+                shell.tension = max(_next_tension(shell.tension, length), needed)
             converged = last and level_done
             if not progress(
-                (level + min(1.0, tolerance * abs(energy) / max(decrement, 1e-300))) / len(levels),
+                (level + min(1.0, tolerance * abs(energy.total) / max(decrement, 1e-300))) / len(levels),
                 "inflating",
             ):
                 raise Cancelled("The simulation was stopped.")

@@ -37,6 +37,7 @@ public:
 
     int vertices() const { return static_cast<int>(number_.size()); }
     int count() const { return static_cast<int>(blocks_.block_of_unknown.size()); }
+    bool held(int vertex, int unknown) const { return number_[vertex][unknown] < 0; }
     void set_membrane_stiffness(double stiffness) { scales_.membrane_stiffness = stiffness; }
 
     // Adds the stiffness of so much tension in all directions to the Hessian.

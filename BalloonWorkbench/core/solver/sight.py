@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""When a balloon is at rest, as far as it can be seen.
+
+The eye sees the outline, which is the seam, and the volume. The last steps of a solve move only crumples. A
+balloon that still sinks slowly shows it in both, step after step, though a step hardly lowers its energy.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from BalloonWorkbench.core.solver.problem import Energies
+from BalloonWorkbench.core.types import Bools, Floats
+
+# The native solver has the same numbers (native/src/sight.cpp): both must take the same steps. In units of
+# the tolerance on the energy, or of its root for the seam, whose movements the energy grows with squared.
+ENERGY = 100.0  # predicted decrease, relative
+VOLUME = 10.0  # change in a whole step, relative
+SEAM = 0.1  # movement in a whole step, root mean square
+STEPS = 2  # in a row
+
+
+class Sight:
+    """What the eye sees of the steps of a solve."""
+
+    def __init__(self, fixed: Bools, tolerance: float) -> None:
+        self._seam = np.flatnonzero(fixed[:, 2] & ~fixed[:, 0] & ~fixed[:, 1])
+        self._tolerance = tolerance
+        self._steps = 0
+
+    def at_rest(
+        self,
+        before: Floats,
+        after: Floats,
+        energy: Energies,
+        next_energy: Energies,
+        length: float,
+        decrement: float,
+        held_back: bool,
+    ) -> bool:
+        """Whether this step and the one before left the balloon as it was; never without a seam, nor for a
+        step that was held back, which says little.
+
+        Positions (n, 3) and energies before and after a part, length, of a Newton step, and its decrement.
+        """
+        whole = self._tolerance * length
+        still = (
+            not held_back
+            and len(self._seam) > 0
+            and decrement <= ENERGY * self._tolerance * abs(next_energy.total)
+            and abs(next_energy.pressure - energy.pressure) <= VOLUME * whole * abs(next_energy.pressure)
+            and self._movement(before, after) <= SEAM * np.sqrt(self._tolerance) * length
+        )
+        self._steps = self._steps + 1 if still else 0
+        return self._steps >= STEPS
+
+    def _movement(self, before: Floats, after: Floats) -> float:
+        """Of the seam, root mean square, without what it moves and turns as a whole."""
+        place = before[self._seam, :2]
+        move = after[self._seam, :2] - place
+        place = place - place.mean(axis=0)
+        move = move - move.mean(axis=0)
+        turn = (place[:, 0] @ move[:, 1] - place[:, 1] @ move[:, 0]) / np.sum(place**2)
+        move += turn * place[:, ::-1] * (1.0, -1.0)
+        return float(np.sqrt(np.sum(move**2) / len(move)))
