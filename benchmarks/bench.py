@@ -19,7 +19,7 @@ def main(arguments: list[str]) -> int:
     """Measure everything and write it down."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--sizes", type=int, nargs="+", default=[500, 2000, 10000, 50000])
-    parser.add_argument("--evolver-sizes", type=int, nargs="*", default=[2000])
+    parser.add_argument("--evolver-sizes", type=int, nargs="*", default=[2000, 10000])
     options = parser.parse_args(arguments)
     folder = ROOT / "build" / "bench"
     folder.mkdir(parents=True, exist_ok=True)

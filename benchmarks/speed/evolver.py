@@ -73,6 +73,7 @@ class EvolverRun:
     seconds    processor time from the loaded file until the volume stays within TOLERANCE of the last one
     total      processor time of the whole run, which goes on until the volume rests
     steps      conjugate-gradient steps until then
+    all_steps  of the whole run
     volume     of the whole balloon, in units of the panel's size cubed
     converged  it came to rest before its time was up
     """
@@ -80,6 +81,7 @@ class EvolverRun:
     seconds: float
     total: float
     steps: int
+    all_steps: int
     volume: float
     converged: bool
 
@@ -118,6 +120,7 @@ def _read(output: str, limit: float) -> EvolverRun:
         float(clock[found] - clock[0]),
         float(clock[-1] - clock[0]),
         int(steps[found]),
+        int(steps[-1]),
         2.0 * float(volume[-1]),
         bool(clock[-1] < limit),
     )

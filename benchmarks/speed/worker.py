@@ -2,8 +2,8 @@
 """One balloon, timed in a process of its own: worker.py JOB prints a line of JSON.
 
 A job: {"shape", "vertices", "backend", "repeats", "bare": without a sealed band, "warm": also edit it,
-"matrix": file for the tangent or null, "shift"}. Times are processor seconds of all threads, and seconds
-on the clock.
+"visible": also time it until its volume is nearly the last one, "matrix": file for the tangent or null,
+"shift"}. Times are processor seconds of all threads, and seconds on the clock.
 """
 
 from __future__ import annotations
@@ -12,17 +12,20 @@ import json
 import sys
 import time
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from speed import cases
+from speed.evolver import TOLERANCE
 from speed.machine import PeakMemory
 from speed.tangent import tangent, write_matrix
 
 from BalloonWorkbench.core.solver.inflate import inflate
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.solver.kinematics import facet_volume
+from BalloonWorkbench.core.solver.problem import NewtonSettings
 
 
 def main(job: dict[str, Any]) -> dict[str, Any]:
@@ -56,6 +59,13 @@ def main(job: dict[str, Any]) -> dict[str, Any]:
             for _ in range(repeats)
         ]
         found["warm"] = {**summary([seconds for _, seconds in runs]), **report(runs[0][0])}
+    if job["visible"]:
+
+        def stopped(steps: int) -> Inflation:
+            settings = NewtonSettings(max_steps=steps)
+            return inflate(panel, film, cases.PRESSURE, backend=backend, settings=settings)
+
+        found["visible"] = until_visible(stopped, result, found["cold"]["cpu"])
     if job["matrix"]:
         write_matrix(Path(job["matrix"]), *tangent(result, film, cases.PRESSURE, job["shift"]))
     return found
@@ -66,6 +76,21 @@ def timed(work: Callable[[], Any]) -> tuple[Any, tuple[float, float]]:
     clock, processor = time.perf_counter(), time.process_time()
     result = work()
     return result, (time.process_time() - processor, time.perf_counter() - clock)
+
+
+def until_visible(stopped: Callable[[int], Inflation], last: Inflation, seconds: float) -> dict[str, Any]:
+    """Steps and processor time from which on the volume stays within TOLERANCE of the last one's.
+
+    stopped(steps) ends a solve early; seconds is what the whole one took.
+    """
+    volume = facet_volume(last.positions, last.panel.triangles)
+    steps = last.report.newton_steps
+    while steps > 1:
+        early, (processor, _) = timed(partial(stopped, steps - 1))
+        if abs(facet_volume(early.positions, last.panel.triangles) / volume - 1.0) > TOLERANCE:
+            break
+        steps, seconds = steps - 1, processor
+    return {"steps": steps, "cpu": seconds}
 
 
 def summary(times: list[tuple[float, float]]) -> dict[str, Any]:
