@@ -8,12 +8,15 @@ import FreeCADGui as Gui
 from BalloonWorkbench.gui.commands import examples
 from BalloonWorkbench.gui.commands.advice import Advice
 from BalloonWorkbench.gui.commands.animate import Animate
+from BalloonWorkbench.gui.commands.artwork import Artwork
+from BalloonWorkbench.gui.commands.assembly_sheet import AssemblySheet
 from BalloonWorkbench.gui.commands.colour_map import ColourMap
 from BalloonWorkbench.gui.commands.documented import documented
 from BalloonWorkbench.gui.commands.equipment import Equipment
 from BalloonWorkbench.gui.commands.export_pattern import ExportPattern
 from BalloonWorkbench.gui.commands.from_picture import FromPicture
 from BalloonWorkbench.gui.commands.from_sketch import FromSketch
+from BalloonWorkbench.gui.commands.nest import Nest
 from BalloonWorkbench.gui.commands.paint import Paint
 
 _COMMANDS = {
@@ -23,7 +26,10 @@ _COMMANDS = {
     "BalloonWorkbench_Advice": Advice,
     "BalloonWorkbench_ColourMap": ColourMap,
     "BalloonWorkbench_Animate": Animate,
+    "BalloonWorkbench_Artwork": Artwork,
+    "BalloonWorkbench_Nest": Nest,
     "BalloonWorkbench_ExportPattern": ExportPattern,
+    "BalloonWorkbench_AssemblySheet": AssemblySheet,
 }
 
 #: In the menu only.

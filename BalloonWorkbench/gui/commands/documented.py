@@ -14,7 +14,10 @@ _KEYS = {
     "Advice": "B, A",
     "ColourMap": "B, M",
     "Animate": "B, V",
+    "Artwork": "B, P",
+    "Nest": "B, L",
     "ExportPattern": "B, E",
+    "AssemblySheet": "B, H",
 }
 
 

@@ -11,7 +11,7 @@ from BalloonWorkbench.gui.qt import icon
 
 
 class ExportPattern:
-    """Opens the export panel on the selected pattern."""
+    """Opens the export panel on the selected pattern, artwork or sheet of film."""
 
     def GetResources(self):
         return {
@@ -34,5 +34,8 @@ class ExportPattern:
         from BalloonWorkbench.gui.panels.export import ExportPanel
 
         doc = App.ActiveDocument
-        chosen = [parts.pattern for parts in map(parts_of, Gui.Selection.getSelection()) if parts]
-        Gui.Control.showDialog(ExportPanel(patterns(doc), chosen[0] if chosen else None))
+        selected = Gui.Selection.getSelection()
+        others = [obj for obj in doc.Objects if hasattr(getattr(obj, "Proxy", None), "cut_pattern")]
+        chosen = [obj for obj in selected if obj in others]
+        chosen += [parts.pattern for parts in map(parts_of, selected) if parts]
+        Gui.Control.showDialog(ExportPanel([*patterns(doc), *others], chosen[0] if chosen else None))

@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Panels laid out on film."""
+
+from __future__ import annotations
+
+import FreeCAD as App
+import FreeCADGui as Gui
+
+from BalloonWorkbench.app.properties import QT_TRANSLATE_NOOP
+from BalloonWorkbench.gui.qt import icon, translate
+
+
+class Nest:
+    """Makes a sheet of film with the selected balloons, or all, and opens its panel."""
+
+    def GetResources(self):
+        return {
+            "Pixmap": icon("nest"),
+            "MenuText": QT_TRANSLATE_NOOP("BalloonWorkbench_Nest", "Lay out on film"),
+            "ToolTip": QT_TRANSLATE_NOOP(
+                "BalloonWorkbench_Nest",
+                "Lay the panels of one or several balloons closely on a roll or on sheets of film",
+            ),
+        }
+
+    def IsActive(self):
+        from BalloonWorkbench.app.parts import patterns
+
+        doc = App.ActiveDocument
+        return doc is not None and not Gui.Control.activeDialog() and bool(patterns(doc))
+
+    def Activated(self):
+        from BalloonWorkbench.app import film_sheet
+        from BalloonWorkbench.app.parts import parts_of, patterns
+        from BalloonWorkbench.gui.panels.nest import NestPanel
+
+        doc = App.ActiveDocument
+        selected = Gui.Selection.getSelection()
+        sheets = [obj for obj in selected if film_sheet.is_film_sheet(obj)]
+        chosen = [parts.pattern for parts in map(parts_of, selected) if parts]
+        doc.openTransaction(translate("Lay out on film"))
+        known = list(dict.fromkeys(chosen)) or patterns(doc)
+        Gui.Control.showDialog(NestPanel(sheets[0] if sheets else film_sheet.make(doc, known)))

@@ -1,0 +1,171 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The task panel of an artwork: pictures for front and back, bleed, resolution, and the files to print."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import FreeCADGui as Gui
+
+from BalloonWorkbench.app import artwork, status
+from BalloonWorkbench.core.errors import BalloonError
+from BalloonWorkbench.gui.panels.fields import Fields
+from BalloonWorkbench.gui.panels.watch import Watch
+from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, icon, translate
+from BalloonWorkbench.gui.sentences import tell
+
+_ENDINGS = "*.png *.jpg *.jpeg *.bmp"
+
+
+def show_panel(obj) -> None:
+    """Open the panel on an artwork, in one undo step."""
+    obj.Document.openTransaction(translate("Edit artwork"))
+    Gui.Control.showDialog(ArtworkPanel(obj))
+
+
+class ArtworkPanel:
+    """Edits an artwork inside an undo step that is open: OK keeps it, Cancel takes it back."""
+
+    def __init__(self, obj):
+        self.obj = obj
+        self.doc = obj.Document
+        self.form = QtWidgets.QWidget()
+        self.form.setObjectName("ArtworkPanel")
+        self.form.setWindowTitle(translate("Artwork"))
+        self.form.setWindowIcon(QtGui.QIcon(icon("artwork")))
+        self.fields = Fields(obj, self.form)
+        self.front = PictureRow("Picture", translate("That of the outline"))
+        self.back = PictureRow("BackPicture", translate("That of the front"))
+        self.write = QtWidgets.QPushButton(translate("Write files…"))
+        self.write.setObjectName("WriteArtwork")
+        self.write.setToolTip(
+            translate("Front and back as PNG and PDF, and as DXF and SVG with the same marks for the cutter")
+        )
+        self.size = QtWidgets.QLabel()
+        self.size.setObjectName("ArtworkSize")
+        self.message = QtWidgets.QLabel()
+        self.message.setObjectName("ArtworkMessage")
+        self.message.setWordWrap(True)
+        form = QtWidgets.QFormLayout(self.form)
+        form.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)
+        form.addRow(translate("Front"), self.front)
+        form.addRow(translate("Back"), self.back)
+        form.addRow(translate("Bleed"), self.fields.quantity("Bleed", "mm"))
+        form.addRow(translate("Dots per inch"), self.fields.number("Resolution", 50.0, 0, 2400.0))
+        form.addRow(translate("Shown side"), self.fields.choice("Side"))
+        form.addRow(translate("Size"), self.size)
+        form.addRow(self.write)
+        form.addRow(self.message)
+        for row in (self.front, self.back):
+            row.chosen.connect(self.choose)
+        self.fields.changed.connect(lambda _name: self.update())
+        self.write.clicked.connect(lambda _checked=False: self.write_files())
+        self.watch = Watch([obj], self.abandon)
+        self.update()
+
+    def choose(self, name: str, path: str) -> None:
+        """Take a picture for a side; an empty path takes it away."""
+        try:
+            setattr(self.obj, name, path)
+        except OSError:
+            self.message.setText(
+                translate("There is no file {}: check the name and the folder.").format(path)
+            )
+            return
+        self.update()
+
+    def update(self) -> None:
+        """Bring the artwork up to date and show what it says."""
+        self.obj.recompute()
+        self.fields.refresh()
+        self.front.show_file(self.obj.Picture)
+        self.back.show_file(self.obj.BackPicture)
+        ready = status.is_ready(self.obj)
+        self.write.setEnabled(ready)
+        self.message.setText(tell(status.problem(self.obj)))
+        width, height = self.obj.PatternWidth.Value, self.obj.PatternHeight.Value
+        self.size.setText(f"{width:.0f} x {height:.0f} mm" if ready else "")
+
+    def write_files(self, folder: str = "") -> None:
+        """Ask for a folder and write the files."""
+        if not folder:
+            document = self.doc.FileName
+            start = str(Path(document).parent if document else Path.home())
+            folder = QtWidgets.QFileDialog.getExistingDirectory(
+                self.form, translate("Folder for the artwork"), start
+            )
+        if not folder:
+            return
+        self.fields.finish_typing()
+        QtWidgets.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)
+        try:
+            written = artwork.write(self.obj, folder)
+        except BalloonError as error:
+            self.message.setText(tell(str(error)))
+        else:
+            told = translate("{} files written to {}").format(len(written), folder)
+            self.message.setText(told)
+        finally:
+            QtWidgets.QApplication.restoreOverrideCursor()
+
+    def accept(self):
+        self.fields.finish_typing()
+        self.update()
+        self.abandon()
+        self.doc.commitTransaction()
+        self.doc.recompute()
+        return True
+
+    def reject(self):
+        self.abandon()
+        self.doc.abortTransaction()
+        self.doc.recompute()
+        return True
+
+    def abandon(self) -> None:
+        """Close without touching the document."""
+        self.watch.remove()
+        self.fields.release()
+        Gui.Control.closeDialog()
+
+
+class PictureRow(QtWidgets.QWidget):
+    """Name of a picture, a button to choose one and one to take it away. `chosen` carries property, path."""
+
+    chosen = QtCore.Signal(str, str)
+
+    def __init__(self, name: str, empty: str):
+        super().__init__()
+        self.name = name
+        self.file = QtWidgets.QLineEdit()
+        self.file.setObjectName(name)
+        self.file.setPlaceholderText(empty)
+        self.file.setMinimumWidth(60)
+        browse, clear = QtWidgets.QToolButton(), QtWidgets.QToolButton()
+        browse.setText("…")
+        browse.setToolTip(translate("Choose a picture"))
+        clear.setText("×")
+        clear.setToolTip(translate("Take the picture away"))
+        row = QtWidgets.QHBoxLayout(self)
+        row.setContentsMargins(0, 0, 0, 0)
+        for widget in (self.file, browse, clear):
+            row.addWidget(widget)
+        self.file.editingFinished.connect(self._typed)
+        browse.clicked.connect(lambda _checked=False: self._browse())
+        clear.clicked.connect(lambda _checked=False: self.chosen.emit(self.name, ""))
+
+    def show_file(self, path: str) -> None:
+        self.file.setText(Path(path).name if path else "")
+        self.file.setModified(False)
+
+    def _typed(self) -> None:
+        if self.file.isModified():
+            self.file.setModified(False)
+            self.chosen.emit(self.name, self.file.text().strip())
+
+    def _browse(self) -> None:
+        path, _ = QtWidgets.QFileDialog.getOpenFileName(
+            self, translate("Choose a picture"), "", translate("Pictures") + f" ({_ENDINGS})"
+        )
+        if path:
+            self.chosen.emit(self.name, path)

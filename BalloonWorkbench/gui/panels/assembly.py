@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The task panel of the assembly sheet: what it takes to make the balloon, will it float, and the page."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import FreeCADGui as Gui
+
+from BalloonWorkbench.app import maker
+from BalloonWorkbench.core.assembly.page import PAGES
+from BalloonWorkbench.core.errors import BalloonError
+from BalloonWorkbench.gui.panels.maker_rows import rows
+from BalloonWorkbench.gui.panels.watch import Watch
+from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, icon, translate
+from BalloonWorkbench.gui.sentences import tell
+
+
+class AssemblyPanel:
+    """Shows a balloon's numbers and writes its page."""
+
+    def __init__(self, parts):
+        self.parts = parts
+        self.form = QtWidgets.QWidget()
+        self.form.setObjectName("AssemblyPanel")
+        self.form.setWindowTitle(translate("Assembly sheet"))
+        self.form.setWindowIcon(QtGui.QIcon(icon("assembly_sheet")))
+        self.paper = QtWidgets.QComboBox()
+        self.paper.setObjectName("Paper")
+        self.paper.addItems(list(PAGES))
+        self.path = QtWidgets.QLineEdit(str(self.suggestion()))
+        self.path.setObjectName("AssemblyFile")
+        self.path.setMinimumWidth(60)
+        browse = QtWidgets.QToolButton()
+        browse.setText("…")
+        line = QtWidgets.QHBoxLayout()
+        line.addWidget(self.path)
+        line.addWidget(browse)
+        self.message = QtWidgets.QLabel()
+        self.message.setObjectName("AssemblyMessage")
+        self.message.setWordWrap(True)
+        form = QtWidgets.QFormLayout(self.form)
+        form.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)
+        for name, text in rows(parts):
+            value = QtWidgets.QLabel(text)
+            value.setWordWrap(True)
+            value.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
+            form.addRow(name, value)
+        form.addRow(translate("Paper"), self.paper)
+        form.addRow(translate("File"), line)
+        form.addRow(self.message)
+        browse.clicked.connect(lambda _checked=False: self.browse())
+        self.watch = Watch(parts, self.close)
+
+    def suggestion(self) -> Path:
+        """A file beside the document, or in the home folder while that is not saved."""
+        document, group = self.parts.balloon.Document.FileName, self.parts.balloon.getParentGroup()
+        folder = Path(document).parent if document else Path.home()
+        return folder / f"{group.Label if group else self.parts.balloon.Label}-assembly.pdf"
+
+    def browse(self) -> None:
+        path, _ = QtWidgets.QFileDialog.getSaveFileName(
+            self.form, translate("Assembly sheet"), self.path.text(), "PDF (*.pdf)"
+        )
+        if path:
+            self.path.setText(path)
+
+    def accept(self):
+        """Write the page; the panel stays with the reason when that fails."""
+        path = Path(self.path.text().strip() or self.suggestion())
+        if path.suffix.lower() != ".pdf":
+            path = path.with_name(path.name + ".pdf")
+        QtWidgets.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)
+        try:
+            written = maker.write_assembly(self.parts, path, self.paper.currentText())
+        except BalloonError as error:
+            self.message.setText(tell(str(error)))
+            return False
+        finally:
+            QtWidgets.QApplication.restoreOverrideCursor()
+        self.close()
+        told = translate("Assembly sheet written to {}").format(written)
+        Gui.getMainWindow().statusBar().showMessage(told, 8000)
+        return True
+
+    def reject(self):
+        self.close()
+        return True
+
+    def close(self) -> None:
+        self.watch.remove()
+        Gui.Control.closeDialog()
