@@ -5,7 +5,7 @@ SHELL := /bin/bash
 .DEFAULT_GOAL := help
 PYTHON := .venv/bin/python
 
-.PHONY: help setup native demo test test-core test-app test-gui matrix lint format validation bench fuzz release release-check translations freecad clean
+.PHONY: help setup native demo test test-core test-app test-gui matrix lint format validation bench fuzz examples pictures release release-check translations freecad clean
 
 help: ## List these targets
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' $(MAKEFILE_LIST) | expand -t 12
@@ -52,6 +52,14 @@ bench: native ## Time against a yardstick, NumPy and Surface Evolver, write docs
 	@cmake -S benchmarks -B build/bench/yardstick -G Ninja -DCMAKE_BUILD_TYPE=Release >/dev/null
 	@cmake --build build/bench/yardstick -- --quiet
 	@$(PYTHON) benchmarks/bench.py $(BENCH)
+
+# Both run FreeCAD's window; look at what they made before you commit it.
+examples: native ## Make the example documents in resources/examples anew
+	@tools/in-window.sh build/examples tools/make_examples.py
+
+pictures: native ## Take the pictures of the tutorial anew, in docs/images
+	@BALLOON_TESTS="tests/gui/test_paint.py tests/gui/test_paint_fish.py tests/gui/test_examples.py" tools/test.sh gui
+	@cp build/pictures/tutorial-*.png docs/images
 
 fuzz: native ## Inflate 2 000 random outlines
 	@BALLOON_OUTLINES=2000 $(PYTHON) -m pytest -q -o faulthandler_timeout=0 tests/core/test_random_outlines.py

@@ -31,10 +31,7 @@ app() {
 }
 
 gui() {
-    env -u WAYLAND_DISPLAY QT_QPA_PLATFORM=xcb LIBGL_ALWAYS_SOFTWARE=1 XDG_RUNTIME_DIR= \
-        timeout --kill-after=30 1200 \
-        xvfb-run --auto-servernum --server-args="-screen 0 1920x1080x24 -noreset" \
-        tools/in-freecad.sh "$scratch/gui" freecad tests/freecad_pytest.py
+    tools/in-window.sh "$scratch/gui" tests/freecad_pytest.py
 }
 
 pytest_has_ended() {

@@ -58,7 +58,7 @@ class StatusProgress(QtCore.QObject):
         self.deleteLater()
 
     def _appear(self) -> None:
-        Gui.getMainWindow().statusBar().insertPermanentWidget(0, self._room)
+        Gui.getMainWindow().statusBar().addPermanentWidget(self._room)
         self._room.show()
 
     def _is_on_button(self, event) -> bool:

@@ -9,6 +9,7 @@ import hands
 
 FOLDER = Path("build/pictures")
 SIZE = 1400, 900  # px
+_PANEL = 270  # px, width of tree and task panels
 
 
 @contextmanager
@@ -18,7 +19,14 @@ def framed():
     before = main.geometry()
     main.showNormal()
     main.setGeometry(0, 0, *SIZE)
-    hands.wait(0.3)
+    hands.wait(0.2)
+    docks = [
+        dock
+        for dock in hands.visible(hands.QtWidgets.QDockWidget)
+        if main.dockWidgetArea(dock) == hands.QtCore.Qt.LeftDockWidgetArea
+    ]
+    main.resizeDocks(docks, [_PANEL] * len(docks), hands.QtCore.Qt.Horizontal)
+    hands.wait(0.2)
     yield
     main.setGeometry(before)
     hands.wait(0.1)

@@ -76,7 +76,10 @@ def test_documents_open_and_keep_what_they_show(bare):
 
 def test_what_does_not_work_says_what_to_install(bare):
     seen, _ = bare
-    assert [text.rpartition("pip install ")[2].rstrip(".") for text in seen["refused"]] == ["shapely", "shapely"]
+    assert [text.rpartition("pip install ")[2].rstrip(".") for text in seen["refused"]] == [
+        "shapely",
+        "shapely",
+    ]
 
 
 def test_start_takes_no_time(bare):

@@ -45,6 +45,13 @@ def window(doc):
     close_window()
 
 
+@pytest.fixture
+def framed_window(doc):
+    with framed():
+        yield open_window()
+        close_window()
+
+
 def test_undo_redo_mirror_zoom_and_keys(window):
     canvas, painting = window.canvas, window.painting
     fish_body(window)
@@ -145,17 +152,15 @@ def test_pressure_of_a_tablet_is_the_width(window):
     assert ink[:, 300].any()
 
 
-def test_a_click_widens_an_arm_that_is_too_thin(window):
-    with framed():
-        widen_an_arm(window)
-
-
-def widen_an_arm(window):
+def test_a_click_widens_an_arm_that_is_too_thin(framed_window):
+    window = framed_window
     canvas = window.canvas
     press(f"PaintColour{RED}")
     arm = [(0.46, 0.494), (0.60, 0.494)]
     left, right = arc(0.3, 0.5, 0.18, 3, 357), arc(0.75, 0.5, 0.15, 178, -178)
     draw(canvas, [*arm, *right, (0.60, 0.506), (0.46, 0.506), *left])
+    hands.wait_until(window.card.isVisible, 20)
+    press("PaintSizeDone")
     hands.wait_until(lambda: canvas.thin.asked() is not None, 20)
     remark = canvas.thin.remarks[canvas.thin.asked()]
     assert "too thin" in remark.question

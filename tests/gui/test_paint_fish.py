@@ -188,6 +188,7 @@ def cut(doc, path):
     Gui.runCommand("BalloonWorkbench_ExportPattern")
     hands.wait_until(hands.panel_is_open)
     hands.type_into(hands.find("File"), str(path), confirm=False)
+    Gui.Selection.clearSelection()
     picture("tutorial-export")
     hands.press("Ok")
     hands.wait_until(hands.panel_is_closed)

@@ -7,7 +7,8 @@ import hands
 import pytest
 from PySide import QtSvg
 
-COMMANDS = ("FromPicture", "FromSketch", "Advice", "ColourMap", "Animate", "ExportPattern")
+COMMANDS = ("FromPicture", "FromSketch", "Advice", "ColourMap", "Animate")
+COMMANDS += ("Artwork", "Nest", "ExportPattern", "AssemblySheet")
 TEXTS = [
     "Paint a balloon",
     "New balloon from picture",
@@ -15,7 +16,10 @@ TEXTS = [
     "Advice",
     "Colour map",
     "Animate inflation",
+    "Artwork",
+    "Lay out on film",
     "Export pattern",
+    "Assembly sheet",
 ]
 
 
@@ -55,7 +59,10 @@ def test_commands_are_offered_when_they_make_sense():
         "Advice": False,
         "ColourMap": False,
         "Animate": False,
+        "Artwork": False,
+        "Nest": False,
         "ExportPattern": False,
+        "AssemblySheet": False,
     }
     App.newDocument("Empty")
     assert active["FromSketch"]()

@@ -1,0 +1,10 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# in-window.sh USER_FOLDER SCRIPT
+# Runs a script in FreeCAD's window, without a screen and with FreeCAD's user folder at USER_FOLDER.
+set -euo pipefail
+
+exec env -u WAYLAND_DISPLAY QT_QPA_PLATFORM=xcb LIBGL_ALWAYS_SOFTWARE=1 XDG_RUNTIME_DIR= \
+    timeout --kill-after=30 1200 \
+    xvfb-run --auto-servernum --server-args="-screen 0 1920x1080x24 -noreset" \
+    "$(dirname "$(realpath "$0")")/in-freecad.sh" "$1" freecad "$2"
