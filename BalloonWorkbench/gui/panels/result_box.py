@@ -8,6 +8,7 @@ import FreeCADGui as Gui
 from BalloonWorkbench.app import status
 from BalloonWorkbench.app.balloon import VOLUME
 from BalloonWorkbench.gui.panels.fields import Fields
+from BalloonWorkbench.gui.panels.maker_rows import short_rows
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, icon, translate
 from BalloonWorkbench.gui.sentences import tell
 
@@ -179,7 +180,7 @@ def measures(balloon, pattern) -> list[tuple[str, str]]:
     ]
     if balloon.Load == VOLUME:
         told.append((translate("Pressure"), f"{balloon.ActivePressure.Value:.3g} kPa"))
-    return told
+    return told + short_rows(balloon, pattern)
 
 
 def _weight(balloon) -> str:
