@@ -51,7 +51,8 @@ def follow(obj) -> None:
         obj,
         GoalVolume="edit" if obj.SizeGoal == VOLUME else "hide",
         GoalLift="edit" if obj.SizeGoal == LIFT else "hide",
-        GasTemperature="edit" if GASES[obj.Gas] == "warm-air" else "hide",
+        # an older object that is just being completed has no gas yet
+        GasTemperature="edit" if GASES.get(obj.Gas) == "warm-air" else "hide",
     )
 
 

@@ -65,8 +65,8 @@ def place_neck(film: Any, chamber: Any, rim: Rim, wish: Wish, seal_width: float,
     neck leaves aslant. Raises InputError for senseless values and where there is no room.
     """
     width, margin = wish.width, seal_width + allowance
-    if not (np.isfinite(width) and width > 0.0):
-        raise InputError("The intake's width and length must be above 0.")
+    if not (1e-5 <= width <= 10.0):
+        raise InputError("The intake's width must be between 0.01 mm and 10 m: give it about 10 mm.")
     sizes = {"W": width, "S": seal_width, "A": allowance}
     length = wish.length if wish.length is not None else wish.kind.usual_length(sizes)
     at, direction = _place(film, chamber, rim, wish)
@@ -77,8 +77,8 @@ def place_neck(film: Any, chamber: Any, rim: Rim, wish: Wish, seal_width: float,
     lengths = max(from_mm(30.0), 3.0 * width, least) * np.array([1.0, 1.4, 2.0, 2.8, 4.0])
     if length is not None:
         lengths = np.array([length])
-    if not np.isfinite(lengths).all():
-        raise InputError("The intake's width and length must be above 0.")
+    if not ((lengths > 0.0) & (lengths <= 100.0)).all():
+        raise InputError("The intake's length must be above 0, up to 100 m: give it about 30 mm.")
     if lengths[0] < least:
         raise InputError(
             f"An intake of {mm_text(lengths[0])} does not reach past the cut:"

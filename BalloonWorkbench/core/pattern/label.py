@@ -25,11 +25,11 @@ def with_label(pattern: Pattern, text: str, height: float) -> Pattern:
     height  of capital letters [m]
     Raises InputError where the text is longer than the film has room, MissingPackageError without matplotlib.
     """
-    text = text.strip()
+    text = " ".join(text.split())
     if not text:
         return pattern
-    if not (height > 0.0 and len(text) <= _MOST):
-        raise InputError(f"A label has up to {_MOST} letters, and a height above 0.")
+    if not (1e-4 <= height <= 10.0 and len(text) <= _MOST):
+        raise InputError(f"A label has up to {_MOST} letters, between 0.1 mm and 10 m high: change it.")
     package = shapely()
     largest = max(pattern.of(Role.CUT), key=lambda cut: float(package.Polygon(cut.points).area))
     film = package.Polygon(largest.points)

@@ -24,6 +24,9 @@ from BalloonWorkbench.core.types import Progress, no_progress
 #: The lower half is the upper one mirrored in the plane of the seam.
 MIRROR = np.array([1.0, 1.0, -1.0])
 
+#: Pressures [Pa] with which the numbers of a balloon stay numbers.
+_LEAST, _MOST = 1e-6, 1e8
+
 
 def inflate(
     panel: Panel,
@@ -46,9 +49,10 @@ def inflate(
     gives the best state with report.converged False. Raises InputError for a pressure that is not positive,
     Cancelled when progress returns False.
     """
-    if not (np.isfinite(pressure) and pressure > 0.0):
+    if not _LEAST <= pressure <= _MOST:
         raise InputError(
-            f"The pressure must be positive, not {pressure:g} Pa. A party balloon has about 2 kPa."
+            f"The pressure must be positive and at most {_MOST:g} Pa, not {pressure:g} Pa. "
+            "A party balloon has about 2 kPa."
         )
     model = model or Model()
     solver = backend_named(backend)

@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Documents of every release, written by every FreeCAD, open in this one; without the workbench too."""
+
+import json
+import os
+import subprocess
+from pathlib import Path
+
+import FreeCAD as App
+import pytest
+
+from BalloonWorkbench.app import migrate, status
+
+KEPT = sorted(Path("tests/resources/documents").glob("*.FCStd"))
+PARTS = ("Outline", "Balloon", "Pattern")
+
+
+@pytest.fixture(params=KEPT, ids=lambda path: path.stem)
+def older(request):
+    document = App.openDocument(str(request.param.resolve()))
+    name = document.Name
+    yield document
+    App.closeDocument(name)
+
+
+def test_there_are_documents_of_each_freecad():
+    names = " ".join(path.name for path in KEPT)
+    assert all(f"0.1.0-freecad-{version}" in names for version in ("0.20", "1.0", "1.1"))
+
+
+def test_older_document_is_brought_up_to_date(older):
+    parts = [older.getObject(name) for name in PARTS]
+    for obj in parts:
+        assert obj.Proxy is not None
+        assert obj.SchemaVersion == migrate.SCHEMA
+        assert obj.Status == status.READY
+    assert older.Balloon.Pressure.Value == pytest.approx(3)
+    assert older.Pattern.Allowance.Value == pytest.approx(3)
+    assert older.Outline.Shape.Area == pytest.approx(120 * 80)
+    assert older.Balloon.Mesh.CountFacets > 100
+    volume = older.Balloon.Volume.Value
+    for obj in parts:
+        obj.touch()
+    older.recompute()
+    assert [obj.Status for obj in parts] == [status.READY] * 3
+    assert older.Balloon.Volume.Value == pytest.approx(volume, rel=0.05)
+
+
+def test_older_document_can_be_edited(older):
+    older.Pattern.Notches = 2
+    older.Rectangle.setDatum("Width", App.Units.Quantity("100 mm"))
+    older.recompute()
+    assert older.Balloon.InflatedWidth.Value == pytest.approx(100, rel=0.03)
+    assert older.Pattern.Status == status.READY
+
+
+@pytest.mark.parametrize("path", KEPT[-2:], ids=lambda path: path.stem)
+def test_shapes_are_kept_where_the_workbench_is_not_installed(path, tmp_path):
+    """A FreeCAD without it opens the document, and saves it."""
+    (tmp_path / "user").mkdir()
+    program = f"""
+import json, FreeCAD as App
+document = App.openDocument({str(path.resolve())!r})
+document.recompute()
+held = [document.Outline.Shape.Area, document.Balloon.Mesh.CountFacets, len(document.Pattern.Shape.Edges)]
+document.saveAs({str(tmp_path / "again.FCStd")!r})
+print("HELD", json.dumps([held, document.Balloon.SolvedFor != "", document.Outline.Proxy is None]))
+"""
+    ended = subprocess.run(
+        ["freecadcmd", "-c", program],
+        env={**os.environ, "FREECAD_USER_HOME": str(tmp_path / "user")},
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=60,
+        stdin=subprocess.DEVNULL,
+        cwd=tmp_path,
+    )
+    (line,) = [line for line in ended.stdout.splitlines() if "HELD" in line]
+    (area, facets, edges), solved, without = json.loads(line.partition("HELD ")[2])
+    assert without
+    assert solved
+    assert area == pytest.approx(120 * 80)
+    assert facets > 100
+    assert edges > 8
+    assert (tmp_path / "again.FCStd").is_file()
