@@ -114,6 +114,18 @@ def of_balloon(balloon_obj):
     return None
 
 
+def on_balloon(balloon_obj):
+    """What an artwork prints on the front of a balloon, as a painting; None where there is none."""
+    from BalloonWorkbench.app.painting import Artwork
+    from BalloonWorkbench.core.units import to_mm
+
+    obj = of_balloon(balloon_obj)
+    if obj is None or not status.is_ready(obj):
+        return None
+    front, _ = _pictures(obj)
+    return Artwork(front.pixels, to_mm(front.low), to_mm(front.pixel))
+
+
 def sheets(obj, dpi: float | None = None):
     """Front and back, ready to print, in the object's resolution or another one.
 

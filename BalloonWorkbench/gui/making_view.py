@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from BalloonWorkbench.gui.paint.display import MODE
 from BalloonWorkbench.gui.view import _layer_colour, _View
 
 #: Resolution of the print in the view [dpi]; more is finer than the screen.
@@ -41,8 +42,11 @@ class ArtworkView(LinesView):
 
     def updateData(self, obj, name):
         super().updateData(obj, name)
-        if name == "Status" and hasattr(self, "print"):
+        if name in ("Shape", "Status") and hasattr(self, "print"):
             self.show_print(obj)
+            balloon = obj.Pattern.Balloon if obj.Pattern else None
+            if balloon is not None and hasattr(balloon.ViewObject.Proxy, "display"):
+                balloon.ViewObject.Proxy.display.mode_chosen(MODE)
 
     def restored(self, vobj):
         self.show_print(vobj.Object)

@@ -63,12 +63,14 @@ def test_artwork_is_chosen_shown_written_and_undone(made, tmp_path, monkeypatch)
     hands.click(hands.find("WriteArtwork"))
     assert len(list((tmp_path / "prints").iterdir())) == 7
     assert "7 files" in hands.find("ArtworkMessage").text()
-    for obj in made:
+    for obj in (made.outline, made.pattern, art):
         obj.ViewObject.Visibility = False
     Gui.activeDocument().activeView().viewTop()
-    blue, yellow = colours_in_view()
-    assert blue > 0.015
-    assert yellow > 0.015
+    for shown, hidden in ((made.balloon, art), (art, made.balloon)):  # on the balloon, and as it is printed
+        shown.ViewObject.Visibility, hidden.ViewObject.Visibility = True, False
+        blue, yellow = colours_in_view()
+        assert blue > 0.015
+        assert yellow > 0.015
     hands.screenshot("artwork")
     hands.press("Ok")
     hands.wait_until(hands.panel_is_closed)

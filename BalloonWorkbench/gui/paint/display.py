@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from BalloonWorkbench.app.artwork import on_balloon
 from BalloonWorkbench.app.painting import artwork
 from BalloonWorkbench.gui.paint.scene import film_nodes
 from BalloonWorkbench.gui.qt import QtGui
@@ -13,7 +14,7 @@ MODE = "Painted"
 
 
 class PaintedFilm:
-    """The balloon's mesh with the painting of its outline, seen from the front."""
+    """The balloon's mesh with its artwork, else with the painting of its outline, seen from the front."""
 
     def __init__(self, vobj):
         from pivy import coin
@@ -30,7 +31,7 @@ class PaintedFilm:
         if not points:
             return
         positions = np.array([(point.x, point.y, point.z) for point in points])
-        art = artwork(obj.Outline) if obj.Outline else None
+        art = on_balloon(obj) or (artwork(obj.Outline) if obj.Outline else None)
         rgba = np.zeros((1, 1, 4), np.uint8) if art is None else art.rgba
         places = np.zeros((len(positions), 2)) if art is None else art.places(positions)
         height, width = rgba.shape[:2]

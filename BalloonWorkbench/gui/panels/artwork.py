@@ -9,6 +9,7 @@ import FreeCADGui as Gui
 
 from BalloonWorkbench.app import artwork, status
 from BalloonWorkbench.core.errors import BalloonError
+from BalloonWorkbench.gui.paint.display import MODE
 from BalloonWorkbench.gui.panels.fields import Fields
 from BalloonWorkbench.gui.panels.watch import Watch
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, icon, translate
@@ -81,6 +82,8 @@ class ArtworkPanel:
         self.front.show_file(self.obj.Picture)
         self.back.show_file(self.obj.BackPicture)
         ready = status.is_ready(self.obj)
+        if ready:
+            self.obj.Pattern.Balloon.ViewObject.DisplayMode = MODE
         self.write.setEnabled(ready)
         self.message.setText(tell(status.problem(self.obj)))
         width, height = self.obj.PatternWidth.Value, self.obj.PatternHeight.Value
