@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from pathlib import Path
 
 import FreeCAD as App
@@ -28,8 +29,9 @@ def icon(name: str) -> str:
     return f"{ICONS}/{name}.svg"
 
 
+@cache
 def drawn_icon(name: str, size: int = 96):
-    """An icon of the workbench for a button: drawn here, as Qt alone may lack its plugin for SVG icons."""
+    """An icon of the workbench as a QIcon: drawn here, as Qt alone may lack its plugin for SVG icons."""
     from PySide import QtSvg
 
     pixmap = QtGui.QPixmap(size, size)

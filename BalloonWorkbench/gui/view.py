@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from BalloonWorkbench.app.stateless import Stateless
-from BalloonWorkbench.gui.qt import icon
+from BalloonWorkbench.gui.qt import drawn_icon
 
 
 class _View(Stateless):
@@ -25,10 +25,14 @@ class _View(Stateless):
     def restored(self, vobj):
         """The document is open again: what an older one lacks is added."""
 
-    def getIcon(self):
+    def icon_name(self) -> str:
+        """The icon in the tree, with a sign where something is wrong."""
         from BalloonWorkbench.gui.remarks import sign
 
-        return icon(self.icon + sign(self.Object))
+        return self.icon + sign(self.Object)
+
+    def getIcon(self):
+        return drawn_icon(self.icon_name())
 
     def updateData(self, obj, name):
         if name in ("Status", "Reached"):

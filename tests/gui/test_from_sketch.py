@@ -77,7 +77,7 @@ def test_open_sketch_is_told_in_the_panel(doc):
 def test_objects_are_dressed(made):
     for obj in made:
         assert type(obj.ViewObject.Proxy).__module__ == "BalloonWorkbench.gui.view"
-        assert obj.ViewObject.Proxy.getIcon().endswith(f"{obj.Name.lower()}.svg")
+        assert obj.ViewObject.Proxy.icon_name() == obj.Name.lower()
     colours = made.pattern.ViewObject.LineColorArray
     assert len(colours) == sum(len(wire.Edges) for wire in made.pattern.Shape.Wires)
     assert len(set(colours)) == 2
@@ -86,8 +86,8 @@ def test_objects_are_dressed(made):
 def test_stale_objects_have_another_icon(made):
     made.balloon.Pressure = -1
     made.balloon.Document.recompute()
-    assert made.balloon.ViewObject.Proxy.getIcon().endswith("balloon_warning.svg")
-    assert made.outline.ViewObject.Proxy.getIcon().endswith("outline.svg")
+    assert made.balloon.ViewObject.Proxy.icon_name() == "balloon_warning"
+    assert made.outline.ViewObject.Proxy.icon_name() == "outline"
 
 
 @pytest.mark.parametrize("name", ["outline", "balloon", "pattern"])

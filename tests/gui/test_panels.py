@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The panel of a balloon as a user works with it: pages, keys, expressions, live and manual, next steps."""
 
+from itertools import pairwise
+
 import FreeCAD as App
 import FreeCADGui as Gui
 import hands
@@ -9,7 +11,6 @@ import sketches
 
 from BalloonWorkbench.app import create, status
 from BalloonWorkbench.gui import remarks
-from BalloonWorkbench.gui.view import dress
 
 QtCore, QtWidgets = hands.QtCore, hands.QtWidgets
 
@@ -65,7 +66,7 @@ def test_tab_goes_down_the_page(made):
         hands.key(widget, QtCore.Qt.Key_Tab, "\t")
         hands.wait(0.02)
     assert len(set(map(id, seen))) >= 5
-    assert all(after > before - 3 for before, after in zip(places, places[1:]))
+    assert all(after > before - 3 for before, after in pairwise(places))
 
 
 def test_escape_is_cancel(made):
@@ -130,7 +131,7 @@ def test_manual_balloon_is_stale_and_says_why(made):
     assert made.balloon.InflatedWidth.Value > 70
     assert made.balloon.Status.startswith(status.STALE + "The outline changed")
     assert made.pattern.Status.startswith(status.STALE)
-    icons = {obj.Name: obj.ViewObject.Proxy.getIcon() for obj in (*made, made.balloon.getParentGroup())}
+    icons = {obj.Name: obj.ViewObject.Proxy.icon_name() for obj in (*made, made.balloon.getParentGroup())}
     assert {name for name, path in icons.items() if "_warning" in path} == {
         "Balloon",
         "Pattern",
@@ -247,13 +248,16 @@ def test_results_are_saved_from_the_window(made, tmp_path, monkeypatch, ending):
 def test_tree_has_a_group_with_an_icon(made):
     group = made.balloon.getParentGroup()
     assert [obj.Name for obj in group.Group] == ["Outline", "Balloon", "Pattern"]
-    assert group.ViewObject.Proxy.getIcon().endswith("group.svg")
-    dress(group)
-    assert not group.ViewObject.Icon.isNull()
+    assert group.ViewObject.Proxy.icon_name() == "group"
+    icons = [obj.ViewObject.Icon.pixmap(16, 16).toImage() for obj in (group, *made)]
+    colours = [{image.pixel(x, y) for x in range(16) for y in range(16)} for image in icons]
+    assert len(set(map(frozenset, colours))) == 4
+    red = [hands.QtGui.QColor(icon.pixel(8, 6)) for icon in (icons[0], icons[2])]
+    assert all(colour.red() > colour.blue() + 40 for colour in red[1:])
 
 
 def test_empty_balloon_has_a_red_sign(doc):
     parts = create.make(doc)
     doc.recompute()
-    assert parts.balloon.ViewObject.Proxy.getIcon().endswith("balloon_error.svg")
-    assert parts.balloon.getParentGroup().ViewObject.Proxy.getIcon().endswith("group_error.svg")
+    assert parts.balloon.ViewObject.Proxy.icon_name() == "balloon_error"
+    assert parts.balloon.getParentGroup().ViewObject.Proxy.icon_name() == "group_error"

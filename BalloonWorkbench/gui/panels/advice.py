@@ -16,7 +16,7 @@ from BalloonWorkbench.core.units import to_mm
 from BalloonWorkbench.gui import record
 from BalloonWorkbench.gui.marks import COLOURS, Overlay
 from BalloonWorkbench.gui.panels.watch import Watch
-from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, icon, number_of, translate
+from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, drawn_icon, number_of, translate
 from BalloonWorkbench.gui.sentences import tell
 
 _DOT = 12  # px
@@ -34,7 +34,7 @@ class AdvicePanel:
         self.form = QtWidgets.QWidget()
         self.form.setObjectName("Advice")
         self.form.setWindowTitle(translate("Advice"))
-        self.form.setWindowIcon(QtGui.QIcon(icon("advice")))
+        self.form.setWindowIcon(drawn_icon("advice"))
         self.source = QtWidgets.QLabel()
         self.source.setObjectName("AdviceSource")
         self.source.setWordWrap(True)

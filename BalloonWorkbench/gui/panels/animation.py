@@ -8,7 +8,7 @@ import FreeCADGui as Gui
 from BalloonWorkbench.core.errors import BalloonError, Cancelled
 from BalloonWorkbench.gui.animation import FRAMES, Player, request_of
 from BalloonWorkbench.gui.panels.watch import Watch
-from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, icon, number_of, translate
+from BalloonWorkbench.gui.qt import QtCore, QtWidgets, drawn_icon, number_of, translate
 from BalloonWorkbench.gui.sentences import tell
 from BalloonWorkbench.gui.worker import Worker
 
@@ -27,7 +27,7 @@ class AnimationPanel:
         self.form = QtWidgets.QWidget()
         self.form.setObjectName("Animation")
         self.form.setWindowTitle(translate("Inflation"))
-        self.form.setWindowIcon(QtGui.QIcon(icon("animate")))
+        self.form.setWindowIcon(drawn_icon("animate"))
         self.bar = QtWidgets.QProgressBar()
         self.bar.setObjectName("AnimationProgress")
         self.bar.setRange(0, 1000)

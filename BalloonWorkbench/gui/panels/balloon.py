@@ -21,12 +21,13 @@ from BalloonWorkbench.app.solve import Told
 from BalloonWorkbench.core.errors import BalloonError, Cancelled
 from BalloonWorkbench.gui.panels.file_box import FileBox
 from BalloonWorkbench.gui.panels.film_box import FilmBox
+from BalloonWorkbench.gui.panels.pages import Pages
 from BalloonWorkbench.gui.panels.pattern_box import PatternBox
 from BalloonWorkbench.gui.panels.result_box import ResultBox
 from BalloonWorkbench.gui.panels.simulation_box import SimulationBox
 from BalloonWorkbench.gui.panels.sketch_box import SketchBox
 from BalloonWorkbench.gui.panels.watch import Watch
-from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, icon, translate
+from BalloonWorkbench.gui.qt import QtCore, drawn_icon, translate
 from BalloonWorkbench.gui.record import Edit
 from BalloonWorkbench.gui.worker import Worker
 
@@ -67,10 +68,12 @@ class BalloonPanel:
         self.pattern = PatternBox(parts.pattern)
         self.result = ResultBox(parts.balloon)
         self.boxes = (self.drawing, self.film, self.pattern, self.simulation)
-        pages = _tabs(*self.boxes)
+        self.pages = Pages(self.boxes)
+        self.pages.setWindowTitle(translate("Balloon"))
+        self.pages.setWindowIcon(drawn_icon("balloon"))
         if start in parts:
-            pages.setCurrentWidget((self.drawing, self.film, self.pattern)[parts.index(start)])
-        self.form = [pages, self.result]
+            self.pages.show_box((self.drawing, self.film, self.pattern)[parts.index(start)])
+        self.form = [self.pages, self.result]
         self.soon = QtCore.QTimer(self.result)
         self.soon.setSingleShot(True)
         self.soon.setInterval(_REST)
@@ -262,6 +265,7 @@ class BalloonPanel:
         """Show what the objects say."""
         for box in self.boxes:
             box.refresh()
+        self.pages.fit()
         self.result.show_result(self.parts)
 
 
@@ -270,14 +274,3 @@ def _run(command: str, document_name: str, balloon_name: str) -> None:
     Gui.Selection.clearSelection()
     Gui.Selection.addSelection(document_name, balloon_name)
     Gui.runCommand(f"BalloonWorkbench_{command}")
-
-
-def _tabs(*boxes):
-    """The boxes behind one another: a task panel is narrow and low."""
-    tabs = QtWidgets.QTabWidget()
-    tabs.setObjectName("Steps")
-    tabs.setWindowTitle(translate("Balloon"))
-    tabs.setWindowIcon(QtGui.QIcon(icon("balloon")))
-    for box in boxes:
-        tabs.addTab(box, box.windowTitle())
-    return tabs

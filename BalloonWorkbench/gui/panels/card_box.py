@@ -73,7 +73,7 @@ class _CardList(QtWidgets.QComboBox):
 
     def __init__(self):
         super().__init__()
-        self.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLength)
+        self.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
         self.setMinimumContentsLength(12)
 
     def show_name(self, name: str) -> None:

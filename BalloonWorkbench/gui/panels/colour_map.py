@@ -10,7 +10,7 @@ from BalloonWorkbench.core.export.colour_map import TENSION
 from BalloonWorkbench.gui.film_map import CHOICES, OFF
 from BalloonWorkbench.gui.panels.results_file import save_results
 from BalloonWorkbench.gui.panels.watch import Watch
-from BalloonWorkbench.gui.qt import QtGui, QtWidgets, icon, translate
+from BalloonWorkbench.gui.qt import QtWidgets, drawn_icon, translate
 from BalloonWorkbench.gui.sentences import tell
 
 _STATE = ("ColourMap", "CompareOutlines", "DisplayMode", "ModeWithoutMap")
@@ -26,7 +26,7 @@ class ColourMapPanel:
         self.form = QtWidgets.QWidget()
         self.form.setObjectName("ColourMapPanel")
         self.form.setWindowTitle(translate("Colour map"))
-        self.form.setWindowIcon(QtGui.QIcon(icon("colour_map")))
+        self.form.setWindowIcon(drawn_icon("colour_map"))
         self.choice = QtWidgets.QComboBox()
         self.choice.setObjectName("ColourMap")
         self.choice.setToolTip(translate("Result that is shown as colours, with a legend"))

@@ -28,7 +28,7 @@ class MachineBox(QtWidgets.QWidget):
         self.pattern = None
         self.choice = QtWidgets.QComboBox()
         self.choice.setObjectName("Machine")
-        self.choice.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLength)
+        self.choice.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
         for known in self.known:
             self.choice.addItem(tell(known.title))
             self.choice.setItemData(self.choice.count() - 1, tell(known.note), QtCore.Qt.ToolTipRole)

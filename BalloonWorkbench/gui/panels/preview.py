@@ -9,6 +9,7 @@ from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, translate
 from BalloonWorkbench.gui.sentences import tell
 
 _MARGIN = 6
+_LEAST, _MOST, _FORM = 150, 280, 0.62  # px, px, height over width: a wide panel has a larger picture
 
 
 def notes_of(outline) -> str:
@@ -29,7 +30,7 @@ class Preview(QtWidgets.QWidget):
     def __init__(self, parent=None):
         super().__init__(parent)
         self.setObjectName("Preview")
-        self.setMinimumHeight(150)
+        self.setMinimumHeight(_LEAST)
         self._picture = QtGui.QPixmap()
         self._picture_box = QtCore.QRectF()
         self._path = QtGui.QPainterPath()
@@ -62,6 +63,10 @@ class Preview(QtWidgets.QWidget):
                 shape.left() - left * width, shape.top() - (1.0 - top) * height, width, height
             )
         self.update()
+
+    def resizeEvent(self, event):
+        super().resizeEvent(event)
+        self.setMinimumHeight(int(min(max(_FORM * self.width(), _LEAST), _MOST)))
 
     def paintEvent(self, event):
         painter = QtGui.QPainter(self)

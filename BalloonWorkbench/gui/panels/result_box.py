@@ -9,7 +9,7 @@ from BalloonWorkbench.app import status
 from BalloonWorkbench.app.balloon import VOLUME
 from BalloonWorkbench.gui.panels.fields import Fields
 from BalloonWorkbench.gui.panels.maker_rows import short_rows
-from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, icon, translate
+from BalloonWorkbench.gui.qt import QtCore, QtWidgets, drawn_icon, translate
 from BalloonWorkbench.gui.sentences import tell
 
 _ICON = 16
@@ -37,7 +37,7 @@ class ResultBox(QtWidgets.QWidget):
         super().__init__()
         self.setObjectName("Result")
         self.setWindowTitle(translate("Result"))
-        self.setWindowIcon(QtGui.QIcon(icon("pattern")))
+        self.setWindowIcon(drawn_icon("pattern"))
         self._apply = QtWidgets.QPushButton(translate("Apply"))
         self._apply.setObjectName("Apply")
         self._apply.setToolTip(translate("Inflate with these values and show the balloon"))
@@ -87,7 +87,7 @@ class ResultBox(QtWidgets.QWidget):
         for command, name in _NEXT:
             button = QtWidgets.QToolButton()
             button.setObjectName(f"Go{command}")
-            button.setIcon(QtGui.QIcon(icon(name)))
+            button.setIcon(drawn_icon(name))
             button.setToolTip(translate("OK, then {}").format(_menu_text(command)))
             button.clicked.connect(lambda _checked=False, chosen=command: self.asked_for.emit(chosen))
             row.addWidget(button)
