@@ -161,7 +161,7 @@ def _choices(tree: ast.Module) -> Iterator[str]:
         if not names or not all(name.isupper() for name in names):
             continue
         for value in _constants(node.value):  # type: ignore[union-attr]
-            if re.fullmatch(r"[A-Z][A-Za-z]+([ -][A-Za-z]+)*", value):
+            if re.fullmatch(r"[A-Z][a-z]+([ -][A-Za-z]+)*", value):
                 yield value
 
 

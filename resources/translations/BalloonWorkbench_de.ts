@@ -5,2340 +5,3290 @@
     <name>App::Property</name>
     <message>
         <source>A line of text where the film is widest, as outlines</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Textzeile dort, wo die Folie am breitesten ist, als Umrisse</translation>
     </message>
     <message>
         <source>A tab with a hole to tie the balloon to, outside the weld</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Lasche mit Loch zum Anbinden, außerhalb der Schweißnaht</translation>
     </message>
     <message>
-        <source>Add a neck through which the balloon is filled</source>
+        <source>Add what the balloon is filled through</source>
+        <translation>Fügt hinzu, wodurch der Ballon gefüllt wird</translation>
+    </message>
+    <message>
+        <source>Another picture for the back; empty takes that of the front</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Area of film inside the welds, both panels</source>
-        <translation type="unfinished"></translation>
+        <translation>Folienfläche innerhalb der Schweißnähte, beide Bahnen</translation>
     </message>
     <message>
         <source>Around the balloon, in degrees Celsius</source>
-        <translation type="unfinished"></translation>
+        <translation>Um den Ballon herum, in Grad Celsius</translation>
     </message>
     <message>
         <source>Automatic evens out a nearly symmetric picture, Forced any drawing: its left half is mirrored</source>
-        <translation type="unfinished"></translation>
+        <translation>„Automatisch“ gleicht ein fast symmetrisches Bild aus, „Erzwungen“ jede Zeichnung: Die linke Hälfte wird gespiegelt</translation>
+    </message>
+    <message>
+        <source>Corner relief: corners of the cuts are rounded so; the weld is not</source>
+        <translation>Eckenfreistich: So werden Ecken der Schnitte gerundet, die Schweißnaht nicht</translation>
     </message>
     <message>
         <source>Corners of all loops</source>
-        <translation type="unfinished"></translation>
+        <translation>Ecken aller Umrisslinien</translation>
     </message>
     <message>
         <source>Corners of all welds</source>
-        <translation type="unfinished"></translation>
+        <translation>Ecken aller Schweißnähte</translation>
     </message>
     <message>
         <source>Corners of the pattern's seam</source>
-        <translation type="unfinished"></translation>
+        <translation>Ecken der Naht des Schnittmusters</translation>
     </message>
     <message>
         <source>Corners of the welds inside</source>
-        <translation type="unfinished"></translation>
+        <translation>Ecken der inneren Schweißnähte</translation>
     </message>
     <message>
         <source>Correct the pattern until the balloon looks like the drawing, or not</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Schnittmuster korrigieren, bis der Ballon wie die Zeichnung aussieht, oder nicht</translation>
     </message>
     <message>
         <source>Corrections of the pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>Korrekturen des Schnittmusters</translation>
     </message>
     <message>
         <source>Direction of the grain, from the x axis of the drawing</source>
-        <translation type="unfinished"></translation>
+        <translation>Laufrichtung der Folie, von der x-Achse der Zeichnung aus</translation>
     </message>
     <message>
         <source>Direction of the neck, counter-clockwise from the x axis</source>
-        <translation type="unfinished"></translation>
+        <translation>Richtung des Füllhalses, gegen den Uhrzeigersinn von der x-Achse</translation>
     </message>
     <message>
         <source>Direction of the tab from the middle of the pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>Richtung der Lasche von der Mitte des Schnittmusters aus</translation>
+    </message>
+    <message>
+        <source>Display mode when no map is shown</source>
+        <translation>Anzeigemodus, wenn keine Farbkarte gezeigt wird</translation>
     </message>
     <message>
         <source>Distance that 95 % of the silhouette keep to</source>
+        <translation>Abstand, den 95 % der Silhouette einhalten</translation>
+    </message>
+    <message>
+        <source>Dots per inch of the files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Film left between pieces, and at the edges</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Film left outside the weld</source>
-        <translation type="unfinished"></translation>
+        <translation>Folie, die außerhalb der Schweißnaht stehen bleibt</translation>
     </message>
     <message>
         <source>Film of both panels with weld and intake, in grams</source>
-        <translation type="unfinished"></translation>
+        <translation>Folie beider Bahnen mit Schweißnaht und Füllhals, in Gramm</translation>
     </message>
     <message>
         <source>Film that wrinkles where it is compressed, or a shell that does not, for comparison</source>
-        <translation type="unfinished"></translation>
+        <translation>Folie, die unter Druck Falten wirft, oder zum Vergleich eine Schale, die das nicht tut</translation>
     </message>
     <message>
         <source>Film, model and solver of the result</source>
-        <translation type="unfinished"></translation>
+        <translation>Folie, Modell und Löser des Ergebnisses</translation>
     </message>
     <message>
         <source>Fit inside width and height instead of stretching to both</source>
-        <translation type="unfinished"></translation>
+        <translation>In Breite und Höhe einpassen, statt auf beide zu dehnen</translation>
     </message>
     <message>
         <source>Follow every change at once; switch it off for heavy models and inflate when you ask for it</source>
-        <translation type="unfinished"></translation>
+        <translation>Jeder Änderung sofort folgen; bei schweren Modellen ausschalten und auf Wunsch aufblasen</translation>
     </message>
     <message>
         <source>FreeCAD's material card that the values were taken from</source>
-        <translation type="unfinished"></translation>
+        <translation>FreeCADs Materialkarte, aus der die Werte stammen</translation>
     </message>
     <message>
         <source>Height above the sea</source>
+        <translation>Höhe über dem Meer</translation>
+    </message>
+    <message>
+        <source>Height of all that is cut</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Height of its capital letters</source>
-        <translation type="unfinished"></translation>
+        <translation>Höhe der Großbuchstaben</translation>
     </message>
     <message>
         <source>Height of the drawing; 0 follows from the width</source>
-        <translation type="unfinished"></translation>
+        <translation>Höhe der Zeichnung; 0 folgt aus der Breite</translation>
     </message>
     <message>
         <source>Height of the inflated balloon</source>
-        <translation type="unfinished"></translation>
+        <translation>Höhe des aufgeblasenen Ballons</translation>
     </message>
     <message>
         <source>Height of the outline</source>
-        <translation type="unfinished"></translation>
+        <translation>Höhe des Umrisses</translation>
     </message>
     <message>
         <source>Height of the piece of film</source>
+        <translation>Höhe des Folienstücks</translation>
+    </message>
+    <message>
+        <source>Height of the print with its marks</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Inner width of the neck</source>
+        <source>How far the print goes past the cut</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How many balloons are cut from the sheet</source>
+        <translation>Wie viele Ballons aus dem Bogen geschnitten werden</translation>
+    </message>
+    <message>
+        <source>How many balloons of each pattern</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How the balloon is filled and closed</source>
+        <translation>Wie der Ballon gefüllt und verschlossen wird</translation>
+    </message>
+    <message>
+        <source>How the grain of the pieces lies, relative to the film's length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How the intake is made and used</source>
+        <translation>Wie der Füllhals gemacht und benutzt wird</translation>
+    </message>
+    <message>
+        <source>Inner width of the neck, or bore of the nozzle</source>
+        <translation>Innere Breite des Halses oder Bohrung des Stutzens</translation>
     </message>
     <message>
         <source>It carries itself</source>
-        <translation type="unfinished"></translation>
+        <translation>Er trägt sich selbst</translation>
     </message>
     <message>
         <source>Label of the values the mesh belongs to</source>
+        <translation>Kennzeichen der Werte, zu denen das Netz gehört</translation>
+    </message>
+    <message>
+        <source>Label of what was laid out</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Larger dimension before repairs, in mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Größeres Maß vor den Reparaturen, in mm</translation>
     </message>
     <message>
         <source>Largest distance between drawing and silhouette</source>
-        <translation type="unfinished"></translation>
+        <translation>Größter Abstand zwischen Zeichnung und Silhouette</translation>
     </message>
     <message>
         <source>Largest membrane tension in N/m</source>
-        <translation type="unfinished"></translation>
+        <translation>Größte Membranspannung in N/m</translation>
     </message>
     <message>
         <source>Largest strain of the film</source>
-        <translation type="unfinished"></translation>
+        <translation>Größte Dehnung der Folie</translation>
     </message>
     <message>
         <source>Least bending stiffness, in units of the usual least one</source>
-        <translation type="unfinished"></translation>
+        <translation>Kleinste Biegesteifigkeit, als Vielfaches der üblichen kleinsten</translation>
+    </message>
+    <message>
+        <source>Left open in welds that would cut off a part, so wide; 0 gives each part an intake of its own</source>
+        <translation>So breit bleiben Nähte offen, die einen Teil abtrennen würden; 0 gibt jedem Teil einen eigenen Füllhals</translation>
     </message>
     <message>
         <source>Length of a notch; at most the allowance</source>
+        <translation>Länge einer Passkerbe; höchstens die Zugabe</translation>
+    </message>
+    <message>
+        <source>Length of a sheet; 0 is a roll</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Length of the neck from the seam outward; 0 is automatic</source>
+        <source>Length of all welds on it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length of the neck from the seam outward, or diameter of the flange; 0 takes the usual one</source>
+        <translation>Länge des Halses von der Naht nach außen oder Durchmesser des Flansches; 0 nimmt den üblichen Wert</translation>
+    </message>
+    <message>
+        <source>Length of the roll that is used</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Length of the weld</source>
-        <translation type="unfinished"></translation>
+        <translation>Länge der Schweißnaht</translation>
     </message>
     <message>
         <source>Lines and arcs within 0.02 mm in place of many short lines</source>
-        <translation type="unfinished"></translation>
+        <translation>Geraden und Bögen mit 0,02 mm Toleranz statt vieler kurzer Linien</translation>
     </message>
     <message>
         <source>Mean distance between drawing and silhouette</source>
-        <translation type="unfinished"></translation>
+        <translation>Mittlerer Abstand zwischen Zeichnung und Silhouette</translation>
     </message>
     <message>
         <source>Notches to lay both films on each other by, evenly along the cut</source>
-        <translation type="unfinished"></translation>
+        <translation>Passkerben zum Aufeinanderlegen beider Folien, gleichmäßig am Schnitt verteilt</translation>
     </message>
     <message>
         <source>Number of corners of each loop</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahl der Ecken jeder Umrisslinie</translation>
     </message>
     <message>
         <source>Number of corners of each seam</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahl der Ecken jeder Naht</translation>
     </message>
     <message>
         <source>Number of corners of each weld</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahl der Ecken jeder inneren Schweißnaht</translation>
     </message>
     <message>
         <source>Number of holes</source>
+        <translation>Zahl der Löcher</translation>
+    </message>
+    <message>
+        <source>Number of pieces on what is shown</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Number of seams, then the number of vertices of each seam and weld</source>
+        <translation>Zahl der Nähte, dann die Zahl der Knoten jeder Naht und Schweißung</translation>
+    </message>
+    <message>
+        <source>Number of sheets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number of the sheet that is shown and exported</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Of warm air, in degrees Celsius</source>
+        <translation>Der Warmluft, in Grad Celsius</translation>
+    </message>
+    <message>
+        <source>Part of the film that the pieces take, in per cent</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Part of the film's area that is slack</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil der Folienfläche, der schlaff ist</translation>
     </message>
     <message>
         <source>Part of the film's area that is wrinkled</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil der Folienfläche, der Falten wirft</translation>
     </message>
     <message>
         <source>Picture, SVG, DXF or JSON file; a copy travels in the document</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild, SVG-, DXF- oder JSON-Datei; eine Kopie liegt im Dokument</translation>
+    </message>
+    <message>
+        <source>Place of the intake: counter-clockwise along the outer seam from its rightmost point</source>
+        <translation>Ort des Füllhalses: gegen den Uhrzeigersinn entlang der äußeren Naht ab ihrem rechten Ende</translation>
     </message>
     <message>
         <source>Point the neck from the centre to the farthest point</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Hals von der Mitte zum fernsten Punkt richten</translation>
     </message>
     <message>
         <source>Poisson's ratio of the film</source>
-        <translation type="unfinished"></translation>
+        <translation>Querkontraktionszahl der Folie</translation>
     </message>
     <message>
         <source>Pressure in the inflated balloon</source>
-        <translation type="unfinished"></translation>
+        <translation>Druck im aufgeblasenen Ballon</translation>
     </message>
     <message>
         <source>Pressure inside, above that outside</source>
-        <translation type="unfinished"></translation>
+        <translation>Innendruck, über dem Außendruck</translation>
     </message>
     <message>
         <source>Put the tab opposite the intake</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Lasche gegenüber dem Füllhals anbringen</translation>
     </message>
     <message>
         <source>Remarks made during the design</source>
-        <translation type="unfinished"></translation>
+        <translation>Hinweise aus dem Entwurf</translation>
     </message>
     <message>
         <source>Remarks made while the outline was found</source>
-        <translation type="unfinished"></translation>
+        <translation>Hinweise aus der Suche nach dem Umriss</translation>
     </message>
     <message>
         <source>Remarks made while the pattern was drawn</source>
+        <translation>Hinweise aus dem Zeichnen des Schnittmusters</translation>
+    </message>
+    <message>
+        <source>Remarks on the layout</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Result that is shown as colours, with a legend</source>
+        <translation>Ergebnis, das als Farben mit Legende gezeigt wird</translation>
     </message>
     <message>
         <source>Roundness: 1 for a disc, 0 for a flat thing</source>
-        <translation type="unfinished"></translation>
+        <translation>Rundheit: 1 für eine Scheibe, 0 für etwas Flaches</translation>
+    </message>
+    <message>
+        <source>Show the drawing and the silhouette over each other</source>
+        <translation>Zeichnung und Silhouette übereinander zeigen</translation>
     </message>
     <message>
         <source>Simulate both panels instead of one and its mirror image</source>
-        <translation type="unfinished"></translation>
+        <translation>Beide Bahnen simulieren statt einer und ihres Spiegelbilds</translation>
     </message>
     <message>
         <source>Size of the triangles; 0 is automatic</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe der Dreiecke; 0 ist automatisch</translation>
     </message>
     <message>
         <source>Sketch, wire or face that the outline follows instead of a file</source>
-        <translation type="unfinished"></translation>
+        <translation>Skizze, Draht oder Fläche, denen der Umriss statt einer Datei folgt</translation>
+    </message>
+    <message>
+        <source>Smooth stretches as single splines in place of arcs</source>
+        <translation>Glatte Strecken als einzelne Splines statt als Bögen</translation>
     </message>
     <message>
         <source>Solver that was used</source>
-        <translation type="unfinished"></translation>
+        <translation>Benutzter Löser</translation>
     </message>
     <message>
         <source>Solver: compiled, NumPy, or the best of them; Newmark follows the inflation in time, slowly</source>
-        <translation type="unfinished"></translation>
+        <translation>Löser: kompiliert, NumPy oder der beste davon; Newmark folgt dem Aufblasen in der Zeit, langsam</translation>
     </message>
     <message>
         <source>Steps of the solver in the last inflation</source>
-        <translation type="unfinished"></translation>
+        <translation>Schritte des Lösers beim letzten Aufblasen</translation>
     </message>
     <message>
         <source>Tension over the section at which the film tears; 0: not known</source>
-        <translation type="unfinished"></translation>
+        <translation>Zugspannung im Querschnitt, bei der die Folie reißt; 0: unbekannt</translation>
     </message>
     <message>
         <source>The balloon that is cut from this pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Ballon, der aus diesem Schnittmuster entsteht</translation>
     </message>
     <message>
         <source>The film resists bending</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Folie widersteht dem Biegen</translation>
     </message>
     <message>
         <source>The mesh shown is an equilibrium</source>
-        <translation type="unfinished"></translation>
+        <translation>Das gezeigte Netz ist im Gleichgewicht</translation>
     </message>
     <message>
         <source>The outline of the drawing</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Umriss der Zeichnung</translation>
     </message>
     <message>
         <source>The outline whose drawing this one shares; empty: its own</source>
+        <translation>Der Umriss, dessen Zeichnung dieser mitbenutzt; leer: seine eigene</translation>
+    </message>
+    <message>
+        <source>The pattern that is printed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The patterns that are laid out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The second panel beside the first, mirrored; else cut twice</source>
+        <translation>Die zweite Bahn gespiegelt neben der ersten; sonst zweimal schneiden</translation>
+    </message>
+    <message>
+        <source>The side that is shown and exported for a cutter</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The silhouette is within the tolerance of the drawing</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Silhouette liegt innerhalb der Toleranz um die Zeichnung</translation>
     </message>
     <message>
         <source>The whole report as JSON</source>
-        <translation type="unfinished"></translation>
+        <translation>Der ganze Bericht als JSON</translation>
     </message>
     <message>
         <source>Thickness of the film</source>
-        <translation type="unfinished"></translation>
+        <translation>Dicke der Folie</translation>
     </message>
     <message>
         <source>Thickness of the inflated balloon</source>
-        <translation type="unfinished"></translation>
+        <translation>Dicke des aufgeblasenen Ballons</translation>
     </message>
     <message>
         <source>Up to date, or what is wrong</source>
-        <translation type="unfinished"></translation>
+        <translation>Aktuell, oder was nicht stimmt</translation>
     </message>
     <message>
         <source>Version of this object's properties</source>
-        <translation type="unfinished"></translation>
+        <translation>Version der Eigenschaften dieses Objekts</translation>
     </message>
     <message>
         <source>Vertices along all seams, then along all welds inside</source>
-        <translation type="unfinished"></translation>
+        <translation>Knoten entlang aller Nähte, dann entlang aller inneren Schweißnähte</translation>
     </message>
     <message>
         <source>Vertices of each triangle</source>
-        <translation type="unfinished"></translation>
+        <translation>Knoten jedes Dreiecks</translation>
     </message>
     <message>
         <source>Vertices of the flat panel</source>
-        <translation type="unfinished"></translation>
+        <translation>Knoten der flachen Bahn</translation>
     </message>
     <message>
         <source>Vertices of the inflated upper film</source>
-        <translation type="unfinished"></translation>
+        <translation>Knoten der aufgeblasenen oberen Folie</translation>
     </message>
     <message>
         <source>Vertices of the lower film where both were simulated</source>
-        <translation type="unfinished"></translation>
+        <translation>Knoten der unteren Folie, wenn beide simuliert wurden</translation>
     </message>
     <message>
         <source>Volume of the balloon, from which the pressure follows</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumen des Ballons, aus dem der Druck folgt</translation>
     </message>
     <message>
         <source>Volume of the inflated balloon</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumen des aufgeblasenen Ballons</translation>
     </message>
     <message>
         <source>Volume that decides the size</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumen, das die Größe bestimmt</translation>
     </message>
     <message>
         <source>Weight of the film in kg per square metre</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewicht der Folie in kg je Quadratmeter</translation>
     </message>
     <message>
         <source>What decides the size: the outline as it is, a volume to hold or a load to carry</source>
-        <translation type="unfinished"></translation>
+        <translation>Was die Größe bestimmt: der Umriss, wie er ist, ein Volumen oder eine Traglast</translation>
     </message>
     <message>
         <source>What fills it when it shall float</source>
-        <translation type="unfinished"></translation>
+        <translation>Womit er gefüllt wird, wenn er schweben soll</translation>
     </message>
     <message>
         <source>What is given: the pressure, or the volume that it shall reach</source>
+        <translation>Was gegeben ist: der Druck oder das Volumen, das er erreichen soll</translation>
+    </message>
+    <message>
+        <source>What is printed; empty takes the picture or painting of the outline</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>What it carries with its gas, in grams; below 0 it sinks</source>
-        <translation type="unfinished"></translation>
+        <translation>Was er mit seinem Gas trägt, in Gramm; unter 0 sinkt er</translation>
     </message>
     <message>
         <source>What it shall carry besides itself, in grams; 0 makes it float just so</source>
-        <translation type="unfinished"></translation>
+        <translation>Was er außer sich selbst tragen soll, in Gramm; mit 0 schwebt er gerade</translation>
+    </message>
+    <message>
+        <source>What tells where the intake is</source>
+        <translation>Wodurch der Ort des Füllhalses gegeben ist</translation>
     </message>
     <message>
         <source>What the balloon is made of; Custom lets you give your own values</source>
-        <translation type="unfinished"></translation>
+        <translation>Woraus der Ballon ist; „Eigene“ erlaubt eigene Werte</translation>
     </message>
     <message>
         <source>What the coach has changed in the drawing, one repair each; delete an entry to take it back</source>
-        <translation type="unfinished"></translation>
+        <translation>Was der Ratgeber an der Zeichnung geändert hat, je eine Reparatur; einen Eintrag löschen nimmt sie zurück</translation>
     </message>
     <message>
         <source>What the outline was read from</source>
-        <translation type="unfinished"></translation>
+        <translation>Woraus der Umriss gelesen wurde</translation>
     </message>
     <message>
         <source>What to do along each wire of the shape</source>
-        <translation type="unfinished"></translation>
+        <translation>Was entlang jedes Drahtes der Form zu tun ist</translation>
     </message>
     <message>
         <source>What would make the balloon better</source>
+        <translation>Was den Ballon besser machen würde</translation>
+    </message>
+    <message>
+        <source>Where all pieces lie, as JSON</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Which shape of the drawing it is; 1 is the largest</source>
-        <translation type="unfinished"></translation>
+        <translation>Die wievielte Form der Zeichnung es ist; 1 ist die größte</translation>
     </message>
     <message>
         <source>Width from which it carries itself; 0 when never</source>
+        <translation>Breite, ab der er sich selbst trägt; 0: nie</translation>
+    </message>
+    <message>
+        <source>Width of all that is cut</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Width of the drawing; 0 follows from the height</source>
-        <translation type="unfinished"></translation>
+        <translation>Breite der Zeichnung; 0 folgt aus der Höhe</translation>
     </message>
     <message>
         <source>Width of the inflated balloon</source>
-        <translation type="unfinished"></translation>
+        <translation>Breite des aufgeblasenen Ballons</translation>
     </message>
     <message>
         <source>Width of the outline</source>
-        <translation type="unfinished"></translation>
+        <translation>Breite des Umrisses</translation>
     </message>
     <message>
         <source>Width of the piece of film</source>
+        <translation>Breite des Folienstücks</translation>
+    </message>
+    <message>
+        <source>Width of the print with its marks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Width of the roll or sheet</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Width of the weld that this film needs</source>
-        <translation type="unfinished"></translation>
+        <translation>Breite der Schweißnaht, die diese Folie braucht</translation>
     </message>
     <message>
         <source>Width of the weld; 0 takes the film's</source>
-        <translation type="unfinished"></translation>
+        <translation>Breite der Schweißnaht; 0 nimmt die der Folie</translation>
     </message>
     <message>
         <source>Young's modulus across the grain; 0 means no grain</source>
-        <translation type="unfinished"></translation>
+        <translation>Elastizitätsmodul quer zur Laufrichtung; 0 heißt ohne Laufrichtung</translation>
     </message>
     <message>
         <source>Young's modulus of the film</source>
-        <translation type="unfinished"></translation>
+        <translation>Elastizitätsmodul der Folie</translation>
     </message>
 </context>
 <context>
     <name>BalloonWorkbench</name>
     <message>
+        <source> The native solver, which is faster, is not available: {0}</source>
+        <translation> Der schnellere native Löser ist nicht verfügbar: {0}</translation>
+    </message>
+    <message>
         <source> is not ready: </source>
-        <translation type="unfinished"></translation>
+        <translation> ist nicht bereit: </translation>
     </message>
     <message>
         <source>"{0}" is no colour: give one such as "#cc294d".</source>
-        <translation type="unfinished"></translation>
+        <translation>„{0}“ ist keine Farbe: zum Beispiel „#cc294d“ angeben.</translation>
     </message>
     <message>
         <source>"{0}" is no sum of L, W, S, A and millimetres, such as "0.5 W + 2".</source>
-        <translation type="unfinished"></translation>
+        <translation>„{0}“ ist keine Summe aus L, W, S, A und Millimetern, wie „0.5 W + 2“.</translation>
     </message>
     <message>
         <source>"{0}" may not use {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>„{0}“ darf {1} nicht benutzen.</translation>
     </message>
     <message>
         <source>'{0}' cannot be read ({1}). Check the name and its access.</source>
-        <translation type="unfinished"></translation>
+        <translation>„{0}“ kann nicht gelesen werden ({1}). Name und Zugriff prüfen.</translation>
     </message>
     <message>
         <source>'{0}' has {1} x {2} pixels, more than {3} million. Make it smaller; 2000 pixels across are plenty.</source>
-        <translation type="unfinished"></translation>
+        <translation>„{0}“ hat {1} x {2} Pixel, mehr als {3} Millionen. Verkleinern; 2000 Pixel Breite sind reichlich.</translation>
     </message>
     <message>
         <source>'{0}' is colder than anything; write a temperature as 20C, 68F or 293K.</source>
-        <translation type="unfinished"></translation>
+        <translation>„{0}“ ist kälter als alles; eine Temperatur als 20C, 68F oder 293K schreiben.</translation>
     </message>
     <message>
         <source>'{0}' is damaged or not a DXF file. Save it once more.</source>
-        <translation type="unfinished"></translation>
+        <translation>„{0}“ ist beschädigt oder keine DXF-Datei. Noch einmal speichern.</translation>
     </message>
     <message>
         <source>'{0}' is damaged or not a picture ({1}). Save it as PNG, JPEG or BMP once more.</source>
-        <translation type="unfinished"></translation>
+        <translation>„{0}“ ist beschädigt oder kein Bild ({1}). Noch einmal als PNG, JPEG oder BMP speichern.</translation>
     </message>
     <message>
         <source>'{0}' is damaged or not a picture. Save it as PNG, JPEG or BMP once more.</source>
-        <translation type="unfinished"></translation>
+        <translation>„{0}“ ist beschädigt oder kein Bild. Noch einmal als PNG, JPEG oder BMP speichern.</translation>
     </message>
     <message>
         <source>'{0}' is empty. Choose another file.</source>
-        <translation type="unfinished"></translation>
+        <translation>„{0}“ ist leer. Eine andere Datei wählen.</translation>
     </message>
     <message>
         <source>'{0}' is larger than {1} MB. Simplify the drawing.</source>
-        <translation type="unfinished"></translation>
+        <translation>„{0}“ ist größer als {1} MB. Die Zeichnung vereinfachen.</translation>
     </message>
     <message>
         <source>'{0}' is neither SVG, DXF nor JSON. Save the drawing as one of these.</source>
-        <translation type="unfinished"></translation>
+        <translation>„{0}“ ist weder SVG noch DXF noch JSON. Die Zeichnung als eines davon speichern.</translation>
     </message>
     <message>
         <source>'{0}' is not a drawing that can be read. Use PNG, JPEG, BMP, SVG, DXF or JSON.</source>
-        <translation type="unfinished"></translation>
+        <translation>„{0}“ ist keine lesbare Zeichnung. PNG, JPEG, BMP, SVG, DXF oder JSON benutzen.</translation>
     </message>
     <message>
         <source>'{0}' is not a file name: leave out the folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>„{0}“ ist kein Dateiname: den Ordner weglassen.</translation>
     </message>
     <message>
         <source>'{0}' is not a picture that can be read. Save it as PNG, JPEG or BMP.</source>
-        <translation type="unfinished"></translation>
+        <translation>„{0}“ ist kein lesbares Bild. Als PNG, JPEG oder BMP speichern.</translation>
     </message>
     <message>
         <source>'{0}' is not a temperature; write it as 20C, 68F or 293K.</source>
-        <translation type="unfinished"></translation>
+        <translation>„{0}“ ist keine Temperatur; als 20C, 68F oder 293K schreiben.</translation>
     </message>
     <message>
         <source>'{0}' is not a {1}; write it as {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>„{0}“ passt hier nicht ({1}); als {2} schreiben.</translation>
     </message>
     <message>
         <source>'{}' is not a picture. Save it as PNG, JPEG or BMP once more.</source>
+        <translation>„{}“ ist kein Bild. Noch einmal als PNG, JPEG oder BMP speichern.</translation>
+    </message>
+    <message>
+        <source>, about {:.2f} {}</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 to {0} pieces can be laid out, not {1}.</source>
+        <translation>1 bis {0} Stücke können ausgelegt werden, nicht {1}.</translation>
+    </message>
+    <message>
+        <source>A balloon has no "{0}": it has {1}.</source>
+        <translation>Ein Ballon hat kein „{0}“: Es gibt {1}.</translation>
     </message>
     <message>
         <source>A corner relief of {0} would cut into the weld: choose a smaller radius or a wider allowance.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Eckenfreistich von {0} würde in die Schweißnaht schneiden: einen kleineren Radius oder mehr Zugabe wählen.</translation>
     </message>
     <message>
         <source>A drawing with welds inside cannot be made symmetric: draw it so, and leave the symmetry off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Zeichnung mit inneren Schweißnähten kann nicht symmetrisch gemacht werden: sie so zeichnen und die Symmetrie aus lassen.</translation>
     </message>
     <message>
         <source>A drawing with welds inside is not made symmetric: draw it so, and turn this off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Zeichnung mit inneren Schweißnähten wird nicht symmetrisch gemacht: sie so zeichnen und dies ausschalten.</translation>
     </message>
     <message>
         <source>A hole meets the outline or another hole at {0}; keep some film between them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Loch berührt bei {0} den Umriss oder ein anderes Loch; etwas Folie dazwischen lassen.</translation>
     </message>
     <message>
         <source>A hole would open or close: draw that part anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Loch würde sich öffnen oder schließen: diesen Teil neu zeichnen.</translation>
     </message>
     <message>
-        <source>A label has up to {0} letters, and a height above 0.</source>
-        <translation type="unfinished"></translation>
+        <source>A label has up to {0} letters, between 0.1 mm and 10 m high: change it.</source>
+        <translation>Eine Beschriftung hat bis zu {0} Buchstaben, 0,1 mm bis 10 m hoch: sie ändern.</translation>
     </message>
     <message>
         <source>A lift of {0} g cannot be made: give one such as 5g.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Auftrieb von {0} g ist nicht möglich: zum Beispiel 5g angeben.</translation>
     </message>
     <message>
         <source>A lift of {0} kg is out of reach: {1} m large, this balloon would carry {2} kg. Choose a lighter film or gas, a smaller lift, or a rounder shape.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Auftrieb von {0} kg ist unerreichbar: {1} m groß trüge dieser Ballon {2} kg. Leichtere Folie oder leichteres Gas, weniger Auftrieb oder eine rundere Form wählen.</translation>
     </message>
     <message>
         <source>A lift of {0} kg is out of reach: {1} m large, this balloon would lack {2} kg. Choose a lighter film or gas, a smaller lift, or a rounder shape.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Auftrieb von {0} kg ist unerreichbar: {1} m groß fehlten diesem Ballon {2} kg. Leichtere Folie oder leichteres Gas, weniger Auftrieb oder eine rundere Form wählen.</translation>
     </message>
     <message>
         <source>A mesh of {0} is too coarse for a shape of {1}: use at most {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Netz von {0} ist zu grob für eine Form von {1}: höchstens {2} benutzen.</translation>
     </message>
     <message>
         <source>A mesh of {0} would need more than a million vertices for a shape of {1}: use at least {2}.</source>
+        <translation>Ein Netz von {0} bräuchte über eine Million Knoten für eine Form von {1}: mindestens {2} benutzen.</translation>
+    </message>
+    <message>
+        <source>A new Sketcher sketch of lines and arcs, to go on with in FreeCAD</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>A number of an intake is empty.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Zahl eines Füllhalses ist leer.</translation>
     </message>
     <message>
         <source>A passage of {0} is left open in the weld at {1}, so that air reaches both sides.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Durchgang von {0} bleibt bei {1} in der Schweißnaht offen, damit Luft auf beide Seiten kommt.</translation>
     </message>
     <message>
         <source>A picture has no size of its own. Give the width or the height of the balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Bild hat keine eigene Größe. Breite oder Höhe des Ballons angeben.</translation>
+    </message>
+    <message>
+        <source>A piece does not fit on the sheet: take a larger one.</source>
+        <translation>Ein Stück passt nicht auf den Bogen: einen größeren nehmen.</translation>
+    </message>
+    <message>
+        <source>A piece of {0} x {1} does not fit on film of {2}{3}: take film at least {4} wide, or let the grain lie in another direction.</source>
+        <translation>Ein Stück von {0} x {1} passt nicht auf Folie von {2}{3}: mindestens {4} breite Folie nehmen oder die Laufrichtung anders legen.</translation>
+    </message>
+    <message>
+        <source>A sketch with dimensions: change a cell of the spreadsheet, and all follows</source>
+        <translation>Eine Skizze mit Maßen: eine Zelle der Tabelle ändern, und alles folgt</translation>
     </message>
     <message>
         <source>A strict reader that wants plain polylines. Layers are told apart by colour.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein strenger Leser, der schlichte Polylinien will. Ebenen werden durch Farben unterschieden.</translation>
     </message>
     <message>
         <source>A volume of {0} litres cannot be made: give one such as 10l.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Volumen von {0} Litern ist nicht möglich: zum Beispiel 10l angeben.</translation>
     </message>
     <message>
         <source>A volume to inflate to and a goal for the size exclude each other: leave one out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Füllvolumen und eine Zielgröße schließen einander aus: eines weglassen.</translation>
     </message>
     <message>
         <source>A weld has no length; draw a line, or a circle for a spot.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Schweißnaht hat keine Länge; eine Linie zeichnen, oder einen Kreis für einen Punkt.</translation>
     </message>
     <message>
         <source>A weld leaves the film at {0}; keep it inside.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Schweißnaht verlässt bei {0} die Folie; innerhalb bleiben.</translation>
     </message>
     <message>
         <source>A weld meets the outline, itself or another weld at {0}; keep some film between them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Schweißnaht trifft bei {0} den Umriss, sich selbst oder eine andere; etwas Folie dazwischen lassen.</translation>
     </message>
     <message>
         <source>A weld runs too near to another one or to the outline at ({0}, {1}) mm for this mesh: move it away, or use a smaller mesh size.</source>
+        <translation>Eine Schweißnaht liegt bei ({0}, {1}) mm für dieses Netz zu nah an einer anderen oder am Umriss: sie verschieben oder ein feineres Netz benutzen.</translation>
+    </message>
+    <message>
+        <source>Across</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Advice</source>
-        <translation type="unfinished"></translation>
+        <translation>Ratschläge</translation>
     </message>
     <message>
         <source>After welding, turn the tail in through itself with a straw, at the mark beside the balloon, and fill through it up to the second mark. Pull the straw out: the air in the balloon presses the tail flat.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach dem Schweißen den Schwanz an der Marke neben dem Ballon mit einem Strohhalm durch sich selbst nach innen stülpen und bis zur zweiten Marke füllen. Den Halm herausziehen: Die Luft im Ballon drückt den Schwanz flach.</translation>
     </message>
     <message>
         <source>Air intake</source>
-        <translation type="unfinished"></translation>
+        <translation>Füllhals</translation>
+    </message>
+    <message>
+        <source>All packages are installed.</source>
+        <translation>Alle Pakete sind installiert.</translation>
     </message>
     <message>
         <source>Allowance</source>
+        <translation>Zugabe</translation>
+    </message>
+    <message>
+        <source>Along</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Along the seam</source>
+        <translation>Entlang der Naht</translation>
     </message>
     <message>
         <source>Aluminised BOPP foil, 30 µm</source>
-        <translation type="unfinished"></translation>
+        <translation>Aluminisierte BOPP-Folie, 30 µm</translation>
     </message>
     <message>
         <source>Aluminised PET ("Mylar"), 25 µm</source>
-        <translation type="unfinished"></translation>
+        <translation>Aluminisiertes PET („Mylar“), 25 µm</translation>
     </message>
     <message>
         <source>Aluminised nylon/PE foil (party balloon), 30 µm</source>
-        <translation type="unfinished"></translation>
+        <translation>Aluminisierte Nylon/PE-Folie (Folienballon), 30 µm</translation>
     </message>
     <message>
         <source>An animation needs at least two frames, not {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Animation braucht mindestens zwei Bilder, nicht {0}.</translation>
     </message>
     <message>
         <source>An intake of {0} does not reach past the cut: give it at least {1}.</source>
+        <translation>Ein Füllhals von {0} reicht nicht über den Schnitt hinaus: mindestens {1} geben.</translation>
+    </message>
+    <message>
+        <source>Any</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Any program</source>
-        <translation type="unfinished"></translation>
+        <source>Any program (DXF)</source>
+        <translation>Beliebiges Programm (DXF)</translation>
+    </message>
+    <message>
+        <source>Any program (SVG)</source>
+        <translation>Beliebiges Programm (SVG)</translation>
     </message>
     <message>
         <source>Apply</source>
-        <translation type="unfinished"></translation>
+        <translation>Anwenden</translation>
+    </message>
+    <message>
+        <source>Arcs in a sketch, as they hang over a party table</source>
+        <translation>Bögen in einer Skizze, wie sie über einem Festtisch hängen</translation>
     </message>
     <message>
         <source>Arm too thin to fill</source>
+        <translation>Arm zu dünn zum Füllen</translation>
+    </message>
+    <message>
+        <source>Artwork</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Artwork as PDF needs Pillow: install it with pip install pillow, or use the PNG files.</source>
+        <translation>Bildvorlagen als PDF brauchen Pillow: mit pip install pillow installieren oder die PNG-Dateien benutzen.</translation>
+    </message>
+    <message>
+        <source>Artwork needs OpenCV or SciPy: install the package python3-opencv or python3-scipy.</source>
+        <translation>Bildvorlagen brauchen OpenCV oder SciPy: das Paket python3-opencv oder python3-scipy installieren.</translation>
+    </message>
+    <message>
+        <source>Assembly sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Assembly sheet written to {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At {0} dots per inch the sheet would have {1} x {2} pixels: give a lower resolution.</source>
+        <translation>Mit {0} Punkten je Zoll hätte der Bogen {1} x {2} Pixel: eine kleinere Auflösung angeben.</translation>
+    </message>
+    <message>
         <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Back</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Backend</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechenkern</translation>
     </message>
     <message>
         <source>Balloon</source>
+        <translation>Ballon</translation>
+    </message>
+    <message>
+        <source>Balloons</source>
+        <translation>Ballons</translation>
+    </message>
+    <message>
+        <source>Balloons of each</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Bending stiffness</source>
-        <translation type="unfinished"></translation>
+        <translation>Biegesteifigkeit</translation>
+    </message>
+    <message>
+        <source>Beside the document</source>
+        <translation>Neben dem Dokument</translation>
     </message>
     <message>
         <source>Black</source>
+        <translation>Schwarz</translation>
+    </message>
+    <message>
+        <source>Bleed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Blue</source>
-        <translation type="unfinished"></translation>
+        <translation>Blau</translation>
     </message>
     <message>
         <source>Blue 0 mm, green {:.0f} mm, red {:.0f} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Blau 0 mm, grün {:.0f} mm, rot {:.0f} mm</translation>
     </message>
     <message>
         <source>Both panels</source>
-        <translation type="unfinished"></translation>
+        <translation>Beide Bahnen</translation>
     </message>
     <message>
         <source>Both panels are on the sheet: only the front one gets the hole of the nozzle. Cut it once.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beide Bahnen liegen auf dem Bogen: Nur die vordere bekommt das Loch für den Stutzen. Es einmal schneiden.</translation>
     </message>
     <message>
         <source>Brush</source>
-        <translation type="unfinished"></translation>
+        <translation>Pinsel</translation>
     </message>
     <message>
         <source>Cannot write to {0}: {1}. Choose another folder, or make room there.</source>
-        <translation type="unfinished"></translation>
+        <translation>In {0} kann nicht geschrieben werden: {1}. Einen anderen Ordner wählen oder dort Platz schaffen.</translation>
     </message>
     <message>
         <source>Checked: nothing is in the way.</source>
+        <translation>Geprüft: Nichts steht im Weg.</translation>
+    </message>
+    <message>
+        <source>Checking the pattern</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Choose a drawing</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Zeichnung wählen</translation>
     </message>
     <message>
         <source>Choose a file</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Datei wählen</translation>
+    </message>
+    <message>
+        <source>Choose a folder</source>
+        <translation>Einen Ordner wählen</translation>
+    </message>
+    <message>
+        <source>Choose a material card</source>
+        <translation>Eine Materialkarte wählen</translation>
     </message>
     <message>
         <source>Choose a picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Bild wählen</translation>
     </message>
     <message>
         <source>Choose a picture or a sketch.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Bild oder eine Skizze wählen.</translation>
     </message>
     <message>
         <source>Choose the balloon that it belongs to.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den zugehörigen Ballon wählen.</translation>
     </message>
     <message>
         <source>Choose the outline to inflate.</source>
+        <translation>Den Umriss wählen, der aufgeblasen werden soll.</translation>
+    </message>
+    <message>
+        <source>Choose the pattern to print on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the patterns to lay out.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Close the open task panel first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuerst das offene Aufgabenfenster schließen.</translation>
+    </message>
+    <message>
+        <source>Colour map</source>
+        <translation>Farbkarte</translation>
     </message>
     <message>
         <source>Coordinates really are inches, and the header says so.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Koordinaten sind wirklich Zoll, und der Dateikopf sagt es.</translation>
+    </message>
+    <message>
+        <source>Copies</source>
+        <translation>Stückzahl</translation>
+    </message>
+    <message>
+        <source>Corner relief</source>
+        <translation>Eckenfreistich</translation>
     </message>
     <message>
         <source>Cricut Design Space</source>
-        <translation type="unfinished"></translation>
+        <translation>Cricut Design Space</translation>
     </message>
     <message>
         <source>Custom</source>
-        <translation type="unfinished"></translation>
+        <translation>Eigene</translation>
     </message>
     <message>
         <source>Cut two strips from thin PE film and weld them together along their two lines; weld one strip to each panel across the neck, along its mark, with the strips' end at the mouth and their sides under the weld; then weld the panels. Fill with a straw: the pressure presses the strips together.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwei Streifen aus dünner PE-Folie schneiden und entlang ihrer zwei Linien miteinander verschweißen; je einen Streifen quer über den Hals an seiner Marke auf eine Bahn schweißen, das Streifenende an der Mündung, die Seiten unter der Schweißnaht; dann die Bahnen verschweißen. Mit einem Strohhalm füllen: Der Druck presst die Streifen aufeinander.</translation>
     </message>
     <message>
         <source>Cutting shop (DXF R12)</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuschnittbetrieb (DXF R12)</translation>
     </message>
     <message>
         <source>Cutting shop in inches (DXF R2000)</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuschnittbetrieb in Zoll (DXF R2000)</translation>
     </message>
     <message>
         <source>DXF files can be neither read nor written without it; SVG files can.</source>
-        <translation type="unfinished"></translation>
+        <translation>DXF-Dateien können ohne es weder gelesen noch geschrieben werden; SVG-Dateien schon.</translation>
     </message>
     <message>
         <source>DXF files need the Python package ezdxf. Install it with 'pip install ezdxf', or save the drawing as SVG.</source>
-        <translation type="unfinished"></translation>
+        <translation>DXF-Dateien brauchen das Python-Paket ezdxf. Mit „pip install ezdxf“ installieren oder die Zeichnung als SVG speichern.</translation>
     </message>
     <message>
         <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Strecke</translation>
+    </message>
+    <message>
+        <source>Dots per inch</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag in the view</source>
+        <translation>In der Ansicht ziehen</translation>
     </message>
     <message>
         <source>Draw a closed line, or paint an area: it becomes a balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine geschlossene Linie zeichnen oder eine Fläche malen: Sie wird ein Ballon.</translation>
     </message>
     <message>
         <source>Draw lines. A closed line becomes a balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>Linien zeichnen. Eine geschlossene Linie wird ein Ballon.</translation>
     </message>
     <message>
-        <source>Drawing</source>
-        <translation type="unfinished"></translation>
+        <source>Drawing and silhouette</source>
+        <translation>Zeichnung und Silhouette</translation>
+    </message>
+    <message>
+        <source>Drawing over silhouette</source>
+        <translation>Zeichnung über der Silhouette</translation>
     </message>
     <message>
         <source>Drawings</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeichnungen</translation>
     </message>
     <message>
         <source>E across the grain</source>
-        <translation type="unfinished"></translation>
+        <translation>E-Modul quer zur Laufrichtung</translation>
     </message>
     <message>
         <source>Each stroke colour becomes an operation of its own. DXF is not read.</source>
+        <translation>Jede Strichfarbe wird ein eigener Arbeitsgang. DXF wird nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>Edit artwork</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Edit balloon</source>
+        <translation>Ballon bearbeiten</translation>
+    </message>
+    <message>
+        <source>Edit film</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Elastic materials</source>
+        <translation>Elastische Werkstoffe</translation>
     </message>
     <message>
         <source>Eraser</source>
-        <translation type="unfinished"></translation>
+        <translation>Radierer</translation>
     </message>
     <message>
         <source>Every layer becomes a colour of the cut list; layers that share a colour would be merged. Set the import unit to millimetres. Switch the SEAL and REGISTRATION layers off, or give the control bar a light engraving.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jede Ebene wird eine Farbe der Schnittliste; Ebenen gleicher Farbe würden vereint. Die Einheit beim Import auf Millimeter stellen. Die Ebenen SEAL und REGISTRATION abschalten, oder den Kontrollbalken leicht gravieren.</translation>
     </message>
     <message>
         <source>Expected thickness</source>
-        <translation type="unfinished"></translation>
+        <translation>Erwartete Dicke</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Ausgabe</translation>
     </message>
     <message>
         <source>Export pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnittmuster ausgeben</translation>
     </message>
     <message>
         <source>File</source>
-        <translation type="unfinished"></translation>
+        <translation>Datei</translation>
     </message>
     <message>
         <source>Fill</source>
-        <translation type="unfinished"></translation>
+        <translation>Füllen</translation>
     </message>
     <message>
         <source>Fill a closed line, or give an area another colour</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine geschlossene Linie füllen oder einer Fläche eine andere Farbe geben</translation>
     </message>
     <message>
         <source>Film</source>
+        <translation>Folie</translation>
+    </message>
+    <message>
+        <source>Film Balloon {0} in FreeCAD {1}</source>
+        <translation>Film Balloon {0} in FreeCAD {1}</translation>
+    </message>
+    <message>
+        <source>Film needed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Film of your own</source>
+        <translation>Eigene Folie</translation>
+    </message>
+    <message>
+        <source>Film width</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>FilmBalloonPainting</source>
-        <translation type="unfinished"></translation>
+        <source>Film {0} m large is too much: write 500mm.</source>
+        <translation>{0} m Folie sind zu viel: 500mm schreiben.</translation>
     </message>
     <message>
-        <source>Find its direction</source>
-        <translation type="unfinished"></translation>
+        <source>Films</source>
+        <translation>Folien</translation>
+    </message>
+    <message>
+        <source>Find its place</source>
+        <translation>Seinen Ort finden</translation>
     </message>
     <message>
         <source>Fit to drawing</source>
+        <translation>An Zeichnung anpassen</translation>
+    </message>
+    <message>
+        <source>Fitting the pattern</source>
+        <translation>Das Schnittmuster wird angepasst</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>Folder for the artwork</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Follow every change at once</source>
+        <translation>Jeder Änderung sofort folgen</translation>
     </message>
     <message>
         <source>For {0} litres the drawing would be {1} large: choose a volume that makes it {2} to {3} m.</source>
-        <translation type="unfinished"></translation>
+        <translation>Für {0} Liter würde die Zeichnung {1} groß: ein Volumen wählen, das sie {2} bis {3} m groß macht.</translation>
     </message>
     <message>
         <source>Forced</source>
-        <translation type="unfinished"></translation>
+        <translation>Erzwungen</translation>
     </message>
     <message>
-        <source>Format</source>
-        <translation type="unfinished"></translation>
+        <source>Frames are even in movement, not in time. Only the film has mass, the gas has none.</source>
+        <translation>Die Bilder sind gleichmäßig in der Bewegung, nicht in der Zeit. Nur die Folie hat Masse, das Gas keine.</translation>
     </message>
     <message>
         <source>FreeCAD has no material card "{0}": choose one of its material editor.</source>
+        <translation>FreeCAD hat keine Materialkarte „{0}“: eine aus dem Materialeditor wählen.</translation>
+    </message>
+    <message>
+        <source>From the flat film to the balloon at rest</source>
+        <translation>Von der flachen Folie bis zum Ballon in Ruhe</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Front and back as PNG and PDF, and as DXF and SVG with the same marks for the cutter</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Gaps of up to {0} between lines were closed ({1} loops).</source>
-        <translation type="unfinished"></translation>
+        <translation>Lücken bis {0} zwischen Linien wurden geschlossen ({1} Umrisslinien).</translation>
     </message>
     <message>
         <source>Gas</source>
-        <translation type="unfinished"></translation>
+        <translation>Gas</translation>
     </message>
     <message>
         <source>Give either a volume or a lift as the goal.</source>
-        <translation type="unfinished"></translation>
+        <translation>Entweder ein Volumen oder einen Auftrieb als Ziel angeben.</translation>
     </message>
     <message>
         <source>Given</source>
-        <translation type="unfinished"></translation>
+        <translation>Gegeben</translation>
     </message>
     <message>
         <source>Glowforge</source>
-        <translation type="unfinished"></translation>
+        <translation>Glowforge</translation>
     </message>
     <message>
         <source>Glue the seams. Stiffer along the web than across it; E is the geometric mean. Does not hold gas for long and creases sharply.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Nähte kleben. Entlang der Bahn steifer als quer; E ist das geometrische Mittel. Hält Gas nicht lange und knickt scharf.</translation>
     </message>
     <message>
         <source>Glue the seams. Stiffer along the web than across it; E is the geometric mean. Porous: for a moment's inflation or with a lining.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Nähte kleben. Entlang der Bahn steifer als quer; E ist das geometrische Mittel. Porös: für kurzes Aufblasen oder mit Futter.</translation>
     </message>
     <message>
         <source>Grain</source>
+        <translation>Laufrichtung</translation>
+    </message>
+    <message>
+        <source>Grain lies</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Green</source>
-        <translation type="unfinished"></translation>
+        <translation>Grün</translation>
     </message>
     <message>
         <source>HPGL is written as polylines: give "arcs": false.</source>
-        <translation type="unfinished"></translation>
+        <translation>HPGL wird als Polylinien geschrieben: "arcs": false angeben.</translation>
     </message>
     <message>
         <source>HPGL plotter or vinyl cutter</source>
-        <translation type="unfinished"></translation>
+        <translation>HPGL-Plotter oder Folienschneider</translation>
+    </message>
+    <message>
+        <source>Heart from a spreadsheet</source>
+        <translation>Herz aus einer Tabelle</translation>
     </message>
     <message>
         <source>Heat sealer on a plotter</source>
-        <translation type="unfinished"></translation>
+        <translation>Heißsiegler auf einem Plotter</translation>
     </message>
     <message>
         <source>Height</source>
-        <translation type="unfinished"></translation>
+        <translation>Höhe</translation>
     </message>
     <message>
         <source>Helium</source>
-        <translation type="unfinished"></translation>
+        <translation>Helium</translation>
+    </message>
+    <message>
+        <source>How wide shall it be?</source>
+        <translation>Wie breit soll er werden?</translation>
     </message>
     <message>
         <source>Hydrogen</source>
-        <translation type="unfinished"></translation>
+        <translation>Wasserstoff</translation>
     </message>
     <message>
         <source>Inflate as drawn</source>
+        <translation>Wie gezeichnet aufblasen</translation>
+    </message>
+    <message>
+        <source>Inflate now</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Inflate with these values and show the balloon</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit diesen Werten aufblasen und den Ballon zeigen</translation>
+    </message>
+    <message>
+        <source>Inflating</source>
+        <translation>Aufblasen</translation>
+    </message>
+    <message>
+        <source>Inflating in time</source>
+        <translation>Zeitliches Aufblasen</translation>
+    </message>
+    <message>
+        <source>Inflation</source>
+        <translation>Aufblasen</translation>
     </message>
     <message>
         <source>Inkscape</source>
-        <translation type="unfinished"></translation>
+        <translation>Inkscape</translation>
+    </message>
+    <message>
+        <source>Intake</source>
+        <translation>Füllhals</translation>
     </message>
     <message>
         <source>Intake in a side part</source>
-        <translation type="unfinished"></translation>
+        <translation>Füllhals in einem Nebenteil</translation>
     </message>
     <message>
         <source>It is not inflated yet: choose Inflate now in its context menu, or switch Live on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Er ist noch nicht aufgeblasen: im Kontextmenü „Jetzt aufblasen“ wählen oder Live einschalten.</translation>
+    </message>
+    <message>
+        <source>It is wider now. Ctrl+Z takes that back.</source>
+        <translation>Jetzt ist er breiter. Strg+Z nimmt das zurück.</translation>
     </message>
     <message>
         <source>Keep the proportions</source>
-        <translation type="unfinished"></translation>
+        <translation>Seitenverhältnis beibehalten</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
     </message>
     <message>
         <source>Kraft paper, 80 g/m²</source>
-        <translation type="unfinished"></translation>
+        <translation>Kraftpapier, 80 g/m²</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>Beschriftung</translation>
     </message>
     <message>
         <source>Labels need matplotlib: install it with pip install matplotlib, or leave the label empty.</source>
+        <translation>Beschriftungen brauchen matplotlib: mit pip install matplotlib installieren oder die Beschriftung leer lassen.</translation>
+    </message>
+    <message>
+        <source>Laid in rows, which takes more film: install the package spyrrow (pip install spyrrow) for a closer layout.</source>
+        <translation>In Reihen ausgelegt, was mehr Folie braucht: für dichteres Auslegen das Paket spyrrow installieren (pip install spyrrow).</translation>
+    </message>
+    <message>
+        <source>Lay out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lay out on film</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Layers, millimetres and arcs, to go on drawing.</source>
+        <translation>Ebenen, Millimeter und Bögen, zum Weiterzeichnen.</translation>
+    </message>
+    <message>
+        <source>Laying out {0}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Length</source>
-        <translation type="unfinished"></translation>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Letter</source>
+        <translation>Buchstabe</translation>
+    </message>
+    <message>
+        <source>Letter height</source>
+        <translation>Buchstabenhöhe</translation>
     </message>
     <message>
         <source>Lift</source>
-        <translation type="unfinished"></translation>
+        <translation>Auftrieb</translation>
     </message>
     <message>
         <source>Lift in g</source>
-        <translation type="unfinished"></translation>
+        <translation>Auftrieb in g</translation>
     </message>
     <message>
         <source>LightBurn (laser)</source>
-        <translation type="unfinished"></translation>
+        <translation>LightBurn (Laser)</translation>
     </message>
     <message>
         <source>Line</source>
-        <translation type="unfinished"></translation>
+        <translation>Linie</translation>
     </message>
     <message>
         <source>Lines that close around nothing beside the shapes were left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Linien neben den Formen, die nichts umschließen, wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>Live</translation>
     </message>
     <message>
         <source>Load</source>
+        <translation>Last</translation>
+    </message>
+    <message>
+        <source>Look for the closest layout; Esc takes the best one so far</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking at the picture</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Machine</source>
+        <translation>Maschine</translation>
+    </message>
+    <message>
+        <source>Made with brush and pen: double-click the Outline to paint on</source>
+        <translation>Mit Pinsel und Stift gemacht: zum Weitermalen auf den Umriss doppelklicken</translation>
+    </message>
+    <message>
+        <source>Make a sketch of the cuts</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Make it!</source>
-        <translation type="unfinished"></translation>
+        <translation>Mach ihn!</translation>
+    </message>
+    <message>
+        <source>Marks</source>
+        <translation>Markierungen</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Material</translation>
     </message>
     <message>
         <source>Measured on the inflated balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>Am aufgeblasenen Ballon gemessen.</translation>
     </message>
     <message>
         <source>Mesh reuse needs scipy: install it with pip install scipy.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Wiederverwendung von Netzen braucht scipy: mit pip install scipy installieren.</translation>
     </message>
     <message>
         <source>Mesh size</source>
-        <translation type="unfinished"></translation>
+        <translation>Netzweite</translation>
+    </message>
+    <message>
+        <source>Mesh size (0: automatic)</source>
+        <translation>Netzweite (0: automatisch)</translation>
     </message>
     <message>
         <source>Meshing needs pythoncdt or scipy: install one of them with pip.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Vernetzen braucht pythoncdt oder scipy: eines davon mit pip installieren.</translation>
     </message>
     <message>
         <source>Meshing needs scipy: install it with pip install scipy.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Vernetzen braucht scipy: mit pip install scipy installieren.</translation>
     </message>
     <message>
         <source>Mind</source>
-        <translation type="unfinished"></translation>
+        <translation>Achtung</translation>
     </message>
     <message>
         <source>Mode</source>
-        <translation type="unfinished"></translation>
+        <translation>Modus</translation>
     </message>
     <message>
         <source>Model</source>
-        <translation type="unfinished"></translation>
+        <translation>Modell</translation>
     </message>
     <message>
         <source>Move</source>
-        <translation type="unfinished"></translation>
+        <translation>Verschieben</translation>
     </message>
     <message>
         <source>Move the pointer to bend the line, then click. Esc drops it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zum Biegen den Zeiger bewegen, dann klicken. Esc verwirft die Linie.</translation>
     </message>
     <message>
         <source>Native</source>
-        <translation type="unfinished"></translation>
+        <translation>Nativ</translation>
     </message>
     <message>
         <source>Near ({0}, {1}) mm the inflated outline stays up to {2} from the drawing, along {3}: film cannot follow it there. Round it off or widen it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nahe ({0}, {1}) mm bleibt der aufgeblasene Umriss bis zu {2} von der Zeichnung entfernt, auf {3} Länge: Die Folie kann ihr dort nicht folgen. Die Stelle runden oder verbreitern.</translation>
     </message>
     <message>
         <source>Neck that chokes the air path</source>
-        <translation type="unfinished"></translation>
+        <translation>Engstelle, die die Luft drosselt</translation>
     </message>
     <message>
         <source>Never cut PVC with a laser: it gives off hydrogen chloride, which is toxic and ruins the machine. Weld with high frequency or hot air. Stretches visibly: at 2 kPa the shape depends on the grade and on the pressure.</source>
-        <translation type="unfinished"></translation>
+        <translation>PVC nie mit dem Laser schneiden: Es gibt Chlorwasserstoff ab, der giftig ist und die Maschine zerstört. Mit Hochfrequenz oder Heißluft schweißen. Dehnt sich sichtbar: Bei 2 kPa hängt die Form von der Sorte und vom Druck ab.</translation>
     </message>
     <message>
         <source>New balloon from picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Neuer Ballon aus Bild</translation>
     </message>
     <message>
         <source>New balloon from sketch</source>
-        <translation type="unfinished"></translation>
+        <translation>Neuer Ballon aus Skizze</translation>
+    </message>
+    <message>
+        <source>New balloons</source>
+        <translation>Neue Ballons</translation>
     </message>
     <message>
         <source>Newmark</source>
-        <translation type="unfinished"></translation>
+        <translation>Newmark</translation>
     </message>
     <message>
         <source>No balloon can be inflated anew without it; patterns can be changed and written.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ohne es kann kein Ballon neu aufgeblasen werden; Schnittmuster können geändert und geschrieben werden.</translation>
     </message>
     <message>
         <source>No file for {0}: {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Datei für {0}: {1}</translation>
     </message>
     <message>
         <source>No pattern can be drawn anew without it; documents keep theirs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ohne es kann kein Schnittmuster neu gezeichnet werden; Dokumente behalten ihre.</translation>
     </message>
     <message>
         <source>No shape stands out in the picture. Use stronger colours or a plainer background.</source>
-        <translation type="unfinished"></translation>
+        <translation>Im Bild hebt sich keine Form ab. Kräftigere Farben oder einen ruhigeren Hintergrund benutzen.</translation>
+    </message>
+    <message>
+        <source>No solver works here.</source>
+        <translation>Hier arbeitet kein Löser.</translation>
     </message>
     <message>
         <source>No solver works here: {0} Build it or install the package scipy.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier arbeitet kein Löser: {0} Ihn bauen oder das Paket scipy installieren.</translation>
     </message>
     <message>
         <source>Not possible</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht möglich</translation>
     </message>
     <message>
         <source>Notch with a stress peak</source>
-        <translation type="unfinished"></translation>
+        <translation>Kerbe mit Spannungsspitze</translation>
+    </message>
+    <message>
+        <source>Notches</source>
+        <translation>Passkerben</translation>
     </message>
     <message>
         <source>Notches of {0} do not end before the weld: the allowance is {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Passkerben von {0} enden nicht vor der Schweißnaht: Die Zugabe ist {1}.</translation>
     </message>
     <message>
         <source>Nothing can be computed without it; documents open and keep their shapes.</source>
+        <translation>Ohne es kann nichts berechnet werden; Dokumente lassen sich öffnen und behalten ihre Formen.</translation>
+    </message>
+    <message>
+        <source>Nothing is in the way. Paint on, or press Make it!</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Nothing to improve.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts zu verbessern.</translation>
     </message>
     <message>
         <source>Nozzle with flange</source>
-        <translation type="unfinished"></translation>
+        <translation>Stutzen mit Flansch</translation>
     </message>
     <message>
-        <source>NumPy</source>
-        <translation type="unfinished"></translation>
+        <source>OK, then {}</source>
+        <translation>OK, dann {}</translation>
     </message>
     <message>
         <source>Off</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus</translation>
     </message>
     <message>
         <source>Off the drawing</source>
-        <translation type="unfinished"></translation>
+        <translation>Neben der Zeichnung</translation>
     </message>
     <message>
         <source>One large page</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine große Seite</translation>
     </message>
     <message>
         <source>One-way tail</source>
-        <translation type="unfinished"></translation>
+        <translation>Rückschlagschwanz</translation>
     </message>
     <message>
         <source>Only the middle of the weld. A closed weld runs past its start, so that the joint is tight.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur die Mitte der Schweißnaht. Eine geschlossene Naht läuft über ihren Anfang hinaus, damit die Stelle dicht ist.</translation>
     </message>
     <message>
         <source>Only {0} of film stay between two cuts near {1}; {2} wants {3}. It may tear or melt there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nahe {1} bleiben nur {0} Folie zwischen zwei Schnitten; {2} will {3}. Sie kann dort reißen oder schmelzen.</translation>
+    </message>
+    <message>
+        <source>Opposite the intake</source>
+        <translation>Gegenüber dem Füllhals</translation>
     </message>
     <message>
         <source>Orange</source>
-        <translation type="unfinished"></translation>
+        <translation>Orange</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>Umriss</translation>
     </message>
     <message>
         <source>Outline {} x {}, {} holes</source>
-        <translation type="unfinished"></translation>
+        <translation>Umriss {} x {}, {} Löcher</translation>
     </message>
     <message>
         <source>PDF files need it; DXF, SVG and HPGL can be written.</source>
-        <translation type="unfinished"></translation>
+        <translation>PDF-Dateien brauchen es; DXF, SVG und HPGL können geschrieben werden.</translation>
     </message>
     <message>
         <source>Pa, its own range</source>
-        <translation type="unfinished"></translation>
+        <translation>Pa, ihr eigener Bereich</translation>
     </message>
     <message>
         <source>Paint a balloon</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Ballon malen</translation>
     </message>
     <message>
         <source>Paint both sides at once, mirrored (M)</source>
-        <translation type="unfinished"></translation>
+        <translation>Beide Seiten zugleich malen, gespiegelt (M)</translation>
     </message>
     <message>
         <source>Paint broad, soft strokes: what is painted becomes a balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>Breite, weiche Striche malen: Was gemalt ist, wird ein Ballon.</translation>
     </message>
     <message>
         <source>Paint something first: a closed line is enough.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuerst etwas malen: Eine geschlossene Linie genügt.</translation>
     </message>
     <message>
         <source>Painted balloon</source>
+        <translation>Gemalter Ballon</translation>
+    </message>
+    <message>
+        <source>Painted fish</source>
+        <translation>Gemalter Fisch</translation>
+    </message>
+    <message>
+        <source>Panels are laid on the film in rows instead of closely; nothing else changes.</source>
+        <translation>Die Bahnen werden in Reihen statt dicht ausgelegt; sonst ändert sich nichts.</translation>
+    </message>
+    <message>
+        <source>Paper</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnittmuster</translation>
     </message>
     <message>
         <source>Pattern correction needs scipy: install it with pip install scipy.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Korrektur des Schnittmusters braucht scipy: mit pip install scipy installieren.</translation>
+    </message>
+    <message>
+        <source>Pattern drawn 1 : {0}</source>
+        <translation>Schnittmuster im Maßstab 1 : {0}</translation>
     </message>
     <message>
         <source>Pattern written to {}</source>
+        <translation>Schnittmuster nach {} geschrieben</translation>
+    </message>
+    <message>
+        <source>Patterns</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Patterns need shapely: install it with pip install shapely.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnittmuster brauchen shapely: mit pip install shapely installieren.</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
     </message>
     <message>
         <source>Pen</source>
-        <translation type="unfinished"></translation>
+        <translation>Stift</translation>
     </message>
     <message>
         <source>Picture, SVG, DXF or JSON</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild, SVG, DXF oder JSON</translation>
     </message>
     <message>
         <source>Pictures</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilder</translation>
     </message>
     <message>
         <source>Pictures are read by Qt and traced with SciPy or NumPy instead, a little slower.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilder werden stattdessen etwas langsamer von Qt gelesen und mit SciPy oder NumPy nachgezeichnet.</translation>
     </message>
     <message>
         <source>Pictures need OpenCV, which is missing or does not work here. Install the package python3-opencv (or opencv-python-headless), or open the picture inside FreeCAD.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilder brauchen OpenCV, das fehlt oder hier nicht arbeitet. Das Paket python3-opencv (oder opencv-python-headless) installieren oder das Bild in FreeCAD öffnen.</translation>
+    </message>
+    <message>
+        <source>Place by</source>
+        <translation>Ort nach</translation>
+    </message>
+    <message>
+        <source>Place on the seam</source>
+        <translation>Ort auf der Naht</translation>
     </message>
     <message>
         <source>Plain PET does not weld to itself: take a grade with a sealing layer, or tape. The aluminium (some 50 nm) adds neither stiffness nor weight. What shops sell as Mylar balloons is mostly nylon-foil.</source>
-        <translation type="unfinished"></translation>
+        <translation>Reines PET verschweißt nicht mit sich selbst: eine Sorte mit Siegelschicht nehmen oder Klebeband. Das Aluminium (etwa 50 nm) fügt weder Steifigkeit noch Gewicht hinzu. Was Läden als Mylarballons verkaufen, ist meist nylon-foil.</translation>
     </message>
     <message>
         <source>Plain paper (PDF)</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewöhnliches Papier (PDF)</translation>
     </message>
     <message>
         <source>Plain shell</source>
-        <translation type="unfinished"></translation>
+        <translation>Einfache Schale</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>Play the inflation, or stop at a frame</source>
+        <translation>Das Aufblasen abspielen oder bei einem Bild anhalten</translation>
     </message>
     <message>
         <source>Plotter units of 0.025 mm. Pen 1 draws the control bar, pen 2 the marks, pen 3 cuts. For a swivel knife set its offset, 0.25 mm is common.</source>
-        <translation type="unfinished"></translation>
+        <translation>Plottereinheiten von 0,025 mm. Stift 1 zeichnet den Kontrollbalken, Stift 2 die Markierungen, Stift 3 schneidet. Bei einem Schleppmesser dessen Versatz einstellen, üblich sind 0,25 mm.</translation>
     </message>
     <message>
         <source>Point {0} of the JSON file's {1} is not a pair of numbers. {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt {0} von {1} der JSON-Datei ist kein Zahlenpaar. {2}</translation>
     </message>
     <message>
         <source>Poisson's ratio</source>
-        <translation type="unfinished"></translation>
+        <translation>Querkontraktionszahl</translation>
     </message>
     <message>
         <source>Polyethylene film (LDPE), 50 µm</source>
-        <translation type="unfinished"></translation>
+        <translation>Polyethylenfolie (LDPE), 50 µm</translation>
+    </message>
+    <message>
+        <source>Polylines at the real size with a layer and a colour for each role.</source>
+        <translation>Polylinien in wahrer Größe mit einer Ebene und einer Farbe je Aufgabe.</translation>
+    </message>
+    <message>
+        <source>Polylines in millimetres with a layer for each role: what every program reads.</source>
+        <translation>Polylinien in Millimetern mit einer Ebene je Aufgabe: Das liest jedes Programm.</translation>
     </message>
     <message>
         <source>Predicted from the outline; not inflated yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus dem Umriss vorhergesagt; noch nicht aufgeblasen.</translation>
     </message>
     <message>
         <source>Pressure</source>
-        <translation type="unfinished"></translation>
+        <translation>Druck</translation>
     </message>
     <message>
         <source>Previews and labels need it; everything else works.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorschaubilder und Beschriftungen brauchen es; alles andere geht.</translation>
     </message>
     <message>
         <source>Pull a line; then move the pointer to bend it, and click. A right click keeps it straight.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Linie ziehen; dann den Zeiger bewegen, um sie zu biegen, und klicken. Ein Rechtsklick lässt sie gerade.</translation>
     </message>
     <message>
         <source>Pull the paper. The middle button, or the space bar, does it with every tool; the wheel zooms.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Papier verschieben. Mit der mittleren Taste oder der Leertaste geht das bei jedem Werkzeug; das Rad zoomt.</translation>
     </message>
     <message>
         <source>Push a straw in, fill, pull it out and weld straight across the neck beside the balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Strohhalm einschieben, füllen, herausziehen und neben dem Ballon quer über den Hals schweißen.</translation>
     </message>
     <message>
         <source>Push the nozzle through the hole of the front panel from inside, put the ring over it from outside, and weld flange, film and ring together along the ring's line before the panels are joined.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Stutzen von innen durch das Loch der vorderen Bahn stecken, den Ring von außen darüberlegen und Flansch, Folie und Ring entlang der Ringlinie verschweißen, bevor die Bahnen verbunden werden.</translation>
     </message>
     <message>
-        <source>Put outline, balloon and pattern into the document</source>
-        <translation type="unfinished"></translation>
+        <source>Put outline, balloon and pattern into the document, and print the pattern</source>
+        <translation>Umriss, Ballon und Schnittmuster ins Dokument legen und das Schnittmuster drucken</translation>
     </message>
     <message>
         <source>RDWorks (Ruida laser)</source>
-        <translation type="unfinished"></translation>
+        <translation>RDWorks (Ruida-Laser)</translation>
     </message>
     <message>
         <source>Real size, to cut out by hand. Print at 100 % and measure the control bar.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wahre Größe, zum Ausschneiden von Hand. Mit 100 % drucken und den Kontrollbalken nachmessen.</translation>
     </message>
     <message>
         <source>Red</source>
-        <translation type="unfinished"></translation>
+        <translation>Rot</translation>
     </message>
     <message>
         <source>Repair</source>
-        <translation type="unfinished"></translation>
+        <translation>Reparieren</translation>
     </message>
     <message>
         <source>Repair {0} cannot be read: delete it from Repairs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Reparatur {0} ist nicht lesbar: sie aus „Repairs“ löschen.</translation>
     </message>
     <message>
         <source>Result</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Result that is shown as colours, with a legend</source>
+        <translation>Ergebnis, das als Farben mit Legende gezeigt wird</translation>
     </message>
     <message>
         <source>Results cannot be written as '{0}'. Choose {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnisse können nicht als „{0}“ geschrieben werden. {1} wählen.</translation>
+    </message>
+    <message>
+        <source>Results written to {}</source>
+        <translation>Ergebnisse nach {} geschrieben</translation>
+    </message>
+    <message>
+        <source>Ring</source>
+        <translation>Ring</translation>
     </message>
     <message>
         <source>Ring that warps</source>
-        <translation type="unfinished"></translation>
+        <translation>Ring, der sich verwindet</translation>
     </message>
     <message>
         <source>Round this hole the balloon will not lie flat: a closed tube wants to curve more and twists out of its plane, here by about {length}. Open the ring, or seal the hole's area without cutting it out and keep it small.</source>
-        <translation type="unfinished"></translation>
+        <translation>Um dieses Loch liegt der Ballon nicht flach: Ein geschlossener Schlauch will sich stärker krümmen und verwindet sich aus seiner Ebene, hier um etwa {length}. Den Ring öffnen, oder die Fläche des Lochs verschweißen statt ausschneiden und sie klein halten.</translation>
     </message>
     <message>
         <source>Round with a radius of</source>
-        <translation type="unfinished"></translation>
+        <translation>Runden mit einem Radius von</translation>
     </message>
     <message>
         <source>Roundness {:.0f} % of a disc's.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rundheit: {:.0f} % einer Scheibe.</translation>
     </message>
     <message>
         <source>SVG files can be written but not read without it; pictures, DXF and JSON can be read.</source>
-        <translation type="unfinished"></translation>
+        <translation>SVG-Dateien können ohne es geschrieben, aber nicht gelesen werden; Bilder, DXF und JSON schon.</translation>
     </message>
     <message>
         <source>SVG files need the Python package svgelements. Install it with 'pip install svgelements', or save the drawing as DXF.</source>
+        <translation>SVG-Dateien brauchen das Python-Paket svgelements. Mit „pip install svgelements“ installieren oder die Zeichnung als DXF speichern.</translation>
+    </message>
+    <message>
+        <source>Safe pressure</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save results</source>
+        <translation>Ergebnisse speichern</translation>
+    </message>
+    <message>
+        <source>Save results…</source>
+        <translation>Ergebnisse speichern…</translation>
     </message>
     <message>
         <source>SciPy triangulates instead, a little slower.</source>
-        <translation type="unfinished"></translation>
+        <translation>Stattdessen vernetzt SciPy, etwas langsamer.</translation>
     </message>
     <message>
         <source>Seal width</source>
-        <translation type="unfinished"></translation>
+        <translation>Nahtbreite</translation>
+    </message>
+    <message>
+        <source>Seal width (0: the film's)</source>
+        <translation>Nahtbreite (0: die der Folie)</translation>
+    </message>
+    <message>
+        <source>Second panel, mirrored</source>
+        <translation>Zweite Bahn, gespiegelt</translation>
     </message>
     <message>
         <source>Select a sketch, a wire or a face in the tree or the 3D view.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Skizze, einen Draht oder eine Fläche im Baum oder in der 3D-Ansicht wählen.</translation>
     </message>
     <message>
         <source>Select another</source>
-        <translation type="unfinished"></translation>
+        <translation>Andere wählen</translation>
     </message>
     <message>
         <source>Self-sealing film valve</source>
-        <translation type="unfinished"></translation>
+        <translation>Selbstschließendes Folienventil</translation>
     </message>
     <message>
         <source>Shape that stays flat</source>
+        <translation>Form, die flach bleibt</translation>
+    </message>
+    <message>
+        <source>Sheet length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sheet {} of {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the drawing and the silhouette over each other</source>
+        <translation>Zeichnung und Silhouette übereinander zeigen</translation>
+    </message>
+    <message>
+        <source>Shown sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shown side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Side</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Silhouette Studio (vinyl cutter)</source>
-        <translation type="unfinished"></translation>
+        <translation>Silhouette Studio (Folienschneider)</translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation>Simulation</translation>
     </message>
     <message>
         <source>Size</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe</translation>
     </message>
     <message>
         <source>Size from</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>SizeGoal</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Sketch</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe aus</translation>
     </message>
     <message>
         <source>So far it is a line. Close it, or paint an area, and it becomes a balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bisher ist es eine Linie. Sie schließen oder eine Fläche malen, dann wird es ein Ballon.</translation>
     </message>
     <message>
         <source>Soft PVC film, 0.2 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Weich-PVC-Folie, 0,2 mm</translation>
     </message>
     <message>
         <source>Solver</source>
+        <translation>Löser</translation>
+    </message>
+    <message>
+        <source>Solver: {0}.</source>
+        <translation>Löser: {0}.</translation>
+    </message>
+    <message>
+        <source>Solver: {0}. {1}</source>
+        <translation>Löser: {0}. {1}</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Stiffer across the web than along it (up to 4.5 against 2.5 GPa): cut both panels in the same direction. Only grades with a sealing layer weld; the gas barrier is poor.</source>
-        <translation type="unfinished"></translation>
+        <translation>Quer zur Bahn steifer als längs (bis 4,5 gegen 2,5 GPa): beide Bahnen in gleicher Richtung schneiden. Nur Sorten mit Siegelschicht lassen sich schweißen; die Gassperre ist schlecht.</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Stop (Esc)</source>
+        <translation>Anhalten (Esc)</translation>
+    </message>
+    <message>
+        <source>Stop and keep the last result</source>
+        <translation>Anhalten und das letzte Ergebnis behalten</translation>
     </message>
     <message>
         <source>Stopped.</source>
-        <translation type="unfinished"></translation>
+        <translation>Angehalten.</translation>
+    </message>
+    <message>
+        <source>Stopped. Your painting is still here.</source>
+        <translation>Angehalten. Das Gemalte ist noch da.</translation>
+    </message>
+    <message>
+        <source>Stopping ...</source>
+        <translation>Wird angehalten ...</translation>
     </message>
     <message>
         <source>Straw neck</source>
-        <translation type="unfinished"></translation>
+        <translation>Strohhalm-Hals</translation>
     </message>
     <message>
         <source>Symmetry</source>
-        <translation type="unfinished"></translation>
+        <translation>Symmetrie</translation>
     </message>
     <message>
         <source>TPU-coated nylon fabric (70 den), 170 g/m²</source>
-        <translation type="unfinished"></translation>
+        <translation>TPU-beschichtetes Nylongewebe (70 den), 170 g/m²</translation>
+    </message>
+    <message>
+        <source>Tab to tie it to</source>
+        <translation>Lasche zum Anbinden</translation>
     </message>
     <message>
         <source>Take paint off</source>
+        <translation>Farbe wegnehmen</translation>
+    </message>
+    <message>
+        <source>Take the numbers of one of FreeCAD's material cards</source>
+        <translation>Die Zahlen einer FreeCAD-Materialkarte übernehmen</translation>
+    </message>
+    <message>
+        <source>Take the picture away</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Tension field</source>
+        <translation>Zugfeld</translation>
+    </message>
+    <message>
+        <source>That of the front</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>That of the outline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>That wide</source>
+        <translation>So breit</translation>
     </message>
     <message>
         <source>The 'parts' of the JSON file are not a list of shapes. {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>„parts“ der JSON-Datei ist keine Liste von Formen. {0}</translation>
     </message>
     <message>
         <source>The '{0}' of the JSON file are not a list of {1}. {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>„{0}“ der JSON-Datei ist keine Liste von {1}. {2}</translation>
     </message>
     <message>
         <source>The DXF file has too many lines. Leave only the outline and its holes in it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die DXF-Datei hat zu viele Linien. Nur den Umriss und seine Löcher darin lassen.</translation>
     </message>
     <message>
         <source>The DXF file {0}; millimetres are assumed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die DXF-Datei {0}; Millimeter werden angenommen.</translation>
     </message>
     <message>
         <source>The JSON file cannot be read ({0}). {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>Die JSON-Datei ist nicht lesbar ({0}). {1}</translation>
     </message>
     <message>
         <source>The JSON file does not name its unit; millimetres are assumed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die JSON-Datei nennt keine Einheit; Millimeter werden angenommen.</translation>
     </message>
     <message>
         <source>The JSON file has no 'outer' loop. {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Die JSON-Datei hat keine Linie „outer“. {0}</translation>
     </message>
     <message>
         <source>The JSON file has the unknown unit {0}. Use one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die JSON-Datei hat die unbekannte Einheit {0}. {1} benutzen.</translation>
     </message>
     <message>
         <source>The JSON file's {0} needs at least {1}. {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} der JSON-Datei braucht mindestens {1}. {2}</translation>
     </message>
     <message>
         <source>The Poisson's ratio {0} is not between 0 and 0.5: give one such as 0.38.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Querkontraktionszahl {0} liegt nicht zwischen 0 und 0,5: zum Beispiel 0.38 angeben.</translation>
     </message>
     <message>
         <source>The Python package {0} is missing. {1} To get it: pip install {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Python-Paket {0} fehlt. {1} So kommt es: pip install {2}</translation>
     </message>
     <message>
         <source>The SVG file cannot be read ({0}). Save it as plain SVG once more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die SVG-Datei ist nicht lesbar ({0}). Noch einmal als einfaches SVG speichern.</translation>
     </message>
     <message>
         <source>The SVG file defines entities, which are not read. Save it as plain SVG.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die SVG-Datei definiert Entitäten, die nicht gelesen werden. Als einfaches SVG speichern.</translation>
     </message>
     <message>
         <source>The SVG file has too many elements, or some that use themselves. Simplify it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die SVG-Datei hat zu viele Elemente oder solche, die sich selbst benutzen. Sie vereinfachen.</translation>
     </message>
     <message>
         <source>The SVG file is damaged ({0}). Save it once more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die SVG-Datei ist beschädigt ({0}). Noch einmal speichern.</translation>
     </message>
     <message>
         <source>The Young's modulus across the grain {0} Pa is too large for one along it of {1} Pa: turn the grain by 90 degrees and exchange the two.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Elastizitätsmodul quer zur Laufrichtung {0} Pa ist zu groß für den längs von {1} Pa: die Laufrichtung um 90 Grad drehen und beide tauschen.</translation>
     </message>
     <message>
         <source>The altitude {0} m is out of range: give one up to 11000 m.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Höhe {0} m ist außerhalb des Bereichs: bis 11000 m angeben.</translation>
+    </message>
+    <message>
+        <source>The assembly sheet needs matplotlib: install it with pip install matplotlib.</source>
+        <translation>Das Montageblatt braucht matplotlib: mit pip install matplotlib installieren.</translation>
     </message>
     <message>
         <source>The balloon is nowhere {0} wide behind its intake: choose another intake angle or a narrower intake, else air enters slowly.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Ballon ist hinter seinem Füllhals nirgends {0} breit: eine andere Richtung oder einen schmaleren Hals wählen, sonst strömt Luft langsam ein.</translation>
     </message>
     <message>
         <source>The bending floor must be between 0 and 1, not {0}. Usual is {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Untergrenze der Biegesteifigkeit muss zwischen 0 und 1 liegen, nicht bei {0}. Üblich ist {1}.</translation>
+    </message>
+    <message>
+        <source>The bleed must be from 0 to {0}, not {1}.</source>
+        <translation>Der Anschnitt muss 0 bis {0} sein, nicht {1}.</translation>
+    </message>
+    <message>
+        <source>The coach finds no "{0}" to repair in {1}: see its advice.</source>
+        <translation>Der Ratgeber findet in {1} kein „{0}“ zu reparieren: seine Ratschläge ansehen.</translation>
     </message>
     <message>
         <source>The colour would run out: close the line around this place first.</source>
+        <translation>Die Farbe liefe aus: zuerst die Linie um diese Stelle schließen.</translation>
+    </message>
+    <message>
+        <source>The drawing cannot be reached everywhere: the silhouette is up to {} off it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The drawing has no closed line. Draw one, and turn texts and groups into paths.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Zeichnung hat keine geschlossene Linie. Eine zeichnen, und Texte und Gruppen in Pfade umwandeln.</translation>
+    </message>
+    <message>
+        <source>The drawing has points more than {0} km from its origin. Move it there, and give it a size between 1 mm and 100 m.</source>
+        <translation>Die Zeichnung hat Punkte weiter als {0} km vom Ursprung. Sie dorthin verschieben und ihr eine Größe von 1 mm bis 100 m geben.</translation>
     </message>
     <message>
         <source>The drawing has {0} shape{1} and no number {2}: choose another Part, or delete this balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Zeichnung hat {0} Form{1} und keine Nummer {2}: unter „Part“ eine andere wählen oder diesen Ballon löschen.</translation>
     </message>
     <message>
         <source>The drawing is open: a line starts at {0} and ends {1} away at {2}. Close it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Zeichnung ist offen: Eine Linie beginnt bei {0} und endet {1} entfernt bei {2}. Sie schließen.</translation>
     </message>
     <message>
         <source>The drawing was made symmetric: its halves were {0} apart, the left one was kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Zeichnung wurde symmetrisch gemacht: Ihre Hälften lagen {0} auseinander, die linke blieb.</translation>
     </message>
     <message>
         <source>The drawing would be smaller than {0}: choose a larger lift.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Zeichnung würde kleiner als {0}: einen größeren Auftrieb wählen.</translation>
     </message>
     <message>
         <source>The drawing; a copy of it travels in the document</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Zeichnung; eine Kopie davon liegt im Dokument</translation>
     </message>
     <message>
         <source>The file is XML but no SVG drawing. Choose a drawing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei ist XML, aber keine SVG-Zeichnung. Eine Zeichnung wählen.</translation>
     </message>
     <message>
         <source>The file of gases {0} is of no use: {1}. Install it anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Gasdatei {0} ist unbrauchbar: {1}. Sie neu installieren.</translation>
     </message>
     <message>
         <source>The file of rules {0} is of no use: {1}. Install it anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Regeldatei {0} ist unbrauchbar: {1}. Sie neu installieren.</translation>
+    </message>
+    <message>
+        <source>The file {0} is of no use: {1}. Install it anew.</source>
+        <translation>Die Datei {0} ist unbrauchbar: {1}. Sie neu installieren.</translation>
     </message>
     <message>
         <source>The film '{0}' has no mass. Give its areal density.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Folie „{0}“ hat keine Masse. Ihr Flächengewicht angeben.</translation>
     </message>
     <message>
         <source>The film file {0} calls itself "{1}": give both the same name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Foliendatei {0} nennt sich „{1}“: beiden denselben Namen geben.</translation>
     </message>
     <message>
         <source>The film file {0} is of no use: {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Foliendatei {0} ist unbrauchbar: {1}</translation>
     </message>
     <message>
         <source>The film file {0} lacks {1}: add it.</source>
-        <translation type="unfinished"></translation>
+        <translation>In der Foliendatei {0} fehlt {1}: es ergänzen.</translation>
+    </message>
+    <message>
+        <source>The film needs a width of more than two spacings, and no spacing below 0.</source>
+        <translation>Die Folie muss breiter sein als zwei Abstände, und kein Abstand kleiner als 0.</translation>
     </message>
     <message>
         <source>The film of shop-bought foil balloons: 15 µm oriented nylon 6 with an aluminium coat, 15 µm polyethylene inside. Weld PE to PE. Nylon takes up moisture and is then softer.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Folie der Ballons aus dem Laden: 15 µm orientiertes Nylon 6 mit Aluminiumschicht, innen 15 µm Polyethylen. PE auf PE schweißen. Nylon nimmt Feuchtigkeit auf und wird dann weicher.</translation>
     </message>
     <message>
         <source>The free edition opens DXF, not SVG. Choose "as is" for the size in the import preferences. Silhouette makes its own registration marks.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die kostenlose Ausgabe öffnet DXF, nicht SVG. In den Importeinstellungen „wie vorliegend“ als Größe wählen. Silhouette macht seine eigenen Passermarken.</translation>
     </message>
     <message>
         <source>The grain's angle {0} is no number: give degrees from the x axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Winkel der Laufrichtung {0} ist keine Zahl: Grad ab der x-Achse angeben.</translation>
+    </message>
+    <message>
+        <source>The hand beside the shape is as large as a grown-up's</source>
+        <translation>Die Hand neben der Form ist so groß wie die eines Erwachsenen</translation>
     </message>
     <message>
         <source>The hole at ({0}, {1}) mm is too small for a {2} seal, and its weld reaches {3} into the balloon: make the hole at least {4} wide, or the seal narrower.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Loch bei ({0}, {1}) mm ist zu klein für eine Naht von {2}, und seine Schweißnaht reicht {3} in den Ballon: das Loch mindestens {4} breit machen oder die Naht schmaler.</translation>
     </message>
     <message>
         <source>The hole at ({0}, {1}) mm is welded but not cut out: for that, make it wider than two seals with their allowances, {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Loch bei ({0}, {1}) mm wird geschweißt, aber nicht ausgeschnitten: dafür breiter machen als zwei Nähte mit Zugabe, {2}.</translation>
     </message>
     <message>
         <source>The hole at {0} lies in another hole; remove one of them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Loch bei {0} liegt in einem anderen Loch; eines davon entfernen.</translation>
     </message>
     <message>
         <source>The hole at {0} lies outside the outline; move it inside.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Loch bei {0} liegt außerhalb des Umrisses; nach innen verschieben.</translation>
     </message>
     <message>
         <source>The inflated outline stays {0} from the drawing on average: film cannot follow this shape everywhere. Round off notches and widen thin parts.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der aufgeblasene Umriss bleibt im Mittel {0} von der Zeichnung entfernt: Die Folie kann dieser Form nicht überall folgen. Kerben runden und dünne Teile verbreitern.</translation>
     </message>
     <message>
         <source>The intake file {0} calls itself "{1}": give both the same name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Füllhals-Datei {0} nennt sich „{1}“: beiden denselben Namen geben.</translation>
     </message>
     <message>
         <source>The intake file {0} is of no use: {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Füllhals-Datei {0} ist unbrauchbar: {1}</translation>
     </message>
     <message>
         <source>The intake file {0} lacks {1}: add it.</source>
-        <translation type="unfinished"></translation>
+        <translation>In der Füllhals-Datei {0} fehlt {1}: es ergänzen.</translation>
     </message>
     <message>
         <source>The intake opens into a part with {percent} of the film; the rest fills through something narrower than the intake. Move it to the largest part.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Füllhals mündet in einen Teil mit {percent} der Folie; der Rest füllt sich durch etwas Engeres als der Hals. Ihn zum größten Teil verlegen.</translation>
     </message>
     <message>
         <source>The intake would run into another part of the balloon: choose another angle or length for it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Füllhals liefe in einen anderen Teil des Ballons: einen anderen Winkel oder eine andere Länge wählen.</translation>
     </message>
     <message>
         <source>The intake's angle must be a number.</source>
+        <translation>Der Winkel des Füllhalses muss eine Zahl sein.</translation>
+    </message>
+    <message>
+        <source>The intake's length must be above 0, up to 100 m: give it about 30 mm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The intake's place along the seam must be a length.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Ort des Füllhalses entlang der Naht muss eine Länge sein.</translation>
     </message>
     <message>
-        <source>The intake's width and length must be above 0.</source>
+        <source>The intake's width must be between 0.01 mm and 10 m: give it about 10 mm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The intakes of two chambers run into each other: leave a gap in the weld between them, or choose another place for the first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Füllhälse zweier Kammern stoßen aneinander: eine Lücke in der Naht dazwischen lassen oder den ersten anderswo anbringen.</translation>
     </message>
     <message>
         <source>The label "{0}" has no letter that can be drawn: write it in other letters.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Beschriftung „{0}“ hat keinen zeichenbaren Buchstaben: andere Buchstaben benutzen.</translation>
     </message>
     <message>
         <source>The label "{0}" is {1} long, and the film is only {2} wide: take a shorter text or lower letters.</source>
+        <translation>Die Beschriftung „{0}“ ist {1} lang, und die Folie nur {2} breit: einen kürzeren Text oder niedrigere Buchstaben nehmen.</translation>
+    </message>
+    <message>
+        <source>The layout failed: give the pieces more room.</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The layout was stopped; nothing was changed.</source>
+        <translation>Das Auslegen wurde angehalten; nichts wurde geändert.</translation>
     </message>
     <message>
         <source>The lines of the drawing do not close around anything: the outline follows the lines.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Linien der Zeichnung umschließen nichts: Der Umriss folgt den Linien.</translation>
     </message>
     <message>
         <source>The machine file {0} calls itself "{1}": give both the same name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Maschinendatei {0} nennt sich „{1}“: beiden denselben Namen geben.</translation>
     </message>
     <message>
         <source>The machine file {0} is of no use: {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Maschinendatei {0} ist unbrauchbar: {1}</translation>
     </message>
     <message>
         <source>The machine file {0} lacks {1}: add it.</source>
-        <translation type="unfinished"></translation>
+        <translation>In der Maschinendatei {0} fehlt {1}: es ergänzen.</translation>
     </message>
     <message>
         <source>The mesh has a vertex without triangles. Mesh the outline anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Netz hat einen Knoten ohne Dreieck. Den Umriss neu vernetzen.</translation>
     </message>
     <message>
         <source>The mesh size is {0} mm: give one above 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Netzweite ist {0} mm: einen Wert über 0 angeben.</translation>
     </message>
     <message>
         <source>The native solver is not available: {0} Use the NumPy solver.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der native Löser ist nicht verfügbar: {0} Den NumPy-Löser benutzen.</translation>
     </message>
     <message>
         <source>The nozzle's flange must be wider than its bore.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Flansch des Stutzens muss breiter sein als seine Bohrung.</translation>
     </message>
     <message>
         <source>The outline cannot be mirrored about its axis: draw it symmetric, or leave that.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Umriss kann nicht an seiner Achse gespiegelt werden: ihn symmetrisch zeichnen oder so lassen.</translation>
     </message>
     <message>
         <source>The outline crosses or nearly touches itself near ({0}, {1}) mm: separate the parts that meet there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Umriss kreuzt oder berührt sich fast nahe ({0}, {1}) mm: die Teile dort trennen.</translation>
     </message>
     <message>
         <source>The outline crosses or touches itself and cannot be meshed: separate the parts that meet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Umriss kreuzt oder berührt sich und kann nicht vernetzt werden: die Teile trennen.</translation>
     </message>
     <message>
         <source>The outline crosses or touches itself and cannot be mirrored; part the lines.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Umriss kreuzt oder berührt sich und kann nicht gespiegelt werden; die Linien trennen.</translation>
     </message>
     <message>
         <source>The outline encloses no area; draw a closed shape with at least three corners.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Umriss umschließt keine Fläche; eine geschlossene Form mit mindestens drei Ecken zeichnen.</translation>
     </message>
     <message>
         <source>The outline has a coordinate that is not a number; correct it in the drawing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Umriss hat eine Koordinate, die keine Zahl ist; sie in der Zeichnung berichtigen.</translation>
     </message>
     <message>
         <source>The outline's {0} of</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} des Umrisses:</translation>
     </message>
     <message>
         <source>The painting cannot be written to '{}': is the disk full?</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Gemalte kann nicht nach „{}“ geschrieben werden: Ist der Datenträger voll?</translation>
     </message>
     <message>
         <source>The part round {0} has no rim for an intake: leave a gap in the welds round it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Teil um {0} hat keinen Rand für einen Füllhals: in den Schweißnähten darum eine Lücke lassen.</translation>
     </message>
     <message>
         <source>The pattern becomes too thin for its mesh. Widen the thin parts, or use a finer mesh.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Schnittmuster wird zu dünn für sein Netz. Dünne Teile verbreitern oder ein feineres Netz benutzen.</translation>
     </message>
     <message>
         <source>The pattern crosses itself near ({0}, {1}) mm: simplify the drawing there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Schnittmuster kreuzt sich nahe ({0}, {1}) mm: die Zeichnung dort vereinfachen.</translation>
     </message>
     <message>
         <source>The pattern has no lines for {0}, which takes {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Schnittmuster hat keine Linien für {0}, das {1} verarbeitet.</translation>
     </message>
     <message>
         <source>The pattern is being fitted to the painting ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Schnittmuster wird an das Gemalte angepasst ...</translation>
     </message>
     <message>
         <source>The pattern is not symmetric: the balloon buckles to one side, and this comes nearer to the drawing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Schnittmuster ist nicht symmetrisch: Der Ballon beult zu einer Seite aus, und dies kommt der Zeichnung näher.</translation>
     </message>
     <message>
         <source>The pattern measures {0}, the bed of {1} {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Schnittmuster misst {0}, das Bett von {1} {2}</translation>
     </message>
     <message>
         <source>The picture has a single colour. Choose one that shows a shape on a background.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Bild hat nur eine Farbe. Eines wählen, das eine Form vor einem Hintergrund zeigt.</translation>
     </message>
     <message>
         <source>The picture has no plain background around the shape. Use one with a background of one colour or a transparent one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Bild hat um die Form keinen einfarbigen Hintergrund. Eines mit einfarbigem oder durchsichtigem Hintergrund benutzen.</translation>
+    </message>
+    <message>
+        <source>The picture is damaged. Save it as PNG, JPEG or BMP once more.</source>
+        <translation>Das Bild ist beschädigt. Noch einmal als PNG, JPEG oder BMP speichern.</translation>
     </message>
     <message>
         <source>The picture is empty: all of it is transparent. Choose a picture that shows a shape.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Bild ist leer: Es ist ganz durchsichtig. Eines wählen, das eine Form zeigt.</translation>
     </message>
     <message>
         <source>The picture is too small to see a shape. Use {0} pixels or more across.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Bild ist zu klein, um eine Form zu erkennen. Mindestens {0} Pixel Breite benutzen.</translation>
     </message>
     <message>
         <source>The picture was read as a pen drawing: the inside of its lines is filled.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Bild wurde als Strichzeichnung gelesen: Das Innere der Linien ist gefüllt.</translation>
     </message>
     <message>
-        <source>The pressure must be positive, not {0} Pa. A party balloon has about 2 kPa.</source>
-        <translation type="unfinished"></translation>
+        <source>The pressure must be positive and at most {0} Pa, not {1} Pa. A party balloon has about 2 kPa.</source>
+        <translation>Der Druck muss positiv und höchstens {0} Pa sein, nicht {1} Pa. Ein Partyballon hat etwa 2 kPa.</translation>
     </message>
     <message>
         <source>The radius of the corner relief must be 0 or above.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Radius des Eckenfreistichs muss 0 oder größer sein.</translation>
     </message>
     <message>
         <source>The repair at {0} no longer fits, {1}: take it back or draw that part anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Reparatur bei {0} passt nicht mehr, {1}: sie zurücknehmen oder den Teil neu zeichnen.</translation>
     </message>
     <message>
-        <source>The seal width must be above 0 and the allowance not below 0.</source>
-        <translation type="unfinished"></translation>
+        <source>The seal width must be between 0.01 mm and 1 m, the allowance between 0 and 1 m.</source>
+        <translation>Die Nahtbreite muss zwischen 0,01 mm und 1 m liegen, die Zugabe zwischen 0 und 1 m.</translation>
     </message>
     <message>
         <source>The shape in the picture is too frayed to trace. Use a clearer picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Form im Bild ist zu ausgefranst zum Nachzeichnen. Ein klareres Bild benutzen.</translation>
     </message>
     <message>
         <source>The shape is only {0} mm thick near ({1}, {2}) mm, too thin for a mesh of {3}: make it thicker there, or use a mesh size of at most {4} mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Form ist nahe ({1}, {2}) mm nur {0} mm dick, zu dünn für ein Netz von {3}: dort verdicken oder höchstens {4} mm Netzweite benutzen.</translation>
     </message>
     <message>
         <source>The shape touches the {0} border of the picture; if it was cut off there, leave more margin.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Form berührt den Bildrand ({0}); wenn sie dort abgeschnitten wurde, mehr Rand lassen.</translation>
     </message>
     <message>
         <source>The simulation cannot take its first step. Check the outline for degenerate parts.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Simulation kann ihren ersten Schritt nicht tun. Den Umriss auf entartete Teile prüfen.</translation>
     </message>
     <message>
         <source>The simulation did not come to rest; the shape shown is its last good state. Try a coarser mesh.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Simulation kam nicht zur Ruhe; gezeigt wird ihr letzter guter Stand. Ein gröberes Netz versuchen.</translation>
     </message>
     <message>
         <source>The simulation failed: {0}. Check the outline for degenerate parts.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Simulation ist gescheitert: {0}. Den Umriss auf entartete Teile prüfen.</translation>
     </message>
     <message>
         <source>The simulation has no finite start. Check the outline for degenerate parts.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Simulation hat keinen endlichen Anfang. Den Umriss auf entartete Teile prüfen.</translation>
     </message>
     <message>
         <source>The simulation was stopped.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Simulation wurde angehalten.</translation>
     </message>
     <message>
-        <source>The smallest radius is {0}, near {1}; {2} follows {3}. It will come out rounder there.</source>
+        <source>The smallest radius is {0} mm, near {1}; {2} follows {3}. It will come out rounder there.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The solver '{0}' needs the Python package scipy. Install it or use the native solver.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Löser „{0}“ braucht das Python-Paket scipy. Es installieren oder den nativen Löser benutzen.</translation>
     </message>
     <message>
         <source>The solver stopped; the report view tells why.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Löser ist stehen geblieben; das Ausgabefenster sagt, warum.</translation>
     </message>
     <message>
         <source>The temperature of the {0}, {1} degrees Celsius, is out of range: give one such as 20C.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Temperatur ({0}) von {1} Grad Celsius ist außerhalb des Bereichs: zum Beispiel 20C angeben.</translation>
     </message>
     <message>
         <source>The tie tab at {0} degrees would run into another part: choose another angle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Lasche bei {0} Grad liefe in einen anderen Teil: einen anderen Winkel wählen.</translation>
     </message>
     <message>
         <source>The volume must be positive, not {0} m3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Volumen muss positiv sein, nicht {0} m3.</translation>
     </message>
     <message>
         <source>The way from the intake into the balloon narrows to {0}, and the intake is {1} wide: put it where the balloon is wider, else air enters slowly.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Weg vom Füllhals in den Ballon verengt sich auf {0}, und der Hals ist {1} breit: ihn dorthin setzen, wo der Ballon breiter ist, sonst strömt Luft langsam ein.</translation>
     </message>
     <message>
         <source>The width of the passages must be 0 or above.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Breite der Durchgänge muss 0 oder größer sein.</translation>
     </message>
     <message>
         <source>The {0} "{1}" of the material card {2} cannot be read: correct the card.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} „{1}“ der Materialkarte {2} ist nicht lesbar: die Karte berichtigen.</translation>
     </message>
     <message>
         <source>The {0} crosses or touches itself at {1}; part the lines there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kreuzung oder Berührung ({0}) bei {1}; die Linien dort trennen.</translation>
     </message>
     <message>
         <source>The {0} encloses no area; draw a closed shape with at least three corners.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Fläche umschlossen ({0}); eine geschlossene Form mit mindestens drei Ecken zeichnen.</translation>
     </message>
     <message>
         <source>The {0} is {1} % off what was wanted: correct the goal by as much.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Ziel ({0}) wurde um {1} % verfehlt: es um ebenso viel berichtigen.</translation>
     </message>
     <message>
         <source>The {0} is {1} mm: give one above 0, for example 300 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Maß ({0}) ist {1} mm: einen Wert über 0 angeben, zum Beispiel 300 mm.</translation>
     </message>
     <message>
         <source>The {0} line crosses itself near {1}: simplify the drawing there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Linie {0} kreuzt sich nahe {1}: die Zeichnung dort vereinfachen.</translation>
     </message>
     <message>
         <source>The {0} line that begins at {1} is open: programs fill, offset and cut closed lines only. Close it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Linie {0}, die bei {1} beginnt, ist offen: Programme füllen, versetzen und schneiden nur geschlossene. Sie schließen.</translation>
     </message>
     <message>
         <source>The {0} {1} is not between {2} and {3} {4}: give one such as {5}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Wert ({0}) {1} liegt nicht zwischen {2} und {3} {4}: zum Beispiel {5} angeben.</translation>
+    </message>
+    <message>
+        <source>Their depth</source>
+        <translation>Ihre Tiefe</translation>
     </message>
     <message>
         <source>There can be 0 to {0} notches, not {1}, with a depth above 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Möglich sind 0 bis {0} Passkerben, nicht {1}, mit einer Tiefe über 0.</translation>
     </message>
     <message>
         <source>There can be 1 to {0} copies, not {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Möglich sind 1 bis {0} Stück, nicht {1}.</translation>
     </message>
     <message>
         <source>There is no backend "{0}": choose {1}, or leave it out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt keinen Rechenkern „{0}“: {1} wählen oder ihn weglassen.</translation>
     </message>
     <message>
         <source>There is no file '{0}'. Check the name and the folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt keine Datei „{0}“. Name und Ordner prüfen.</translation>
     </message>
     <message>
         <source>There is no file {0}: check the name and the folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt keine Datei {0}: Name und Ordner prüfen.</translation>
     </message>
     <message>
         <source>There is no file {}: check the name and the folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt keine Datei {}: Name und Ordner prüfen.</translation>
     </message>
     <message>
         <source>There is no film "{0}": choose one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt keine Folie „{0}“: eine von {1} wählen.</translation>
     </message>
     <message>
         <source>There is no gas "{0}": choose one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt kein Gas „{0}“: eines von {1} wählen.</translation>
     </message>
     <message>
         <source>There is no intake "{0}": choose one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt keinen Füllhals „{0}“: einen von {1} wählen.</translation>
     </message>
     <message>
         <source>There is no look "{0}": choose one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt kein Aussehen „{0}“: eines von {1} wählen.</translation>
     </message>
     <message>
         <source>There is no machine "{0}": choose one of {1}, or give a .json file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt keine Maschine „{0}“: eine von {1} wählen oder eine .json-Datei angeben.</translation>
     </message>
     <message>
         <source>There is no outline at {0} degrees from the centre: choose another intake angle.</source>
+        <translation>Bei {0} Grad von der Mitte liegt kein Umriss: einen anderen Winkel für den Füllhals wählen.</translation>
+    </message>
+    <message>
+        <source>There is no paper "{0}" for the assembly sheet: choose A4 or Letter.</source>
+        <translation>Es gibt kein Papier „{0}“ für das Montageblatt: A4 oder Letter wählen.</translation>
+    </message>
+    <message>
+        <source>There is no picture to print: choose one, as the outline has none of its own.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>There is no room for a flange of {0} there: choose another place or a smaller one.</source>
+        <translation>Dort ist kein Platz für einen Flansch von {0}: einen anderen Ort oder einen kleineren wählen.</translation>
+    </message>
+    <message>
+        <source>There is no sheet {0}: give a number from 1 to {1}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>There is no solver named '{0}'. Use 'native', 'numpy' or 'newmark'.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt keinen Löser namens „{0}“. „native“, „numpy“ oder „newmark“ benutzen.</translation>
     </message>
     <message>
         <source>There is no symmetry "{0}": choose one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt keine Symmetrie „{0}“: eine von {1} wählen.</translation>
     </message>
     <message>
         <source>Thickness</source>
-        <translation type="unfinished"></translation>
+        <translation>Dicke</translation>
     </message>
     <message>
         <source>Thickness of the pen ([ thinner, ] thicker)</source>
-        <translation type="unfinished"></translation>
+        <translation>Strichdicke ([ dünner, ] dicker)</translation>
     </message>
     <message>
         <source>This arm is too thin to fill: drawn {width} wide, it becomes {measured} thick. Make it {wanted} wide.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieser Arm ist zu dünn zum Füllen: {width} breit gezeichnet, wird er {measured} dick. Ihn {wanted} breit machen.</translation>
     </message>
     <message>
         <source>This arm is too thin to fill: {}. Make it {}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieser Arm ist zu dünn zum Füllen: {}. Auf {} verbreitern?</translation>
     </message>
     <message>
         <source>This balloon holds {0} {1} litres at any pressure that suits its film: {2} litres at {3} Pa. Change the size of the balloon or the volume.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieser Ballon fasst bei jedem Druck, den seine Folie verträgt, {0} {1} Liter: {2} Liter bei {3} Pa. Die Größe des Ballons oder das Volumen ändern.</translation>
     </message>
     <message>
         <source>This gas is not lighter than the air around, so the balloon never floats: choose another gas or a higher temperature of the gas.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Gas ist nicht leichter als die Luft ringsum, der Ballon schwebt also nie: ein anderes Gas oder eine höhere Temperatur des Gases wählen.</translation>
     </message>
     <message>
         <source>This is shape {0} of the {1} in the drawing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dies ist Form {0} von {1} in der Zeichnung.</translation>
     </message>
     <message>
         <source>This neck chokes the air: inside it is as wide as a tube of {measured} of film, the intake is {intake}. {behind} of the balloon fill through it. Make it {wanted} wide.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Engstelle drosselt die Luft: Innen ist sie so weit wie ein Schlauch aus {measured} breiter Folie, der Füllhals hat {intake}. {behind} des Ballons füllen sich durch sie. Sie {wanted} breit machen.</translation>
     </message>
     <message>
         <source>This neck is too thin to let the air through: {}. Make it {}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Engstelle ist zu dünn für die Luft: {}. Auf {} verbreitern?</translation>
     </message>
     <message>
         <source>This notch pulls the film {measured} as tight as elsewhere; it wrinkles there and is where it would tear. Round it with a radius of {wanted}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Kerbe spannt die Folie {measured} so straff wie anderswo; sie wirft dort Falten und würde dort reißen. Sie mit einem Radius von {wanted} runden.</translation>
     </message>
     <message>
         <source>This shape stays flat: it holds {percent} of the air that a disc of as much film would. Fewer and wider parts make it rounder.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Form bleibt flach: Sie fasst {percent} der Luft, die eine Scheibe aus ebenso viel Folie fassen würde. Weniger und breitere Teile machen sie runder.</translation>
     </message>
     <message>
         <source>This tip stays flat over {length}: it is too pointed. Round it with a radius of {wanted}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Spitze bleibt auf {length} flach: Sie ist zu spitz. Sie mit einem Radius von {wanted} runden.</translation>
     </message>
     <message>
         <source>Tip that stays flat</source>
-        <translation type="unfinished"></translation>
+        <translation>Spitze, die flach bleibt</translation>
     </message>
     <message>
         <source>Tracing paper, 92 g/m²</source>
-        <translation type="unfinished"></translation>
+        <translation>Transparentpapier, 92 g/m²</translation>
+    </message>
+    <message>
+        <source>Two circles: change their diameters in the sketch</source>
+        <translation>Zwei Kreise: ihre Durchmesser in der Skizze ändern</translation>
     </message>
     <message>
         <source>Two panels with a grain aslant are no mirror images. Turn the grain along x or y.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwei Bahnen mit schräger Laufrichtung sind keine Spiegelbilder. Die Laufrichtung längs x oder y drehen.</translation>
     </message>
     <message>
         <source>Two shapes meet at {0}; part them, or join them into one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwei Formen berühren sich bei {0}; sie trennen oder zu einer verbinden.</translation>
     </message>
     <message>
         <source>Upload the SVG as a cut image and compare the control bar: some versions read the size at 72 dpi.</source>
+        <translation>Das SVG als Schnittbild hochladen und den Kontrollbalken vergleichen: Manche Versionen lesen die Größe mit 72 dpi.</translation>
+    </message>
+    <message>
+        <source>Used</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Violet</source>
-        <translation type="unfinished"></translation>
+        <translation>Violett</translation>
     </message>
     <message>
         <source>Volume</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumen</translation>
     </message>
     <message>
         <source>Warm air</source>
-        <translation type="unfinished"></translation>
+        <translation>Warmluft</translation>
     </message>
     <message>
         <source>Weight</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewicht</translation>
     </message>
     <message>
         <source>Weld TPU to TPU with an iron or hot air, 10 mm wide. Warp and weft are stiff, the bias is soft: the model takes one modulus for all directions. Stiffer after the first inflations.</source>
+        <translation>TPU auf TPU mit Eisen oder Heißluft schweißen, 10 mm breit. Kette und Schuss sind steif, die Schräge ist weich: Das Modell nimmt einen Modul für alle Richtungen. Nach den ersten Füllungen steifer.</translation>
+    </message>
+    <message>
+        <source>Weld and cut</source>
+        <translation>Naht und Schnitt</translation>
+    </message>
+    <message>
+        <source>Weld length</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Welds easily with an impulse sealer or an iron. Yields at about 9 MPa, half its tensile strength, and creeps: keep the pressure low.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lässt sich leicht mit Impulssiegler oder Bügeleisen schweißen. Fließt bei etwa 9 MPa, der Hälfte seiner Zugfestigkeit, und kriecht: den Druck niedrig halten.</translation>
     </message>
     <message>
         <source>What most shops ask for: R12, closed polylines, nothing on the sheet that is not cut. R12 knows no unit, so the file's name tells it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was die meisten Betriebe wollen: R12, geschlossene Polylinien, nichts auf dem Bogen, was nicht geschnitten wird. R12 kennt keine Einheit, darum nennt sie der Dateiname.</translation>
     </message>
     <message>
         <source>What works here</source>
-        <translation type="unfinished"></translation>
+        <translation>Was hier funktioniert</translation>
+    </message>
+    <message>
+        <source>While this is pressed, the ring in the 3D view moves the intake</source>
+        <translation>Solange dies gedrückt ist, verschiebt der Ring in der 3D-Ansicht den Füllhals</translation>
     </message>
     <message>
         <source>While this is pressed, what you select becomes the source</source>
-        <translation type="unfinished"></translation>
+        <translation>Solange dies gedrückt ist, wird das Ausgewählte zur Quelle</translation>
     </message>
     <message>
         <source>White</source>
-        <translation type="unfinished"></translation>
+        <translation>Weiß</translation>
     </message>
     <message>
         <source>Width</source>
-        <translation type="unfinished"></translation>
+        <translation>Breite</translation>
     </message>
     <message>
         <source>Width of the balloon when it is inflated</source>
+        <translation>Breite des aufgeblasenen Ballons</translation>
+    </message>
+    <message>
+        <source>Will it float?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write all results for ParaView (.vtu) or NumPy (.npz), or the shape alone (.stl)</source>
+        <translation>Alle Ergebnisse für ParaView (.vtu) oder NumPy (.npz) schreiben, oder nur die Form (.stl)</translation>
+    </message>
+    <message>
+        <source>Write files…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Write {"unit": "mm", "outer": [[0, 0], [300, 0], [150, 200]]}.</source>
-        <translation type="unfinished"></translation>
+        <translation>So schreiben: {"unit": "mm", "outer": [[0, 0], [300, 0], [150, 200]]}.</translation>
     </message>
     <message>
         <source>Writing DXF needs ezdxf: install it with pip install ezdxf, or use the SVG file.</source>
-        <translation type="unfinished"></translation>
+        <translation>DXF zu schreiben braucht ezdxf: mit pip install ezdxf installieren oder die SVG-Datei benutzen.</translation>
     </message>
     <message>
         <source>Writing PDF needs reportlab: install it with pip install reportlab, or use the SVG file.</source>
-        <translation type="unfinished"></translation>
+        <translation>PDF zu schreiben braucht reportlab: mit pip install reportlab installieren oder die SVG-Datei benutzen.</translation>
     </message>
     <message>
         <source>Yellow</source>
-        <translation type="unfinished"></translation>
+        <translation>Gelb</translation>
     </message>
     <message>
         <source>Young's modulus</source>
-        <translation type="unfinished"></translation>
+        <translation>Elastizitätsmodul</translation>
     </message>
     <message>
         <source>Young's modulus across the grain</source>
-        <translation type="unfinished"></translation>
+        <translation>Elastizitätsmodul quer zur Laufrichtung</translation>
     </message>
     <message>
         <source>a coordinate is not a number</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Koordinate ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>a transform is not a number</source>
+        <translation>eine Transformation ist keine Zahl</translation>
     </message>
     <message>
         <source>a {0} file has a unit of its own: give "unit": "mm".</source>
-        <translation type="unfinished"></translation>
+        <translation>eine {0}-Datei hat ihre eigene Einheit: "unit": "mm" angeben.</translation>
+    </message>
+    <message>
+        <source>apart {} in the mean, 95 % below {}, at most {}</source>
+        <translation>Abstand im Mittel {}, 95 % unter {}, höchstens {}</translation>
+    </message>
+    <message>
+        <source>at most {:.4g} {}</source>
+        <translation>höchstens {:.4g} {}</translation>
     </message>
     <message>
         <source>balloon {0} of {1}, {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>Ballon {0} von {1}, {2}</translation>
     </message>
     <message>
         <source>bed_mm is {0}: give [width, height], or null where there is no limit.</source>
-        <translation type="unfinished"></translation>
+        <translation>bed_mm ist {0}: [Breite, Höhe] angeben, oder null, wo es keine Grenze gibt.</translation>
     </message>
     <message>
         <source>bring it to a</source>
-        <translation type="unfinished"></translation>
+        <translation>bringe ihn auf eine</translation>
     </message>
     <message>
         <source>colour index {0} and pen {1} of {2} must be from 1 to 255.</source>
-        <translation type="unfinished"></translation>
+        <translation>Farbindex {0} und Stift {1} von {2} müssen von 1 bis 255 reichen.</translation>
     </message>
     <message>
         <source>does not name its unit</source>
-        <translation type="unfinished"></translation>
+        <translation>nennt ihre Einheit nicht</translation>
+    </message>
+    <message>
+        <source>drawing</source>
+        <translation>Zeichnung</translation>
+    </message>
+    <message>
+        <source>film and valve</source>
+        <translation>Folie und Ventil</translation>
+    </message>
+    <message>
+        <source>in the mean {}</source>
+        <translation>im Mittel {}</translation>
+    </message>
+    <message>
+        <source>inflated</source>
+        <translation>aufgeblasen</translation>
     </message>
     <message>
         <source>it would grow together with another part</source>
-        <translation type="unfinished"></translation>
+        <translation>sie würde mit einem anderen Teil zusammenwachsen</translation>
+    </message>
+    <message>
+        <source>laying out{0}</source>
+        <translation>Auslegen{0}</translation>
     </message>
     <message>
         <source>names the unit {0}, which is not a usual one</source>
-        <translation type="unfinished"></translation>
+        <translation>nennt die Einheit {0}, die unüblich ist</translation>
     </message>
     <message>
         <source>no layer is written: name at least CUT.</source>
-        <translation type="unfinished"></translation>
+        <translation>keine Ebene wird geschrieben: wenigstens CUT nennen.</translation>
     </message>
     <message>
         <source>nobody knows "{0}": it may be one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>niemand kennt „{0}“: möglich sind {1}.</translation>
     </message>
     <message>
         <source>not converged: </source>
-        <translation type="unfinished"></translation>
+        <translation>nicht konvergiert: </translation>
     </message>
     <message>
         <source>place "{0}" is neither {1} nor {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>place „{0}“ ist weder {1} noch {2}.</translation>
+    </message>
+    <message>
+        <source>safe to {}, margin {:.2g}</source>
+        <translation>sicher bis {}, Reserve {:.2g}-fach</translation>
+    </message>
+    <message>
+        <source>slack: {:.0f} %</source>
+        <translation>schlaff: {:.0f} %</translation>
+    </message>
+    <message>
+        <source>stale: belongs to earlier values</source>
+        <translation>veraltet: gehört zu früheren Werten</translation>
+    </message>
+    <message>
+        <source>strength of the film not known</source>
+        <translation>Festigkeit der Folie unbekannt</translation>
+    </message>
+    <message>
+        <source>taut: {:.0f} %</source>
+        <translation>straff: {:.0f} %</translation>
     </message>
     <message>
         <source>the colour "{0}" is not written like #ff0000.</source>
-        <translation type="unfinished"></translation>
+        <translation>die Farbe „{0}“ ist nicht wie #ff0000 geschrieben.</translation>
+    </message>
+    <message>
+        <source>the file name "{0}" may have letters, digits, spaces, _, - and . only.</source>
+        <translation>der Dateiname „{0}“ darf nur Buchstaben, Ziffern, Leerzeichen, _, - und . haben.</translation>
     </message>
     <message>
         <source>the last line of each piece is its CUT.</source>
-        <translation type="unfinished"></translation>
+        <translation>die letzte Linie jedes Stücks ist sein CUT.</translation>
     </message>
     <message>
         <source>the layer name "{0}" may have 1 to 31 of A-Z, 0-9, _, - and $ only.</source>
-        <translation type="unfinished"></translation>
+        <translation>der Ebenenname „{0}“ darf 1 bis 31 Zeichen aus A-Z, 0-9, _, - und $ haben.</translation>
     </message>
     <message>
         <source>there is no such corner</source>
-        <translation type="unfinished"></translation>
+        <translation>es gibt keine solche Ecke</translation>
     </message>
     <message>
         <source>there is no such part</source>
+        <translation>es gibt keinen solchen Teil</translation>
+    </message>
+    <message>
+        <source>unknown: this film has no strength</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>up to date</source>
-        <translation type="unfinished"></translation>
+        <translation>aktuell</translation>
     </message>
     <message>
         <source>width_mm must be above 0, and taper from 0.2 to 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>width_mm muss über 0 liegen, taper zwischen 0,2 und 1.</translation>
+    </message>
+    <message>
+        <source>wrinkled, taut along one direction: {:.0f} %</source>
+        <translation>faltig, in einer Richtung straff: {:.0f} %</translation>
     </message>
     <message>
         <source>{0} "{1}" is none of {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} „{1}“ ist keines von {2}.</translation>
     </message>
     <message>
         <source>{0} and {1} lines meet near {2}: move the hole inward or make the allowance narrower.</source>
+        <translation>Linien {0} und {1} treffen sich nahe {2}: das Loch nach innen verschieben oder die Zugabe schmaler machen.</translation>
+    </message>
+    <message>
+        <source>{0} balloons cannot be laid out: give 1 or more.</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} belongs to no balloon: choose an outline, a balloon or a pattern.</source>
+        <translation>{0} gehört zu keinem Ballon: einen Umriss, einen Ballon oder ein Schnittmuster wählen.</translation>
+    </message>
+    <message>
+        <source>{0} cannot be "{1}": {2}</source>
+        <translation>{0} kann nicht „{1}“ sein: {2}</translation>
     </message>
     <message>
         <source>{0} cannot be loaded ({1}).</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} kann nicht geladen werden ({1}).</translation>
     </message>
     <message>
         <source>{0} changed since. Choose Inflate now in its context menu, or switch Live on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Geändert wurde: {0}. Im Kontextmenü „Jetzt aufblasen“ wählen oder Live einschalten.</translation>
+    </message>
+    <message>
+        <source>{0} dots per inch cannot be printed well: give {1} to {2}.</source>
+        <translation>{0} Punkte je Zoll lassen sich nicht gut drucken: {1} bis {2} angeben.</translation>
     </message>
     <message>
         <source>{0} gap{1} between the lines closed, the widest {2} % of the drawing's width.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lücken zwischen den Linien geschlossen: {0}{1}, die weiteste {2} % der Breite der Zeichnung.</translation>
     </message>
     <message>
         <source>{0} has interface {1}, but {2} is needed.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} hat die Schnittstelle {1}, nötig ist {2}.</translation>
     </message>
     <message>
         <source>{0} has no pattern: choose a balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} hat kein Schnittmuster: einen Ballon wählen.</translation>
     </message>
     <message>
         <source>{0} has no result yet: recompute it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} hat noch kein Ergebnis: neu berechnen.</translation>
     </message>
     <message>
         <source>{0} has no shape: select a sketch, a wire or a face.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} hat keine Form: eine Skizze, einen Draht oder eine Fläche wählen.</translation>
     </message>
     <message>
         <source>{0} has not been built.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} wurde nicht gebaut.</translation>
     </message>
     <message>
         <source>{0} has several faces: select one of them.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} hat mehrere Flächen: eine davon wählen.</translation>
     </message>
     <message>
         <source>{0} is a folder</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ist ein Ordner</translation>
     </message>
     <message>
         <source>{0} is empty: draw a closed line in it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ist leer: eine geschlossene Linie hineinzeichnen.</translation>
     </message>
     <message>
         <source>{0} is neither DXF nor SVG: let the name end in .dxf or .svg.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ist weder DXF noch SVG: den Namen auf .dxf oder .svg enden lassen.</translation>
     </message>
     <message>
         <source>{0} is neither VTU, NPZ nor STL: let the name end in .vtu, .npz or .stl.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ist weder VTU noch NPZ noch STL: den Namen auf .vtu, .npz oder .stl enden lassen.</translation>
     </message>
     <message>
         <source>{0} is not a coordinate</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ist keine Koordinate</translation>
     </message>
     <message>
         <source>{0} is not flat: a balloon is cut from flat film, so draw it in one plane.</source>
+        <translation>{0} ist nicht eben: Ein Ballon wird aus flacher Folie geschnitten, also in einer Ebene zeichnen.</translation>
+    </message>
+    <message>
+        <source>{0} is not up to date. {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} is not up to date. {1} Repair that and recompute.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} is not up to date. {1} Repair that, recompute and export again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ist nicht aktuell. {1} Das beheben, neu berechnen und noch einmal ausgeben.</translation>
     </message>
     <message>
         <source>{0} is {1}: give a number from {2} to {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ist {1}: eine Zahl von {2} bis {3} angeben.</translation>
     </message>
     <message>
         <source>{0} is {1}: write true or false.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ist {1}: true oder false schreiben.</translation>
     </message>
     <message>
         <source>{0} loose ends of lines were joined to the drawing.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} lose Linienenden wurden mit der Zeichnung verbunden.</translation>
+    </message>
+    <message>
+        <source>{0} m of a roll {1} mm wide</source>
+        <translation>{0} m einer {1} mm breiten Rolle</translation>
+    </message>
+    <message>
+        <source>{0} mm wide, {1} m long</source>
+        <translation>{0} mm breit, {1} m lang</translation>
     </message>
     <message>
         <source>{0} notches are closer than {1}: take fewer.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} Passkerben liegen enger als {1}: weniger nehmen.</translation>
     </message>
     <message>
         <source>{0} open line was left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} offene Linie wurde weggelassen.</translation>
     </message>
     <message>
         <source>{0} open lines were left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} offene Linien wurden weggelassen.</translation>
     </message>
     <message>
         <source>{0} reads {1}, which has no pages: choose paper.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} liest {1}, das keine Seiten hat: Papier wählen.</translation>
     </message>
     <message>
         <source>{0} small speck was dropped.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} kleiner Fleck wurde weggelassen.</translation>
     </message>
     <message>
         <source>{0} small specks were dropped.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} kleine Flecken wurden weggelassen.</translation>
     </message>
     <message>
         <source>{0} thin line is</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} dünne Linie ist</translation>
     </message>
     <message>
         <source>{0} thin lines are</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} dünne Linien sind</translation>
+    </message>
+    <message>
+        <source>{0} times</source>
+        <translation>{0}-mal</translation>
     </message>
     <message>
         <source>{0} tiny hole was filled.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} winziges Loch wurde gefüllt.</translation>
     </message>
     <message>
         <source>{0} tiny holes were filled.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} winzige Löcher wurden gefüllt.</translation>
     </message>
     <message>
         <source>{0} was left out. {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} wurde weggelassen. {1}</translation>
     </message>
     <message>
         <source>{0} weld{1} outside the shapes left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} Schweißnaht außerhalb der Formen weggelassen{1}.</translation>
     </message>
     <message>
         <source>{0} {1} cannot be made; {2} size between 1 mm and 100 m.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} {1} ist nicht möglich; {2} Größe zwischen 1 mm und 100 m.</translation>
     </message>
     <message>
         <source>{0}: make the balloon smaller, or choose another machine or paper.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: den Ballon kleiner machen oder eine andere Maschine oder anderes Papier wählen.</translation>
     </message>
     <message>
         <source>{0}: turn the pattern by 90 degrees there.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: das Schnittmuster dort um 90 Grad drehen.</translation>
+    </message>
+    <message>
+        <source>{0}no, at no size.</source>
+        <translation>{0}nein, in keiner Größe.</translation>
+    </message>
+    <message>
+        <source>{0}no. From {1} cm width it would.</source>
+        <translation>{0}nein. Ab {1} cm Breite schon.</translation>
     </message>
     <message>
         <source>{0}what is shown is the last good state. Lower the pressure or change the mesh size.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}gezeigt wird der letzte gute Stand. Den Druck senken oder die Netzweite ändern.</translation>
+    </message>
+    <message>
+        <source>{0}yes, and it carries {1} g.</source>
+        <translation>{0}ja, und er trägt {1} g.</translation>
     </message>
     <message>
         <source>{:.0f} % wrinkled, {:.0f} % slack</source>
-        <translation type="unfinished"></translation>
+        <translation>{:.0f} % faltig, {:.0f} % schlaff</translation>
+    </message>
+    <message>
+        <source>{:.0f} ms, {:.0f} Pa, frame {} of {}</source>
+        <translation>{:.0f} ms, {:.0f} Pa, Bild {} von {}</translation>
     </message>
     <message>
         <source>{:.1f} x {:.1f} mm, weld {:.0f} mm</source>
+        <translation>{:.1f} x {:.1f} mm, Naht {:.0f} mm</translation>
+    </message>
+    <message>
+        <source>{:.2f} m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{:.2f} m of a roll of {:.0f} mm</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{:.2f} mm, at most {:.2f} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>{:.2f} mm, höchstens {:.2f} mm</translation>
     </message>
     <message>
         <source>{:.3g} g, carries {:.3g} g with {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0:.3g} g, trägt mit {2} {1:.3g} g</translation>
     </message>
     <message>
         <source>{:.3g} g, floats from {:.0f} mm width on with {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0:.3g} g, schwebt mit {2} ab {1:.0f} mm Breite</translation>
     </message>
     <message>
         <source>{:.3g} g, never floats with {}</source>
+        <translation>{:.3g} g, schwebt nie mit {}</translation>
+    </message>
+    <message>
+        <source>{:.3g} g: film {:.3g}, weld and neck {:.2g}, valve {:.2g}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{:.3g} kPa, margin {:g} ({})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{:.3g} l of {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{:.3g} m², wider than the usual roll</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} files written to {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} is in the tree</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} pieces on {:.0f} x {:.0f} mm, {:.0f} % used</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{} x {}, {} thick, {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} x {}, {} dick, {}</translation>
     </message>
     <message>
-        <source>{}: {}. Esc stops.</source>
-        <translation type="unfinished"></translation>
+        <source>{}: {}</source>
+        <translation>{}: {}</translation>
     </message>
 </context>
 <context>
     <name>BalloonWorkbench_Advice</name>
     <message>
         <source>Advice</source>
-        <translation type="unfinished"></translation>
+        <translation>Ratschläge</translation>
     </message>
     <message>
         <source>Show which parts of a shape will inflate badly, and repair them</source>
+        <translation>Zeigt, welche Teile einer Form sich schlecht füllen, und repariert sie</translation>
+    </message>
+</context>
+<context>
+    <name>BalloonWorkbench_Animate</name>
+    <message>
+        <source>Animate inflation</source>
+        <translation>Aufblasen animieren</translation>
+    </message>
+    <message>
+        <source>Play how the balloon inflates, from the flat film to rest, with a slider</source>
+        <translation>Spielt ab, wie sich der Ballon aufbläst, von der flachen Folie bis zur Ruhe, mit Schieberegler</translation>
+    </message>
+</context>
+<context>
+    <name>BalloonWorkbench_Artwork</name>
+    <message>
+        <source>Artwork</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Print a picture on the film so that it reads right on the inflated balloon</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>BalloonWorkbench_AssemblySheet</name>
+    <message>
+        <source>Assembly sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tell what the balloon takes and whether it floats, and write one page on how to make it</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>BalloonWorkbench_ColourMap</name>
+    <message>
+        <source>Colour map</source>
+        <translation>Farbkarte</translation>
+    </message>
+    <message>
+        <source>Show tension, wrinkles, thickness and other results as colours on the balloon</source>
+        <translation>Zeigt Spannung, Falten, Dicke und andere Ergebnisse als Farben auf dem Ballon</translation>
     </message>
 </context>
 <context>
     <name>BalloonWorkbench_Equipment</name>
     <message>
         <source>Show the solver in use, and which packages are missing and what that costs</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeigt den benutzten Löser und welche Pakete fehlen und was das kostet</translation>
     </message>
     <message>
         <source>What works here</source>
-        <translation type="unfinished"></translation>
+        <translation>Was hier funktioniert</translation>
+    </message>
+</context>
+<context>
+    <name>BalloonWorkbench_Examples</name>
+    <message>
+        <source>Examples</source>
+        <translation>Beispiele</translation>
+    </message>
+    <message>
+        <source>Open a finished balloon, to look at it and to change it</source>
+        <translation>Öffnet einen fertigen Ballon zum Ansehen und Ändern</translation>
     </message>
 </context>
 <context>
     <name>BalloonWorkbench_ExportPattern</name>
     <message>
         <source>Export pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnittmuster ausgeben</translation>
     </message>
     <message>
         <source>Write the flat pattern of a balloon for a cutter, a plotter, a heat sealer or a printer</source>
-        <translation type="unfinished"></translation>
+        <translation>Schreibt das flache Schnittmuster eines Ballons für Schneidemaschine, Plotter, Heißsiegler oder Drucker</translation>
     </message>
 </context>
 <context>
     <name>BalloonWorkbench_FromPicture</name>
     <message>
         <source>New balloon from picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Neuer Ballon aus Bild</translation>
     </message>
     <message>
         <source>Trace a picture, SVG, DXF or JSON file and design the balloon that looks like it</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeichnet Bild, SVG-, DXF- oder JSON-Datei nach und entwirft den Ballon, der so aussieht</translation>
     </message>
 </context>
 <context>
     <name>BalloonWorkbench_FromSketch</name>
     <message>
         <source>Design the balloon that looks like the selected sketch, wire or face and follows it</source>
-        <translation type="unfinished"></translation>
+        <translation>Entwirft den Ballon, der wie die gewählte Skizze, der Draht oder die Fläche aussieht und ihr folgt</translation>
     </message>
     <message>
         <source>New balloon from sketch</source>
+        <translation>Neuer Ballon aus Skizze</translation>
+    </message>
+</context>
+<context>
+    <name>BalloonWorkbench_Nest</name>
+    <message>
+        <source>Lay out on film</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lay the panels of one or several balloons closely on a roll or on sheets of film</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2346,11 +3296,22 @@
     <name>BalloonWorkbench_Paint</name>
     <message>
         <source>Draw with pen and brush, and watch the balloon and its pattern grow beside it</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit Stift und Pinsel malen und zusehen, wie Ballon und Schnittmuster daneben wachsen</translation>
     </message>
     <message>
         <source>Paint a balloon</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Ballon malen</translation>
+    </message>
+</context>
+<context>
+    <name>Workbench</name>
+    <message>
+        <source>Film &amp;Balloon</source>
+        <translation>Folien&amp;ballon</translation>
+    </message>
+    <message>
+        <source>Film Balloon</source>
+        <translation>Folienballon</translation>
     </message>
 </context>
 </TS>

@@ -5,2300 +5,3290 @@
     <name>App::Property</name>
     <message>
         <source>A line of text where the film is widest, as outlines</source>
-        <translation type="unfinished"></translation>
+        <translation>Una línea de texto donde la película es más ancha, como contornos</translation>
     </message>
     <message>
         <source>A tab with a hole to tie the balloon to, outside the weld</source>
-        <translation type="unfinished"></translation>
+        <translation>Una lengüeta con agujero para atar el globo, fuera de la soldadura</translation>
     </message>
     <message>
-        <source>Add a neck through which the balloon is filled</source>
+        <source>Add what the balloon is filled through</source>
+        <translation>Añade aquello por lo que se llena el globo</translation>
+    </message>
+    <message>
+        <source>Another picture for the back; empty takes that of the front</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Area of film inside the welds, both panels</source>
-        <translation type="unfinished"></translation>
+        <translation>Área de película dentro de las soldaduras, ambos paneles</translation>
     </message>
     <message>
         <source>Around the balloon, in degrees Celsius</source>
-        <translation type="unfinished"></translation>
+        <translation>Alrededor del globo, en grados Celsius</translation>
     </message>
     <message>
         <source>Automatic evens out a nearly symmetric picture, Forced any drawing: its left half is mirrored</source>
-        <translation type="unfinished"></translation>
+        <translation>«Automática» iguala una imagen casi simétrica, «Forzada» cualquier dibujo: se refleja su mitad izquierda</translation>
+    </message>
+    <message>
+        <source>Corner relief: corners of the cuts are rounded so; the weld is not</source>
+        <translation>Alivio de esquinas: así se redondean las esquinas de los cortes; la soldadura no</translation>
     </message>
     <message>
         <source>Corners of all loops</source>
-        <translation type="unfinished"></translation>
+        <translation>Vértices de todos los lazos</translation>
     </message>
     <message>
         <source>Corners of all welds</source>
-        <translation type="unfinished"></translation>
+        <translation>Vértices de todas las soldaduras</translation>
     </message>
     <message>
         <source>Corners of the pattern's seam</source>
-        <translation type="unfinished"></translation>
+        <translation>Vértices de la costura del patrón</translation>
     </message>
     <message>
         <source>Corners of the welds inside</source>
-        <translation type="unfinished"></translation>
+        <translation>Vértices de las soldaduras interiores</translation>
     </message>
     <message>
         <source>Correct the pattern until the balloon looks like the drawing, or not</source>
-        <translation type="unfinished"></translation>
+        <translation>Corregir o no el patrón hasta que el globo se parezca al dibujo</translation>
     </message>
     <message>
         <source>Corrections of the pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>Correcciones del patrón</translation>
     </message>
     <message>
         <source>Direction of the grain, from the x axis of the drawing</source>
-        <translation type="unfinished"></translation>
+        <translation>Dirección de la fibra, desde el eje x del dibujo</translation>
     </message>
     <message>
         <source>Direction of the neck, counter-clockwise from the x axis</source>
-        <translation type="unfinished"></translation>
+        <translation>Dirección del cuello, en sentido antihorario desde el eje x</translation>
     </message>
     <message>
         <source>Direction of the tab from the middle of the pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>Dirección de la lengüeta desde el centro del patrón</translation>
+    </message>
+    <message>
+        <source>Display mode when no map is shown</source>
+        <translation>Modo de visualización cuando no se muestra ningún mapa</translation>
     </message>
     <message>
         <source>Distance that 95 % of the silhouette keep to</source>
+        <translation>Distancia que respeta el 95 % de la silueta</translation>
+    </message>
+    <message>
+        <source>Dots per inch of the files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Film left between pieces, and at the edges</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Film left outside the weld</source>
-        <translation type="unfinished"></translation>
+        <translation>Película que queda fuera de la soldadura</translation>
     </message>
     <message>
         <source>Film of both panels with weld and intake, in grams</source>
-        <translation type="unfinished"></translation>
+        <translation>Película de ambos paneles con soldadura y boca, en gramos</translation>
     </message>
     <message>
         <source>Film that wrinkles where it is compressed, or a shell that does not, for comparison</source>
-        <translation type="unfinished"></translation>
+        <translation>Película que se arruga donde se comprime, o una lámina que no lo hace, para comparar</translation>
     </message>
     <message>
         <source>Film, model and solver of the result</source>
-        <translation type="unfinished"></translation>
+        <translation>Película, modelo y solucionador del resultado</translation>
     </message>
     <message>
         <source>Fit inside width and height instead of stretching to both</source>
-        <translation type="unfinished"></translation>
+        <translation>Encajar en anchura y altura en vez de estirar a ambas</translation>
     </message>
     <message>
         <source>Follow every change at once; switch it off for heavy models and inflate when you ask for it</source>
-        <translation type="unfinished"></translation>
+        <translation>Seguir cada cambio al instante; desactívelo en modelos pesados e infle cuando lo pida</translation>
+    </message>
+    <message>
+        <source>FreeCAD's material card that the values were taken from</source>
+        <translation>Ficha de material de FreeCAD de la que proceden los valores</translation>
     </message>
     <message>
         <source>Height above the sea</source>
+        <translation>Altura sobre el nivel del mar</translation>
+    </message>
+    <message>
+        <source>Height of all that is cut</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Height of its capital letters</source>
-        <translation type="unfinished"></translation>
+        <translation>Altura de las mayúsculas</translation>
     </message>
     <message>
         <source>Height of the drawing; 0 follows from the width</source>
-        <translation type="unfinished"></translation>
+        <translation>Altura del dibujo; 0 se deduce de la anchura</translation>
     </message>
     <message>
         <source>Height of the inflated balloon</source>
-        <translation type="unfinished"></translation>
+        <translation>Altura del globo inflado</translation>
     </message>
     <message>
         <source>Height of the outline</source>
-        <translation type="unfinished"></translation>
+        <translation>Altura del contorno</translation>
     </message>
     <message>
         <source>Height of the piece of film</source>
+        <translation>Altura de la pieza de película</translation>
+    </message>
+    <message>
+        <source>Height of the print with its marks</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Inner width of the neck</source>
+        <source>How far the print goes past the cut</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How many balloons are cut from the sheet</source>
+        <translation>Cuántos globos se cortan de la lámina</translation>
+    </message>
+    <message>
+        <source>How many balloons of each pattern</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How the balloon is filled and closed</source>
+        <translation>Cómo se llena y se cierra el globo</translation>
+    </message>
+    <message>
+        <source>How the grain of the pieces lies, relative to the film's length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How the intake is made and used</source>
+        <translation>Cómo se hace y se usa la boca</translation>
+    </message>
+    <message>
+        <source>Inner width of the neck, or bore of the nozzle</source>
+        <translation>Anchura interior del cuello, o calibre de la boquilla</translation>
     </message>
     <message>
         <source>It carries itself</source>
-        <translation type="unfinished"></translation>
+        <translation>Se sostiene por sí mismo</translation>
     </message>
     <message>
         <source>Label of the values the mesh belongs to</source>
+        <translation>Marca de los valores a los que pertenece la malla</translation>
+    </message>
+    <message>
+        <source>Label of what was laid out</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Larger dimension before repairs, in mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Dimensión mayor antes de las reparaciones, en mm</translation>
     </message>
     <message>
         <source>Largest distance between drawing and silhouette</source>
-        <translation type="unfinished"></translation>
+        <translation>Mayor distancia entre dibujo y silueta</translation>
     </message>
     <message>
         <source>Largest membrane tension in N/m</source>
-        <translation type="unfinished"></translation>
+        <translation>Mayor tensión de membrana en N/m</translation>
     </message>
     <message>
         <source>Largest strain of the film</source>
-        <translation type="unfinished"></translation>
+        <translation>Mayor deformación de la película</translation>
     </message>
     <message>
         <source>Least bending stiffness, in units of the usual least one</source>
-        <translation type="unfinished"></translation>
+        <translation>Rigidez a flexión mínima, en unidades de la mínima habitual</translation>
+    </message>
+    <message>
+        <source>Left open in welds that would cut off a part, so wide; 0 gives each part an intake of its own</source>
+        <translation>Anchura que queda abierta en las soldaduras que aislarían una parte; 0 da a cada parte su propia boca</translation>
     </message>
     <message>
         <source>Length of a notch; at most the allowance</source>
+        <translation>Longitud de una muesca; como mucho el margen</translation>
+    </message>
+    <message>
+        <source>Length of a sheet; 0 is a roll</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Length of the neck from the seam outward; 0 is automatic</source>
+        <source>Length of all welds on it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length of the neck from the seam outward, or diameter of the flange; 0 takes the usual one</source>
+        <translation>Longitud del cuello desde la costura hacia fuera, o diámetro de la brida; 0 toma el valor habitual</translation>
+    </message>
+    <message>
+        <source>Length of the roll that is used</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Length of the weld</source>
-        <translation type="unfinished"></translation>
+        <translation>Longitud de la soldadura</translation>
     </message>
     <message>
         <source>Lines and arcs within 0.02 mm in place of many short lines</source>
-        <translation type="unfinished"></translation>
+        <translation>Rectas y arcos con 0,02 mm de tolerancia en lugar de muchas líneas cortas</translation>
     </message>
     <message>
         <source>Mean distance between drawing and silhouette</source>
-        <translation type="unfinished"></translation>
+        <translation>Distancia media entre dibujo y silueta</translation>
     </message>
     <message>
         <source>Notches to lay both films on each other by, evenly along the cut</source>
-        <translation type="unfinished"></translation>
+        <translation>Muescas para casar ambas películas, repartidas a lo largo del corte</translation>
     </message>
     <message>
         <source>Number of corners of each loop</source>
-        <translation type="unfinished"></translation>
+        <translation>Número de vértices de cada lazo</translation>
     </message>
     <message>
         <source>Number of corners of each seam</source>
-        <translation type="unfinished"></translation>
+        <translation>Número de vértices de cada costura</translation>
     </message>
     <message>
         <source>Number of corners of each weld</source>
-        <translation type="unfinished"></translation>
+        <translation>Número de vértices de cada soldadura</translation>
     </message>
     <message>
         <source>Number of holes</source>
+        <translation>Número de agujeros</translation>
+    </message>
+    <message>
+        <source>Number of pieces on what is shown</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Number of seams, then the number of vertices of each seam and weld</source>
+        <translation>Número de costuras, luego número de nodos de cada costura y soldadura</translation>
+    </message>
+    <message>
+        <source>Number of sheets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number of the sheet that is shown and exported</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Of warm air, in degrees Celsius</source>
+        <translation>Del aire caliente, en grados Celsius</translation>
+    </message>
+    <message>
+        <source>Part of the film that the pieces take, in per cent</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Part of the film's area that is slack</source>
-        <translation type="unfinished"></translation>
+        <translation>Parte del área de película que está floja</translation>
     </message>
     <message>
         <source>Part of the film's area that is wrinkled</source>
-        <translation type="unfinished"></translation>
+        <translation>Parte del área de película que está arrugada</translation>
     </message>
     <message>
         <source>Picture, SVG, DXF or JSON file; a copy travels in the document</source>
-        <translation type="unfinished"></translation>
+        <translation>Imagen, archivo SVG, DXF o JSON; una copia viaja en el documento</translation>
+    </message>
+    <message>
+        <source>Place of the intake: counter-clockwise along the outer seam from its rightmost point</source>
+        <translation>Lugar de la boca: por la costura exterior, en sentido antihorario desde su punto más a la derecha</translation>
     </message>
     <message>
         <source>Point the neck from the centre to the farthest point</source>
-        <translation type="unfinished"></translation>
+        <translation>Dirigir el cuello desde el centro al punto más lejano</translation>
     </message>
     <message>
         <source>Poisson's ratio of the film</source>
-        <translation type="unfinished"></translation>
+        <translation>Coeficiente de Poisson de la película</translation>
     </message>
     <message>
         <source>Pressure in the inflated balloon</source>
-        <translation type="unfinished"></translation>
+        <translation>Presión en el globo inflado</translation>
     </message>
     <message>
         <source>Pressure inside, above that outside</source>
-        <translation type="unfinished"></translation>
+        <translation>Presión interior, por encima de la exterior</translation>
     </message>
     <message>
         <source>Put the tab opposite the intake</source>
-        <translation type="unfinished"></translation>
+        <translation>Poner la lengüeta enfrente de la boca</translation>
     </message>
     <message>
         <source>Remarks made during the design</source>
-        <translation type="unfinished"></translation>
+        <translation>Observaciones hechas durante el diseño</translation>
     </message>
     <message>
         <source>Remarks made while the outline was found</source>
-        <translation type="unfinished"></translation>
+        <translation>Observaciones hechas al buscar el contorno</translation>
     </message>
     <message>
         <source>Remarks made while the pattern was drawn</source>
+        <translation>Observaciones hechas al trazar el patrón</translation>
+    </message>
+    <message>
+        <source>Remarks on the layout</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Result that is shown as colours, with a legend</source>
+        <translation>Resultado que se muestra en colores, con leyenda</translation>
     </message>
     <message>
         <source>Roundness: 1 for a disc, 0 for a flat thing</source>
-        <translation type="unfinished"></translation>
+        <translation>Redondez: 1 para un disco, 0 para algo plano</translation>
+    </message>
+    <message>
+        <source>Show the drawing and the silhouette over each other</source>
+        <translation>Mostrar dibujo y silueta superpuestos</translation>
     </message>
     <message>
         <source>Simulate both panels instead of one and its mirror image</source>
-        <translation type="unfinished"></translation>
+        <translation>Simular ambos paneles en vez de uno y su imagen especular</translation>
     </message>
     <message>
         <source>Size of the triangles; 0 is automatic</source>
-        <translation type="unfinished"></translation>
+        <translation>Tamaño de los triángulos; 0 es automático</translation>
     </message>
     <message>
         <source>Sketch, wire or face that the outline follows instead of a file</source>
-        <translation type="unfinished"></translation>
+        <translation>Croquis, alambre o cara que sigue el contorno en vez de un archivo</translation>
+    </message>
+    <message>
+        <source>Smooth stretches as single splines in place of arcs</source>
+        <translation>Tramos suaves como una sola spline en lugar de arcos</translation>
     </message>
     <message>
         <source>Solver that was used</source>
-        <translation type="unfinished"></translation>
+        <translation>Solucionador utilizado</translation>
     </message>
     <message>
         <source>Solver: compiled, NumPy, or the best of them; Newmark follows the inflation in time, slowly</source>
-        <translation type="unfinished"></translation>
+        <translation>Solucionador: compilado, NumPy o el mejor de ellos; Newmark sigue el inflado en el tiempo, despacio</translation>
     </message>
     <message>
         <source>Steps of the solver in the last inflation</source>
-        <translation type="unfinished"></translation>
+        <translation>Pasos del solucionador en el último inflado</translation>
+    </message>
+    <message>
+        <source>Tension over the section at which the film tears; 0: not known</source>
+        <translation>Tensión en la sección a la que se rompe la película; 0: desconocida</translation>
     </message>
     <message>
         <source>The balloon that is cut from this pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>El globo que se corta de este patrón</translation>
     </message>
     <message>
         <source>The film resists bending</source>
-        <translation type="unfinished"></translation>
+        <translation>La película resiste la flexión</translation>
     </message>
     <message>
         <source>The mesh shown is an equilibrium</source>
-        <translation type="unfinished"></translation>
+        <translation>La malla mostrada está en equilibrio</translation>
     </message>
     <message>
         <source>The outline of the drawing</source>
-        <translation type="unfinished"></translation>
+        <translation>El contorno del dibujo</translation>
     </message>
     <message>
         <source>The outline whose drawing this one shares; empty: its own</source>
+        <translation>El contorno cuyo dibujo comparte este; vacío: el suyo</translation>
+    </message>
+    <message>
+        <source>The pattern that is printed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The patterns that are laid out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The second panel beside the first, mirrored; else cut twice</source>
+        <translation>El segundo panel junto al primero, reflejado; si no, se corta dos veces</translation>
+    </message>
+    <message>
+        <source>The side that is shown and exported for a cutter</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The silhouette is within the tolerance of the drawing</source>
-        <translation type="unfinished"></translation>
+        <translation>La silueta está dentro de la tolerancia del dibujo</translation>
     </message>
     <message>
         <source>The whole report as JSON</source>
-        <translation type="unfinished"></translation>
+        <translation>El informe completo en JSON</translation>
     </message>
     <message>
         <source>Thickness of the film</source>
-        <translation type="unfinished"></translation>
+        <translation>Espesor de la película</translation>
     </message>
     <message>
         <source>Thickness of the inflated balloon</source>
-        <translation type="unfinished"></translation>
+        <translation>Grosor del globo inflado</translation>
     </message>
     <message>
         <source>Up to date, or what is wrong</source>
-        <translation type="unfinished"></translation>
+        <translation>Al día, o qué falla</translation>
     </message>
     <message>
         <source>Version of this object's properties</source>
-        <translation type="unfinished"></translation>
+        <translation>Versión de las propiedades de este objeto</translation>
     </message>
     <message>
         <source>Vertices along all seams, then along all welds inside</source>
-        <translation type="unfinished"></translation>
+        <translation>Nodos por todas las costuras, luego por las soldaduras interiores</translation>
     </message>
     <message>
         <source>Vertices of each triangle</source>
-        <translation type="unfinished"></translation>
+        <translation>Nodos de cada triángulo</translation>
     </message>
     <message>
         <source>Vertices of the flat panel</source>
-        <translation type="unfinished"></translation>
+        <translation>Nodos del panel plano</translation>
     </message>
     <message>
         <source>Vertices of the inflated upper film</source>
-        <translation type="unfinished"></translation>
+        <translation>Nodos de la película superior inflada</translation>
     </message>
     <message>
         <source>Vertices of the lower film where both were simulated</source>
-        <translation type="unfinished"></translation>
+        <translation>Nodos de la película inferior cuando se simularon ambas</translation>
     </message>
     <message>
         <source>Volume of the balloon, from which the pressure follows</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumen del globo, del que se deduce la presión</translation>
     </message>
     <message>
         <source>Volume of the inflated balloon</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumen del globo inflado</translation>
     </message>
     <message>
         <source>Volume that decides the size</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumen que decide el tamaño</translation>
     </message>
     <message>
         <source>Weight of the film in kg per square metre</source>
-        <translation type="unfinished"></translation>
+        <translation>Peso de la película en kg por metro cuadrado</translation>
     </message>
     <message>
         <source>What decides the size: the outline as it is, a volume to hold or a load to carry</source>
-        <translation type="unfinished"></translation>
+        <translation>Qué decide el tamaño: el contorno tal cual, un volumen o una carga</translation>
     </message>
     <message>
         <source>What fills it when it shall float</source>
-        <translation type="unfinished"></translation>
+        <translation>Con qué se llena cuando debe flotar</translation>
     </message>
     <message>
         <source>What is given: the pressure, or the volume that it shall reach</source>
+        <translation>Qué se da: la presión o el volumen que debe alcanzar</translation>
+    </message>
+    <message>
+        <source>What is printed; empty takes the picture or painting of the outline</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>What it carries with its gas, in grams; below 0 it sinks</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que levanta con su gas, en gramos; por debajo de 0 cae</translation>
     </message>
     <message>
         <source>What it shall carry besides itself, in grams; 0 makes it float just so</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que debe levantar además de sí mismo, en gramos; con 0 flota justo</translation>
+    </message>
+    <message>
+        <source>What tells where the intake is</source>
+        <translation>Qué indica el lugar de la boca</translation>
     </message>
     <message>
         <source>What the balloon is made of; Custom lets you give your own values</source>
-        <translation type="unfinished"></translation>
+        <translation>De qué está hecho el globo; «Personalizada» permite valores propios</translation>
     </message>
     <message>
         <source>What the coach has changed in the drawing, one repair each; delete an entry to take it back</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que el consejero cambió en el dibujo, una reparación por entrada; borre una entrada para deshacerla</translation>
     </message>
     <message>
         <source>What the outline was read from</source>
-        <translation type="unfinished"></translation>
+        <translation>De dónde se leyó el contorno</translation>
     </message>
     <message>
         <source>What to do along each wire of the shape</source>
-        <translation type="unfinished"></translation>
+        <translation>Qué hacer a lo largo de cada alambre de la forma</translation>
     </message>
     <message>
         <source>What would make the balloon better</source>
+        <translation>Qué haría mejor el globo</translation>
+    </message>
+    <message>
+        <source>Where all pieces lie, as JSON</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Which shape of the drawing it is; 1 is the largest</source>
-        <translation type="unfinished"></translation>
+        <translation>Qué forma del dibujo es; 1 es la mayor</translation>
     </message>
     <message>
         <source>Width from which it carries itself; 0 when never</source>
+        <translation>Anchura desde la que se sostiene; 0: nunca</translation>
+    </message>
+    <message>
+        <source>Width of all that is cut</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Width of the drawing; 0 follows from the height</source>
-        <translation type="unfinished"></translation>
+        <translation>Anchura del dibujo; 0 se deduce de la altura</translation>
     </message>
     <message>
         <source>Width of the inflated balloon</source>
-        <translation type="unfinished"></translation>
+        <translation>Anchura del globo inflado</translation>
     </message>
     <message>
         <source>Width of the outline</source>
-        <translation type="unfinished"></translation>
+        <translation>Anchura del contorno</translation>
     </message>
     <message>
         <source>Width of the piece of film</source>
+        <translation>Anchura de la pieza de película</translation>
+    </message>
+    <message>
+        <source>Width of the print with its marks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Width of the roll or sheet</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Width of the weld that this film needs</source>
-        <translation type="unfinished"></translation>
+        <translation>Anchura de soldadura que necesita esta película</translation>
     </message>
     <message>
         <source>Width of the weld; 0 takes the film's</source>
-        <translation type="unfinished"></translation>
+        <translation>Anchura de la soldadura; 0 toma la de la película</translation>
     </message>
     <message>
         <source>Young's modulus across the grain; 0 means no grain</source>
-        <translation type="unfinished"></translation>
+        <translation>Módulo de Young transversal a la fibra; 0 significa sin fibra</translation>
     </message>
     <message>
         <source>Young's modulus of the film</source>
-        <translation type="unfinished"></translation>
+        <translation>Módulo de Young de la película</translation>
     </message>
 </context>
 <context>
     <name>BalloonWorkbench</name>
     <message>
+        <source> The native solver, which is faster, is not available: {0}</source>
+        <translation> El solucionador nativo, más rápido, no está disponible: {0}</translation>
+    </message>
+    <message>
         <source> is not ready: </source>
-        <translation type="unfinished"></translation>
+        <translation> no está listo: </translation>
+    </message>
+    <message>
+        <source>"{0}" is no colour: give one such as "#cc294d".</source>
+        <translation>«{0}» no es un color: indique por ejemplo «#cc294d».</translation>
     </message>
     <message>
         <source>"{0}" is no sum of L, W, S, A and millimetres, such as "0.5 W + 2".</source>
-        <translation type="unfinished"></translation>
+        <translation>«{0}» no es una suma de L, W, S, A y milímetros, como «0.5 W + 2».</translation>
     </message>
     <message>
         <source>"{0}" may not use {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>«{0}» no puede usar {1}.</translation>
     </message>
     <message>
         <source>'{0}' cannot be read ({1}). Check the name and its access.</source>
-        <translation type="unfinished"></translation>
+        <translation>«{0}» no se puede leer ({1}). Compruebe el nombre y el acceso.</translation>
     </message>
     <message>
         <source>'{0}' has {1} x {2} pixels, more than {3} million. Make it smaller; 2000 pixels across are plenty.</source>
-        <translation type="unfinished"></translation>
+        <translation>«{0}» tiene {1} x {2} píxeles, más de {3} millones. Redúzcala; 2000 píxeles de ancho bastan de sobra.</translation>
     </message>
     <message>
         <source>'{0}' is colder than anything; write a temperature as 20C, 68F or 293K.</source>
-        <translation type="unfinished"></translation>
+        <translation>«{0}» es más frío que nada; escriba una temperatura como 20C, 68F o 293K.</translation>
     </message>
     <message>
         <source>'{0}' is damaged or not a DXF file. Save it once more.</source>
-        <translation type="unfinished"></translation>
+        <translation>«{0}» está dañado o no es un archivo DXF. Guárdelo de nuevo.</translation>
     </message>
     <message>
         <source>'{0}' is damaged or not a picture ({1}). Save it as PNG, JPEG or BMP once more.</source>
-        <translation type="unfinished"></translation>
+        <translation>«{0}» está dañado o no es una imagen ({1}). Guárdelo de nuevo como PNG, JPEG o BMP.</translation>
     </message>
     <message>
         <source>'{0}' is damaged or not a picture. Save it as PNG, JPEG or BMP once more.</source>
-        <translation type="unfinished"></translation>
+        <translation>«{0}» está dañado o no es una imagen. Guárdelo de nuevo como PNG, JPEG o BMP.</translation>
     </message>
     <message>
         <source>'{0}' is empty. Choose another file.</source>
-        <translation type="unfinished"></translation>
+        <translation>«{0}» está vacío. Elija otro archivo.</translation>
     </message>
     <message>
         <source>'{0}' is larger than {1} MB. Simplify the drawing.</source>
-        <translation type="unfinished"></translation>
+        <translation>«{0}» supera {1} MB. Simplifique el dibujo.</translation>
     </message>
     <message>
         <source>'{0}' is neither SVG, DXF nor JSON. Save the drawing as one of these.</source>
-        <translation type="unfinished"></translation>
+        <translation>«{0}» no es SVG, DXF ni JSON. Guarde el dibujo como uno de ellos.</translation>
     </message>
     <message>
         <source>'{0}' is not a drawing that can be read. Use PNG, JPEG, BMP, SVG, DXF or JSON.</source>
-        <translation type="unfinished"></translation>
+        <translation>«{0}» no es un dibujo legible. Use PNG, JPEG, BMP, SVG, DXF o JSON.</translation>
     </message>
     <message>
         <source>'{0}' is not a file name: leave out the folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>«{0}» no es un nombre de archivo: omita la carpeta.</translation>
     </message>
     <message>
         <source>'{0}' is not a picture that can be read. Save it as PNG, JPEG or BMP.</source>
-        <translation type="unfinished"></translation>
+        <translation>«{0}» no es una imagen legible. Guárdela como PNG, JPEG o BMP.</translation>
     </message>
     <message>
         <source>'{0}' is not a temperature; write it as 20C, 68F or 293K.</source>
-        <translation type="unfinished"></translation>
+        <translation>«{0}» no es una temperatura; escríbala como 20C, 68F o 293K.</translation>
     </message>
     <message>
         <source>'{0}' is not a {1}; write it as {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>«{0}» no sirve aquí ({1}); escríbalo como {2}.</translation>
     </message>
     <message>
         <source>'{}' is not a picture. Save it as PNG, JPEG or BMP once more.</source>
+        <translation>«{}» no es una imagen. Guárdela de nuevo como PNG, JPEG o BMP.</translation>
+    </message>
+    <message>
+        <source>, about {:.2f} {}</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 to {0} pieces can be laid out, not {1}.</source>
+        <translation>Se pueden colocar de 1 a {0} piezas, no {1}.</translation>
+    </message>
+    <message>
+        <source>A balloon has no "{0}": it has {1}.</source>
+        <translation>Un globo no tiene «{0}»: tiene {1}.</translation>
     </message>
     <message>
         <source>A corner relief of {0} would cut into the weld: choose a smaller radius or a wider allowance.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un alivio de esquinas de {0} cortaría la soldadura: elija un radio menor o un margen mayor.</translation>
     </message>
     <message>
         <source>A drawing with welds inside cannot be made symmetric: draw it so, and leave the symmetry off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un dibujo con soldaduras interiores no se puede hacer simétrico: dibújelo así y deje la simetría desactivada.</translation>
     </message>
     <message>
         <source>A drawing with welds inside is not made symmetric: draw it so, and turn this off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un dibujo con soldaduras interiores no se hace simétrico: dibújelo así y desactive esto.</translation>
     </message>
     <message>
         <source>A hole meets the outline or another hole at {0}; keep some film between them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un agujero toca el contorno u otro agujero en {0}; deje algo de película entre ellos.</translation>
     </message>
     <message>
         <source>A hole would open or close: draw that part anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un agujero se abriría o cerraría: dibuje esa parte de nuevo.</translation>
     </message>
     <message>
-        <source>A label has up to {0} letters, and a height above 0.</source>
-        <translation type="unfinished"></translation>
+        <source>A label has up to {0} letters, between 0.1 mm and 10 m high: change it.</source>
+        <translation>Una etiqueta tiene hasta {0} letras, de 0,1 mm a 10 m de alto: cámbiela.</translation>
     </message>
     <message>
         <source>A lift of {0} g cannot be made: give one such as 5g.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una sustentación de {0} g no es posible: indique por ejemplo 5g.</translation>
     </message>
     <message>
         <source>A lift of {0} kg is out of reach: {1} m large, this balloon would carry {2} kg. Choose a lighter film or gas, a smaller lift, or a rounder shape.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una sustentación de {0} kg es inalcanzable: con {1} m, este globo levantaría {2} kg. Elija película o gas más ligeros, menos sustentación o una forma más redonda.</translation>
     </message>
     <message>
         <source>A lift of {0} kg is out of reach: {1} m large, this balloon would lack {2} kg. Choose a lighter film or gas, a smaller lift, or a rounder shape.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una sustentación de {0} kg es inalcanzable: con {1} m, a este globo le faltarían {2} kg. Elija película o gas más ligeros, menos sustentación o una forma más redonda.</translation>
     </message>
     <message>
         <source>A mesh of {0} is too coarse for a shape of {1}: use at most {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una malla de {0} es demasiado gruesa para una forma de {1}: use como mucho {2}.</translation>
     </message>
     <message>
         <source>A mesh of {0} would need more than a million vertices for a shape of {1}: use at least {2}.</source>
+        <translation>Una malla de {0} necesitaría más de un millón de nodos para una forma de {1}: use al menos {2}.</translation>
+    </message>
+    <message>
+        <source>A new Sketcher sketch of lines and arcs, to go on with in FreeCAD</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>A number of an intake is empty.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un número de una boca está vacío.</translation>
     </message>
     <message>
         <source>A passage of {0} is left open in the weld at {1}, so that air reaches both sides.</source>
-        <translation type="unfinished"></translation>
+        <translation>Queda un paso de {0} abierto en la soldadura en {1}, para que el aire llegue a ambos lados.</translation>
     </message>
     <message>
         <source>A picture has no size of its own. Give the width or the height of the balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una imagen no tiene tamaño propio. Indique la anchura o la altura del globo.</translation>
+    </message>
+    <message>
+        <source>A piece does not fit on the sheet: take a larger one.</source>
+        <translation>Una pieza no cabe en la lámina: tome una mayor.</translation>
+    </message>
+    <message>
+        <source>A piece of {0} x {1} does not fit on film of {2}{3}: take film at least {4} wide, or let the grain lie in another direction.</source>
+        <translation>Una pieza de {0} x {1} no cabe en película de {2}{3}: tome película de al menos {4} de ancho o cambie la dirección de la fibra.</translation>
+    </message>
+    <message>
+        <source>A sketch with dimensions: change a cell of the spreadsheet, and all follows</source>
+        <translation>Un croquis con cotas: cambie una celda de la hoja y todo la sigue</translation>
     </message>
     <message>
         <source>A strict reader that wants plain polylines. Layers are told apart by colour.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un lector estricto que quiere polilíneas sencillas. Las capas se distinguen por el color.</translation>
     </message>
     <message>
         <source>A volume of {0} litres cannot be made: give one such as 10l.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un volumen de {0} litros no es posible: indique por ejemplo 10l.</translation>
     </message>
     <message>
         <source>A volume to inflate to and a goal for the size exclude each other: leave one out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un volumen de inflado y un objetivo de tamaño se excluyen: omita uno.</translation>
     </message>
     <message>
         <source>A weld has no length; draw a line, or a circle for a spot.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una soldadura no tiene longitud; dibuje una línea, o un círculo para un punto.</translation>
     </message>
     <message>
         <source>A weld leaves the film at {0}; keep it inside.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una soldadura sale de la película en {0}; manténgala dentro.</translation>
     </message>
     <message>
         <source>A weld meets the outline, itself or another weld at {0}; keep some film between them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una soldadura toca el contorno, a sí misma o a otra en {0}; deje algo de película entre ellas.</translation>
     </message>
     <message>
         <source>A weld runs too near to another one or to the outline at ({0}, {1}) mm for this mesh: move it away, or use a smaller mesh size.</source>
+        <translation>Una soldadura pasa demasiado cerca de otra o del contorno en ({0}, {1}) mm para esta malla: apártela o use una malla más fina.</translation>
+    </message>
+    <message>
+        <source>Across</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Advice</source>
-        <translation type="unfinished"></translation>
+        <translation>Consejos</translation>
     </message>
     <message>
         <source>After welding, turn the tail in through itself with a straw, at the mark beside the balloon, and fill through it up to the second mark. Pull the straw out: the air in the balloon presses the tail flat.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tras soldar, vuelva la cola hacia dentro con una pajita, en la marca junto al globo, y llene por ella hasta la segunda marca. Saque la pajita: el aire del globo aplasta la cola.</translation>
     </message>
     <message>
         <source>Air intake</source>
-        <translation type="unfinished"></translation>
+        <translation>Boca de inflado</translation>
+    </message>
+    <message>
+        <source>All packages are installed.</source>
+        <translation>Todos los paquetes están instalados.</translation>
     </message>
     <message>
         <source>Allowance</source>
+        <translation>Margen</translation>
+    </message>
+    <message>
+        <source>Along</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Along the seam</source>
+        <translation>A lo largo de la costura</translation>
     </message>
     <message>
         <source>Aluminised BOPP foil, 30 µm</source>
-        <translation type="unfinished"></translation>
+        <translation>Película BOPP aluminizada, 30 µm</translation>
     </message>
     <message>
         <source>Aluminised PET ("Mylar"), 25 µm</source>
-        <translation type="unfinished"></translation>
+        <translation>PET aluminizado («Mylar»), 25 µm</translation>
     </message>
     <message>
         <source>Aluminised nylon/PE foil (party balloon), 30 µm</source>
-        <translation type="unfinished"></translation>
+        <translation>Película de nailon/PE aluminizada (globo de fiesta), 30 µm</translation>
     </message>
     <message>
         <source>An animation needs at least two frames, not {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una animación necesita al menos dos fotogramas, no {0}.</translation>
     </message>
     <message>
         <source>An intake of {0} does not reach past the cut: give it at least {1}.</source>
+        <translation>Una boca de {0} no sobrepasa el corte: dele al menos {1}.</translation>
+    </message>
+    <message>
+        <source>Any</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Any program</source>
-        <translation type="unfinished"></translation>
+        <source>Any program (DXF)</source>
+        <translation>Cualquier programa (DXF)</translation>
+    </message>
+    <message>
+        <source>Any program (SVG)</source>
+        <translation>Cualquier programa (SVG)</translation>
     </message>
     <message>
         <source>Apply</source>
-        <translation type="unfinished"></translation>
+        <translation>Aplicar</translation>
+    </message>
+    <message>
+        <source>Arcs in a sketch, as they hang over a party table</source>
+        <translation>Arcos en un croquis, como los que cuelgan sobre una mesa de fiesta</translation>
     </message>
     <message>
         <source>Arm too thin to fill</source>
+        <translation>Brazo demasiado fino para llenarse</translation>
+    </message>
+    <message>
+        <source>Artwork</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Artwork as PDF needs Pillow: install it with pip install pillow, or use the PNG files.</source>
+        <translation>Las ilustraciones en PDF necesitan Pillow: instálelo con pip install pillow o use los archivos PNG.</translation>
+    </message>
+    <message>
+        <source>Artwork needs OpenCV or SciPy: install the package python3-opencv or python3-scipy.</source>
+        <translation>Las ilustraciones necesitan OpenCV o SciPy: instale el paquete python3-opencv o python3-scipy.</translation>
+    </message>
+    <message>
+        <source>Assembly sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Assembly sheet written to {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At {0} dots per inch the sheet would have {1} x {2} pixels: give a lower resolution.</source>
+        <translation>Con {0} puntos por pulgada la lámina tendría {1} x {2} píxeles: indique menor resolución.</translation>
+    </message>
+    <message>
         <source>Automatic</source>
+        <translation>Automática</translation>
+    </message>
+    <message>
+        <source>Back</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Backend</source>
-        <translation type="unfinished"></translation>
+        <translation>Motor de cálculo</translation>
     </message>
     <message>
         <source>Balloon</source>
+        <translation>Globo</translation>
+    </message>
+    <message>
+        <source>Balloons</source>
+        <translation>Globos</translation>
+    </message>
+    <message>
+        <source>Balloons of each</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Bending stiffness</source>
-        <translation type="unfinished"></translation>
+        <translation>Rigidez a flexión</translation>
+    </message>
+    <message>
+        <source>Beside the document</source>
+        <translation>Junto al documento</translation>
     </message>
     <message>
         <source>Black</source>
+        <translation>Negro</translation>
+    </message>
+    <message>
+        <source>Bleed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Blue</source>
-        <translation type="unfinished"></translation>
+        <translation>Azul</translation>
     </message>
     <message>
         <source>Blue 0 mm, green {:.0f} mm, red {:.0f} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Azul 0 mm, verde {:.0f} mm, rojo {:.0f} mm</translation>
     </message>
     <message>
         <source>Both panels</source>
-        <translation type="unfinished"></translation>
+        <translation>Ambos paneles</translation>
+    </message>
+    <message>
+        <source>Both panels are on the sheet: only the front one gets the hole of the nozzle. Cut it once.</source>
+        <translation>Ambos paneles están en la lámina: solo el delantero lleva el agujero de la boquilla. Córtelo una vez.</translation>
     </message>
     <message>
         <source>Brush</source>
-        <translation type="unfinished"></translation>
+        <translation>Pincel</translation>
     </message>
     <message>
         <source>Cannot write to {0}: {1}. Choose another folder, or make room there.</source>
-        <translation type="unfinished"></translation>
+        <translation>No se puede escribir en {0}: {1}. Elija otra carpeta o haga sitio.</translation>
     </message>
     <message>
         <source>Checked: nothing is in the way.</source>
+        <translation>Comprobado: nada lo impide.</translation>
+    </message>
+    <message>
+        <source>Checking the pattern</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Choose a drawing</source>
-        <translation type="unfinished"></translation>
+        <translation>Elegir un dibujo</translation>
     </message>
     <message>
         <source>Choose a file</source>
-        <translation type="unfinished"></translation>
+        <translation>Elegir un archivo</translation>
+    </message>
+    <message>
+        <source>Choose a folder</source>
+        <translation>Elegir una carpeta</translation>
+    </message>
+    <message>
+        <source>Choose a material card</source>
+        <translation>Elegir una ficha de material</translation>
     </message>
     <message>
         <source>Choose a picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Elegir una imagen</translation>
     </message>
     <message>
         <source>Choose a picture or a sketch.</source>
-        <translation type="unfinished"></translation>
+        <translation>Elija una imagen o un croquis.</translation>
     </message>
     <message>
         <source>Choose the balloon that it belongs to.</source>
-        <translation type="unfinished"></translation>
+        <translation>Elija el globo al que pertenece.</translation>
     </message>
     <message>
         <source>Choose the outline to inflate.</source>
+        <translation>Elija el contorno que se debe inflar.</translation>
+    </message>
+    <message>
+        <source>Choose the pattern to print on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the patterns to lay out.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Close the open task panel first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cierre primero el panel de tareas abierto.</translation>
+    </message>
+    <message>
+        <source>Colour map</source>
+        <translation>Mapa de colores</translation>
     </message>
     <message>
         <source>Coordinates really are inches, and the header says so.</source>
-        <translation type="unfinished"></translation>
+        <translation>Las coordenadas son realmente pulgadas, y la cabecera lo dice.</translation>
+    </message>
+    <message>
+        <source>Copies</source>
+        <translation>Copias</translation>
+    </message>
+    <message>
+        <source>Corner relief</source>
+        <translation>Alivio de esquinas</translation>
     </message>
     <message>
         <source>Cricut Design Space</source>
-        <translation type="unfinished"></translation>
+        <translation>Cricut Design Space</translation>
     </message>
     <message>
         <source>Custom</source>
-        <translation type="unfinished"></translation>
+        <translation>Personalizada</translation>
     </message>
     <message>
         <source>Cut two strips from thin PE film and weld them together along their two lines; weld one strip to each panel across the neck, along its mark, with the strips' end at the mouth and their sides under the weld; then weld the panels. Fill with a straw: the pressure presses the strips together.</source>
-        <translation type="unfinished"></translation>
+        <translation>Corte dos tiras de película fina de PE y suéldelas entre sí por sus dos líneas; suelde una tira a cada panel a través del cuello, por su marca, con el extremo en la boca y los lados bajo la soldadura; luego suelde los paneles. Llene con una pajita: la presión aprieta las tiras.</translation>
     </message>
     <message>
         <source>Cutting shop (DXF R12)</source>
-        <translation type="unfinished"></translation>
+        <translation>Taller de corte (DXF R12)</translation>
     </message>
     <message>
         <source>Cutting shop in inches (DXF R2000)</source>
-        <translation type="unfinished"></translation>
+        <translation>Taller de corte en pulgadas (DXF R2000)</translation>
     </message>
     <message>
         <source>DXF files can be neither read nor written without it; SVG files can.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sin él no se pueden leer ni escribir archivos DXF; los SVG sí.</translation>
     </message>
     <message>
         <source>DXF files need the Python package ezdxf. Install it with 'pip install ezdxf', or save the drawing as SVG.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los archivos DXF necesitan el paquete de Python ezdxf. Instálelo con «pip install ezdxf» o guarde el dibujo como SVG.</translation>
     </message>
     <message>
         <source>Direction</source>
+        <translation>Dirección</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Distancia</translation>
+    </message>
+    <message>
+        <source>Dots per inch</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag in the view</source>
+        <translation>Arrastrar en la vista</translation>
     </message>
     <message>
         <source>Draw a closed line, or paint an area: it becomes a balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dibuje una línea cerrada o pinte una superficie: se convierte en un globo.</translation>
     </message>
     <message>
         <source>Draw lines. A closed line becomes a balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dibujar líneas. Una línea cerrada se convierte en un globo.</translation>
     </message>
     <message>
-        <source>Drawing</source>
-        <translation type="unfinished"></translation>
+        <source>Drawing and silhouette</source>
+        <translation>Dibujo y silueta</translation>
+    </message>
+    <message>
+        <source>Drawing over silhouette</source>
+        <translation>Dibujo sobre la silueta</translation>
     </message>
     <message>
         <source>Drawings</source>
-        <translation type="unfinished"></translation>
+        <translation>Dibujos</translation>
     </message>
     <message>
         <source>E across the grain</source>
-        <translation type="unfinished"></translation>
+        <translation>E transversal a la fibra</translation>
     </message>
     <message>
         <source>Each stroke colour becomes an operation of its own. DXF is not read.</source>
+        <translation>Cada color de trazo se convierte en una operación. No lee DXF.</translation>
+    </message>
+    <message>
+        <source>Edit artwork</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Edit balloon</source>
+        <translation>Editar globo</translation>
+    </message>
+    <message>
+        <source>Edit film</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Elastic materials</source>
+        <translation>Materiales elásticos</translation>
     </message>
     <message>
         <source>Eraser</source>
-        <translation type="unfinished"></translation>
+        <translation>Borrador</translation>
     </message>
     <message>
         <source>Every layer becomes a colour of the cut list; layers that share a colour would be merged. Set the import unit to millimetres. Switch the SEAL and REGISTRATION layers off, or give the control bar a light engraving.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cada capa se convierte en un color de la lista de corte; las de igual color se unirían. Ponga la unidad de importación en milímetros. Desactive las capas SEAL y REGISTRATION o grabe ligeramente la barra de control.</translation>
     </message>
     <message>
         <source>Expected thickness</source>
-        <translation type="unfinished"></translation>
+        <translation>Grosor esperado</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportación</translation>
     </message>
     <message>
         <source>Export pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportar patrón</translation>
     </message>
     <message>
         <source>File</source>
-        <translation type="unfinished"></translation>
+        <translation>Archivo</translation>
     </message>
     <message>
         <source>Fill</source>
-        <translation type="unfinished"></translation>
+        <translation>Rellenar</translation>
     </message>
     <message>
         <source>Fill a closed line, or give an area another colour</source>
-        <translation type="unfinished"></translation>
+        <translation>Rellenar una línea cerrada o dar otro color a una superficie</translation>
     </message>
     <message>
         <source>Film</source>
+        <translation>Película</translation>
+    </message>
+    <message>
+        <source>Film Balloon {0} in FreeCAD {1}</source>
+        <translation>Film Balloon {0} en FreeCAD {1}</translation>
+    </message>
+    <message>
+        <source>Film needed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Film of your own</source>
+        <translation>Película propia</translation>
+    </message>
+    <message>
+        <source>Film width</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>FilmBalloonPainting</source>
-        <translation type="unfinished"></translation>
+        <source>Film {0} m large is too much: write 500mm.</source>
+        <translation>Una película de {0} m es demasiado: escriba 500mm.</translation>
     </message>
     <message>
-        <source>Find its direction</source>
-        <translation type="unfinished"></translation>
+        <source>Films</source>
+        <translation>Películas</translation>
+    </message>
+    <message>
+        <source>Find its place</source>
+        <translation>Buscar su lugar</translation>
     </message>
     <message>
         <source>Fit to drawing</source>
+        <translation>Ajustar al dibujo</translation>
+    </message>
+    <message>
+        <source>Fitting the pattern</source>
+        <translation>Ajustando el patrón</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Carpeta</translation>
+    </message>
+    <message>
+        <source>Folder for the artwork</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Follow every change at once</source>
+        <translation>Seguir cada cambio al instante</translation>
     </message>
     <message>
         <source>For {0} litres the drawing would be {1} large: choose a volume that makes it {2} to {3} m.</source>
-        <translation type="unfinished"></translation>
+        <translation>Para {0} litros el dibujo mediría {1}: elija un volumen que le dé de {2} a {3} m.</translation>
     </message>
     <message>
         <source>Forced</source>
+        <translation>Forzada</translation>
+    </message>
+    <message>
+        <source>Frames are even in movement, not in time. Only the film has mass, the gas has none.</source>
+        <translation>Los fotogramas son regulares en movimiento, no en tiempo. Solo la película tiene masa, el gas no.</translation>
+    </message>
+    <message>
+        <source>FreeCAD has no material card "{0}": choose one of its material editor.</source>
+        <translation>FreeCAD no tiene la ficha de material «{0}»: elija una de su editor de materiales.</translation>
+    </message>
+    <message>
+        <source>From the flat film to the balloon at rest</source>
+        <translation>De la película plana al globo en reposo</translation>
+    </message>
+    <message>
+        <source>Front</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Format</source>
+        <source>Front and back as PNG and PDF, and as DXF and SVG with the same marks for the cutter</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Gaps of up to {0} between lines were closed ({1} loops).</source>
-        <translation type="unfinished"></translation>
+        <translation>Se cerraron huecos de hasta {0} entre líneas ({1} lazos).</translation>
     </message>
     <message>
         <source>Gas</source>
-        <translation type="unfinished"></translation>
+        <translation>Gas</translation>
     </message>
     <message>
         <source>Give either a volume or a lift as the goal.</source>
-        <translation type="unfinished"></translation>
+        <translation>Indique como objetivo un volumen o una sustentación.</translation>
     </message>
     <message>
         <source>Given</source>
-        <translation type="unfinished"></translation>
+        <translation>Dado</translation>
     </message>
     <message>
         <source>Glowforge</source>
-        <translation type="unfinished"></translation>
+        <translation>Glowforge</translation>
     </message>
     <message>
         <source>Glue the seams. Stiffer along the web than across it; E is the geometric mean. Does not hold gas for long and creases sharply.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pegue las costuras. Más rígido a lo largo de la banda que a través; E es la media geométrica. No retiene el gas mucho tiempo y forma pliegues agudos.</translation>
     </message>
     <message>
         <source>Glue the seams. Stiffer along the web than across it; E is the geometric mean. Porous: for a moment's inflation or with a lining.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pegue las costuras. Más rígido a lo largo de la banda que a través; E es la media geométrica. Poroso: para un inflado breve o con forro.</translation>
     </message>
     <message>
         <source>Grain</source>
+        <translation>Fibra</translation>
+    </message>
+    <message>
+        <source>Grain lies</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Green</source>
-        <translation type="unfinished"></translation>
+        <translation>Verde</translation>
     </message>
     <message>
         <source>HPGL is written as polylines: give "arcs": false.</source>
-        <translation type="unfinished"></translation>
+        <translation>HPGL se escribe como polilíneas: indique "arcs": false.</translation>
     </message>
     <message>
         <source>HPGL plotter or vinyl cutter</source>
-        <translation type="unfinished"></translation>
+        <translation>Trazador HPGL o cortador de vinilo</translation>
+    </message>
+    <message>
+        <source>Heart from a spreadsheet</source>
+        <translation>Corazón desde una hoja de cálculo</translation>
     </message>
     <message>
         <source>Heat sealer on a plotter</source>
-        <translation type="unfinished"></translation>
+        <translation>Selladora térmica en un trazador</translation>
     </message>
     <message>
         <source>Height</source>
-        <translation type="unfinished"></translation>
+        <translation>Altura</translation>
     </message>
     <message>
         <source>Helium</source>
-        <translation type="unfinished"></translation>
+        <translation>Helio</translation>
+    </message>
+    <message>
+        <source>How wide shall it be?</source>
+        <translation>¿Qué anchura debe tener?</translation>
     </message>
     <message>
         <source>Hydrogen</source>
-        <translation type="unfinished"></translation>
+        <translation>Hidrógeno</translation>
     </message>
     <message>
         <source>Inflate as drawn</source>
+        <translation>Inflar tal como está dibujado</translation>
+    </message>
+    <message>
+        <source>Inflate now</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Inflate with these values and show the balloon</source>
-        <translation type="unfinished"></translation>
+        <translation>Inflar con estos valores y mostrar el globo</translation>
+    </message>
+    <message>
+        <source>Inflating</source>
+        <translation>Inflando</translation>
+    </message>
+    <message>
+        <source>Inflating in time</source>
+        <translation>Inflando en el tiempo</translation>
+    </message>
+    <message>
+        <source>Inflation</source>
+        <translation>Inflado</translation>
     </message>
     <message>
         <source>Inkscape</source>
-        <translation type="unfinished"></translation>
+        <translation>Inkscape</translation>
+    </message>
+    <message>
+        <source>Intake</source>
+        <translation>Boca</translation>
     </message>
     <message>
         <source>Intake in a side part</source>
-        <translation type="unfinished"></translation>
+        <translation>Boca en una parte lateral</translation>
     </message>
     <message>
         <source>It is not inflated yet: choose Inflate now in its context menu, or switch Live on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aún no está inflado: elija «Inflar ahora» en su menú contextual o active En vivo.</translation>
+    </message>
+    <message>
+        <source>It is wider now. Ctrl+Z takes that back.</source>
+        <translation>Ahora es más ancho. Ctrl+Z lo deshace.</translation>
     </message>
     <message>
         <source>Keep the proportions</source>
-        <translation type="unfinished"></translation>
+        <translation>Mantener las proporciones</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Tipo</translation>
     </message>
     <message>
         <source>Kraft paper, 80 g/m²</source>
-        <translation type="unfinished"></translation>
+        <translation>Papel kraft, 80 g/m²</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>Etiqueta</translation>
     </message>
     <message>
         <source>Labels need matplotlib: install it with pip install matplotlib, or leave the label empty.</source>
+        <translation>Las etiquetas necesitan matplotlib: instálelo con pip install matplotlib o deje la etiqueta vacía.</translation>
+    </message>
+    <message>
+        <source>Laid in rows, which takes more film: install the package spyrrow (pip install spyrrow) for a closer layout.</source>
+        <translation>Colocado en filas, lo que gasta más película: instale el paquete spyrrow (pip install spyrrow) para una colocación más ajustada.</translation>
+    </message>
+    <message>
+        <source>Lay out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lay out on film</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Layers, millimetres and arcs, to go on drawing.</source>
+        <translation>Capas, milímetros y arcos, para seguir dibujando.</translation>
+    </message>
+    <message>
+        <source>Laying out {0}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Length</source>
-        <translation type="unfinished"></translation>
+        <translation>Longitud</translation>
+    </message>
+    <message>
+        <source>Letter</source>
+        <translation>Letra</translation>
+    </message>
+    <message>
+        <source>Letter height</source>
+        <translation>Altura de letra</translation>
     </message>
     <message>
         <source>Lift</source>
-        <translation type="unfinished"></translation>
+        <translation>Sustentación</translation>
     </message>
     <message>
         <source>Lift in g</source>
-        <translation type="unfinished"></translation>
+        <translation>Sustentación en g</translation>
     </message>
     <message>
         <source>LightBurn (laser)</source>
-        <translation type="unfinished"></translation>
+        <translation>LightBurn (láser)</translation>
     </message>
     <message>
         <source>Line</source>
-        <translation type="unfinished"></translation>
+        <translation>Línea</translation>
     </message>
     <message>
         <source>Lines that close around nothing beside the shapes were left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se omitieron las líneas junto a las formas que no encierran nada.</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>En vivo</translation>
     </message>
     <message>
         <source>Load</source>
+        <translation>Carga</translation>
+    </message>
+    <message>
+        <source>Look for the closest layout; Esc takes the best one so far</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking at the picture</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Machine</source>
+        <translation>Máquina</translation>
+    </message>
+    <message>
+        <source>Made with brush and pen: double-click the Outline to paint on</source>
+        <translation>Hecho con pincel y lápiz: doble clic en el contorno para seguir pintando</translation>
+    </message>
+    <message>
+        <source>Make a sketch of the cuts</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Make it!</source>
-        <translation type="unfinished"></translation>
+        <translation>¡Hazlo!</translation>
+    </message>
+    <message>
+        <source>Marks</source>
+        <translation>Marcas</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Material</translation>
     </message>
     <message>
         <source>Measured on the inflated balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>Medido en el globo inflado.</translation>
     </message>
     <message>
         <source>Mesh reuse needs scipy: install it with pip install scipy.</source>
-        <translation type="unfinished"></translation>
+        <translation>Reutilizar la malla necesita scipy: instálelo con pip install scipy.</translation>
     </message>
     <message>
         <source>Mesh size</source>
-        <translation type="unfinished"></translation>
+        <translation>Tamaño de malla</translation>
+    </message>
+    <message>
+        <source>Mesh size (0: automatic)</source>
+        <translation>Tamaño de malla (0: automático)</translation>
     </message>
     <message>
         <source>Meshing needs pythoncdt or scipy: install one of them with pip.</source>
-        <translation type="unfinished"></translation>
+        <translation>El mallado necesita pythoncdt o scipy: instale uno con pip.</translation>
     </message>
     <message>
         <source>Meshing needs scipy: install it with pip install scipy.</source>
-        <translation type="unfinished"></translation>
+        <translation>El mallado necesita scipy: instálelo con pip install scipy.</translation>
     </message>
     <message>
         <source>Mind</source>
-        <translation type="unfinished"></translation>
+        <translation>Atención</translation>
     </message>
     <message>
         <source>Mode</source>
-        <translation type="unfinished"></translation>
+        <translation>Modo</translation>
     </message>
     <message>
         <source>Model</source>
-        <translation type="unfinished"></translation>
+        <translation>Modelo</translation>
     </message>
     <message>
         <source>Move</source>
-        <translation type="unfinished"></translation>
+        <translation>Mover</translation>
     </message>
     <message>
         <source>Move the pointer to bend the line, then click. Esc drops it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mueva el puntero para curvar la línea y haga clic. Esc la descarta.</translation>
     </message>
     <message>
         <source>Native</source>
-        <translation type="unfinished"></translation>
+        <translation>Nativo</translation>
     </message>
     <message>
         <source>Near ({0}, {1}) mm the inflated outline stays up to {2} from the drawing, along {3}: film cannot follow it there. Round it off or widen it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cerca de ({0}, {1}) mm el contorno inflado queda hasta a {2} del dibujo, a lo largo de {3}: la película no puede seguirlo ahí. Redondéelo o ensánchelo.</translation>
     </message>
     <message>
         <source>Neck that chokes the air path</source>
-        <translation type="unfinished"></translation>
+        <translation>Cuello que estrangula el paso del aire</translation>
     </message>
     <message>
         <source>Never cut PVC with a laser: it gives off hydrogen chloride, which is toxic and ruins the machine. Weld with high frequency or hot air. Stretches visibly: at 2 kPa the shape depends on the grade and on the pressure.</source>
-        <translation type="unfinished"></translation>
+        <translation>No corte nunca PVC con láser: desprende cloruro de hidrógeno, tóxico y dañino para la máquina. Suelde por alta frecuencia o con aire caliente. Se estira a simple vista: a 2 kPa la forma depende de la calidad y de la presión.</translation>
     </message>
     <message>
         <source>New balloon from picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Nuevo globo desde imagen</translation>
     </message>
     <message>
         <source>New balloon from sketch</source>
-        <translation type="unfinished"></translation>
+        <translation>Nuevo globo desde croquis</translation>
+    </message>
+    <message>
+        <source>New balloons</source>
+        <translation>Globos nuevos</translation>
     </message>
     <message>
         <source>Newmark</source>
-        <translation type="unfinished"></translation>
+        <translation>Newmark</translation>
     </message>
     <message>
         <source>No balloon can be inflated anew without it; patterns can be changed and written.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sin él no se puede inflar ningún globo de nuevo; los patrones se pueden cambiar y escribir.</translation>
     </message>
     <message>
         <source>No file for {0}: {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>Sin archivo para {0}: {1}</translation>
     </message>
     <message>
         <source>No pattern can be drawn anew without it; documents keep theirs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sin él no se puede trazar ningún patrón de nuevo; los documentos conservan los suyos.</translation>
     </message>
     <message>
         <source>No shape stands out in the picture. Use stronger colours or a plainer background.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ninguna forma destaca en la imagen. Use colores más vivos o un fondo más liso.</translation>
+    </message>
+    <message>
+        <source>No solver works here.</source>
+        <translation>Aquí no funciona ningún solucionador.</translation>
     </message>
     <message>
         <source>No solver works here: {0} Build it or install the package scipy.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aquí no funciona ningún solucionador: {0} Compílelo o instale el paquete scipy.</translation>
     </message>
     <message>
         <source>Not possible</source>
-        <translation type="unfinished"></translation>
+        <translation>No es posible</translation>
     </message>
     <message>
         <source>Notch with a stress peak</source>
-        <translation type="unfinished"></translation>
+        <translation>Entalla con pico de tensión</translation>
+    </message>
+    <message>
+        <source>Notches</source>
+        <translation>Muescas</translation>
     </message>
     <message>
         <source>Notches of {0} do not end before the weld: the allowance is {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Las muescas de {0} no terminan antes de la soldadura: el margen es {1}.</translation>
     </message>
     <message>
         <source>Nothing can be computed without it; documents open and keep their shapes.</source>
+        <translation>Sin él no se puede calcular nada; los documentos se abren y conservan sus formas.</translation>
+    </message>
+    <message>
+        <source>Nothing is in the way. Paint on, or press Make it!</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Nothing to improve.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nada que mejorar.</translation>
     </message>
     <message>
         <source>Nozzle with flange</source>
-        <translation type="unfinished"></translation>
+        <translation>Boquilla con brida</translation>
     </message>
     <message>
-        <source>NumPy</source>
-        <translation type="unfinished"></translation>
+        <source>OK, then {}</source>
+        <translation>Aceptar y luego {}</translation>
     </message>
     <message>
         <source>Off</source>
-        <translation type="unfinished"></translation>
+        <translation>Desactivada</translation>
     </message>
     <message>
         <source>Off the drawing</source>
-        <translation type="unfinished"></translation>
+        <translation>Desvío del dibujo</translation>
     </message>
     <message>
         <source>One large page</source>
-        <translation type="unfinished"></translation>
+        <translation>Una página grande</translation>
     </message>
     <message>
         <source>One-way tail</source>
-        <translation type="unfinished"></translation>
+        <translation>Cola antirretorno</translation>
     </message>
     <message>
         <source>Only the middle of the weld. A closed weld runs past its start, so that the joint is tight.</source>
-        <translation type="unfinished"></translation>
+        <translation>Solo el centro de la soldadura. Una soldadura cerrada pasa de su comienzo, para que la unión sea hermética.</translation>
     </message>
     <message>
         <source>Only {0} of film stay between two cuts near {1}; {2} wants {3}. It may tear or melt there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Solo quedan {0} de película entre dos cortes cerca de {1}; {2} quiere {3}. Puede rasgarse o fundirse ahí.</translation>
+    </message>
+    <message>
+        <source>Opposite the intake</source>
+        <translation>Enfrente de la boca</translation>
     </message>
     <message>
         <source>Orange</source>
-        <translation type="unfinished"></translation>
+        <translation>Naranja</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>Contorno</translation>
     </message>
     <message>
         <source>Outline {} x {}, {} holes</source>
-        <translation type="unfinished"></translation>
+        <translation>Contorno {} x {}, {} agujeros</translation>
     </message>
     <message>
         <source>PDF files need it; DXF, SVG and HPGL can be written.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los archivos PDF lo necesitan; DXF, SVG y HPGL se pueden escribir.</translation>
     </message>
     <message>
         <source>Pa, its own range</source>
-        <translation type="unfinished"></translation>
+        <translation>Pa, su propio intervalo</translation>
     </message>
     <message>
         <source>Paint a balloon</source>
-        <translation type="unfinished"></translation>
+        <translation>Pintar un globo</translation>
     </message>
     <message>
         <source>Paint both sides at once, mirrored (M)</source>
-        <translation type="unfinished"></translation>
+        <translation>Pintar ambos lados a la vez, en espejo (M)</translation>
     </message>
     <message>
         <source>Paint broad, soft strokes: what is painted becomes a balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pintar con trazos anchos y suaves: lo pintado se convierte en un globo.</translation>
     </message>
     <message>
         <source>Paint something first: a closed line is enough.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pinte algo primero: basta una línea cerrada.</translation>
     </message>
     <message>
         <source>Painted balloon</source>
+        <translation>Globo pintado</translation>
+    </message>
+    <message>
+        <source>Painted fish</source>
+        <translation>Pez pintado</translation>
+    </message>
+    <message>
+        <source>Panels are laid on the film in rows instead of closely; nothing else changes.</source>
+        <translation>Los paneles se colocan en filas en vez de apretados; nada más cambia.</translation>
+    </message>
+    <message>
+        <source>Paper</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>Patrón</translation>
     </message>
     <message>
         <source>Pattern correction needs scipy: install it with pip install scipy.</source>
-        <translation type="unfinished"></translation>
+        <translation>La corrección del patrón necesita scipy: instálelo con pip install scipy.</translation>
+    </message>
+    <message>
+        <source>Pattern drawn 1 : {0}</source>
+        <translation>Patrón a escala 1 : {0}</translation>
     </message>
     <message>
         <source>Pattern written to {}</source>
+        <translation>Patrón escrito en {}</translation>
+    </message>
+    <message>
+        <source>Patterns</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Patterns need shapely: install it with pip install shapely.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los patrones necesitan shapely: instálelo con pip install shapely.</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pausa</translation>
     </message>
     <message>
         <source>Pen</source>
-        <translation type="unfinished"></translation>
+        <translation>Lápiz</translation>
     </message>
     <message>
         <source>Picture, SVG, DXF or JSON</source>
-        <translation type="unfinished"></translation>
+        <translation>Imagen, SVG, DXF o JSON</translation>
     </message>
     <message>
         <source>Pictures</source>
-        <translation type="unfinished"></translation>
+        <translation>Imágenes</translation>
     </message>
     <message>
         <source>Pictures are read by Qt and traced with SciPy or NumPy instead, a little slower.</source>
-        <translation type="unfinished"></translation>
+        <translation>Las imágenes se leen con Qt y se calcan con SciPy o NumPy, un poco más despacio.</translation>
     </message>
     <message>
         <source>Pictures need OpenCV, which is missing or does not work here. Install the package python3-opencv (or opencv-python-headless), or open the picture inside FreeCAD.</source>
-        <translation type="unfinished"></translation>
+        <translation>Las imágenes necesitan OpenCV, que falta o no funciona aquí. Instale el paquete python3-opencv (u opencv-python-headless) o abra la imagen dentro de FreeCAD.</translation>
+    </message>
+    <message>
+        <source>Place by</source>
+        <translation>Situar por</translation>
+    </message>
+    <message>
+        <source>Place on the seam</source>
+        <translation>Lugar en la costura</translation>
     </message>
     <message>
         <source>Plain PET does not weld to itself: take a grade with a sealing layer, or tape. The aluminium (some 50 nm) adds neither stiffness nor weight. What shops sell as Mylar balloons is mostly nylon-foil.</source>
-        <translation type="unfinished"></translation>
+        <translation>El PET solo no se suelda consigo mismo: tome una calidad con capa de sellado, o cinta. El aluminio (unos 50 nm) no añade rigidez ni peso. Lo que las tiendas venden como globos Mylar suele ser nylon-foil.</translation>
     </message>
     <message>
         <source>Plain paper (PDF)</source>
-        <translation type="unfinished"></translation>
+        <translation>Papel corriente (PDF)</translation>
     </message>
     <message>
         <source>Plain shell</source>
-        <translation type="unfinished"></translation>
+        <translation>Lámina simple</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Reproducir</translation>
+    </message>
+    <message>
+        <source>Play the inflation, or stop at a frame</source>
+        <translation>Reproducir el inflado o parar en un fotograma</translation>
     </message>
     <message>
         <source>Plotter units of 0.025 mm. Pen 1 draws the control bar, pen 2 the marks, pen 3 cuts. For a swivel knife set its offset, 0.25 mm is common.</source>
-        <translation type="unfinished"></translation>
+        <translation>Unidades de trazador de 0,025 mm. La pluma 1 dibuja la barra de control, la 2 las marcas, la 3 corta. Con cuchilla giratoria ajuste su desvío; 0,25 mm es lo habitual.</translation>
     </message>
     <message>
         <source>Point {0} of the JSON file's {1} is not a pair of numbers. {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>El punto {0} de {1} del archivo JSON no es un par de números. {2}</translation>
     </message>
     <message>
         <source>Poisson's ratio</source>
-        <translation type="unfinished"></translation>
+        <translation>Coeficiente de Poisson</translation>
     </message>
     <message>
         <source>Polyethylene film (LDPE), 50 µm</source>
-        <translation type="unfinished"></translation>
+        <translation>Película de polietileno (LDPE), 50 µm</translation>
+    </message>
+    <message>
+        <source>Polylines at the real size with a layer and a colour for each role.</source>
+        <translation>Polilíneas a tamaño real con una capa y un color para cada función.</translation>
+    </message>
+    <message>
+        <source>Polylines in millimetres with a layer for each role: what every program reads.</source>
+        <translation>Polilíneas en milímetros con una capa para cada función: lo que lee cualquier programa.</translation>
     </message>
     <message>
         <source>Predicted from the outline; not inflated yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Previsto a partir del contorno; aún sin inflar.</translation>
     </message>
     <message>
         <source>Pressure</source>
-        <translation type="unfinished"></translation>
+        <translation>Presión</translation>
     </message>
     <message>
         <source>Previews and labels need it; everything else works.</source>
-        <translation type="unfinished"></translation>
+        <translation>Las vistas previas y etiquetas lo necesitan; todo lo demás funciona.</translation>
     </message>
     <message>
         <source>Pull a line; then move the pointer to bend it, and click. A right click keeps it straight.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tire una línea; luego mueva el puntero para curvarla y haga clic. Con clic derecho queda recta.</translation>
     </message>
     <message>
         <source>Pull the paper. The middle button, or the space bar, does it with every tool; the wheel zooms.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mueva el papel. El botón central o la barra espaciadora lo hacen con cualquier herramienta; la rueda amplía.</translation>
     </message>
     <message>
         <source>Push a straw in, fill, pull it out and weld straight across the neck beside the balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>Meta una pajita, llene, sáquela y suelde recto a través del cuello junto al globo.</translation>
     </message>
     <message>
         <source>Push the nozzle through the hole of the front panel from inside, put the ring over it from outside, and weld flange, film and ring together along the ring's line before the panels are joined.</source>
-        <translation type="unfinished"></translation>
+        <translation>Meta la boquilla desde dentro por el agujero del panel delantero, ponga el anillo encima por fuera y suelde brida, película y anillo por la línea del anillo antes de unir los paneles.</translation>
     </message>
     <message>
-        <source>Put outline, balloon and pattern into the document</source>
-        <translation type="unfinished"></translation>
+        <source>Put outline, balloon and pattern into the document, and print the pattern</source>
+        <translation>Poner contorno, globo y patrón en el documento e imprimir el patrón</translation>
     </message>
     <message>
         <source>RDWorks (Ruida laser)</source>
-        <translation type="unfinished"></translation>
+        <translation>RDWorks (láser Ruida)</translation>
     </message>
     <message>
         <source>Real size, to cut out by hand. Print at 100 % and measure the control bar.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tamaño real, para recortar a mano. Imprima al 100 % y mida la barra de control.</translation>
     </message>
     <message>
         <source>Red</source>
-        <translation type="unfinished"></translation>
+        <translation>Rojo</translation>
     </message>
     <message>
         <source>Repair</source>
-        <translation type="unfinished"></translation>
+        <translation>Reparar</translation>
     </message>
     <message>
         <source>Repair {0} cannot be read: delete it from Repairs.</source>
-        <translation type="unfinished"></translation>
+        <translation>La reparación {0} no se puede leer: bórrela de «Repairs».</translation>
     </message>
     <message>
         <source>Result</source>
-        <translation type="unfinished"></translation>
+        <translation>Resultado</translation>
+    </message>
+    <message>
+        <source>Result that is shown as colours, with a legend</source>
+        <translation>Resultado que se muestra en colores, con leyenda</translation>
     </message>
     <message>
         <source>Results cannot be written as '{0}'. Choose {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los resultados no se pueden escribir como «{0}». Elija {1}.</translation>
+    </message>
+    <message>
+        <source>Results written to {}</source>
+        <translation>Resultados escritos en {}</translation>
+    </message>
+    <message>
+        <source>Ring</source>
+        <translation>Anillo</translation>
     </message>
     <message>
         <source>Ring that warps</source>
-        <translation type="unfinished"></translation>
+        <translation>Anillo que se alabea</translation>
     </message>
     <message>
         <source>Round this hole the balloon will not lie flat: a closed tube wants to curve more and twists out of its plane, here by about {length}. Open the ring, or seal the hole's area without cutting it out and keep it small.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alrededor de este agujero el globo no quedará plano: un tubo cerrado quiere curvarse más y se tuerce fuera de su plano, aquí unos {length}. Abra el anillo, o selle el área del agujero sin recortarla y manténgala pequeña.</translation>
     </message>
     <message>
         <source>Round with a radius of</source>
-        <translation type="unfinished"></translation>
+        <translation>Redondear con un radio de</translation>
     </message>
     <message>
         <source>Roundness {:.0f} % of a disc's.</source>
-        <translation type="unfinished"></translation>
+        <translation>Redondez: {:.0f} % de la de un disco.</translation>
     </message>
     <message>
         <source>SVG files can be written but not read without it; pictures, DXF and JSON can be read.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sin él los archivos SVG se pueden escribir pero no leer; imágenes, DXF y JSON sí.</translation>
     </message>
     <message>
         <source>SVG files need the Python package svgelements. Install it with 'pip install svgelements', or save the drawing as DXF.</source>
+        <translation>Los archivos SVG necesitan el paquete de Python svgelements. Instálelo con «pip install svgelements» o guarde el dibujo como DXF.</translation>
+    </message>
+    <message>
+        <source>Safe pressure</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save results</source>
+        <translation>Guardar resultados</translation>
+    </message>
+    <message>
+        <source>Save results…</source>
+        <translation>Guardar resultados…</translation>
     </message>
     <message>
         <source>SciPy triangulates instead, a little slower.</source>
-        <translation type="unfinished"></translation>
+        <translation>En su lugar triangula SciPy, algo más despacio.</translation>
     </message>
     <message>
         <source>Seal width</source>
-        <translation type="unfinished"></translation>
+        <translation>Anchura de soldadura</translation>
+    </message>
+    <message>
+        <source>Seal width (0: the film's)</source>
+        <translation>Anchura de soldadura (0: la de la película)</translation>
+    </message>
+    <message>
+        <source>Second panel, mirrored</source>
+        <translation>Segundo panel, reflejado</translation>
     </message>
     <message>
         <source>Select a sketch, a wire or a face in the tree or the 3D view.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seleccione un croquis, un alambre o una cara en el árbol o en la vista 3D.</translation>
     </message>
     <message>
         <source>Select another</source>
-        <translation type="unfinished"></translation>
+        <translation>Elegir otro</translation>
     </message>
     <message>
         <source>Self-sealing film valve</source>
-        <translation type="unfinished"></translation>
+        <translation>Válvula de película autosellante</translation>
     </message>
     <message>
         <source>Shape that stays flat</source>
+        <translation>Forma que queda plana</translation>
+    </message>
+    <message>
+        <source>Sheet length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sheet {} of {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the drawing and the silhouette over each other</source>
+        <translation>Mostrar dibujo y silueta superpuestos</translation>
+    </message>
+    <message>
+        <source>Shown sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shown side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Side</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Silhouette Studio (vinyl cutter)</source>
-        <translation type="unfinished"></translation>
+        <translation>Silhouette Studio (cortador de vinilo)</translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation>Simulación</translation>
     </message>
     <message>
         <source>Size</source>
-        <translation type="unfinished"></translation>
+        <translation>Tamaño</translation>
     </message>
     <message>
         <source>Size from</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>SizeGoal</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Sketch</source>
-        <translation type="unfinished"></translation>
+        <translation>Tamaño según</translation>
     </message>
     <message>
         <source>So far it is a line. Close it, or paint an area, and it becomes a balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>De momento es una línea. Ciérrela o pinte una superficie y será un globo.</translation>
     </message>
     <message>
         <source>Soft PVC film, 0.2 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Película de PVC blando, 0,2 mm</translation>
     </message>
     <message>
         <source>Solver</source>
+        <translation>Solucionador</translation>
+    </message>
+    <message>
+        <source>Solver: {0}.</source>
+        <translation>Solucionador: {0}.</translation>
+    </message>
+    <message>
+        <source>Solver: {0}. {1}</source>
+        <translation>Solucionador: {0}. {1}</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Stiffer across the web than along it (up to 4.5 against 2.5 GPa): cut both panels in the same direction. Only grades with a sealing layer weld; the gas barrier is poor.</source>
-        <translation type="unfinished"></translation>
+        <translation>Más rígido a través de la banda que a lo largo (hasta 4,5 frente a 2,5 GPa): corte ambos paneles en la misma dirección. Solo se sueldan las calidades con capa de sellado; la barrera al gas es mala.</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Parar</translation>
+    </message>
+    <message>
+        <source>Stop (Esc)</source>
+        <translation>Parar (Esc)</translation>
+    </message>
+    <message>
+        <source>Stop and keep the last result</source>
+        <translation>Parar y conservar el último resultado</translation>
     </message>
     <message>
         <source>Stopped.</source>
-        <translation type="unfinished"></translation>
+        <translation>Detenido.</translation>
+    </message>
+    <message>
+        <source>Stopped. Your painting is still here.</source>
+        <translation>Detenido. Su pintura sigue ahí.</translation>
+    </message>
+    <message>
+        <source>Stopping ...</source>
+        <translation>Deteniendo ...</translation>
     </message>
     <message>
         <source>Straw neck</source>
-        <translation type="unfinished"></translation>
+        <translation>Cuello para pajita</translation>
     </message>
     <message>
         <source>Symmetry</source>
-        <translation type="unfinished"></translation>
+        <translation>Simetría</translation>
     </message>
     <message>
         <source>TPU-coated nylon fabric (70 den), 170 g/m²</source>
-        <translation type="unfinished"></translation>
+        <translation>Tejido de nailon recubierto de TPU (70 den), 170 g/m²</translation>
+    </message>
+    <message>
+        <source>Tab to tie it to</source>
+        <translation>Lengüeta para atar</translation>
     </message>
     <message>
         <source>Take paint off</source>
+        <translation>Quitar pintura</translation>
+    </message>
+    <message>
+        <source>Take the numbers of one of FreeCAD's material cards</source>
+        <translation>Tomar los números de una ficha de material de FreeCAD</translation>
+    </message>
+    <message>
+        <source>Take the picture away</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Tension field</source>
+        <translation>Campo de tensión</translation>
+    </message>
+    <message>
+        <source>That of the front</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>That of the outline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>That wide</source>
+        <translation>Esta anchura</translation>
     </message>
     <message>
         <source>The 'parts' of the JSON file are not a list of shapes. {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>'parts' del archivo JSON no es una lista de formas. {0}</translation>
     </message>
     <message>
         <source>The '{0}' of the JSON file are not a list of {1}. {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>'{0}' del archivo JSON no es una lista de {1}. {2}</translation>
     </message>
     <message>
         <source>The DXF file has too many lines. Leave only the outline and its holes in it.</source>
-        <translation type="unfinished"></translation>
+        <translation>El archivo DXF tiene demasiadas líneas. Deje solo el contorno y sus agujeros.</translation>
     </message>
     <message>
         <source>The DXF file {0}; millimetres are assumed.</source>
-        <translation type="unfinished"></translation>
+        <translation>El archivo DXF {0}; se suponen milímetros.</translation>
     </message>
     <message>
         <source>The JSON file cannot be read ({0}). {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>El archivo JSON no se puede leer ({0}). {1}</translation>
     </message>
     <message>
         <source>The JSON file does not name its unit; millimetres are assumed.</source>
-        <translation type="unfinished"></translation>
+        <translation>El archivo JSON no indica su unidad; se suponen milímetros.</translation>
     </message>
     <message>
         <source>The JSON file has no 'outer' loop. {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>El archivo JSON no tiene el lazo 'outer'. {0}</translation>
     </message>
     <message>
         <source>The JSON file has the unknown unit {0}. Use one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>El archivo JSON tiene la unidad desconocida {0}. Use una de {1}.</translation>
     </message>
     <message>
         <source>The JSON file's {0} needs at least {1}. {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} del archivo JSON necesita al menos {1}. {2}</translation>
     </message>
     <message>
         <source>The Poisson's ratio {0} is not between 0 and 0.5: give one such as 0.38.</source>
-        <translation type="unfinished"></translation>
+        <translation>El coeficiente de Poisson {0} no está entre 0 y 0,5: indique por ejemplo 0.38.</translation>
     </message>
     <message>
         <source>The Python package {0} is missing. {1} To get it: pip install {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>Falta el paquete de Python {0}. {1} Para obtenerlo: pip install {2}</translation>
     </message>
     <message>
         <source>The SVG file cannot be read ({0}). Save it as plain SVG once more.</source>
-        <translation type="unfinished"></translation>
+        <translation>El archivo SVG no se puede leer ({0}). Guárdelo de nuevo como SVG simple.</translation>
     </message>
     <message>
         <source>The SVG file defines entities, which are not read. Save it as plain SVG.</source>
-        <translation type="unfinished"></translation>
+        <translation>El archivo SVG define entidades, que no se leen. Guárdelo como SVG simple.</translation>
     </message>
     <message>
         <source>The SVG file has too many elements, or some that use themselves. Simplify it.</source>
-        <translation type="unfinished"></translation>
+        <translation>El archivo SVG tiene demasiados elementos o algunos que se usan a sí mismos. Simplifíquelo.</translation>
     </message>
     <message>
         <source>The SVG file is damaged ({0}). Save it once more.</source>
-        <translation type="unfinished"></translation>
+        <translation>El archivo SVG está dañado ({0}). Guárdelo de nuevo.</translation>
     </message>
     <message>
         <source>The Young's modulus across the grain {0} Pa is too large for one along it of {1} Pa: turn the grain by 90 degrees and exchange the two.</source>
-        <translation type="unfinished"></translation>
+        <translation>El módulo de Young transversal {0} Pa es demasiado grande para el longitudinal de {1} Pa: gire la fibra 90 grados e intercambie los dos.</translation>
     </message>
     <message>
         <source>The altitude {0} m is out of range: give one up to 11000 m.</source>
-        <translation type="unfinished"></translation>
+        <translation>La altitud {0} m está fuera de rango: indique hasta 11000 m.</translation>
+    </message>
+    <message>
+        <source>The assembly sheet needs matplotlib: install it with pip install matplotlib.</source>
+        <translation>La hoja de montaje necesita matplotlib: instálelo con pip install matplotlib.</translation>
     </message>
     <message>
         <source>The balloon is nowhere {0} wide behind its intake: choose another intake angle or a narrower intake, else air enters slowly.</source>
-        <translation type="unfinished"></translation>
+        <translation>El globo no tiene en ninguna parte {0} de ancho tras su boca: elija otra dirección o una boca más estrecha; si no, el aire entra despacio.</translation>
     </message>
     <message>
         <source>The bending floor must be between 0 and 1, not {0}. Usual is {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>El límite inferior de flexión debe estar entre 0 y 1, no {0}. Lo habitual es {1}.</translation>
+    </message>
+    <message>
+        <source>The bleed must be from 0 to {0}, not {1}.</source>
+        <translation>El sangrado debe ser de 0 a {0}, no {1}.</translation>
+    </message>
+    <message>
+        <source>The coach finds no "{0}" to repair in {1}: see its advice.</source>
+        <translation>El consejero no encuentra «{0}» que reparar en {1}: vea sus consejos.</translation>
     </message>
     <message>
         <source>The colour would run out: close the line around this place first.</source>
+        <translation>El color se saldría: cierre primero la línea alrededor de este lugar.</translation>
+    </message>
+    <message>
+        <source>The drawing cannot be reached everywhere: the silhouette is up to {} off it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The drawing has no closed line. Draw one, and turn texts and groups into paths.</source>
-        <translation type="unfinished"></translation>
+        <translation>El dibujo no tiene ninguna línea cerrada. Dibuje una y convierta textos y grupos en trazos.</translation>
+    </message>
+    <message>
+        <source>The drawing has points more than {0} km from its origin. Move it there, and give it a size between 1 mm and 100 m.</source>
+        <translation>El dibujo tiene puntos a más de {0} km de su origen. Muévalo allí y dele un tamaño de 1 mm a 100 m.</translation>
     </message>
     <message>
         <source>The drawing has {0} shape{1} and no number {2}: choose another Part, or delete this balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>El dibujo tiene {0} forma{1} y ningún número {2}: elija otra «Part» o borre este globo.</translation>
     </message>
     <message>
         <source>The drawing is open: a line starts at {0} and ends {1} away at {2}. Close it.</source>
-        <translation type="unfinished"></translation>
+        <translation>El dibujo está abierto: una línea empieza en {0} y termina a {1}, en {2}. Ciérrela.</translation>
     </message>
     <message>
         <source>The drawing was made symmetric: its halves were {0} apart, the left one was kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>El dibujo se hizo simétrico: sus mitades diferían {0}, se conservó la izquierda.</translation>
     </message>
     <message>
         <source>The drawing would be smaller than {0}: choose a larger lift.</source>
-        <translation type="unfinished"></translation>
+        <translation>El dibujo sería menor que {0}: elija una sustentación mayor.</translation>
     </message>
     <message>
         <source>The drawing; a copy of it travels in the document</source>
-        <translation type="unfinished"></translation>
+        <translation>El dibujo; una copia viaja en el documento</translation>
     </message>
     <message>
         <source>The file is XML but no SVG drawing. Choose a drawing.</source>
-        <translation type="unfinished"></translation>
+        <translation>El archivo es XML pero no un dibujo SVG. Elija un dibujo.</translation>
     </message>
     <message>
         <source>The file of gases {0} is of no use: {1}. Install it anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>El archivo de gases {0} no sirve: {1}. Instálelo de nuevo.</translation>
     </message>
     <message>
         <source>The file of rules {0} is of no use: {1}. Install it anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>El archivo de reglas {0} no sirve: {1}. Instálelo de nuevo.</translation>
+    </message>
+    <message>
+        <source>The file {0} is of no use: {1}. Install it anew.</source>
+        <translation>El archivo {0} no sirve: {1}. Instálelo de nuevo.</translation>
     </message>
     <message>
         <source>The film '{0}' has no mass. Give its areal density.</source>
-        <translation type="unfinished"></translation>
+        <translation>La película «{0}» no tiene masa. Indique su densidad superficial.</translation>
     </message>
     <message>
         <source>The film file {0} calls itself "{1}": give both the same name.</source>
-        <translation type="unfinished"></translation>
+        <translation>El archivo de película {0} se llama a sí mismo «{1}»: dé a ambos el mismo nombre.</translation>
     </message>
     <message>
         <source>The film file {0} is of no use: {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>El archivo de película {0} no sirve: {1}</translation>
     </message>
     <message>
         <source>The film file {0} lacks {1}: add it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Al archivo de película {0} le falta {1}: añádalo.</translation>
+    </message>
+    <message>
+        <source>The film needs a width of more than two spacings, and no spacing below 0.</source>
+        <translation>La película debe ser más ancha que dos separaciones, y ninguna separación menor que 0.</translation>
     </message>
     <message>
         <source>The film of shop-bought foil balloons: 15 µm oriented nylon 6 with an aluminium coat, 15 µm polyethylene inside. Weld PE to PE. Nylon takes up moisture and is then softer.</source>
-        <translation type="unfinished"></translation>
+        <translation>La película de los globos de tienda: 15 µm de nailon 6 orientado con una capa de aluminio, 15 µm de polietileno por dentro. Suelde PE con PE. El nailon absorbe humedad y entonces es más blando.</translation>
     </message>
     <message>
         <source>The free edition opens DXF, not SVG. Choose "as is" for the size in the import preferences. Silhouette makes its own registration marks.</source>
-        <translation type="unfinished"></translation>
+        <translation>La edición gratuita abre DXF, no SVG. Elija «tal cual» para el tamaño en las preferencias de importación. Silhouette hace sus propias marcas de registro.</translation>
     </message>
     <message>
         <source>The grain's angle {0} is no number: give degrees from the x axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>El ángulo de la fibra {0} no es un número: indique grados desde el eje x.</translation>
+    </message>
+    <message>
+        <source>The hand beside the shape is as large as a grown-up's</source>
+        <translation>La mano junto a la forma es tan grande como la de un adulto</translation>
     </message>
     <message>
         <source>The hole at ({0}, {1}) mm is too small for a {2} seal, and its weld reaches {3} into the balloon: make the hole at least {4} wide, or the seal narrower.</source>
-        <translation type="unfinished"></translation>
+        <translation>El agujero en ({0}, {1}) mm es demasiado pequeño para una soldadura de {2}, que entra {3} en el globo: hágalo de al menos {4} o estreche la soldadura.</translation>
     </message>
     <message>
         <source>The hole at ({0}, {1}) mm is welded but not cut out: for that, make it wider than two seals with their allowances, {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>El agujero en ({0}, {1}) mm se suelda pero no se recorta: para ello hágalo más ancho que dos soldaduras con sus márgenes, {2}.</translation>
     </message>
     <message>
         <source>The hole at {0} lies in another hole; remove one of them.</source>
-        <translation type="unfinished"></translation>
+        <translation>El agujero en {0} está dentro de otro; quite uno.</translation>
     </message>
     <message>
         <source>The hole at {0} lies outside the outline; move it inside.</source>
-        <translation type="unfinished"></translation>
+        <translation>El agujero en {0} está fuera del contorno; muévalo dentro.</translation>
     </message>
     <message>
         <source>The inflated outline stays {0} from the drawing on average: film cannot follow this shape everywhere. Round off notches and widen thin parts.</source>
-        <translation type="unfinished"></translation>
+        <translation>El contorno inflado queda de media a {0} del dibujo: la película no puede seguir esta forma en todas partes. Redondee entallas y ensanche partes finas.</translation>
     </message>
     <message>
         <source>The intake file {0} calls itself "{1}": give both the same name.</source>
-        <translation type="unfinished"></translation>
+        <translation>El archivo de boca {0} se llama a sí mismo «{1}»: dé a ambos el mismo nombre.</translation>
     </message>
     <message>
         <source>The intake file {0} is of no use: {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>El archivo de boca {0} no sirve: {1}</translation>
     </message>
     <message>
         <source>The intake file {0} lacks {1}: add it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Al archivo de boca {0} le falta {1}: añádalo.</translation>
     </message>
     <message>
         <source>The intake opens into a part with {percent} of the film; the rest fills through something narrower than the intake. Move it to the largest part.</source>
-        <translation type="unfinished"></translation>
+        <translation>La boca da a una parte con {percent} de la película; el resto se llena por algo más estrecho que ella. Muévala a la parte mayor.</translation>
     </message>
     <message>
         <source>The intake would run into another part of the balloon: choose another angle or length for it.</source>
-        <translation type="unfinished"></translation>
+        <translation>La boca chocaría con otra parte del globo: elija otro ángulo u otra longitud.</translation>
     </message>
     <message>
         <source>The intake's angle must be a number.</source>
+        <translation>El ángulo de la boca debe ser un número.</translation>
+    </message>
+    <message>
+        <source>The intake's length must be above 0, up to 100 m: give it about 30 mm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The intake's place along the seam must be a length.</source>
-        <translation type="unfinished"></translation>
+        <translation>El lugar de la boca a lo largo de la costura debe ser una longitud.</translation>
     </message>
     <message>
-        <source>The intake's width and length must be above 0.</source>
+        <source>The intake's width must be between 0.01 mm and 10 m: give it about 10 mm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The intakes of two chambers run into each other: leave a gap in the weld between them, or choose another place for the first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Las bocas de dos cámaras chocan: deje un hueco en la soldadura entre ellas o ponga la primera en otro lugar.</translation>
     </message>
     <message>
         <source>The label "{0}" has no letter that can be drawn: write it in other letters.</source>
-        <translation type="unfinished"></translation>
+        <translation>La etiqueta «{0}» no tiene letras que se puedan dibujar: escríbala con otras.</translation>
     </message>
     <message>
         <source>The label "{0}" is {1} long, and the film is only {2} wide: take a shorter text or lower letters.</source>
+        <translation>La etiqueta «{0}» mide {1} y la película solo {2} de ancho: tome un texto más corto o letras más bajas.</translation>
+    </message>
+    <message>
+        <source>The layout failed: give the pieces more room.</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The layout was stopped; nothing was changed.</source>
+        <translation>La colocación se detuvo; nada cambió.</translation>
     </message>
     <message>
         <source>The lines of the drawing do not close around anything: the outline follows the lines.</source>
-        <translation type="unfinished"></translation>
+        <translation>Las líneas del dibujo no encierran nada: el contorno sigue las líneas.</translation>
     </message>
     <message>
         <source>The machine file {0} calls itself "{1}": give both the same name.</source>
-        <translation type="unfinished"></translation>
+        <translation>El archivo de máquina {0} se llama a sí mismo «{1}»: dé a ambos el mismo nombre.</translation>
     </message>
     <message>
         <source>The machine file {0} is of no use: {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>El archivo de máquina {0} no sirve: {1}</translation>
     </message>
     <message>
         <source>The machine file {0} lacks {1}: add it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Al archivo de máquina {0} le falta {1}: añádalo.</translation>
     </message>
     <message>
         <source>The mesh has a vertex without triangles. Mesh the outline anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>La malla tiene un nodo sin triángulos. Malle el contorno de nuevo.</translation>
     </message>
     <message>
         <source>The mesh size is {0} mm: give one above 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>El tamaño de malla es {0} mm: indique uno mayor que 0.</translation>
     </message>
     <message>
         <source>The native solver is not available: {0} Use the NumPy solver.</source>
-        <translation type="unfinished"></translation>
+        <translation>El solucionador nativo no está disponible: {0} Use el de NumPy.</translation>
     </message>
     <message>
         <source>The nozzle's flange must be wider than its bore.</source>
-        <translation type="unfinished"></translation>
+        <translation>La brida de la boquilla debe ser más ancha que su calibre.</translation>
     </message>
     <message>
         <source>The outline cannot be mirrored about its axis: draw it symmetric, or leave that.</source>
-        <translation type="unfinished"></translation>
+        <translation>El contorno no se puede reflejar en su eje: dibújelo simétrico o déjelo.</translation>
     </message>
     <message>
         <source>The outline crosses or nearly touches itself near ({0}, {1}) mm: separate the parts that meet there.</source>
-        <translation type="unfinished"></translation>
+        <translation>El contorno se cruza o casi se toca cerca de ({0}, {1}) mm: separe ahí las partes.</translation>
     </message>
     <message>
         <source>The outline crosses or touches itself and cannot be meshed: separate the parts that meet.</source>
-        <translation type="unfinished"></translation>
+        <translation>El contorno se cruza o se toca y no se puede mallar: separe las partes que se tocan.</translation>
     </message>
     <message>
         <source>The outline crosses or touches itself and cannot be mirrored; part the lines.</source>
-        <translation type="unfinished"></translation>
+        <translation>El contorno se cruza o se toca y no se puede reflejar; separe las líneas.</translation>
     </message>
     <message>
         <source>The outline encloses no area; draw a closed shape with at least three corners.</source>
-        <translation type="unfinished"></translation>
+        <translation>El contorno no encierra área; dibuje una forma cerrada con al menos tres esquinas.</translation>
     </message>
     <message>
         <source>The outline has a coordinate that is not a number; correct it in the drawing.</source>
-        <translation type="unfinished"></translation>
+        <translation>El contorno tiene una coordenada que no es un número; corríjala en el dibujo.</translation>
     </message>
     <message>
         <source>The outline's {0} of</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} del contorno:</translation>
     </message>
     <message>
         <source>The painting cannot be written to '{}': is the disk full?</source>
-        <translation type="unfinished"></translation>
+        <translation>La pintura no se puede escribir en «{}»: ¿está lleno el disco?</translation>
     </message>
     <message>
-        <source>The part round ({0}, {1}) mm has no rim for an intake: leave a gap in the welds round it.</source>
-        <translation type="unfinished"></translation>
+        <source>The part round {0} has no rim for an intake: leave a gap in the welds round it.</source>
+        <translation>La parte alrededor de {0} no tiene borde para una boca: deje un hueco en las soldaduras que la rodean.</translation>
     </message>
     <message>
         <source>The pattern becomes too thin for its mesh. Widen the thin parts, or use a finer mesh.</source>
-        <translation type="unfinished"></translation>
+        <translation>El patrón se vuelve demasiado fino para su malla. Ensanche las partes finas o use una malla más fina.</translation>
     </message>
     <message>
         <source>The pattern crosses itself near ({0}, {1}) mm: simplify the drawing there.</source>
-        <translation type="unfinished"></translation>
+        <translation>El patrón se cruza cerca de ({0}, {1}) mm: simplifique ahí el dibujo.</translation>
     </message>
     <message>
         <source>The pattern has no lines for {0}, which takes {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>El patrón no tiene líneas para {0}, que toma {1}.</translation>
     </message>
     <message>
         <source>The pattern is being fitted to the painting ...</source>
-        <translation type="unfinished"></translation>
+        <translation>El patrón se está ajustando a la pintura ...</translation>
     </message>
     <message>
         <source>The pattern is not symmetric: the balloon buckles to one side, and this comes nearer to the drawing.</source>
-        <translation type="unfinished"></translation>
+        <translation>El patrón no es simétrico: el globo pandea hacia un lado, y esto se acerca más al dibujo.</translation>
     </message>
     <message>
         <source>The pattern measures {0}, the bed of {1} {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>El patrón mide {0}, la cama de {1} {2}</translation>
     </message>
     <message>
         <source>The picture has a single colour. Choose one that shows a shape on a background.</source>
-        <translation type="unfinished"></translation>
+        <translation>La imagen tiene un solo color. Elija una que muestre una forma sobre un fondo.</translation>
     </message>
     <message>
         <source>The picture has no plain background around the shape. Use one with a background of one colour or a transparent one.</source>
-        <translation type="unfinished"></translation>
+        <translation>La imagen no tiene un fondo liso alrededor de la forma. Use una con fondo de un color o transparente.</translation>
+    </message>
+    <message>
+        <source>The picture is damaged. Save it as PNG, JPEG or BMP once more.</source>
+        <translation>La imagen está dañada. Guárdela de nuevo como PNG, JPEG o BMP.</translation>
     </message>
     <message>
         <source>The picture is empty: all of it is transparent. Choose a picture that shows a shape.</source>
-        <translation type="unfinished"></translation>
+        <translation>La imagen está vacía: es toda transparente. Elija una que muestre una forma.</translation>
     </message>
     <message>
         <source>The picture is too small to see a shape. Use {0} pixels or more across.</source>
-        <translation type="unfinished"></translation>
+        <translation>La imagen es demasiado pequeña para ver una forma. Use al menos {0} píxeles de ancho.</translation>
     </message>
     <message>
         <source>The picture was read as a pen drawing: the inside of its lines is filled.</source>
-        <translation type="unfinished"></translation>
+        <translation>La imagen se leyó como dibujo a línea: el interior de sus líneas está relleno.</translation>
     </message>
     <message>
-        <source>The pressure must be positive, not {0} Pa. A party balloon has about 2 kPa.</source>
-        <translation type="unfinished"></translation>
+        <source>The pressure must be positive and at most {0} Pa, not {1} Pa. A party balloon has about 2 kPa.</source>
+        <translation>La presión debe ser positiva y como mucho {0} Pa, no {1} Pa. Un globo de fiesta tiene unos 2 kPa.</translation>
     </message>
     <message>
         <source>The radius of the corner relief must be 0 or above.</source>
-        <translation type="unfinished"></translation>
+        <translation>El radio del alivio de esquinas debe ser 0 o mayor.</translation>
     </message>
     <message>
         <source>The repair at {0} no longer fits, {1}: take it back or draw that part anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>La reparación en {0} ya no encaja, {1}: deshágala o dibuje esa parte de nuevo.</translation>
     </message>
     <message>
-        <source>The seal width must be above 0 and the allowance not below 0.</source>
-        <translation type="unfinished"></translation>
+        <source>The seal width must be between 0.01 mm and 1 m, the allowance between 0 and 1 m.</source>
+        <translation>La anchura de soldadura debe estar entre 0,01 mm y 1 m, el margen entre 0 y 1 m.</translation>
     </message>
     <message>
         <source>The shape in the picture is too frayed to trace. Use a clearer picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>La forma de la imagen está demasiado deshilachada para calcarla. Use una imagen más clara.</translation>
     </message>
     <message>
         <source>The shape is only {0} mm thick near ({1}, {2}) mm, too thin for a mesh of {3}: make it thicker there, or use a mesh size of at most {4} mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>La forma solo tiene {0} mm de grueso cerca de ({1}, {2}) mm, demasiado fina para una malla de {3}: engrósela ahí o use como mucho {4} mm.</translation>
     </message>
     <message>
         <source>The shape touches the {0} border of the picture; if it was cut off there, leave more margin.</source>
-        <translation type="unfinished"></translation>
+        <translation>La forma toca el borde de la imagen ({0}); si se cortó ahí, deje más margen.</translation>
     </message>
     <message>
         <source>The simulation cannot take its first step. Check the outline for degenerate parts.</source>
-        <translation type="unfinished"></translation>
+        <translation>La simulación no puede dar su primer paso. Compruebe si el contorno tiene partes degeneradas.</translation>
     </message>
     <message>
         <source>The simulation did not come to rest; the shape shown is its last good state. Try a coarser mesh.</source>
-        <translation type="unfinished"></translation>
+        <translation>La simulación no llegó al reposo; se muestra su último buen estado. Pruebe una malla más gruesa.</translation>
     </message>
     <message>
         <source>The simulation failed: {0}. Check the outline for degenerate parts.</source>
-        <translation type="unfinished"></translation>
+        <translation>La simulación falló: {0}. Compruebe si el contorno tiene partes degeneradas.</translation>
     </message>
     <message>
         <source>The simulation has no finite start. Check the outline for degenerate parts.</source>
-        <translation type="unfinished"></translation>
+        <translation>La simulación no tiene un comienzo finito. Compruebe si el contorno tiene partes degeneradas.</translation>
     </message>
     <message>
         <source>The simulation was stopped.</source>
-        <translation type="unfinished"></translation>
+        <translation>La simulación se detuvo.</translation>
     </message>
     <message>
-        <source>The smallest radius is {0}, near {1}; {2} follows {3}. It will come out rounder there.</source>
+        <source>The smallest radius is {0} mm, near {1}; {2} follows {3}. It will come out rounder there.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The solver '{0}' needs the Python package scipy. Install it or use the native solver.</source>
-        <translation type="unfinished"></translation>
+        <translation>El solucionador «{0}» necesita el paquete de Python scipy. Instálelo o use el nativo.</translation>
     </message>
     <message>
         <source>The solver stopped; the report view tells why.</source>
-        <translation type="unfinished"></translation>
+        <translation>El solucionador se detuvo; la vista de informe dice por qué.</translation>
     </message>
     <message>
         <source>The temperature of the {0}, {1} degrees Celsius, is out of range: give one such as 20C.</source>
-        <translation type="unfinished"></translation>
+        <translation>La temperatura ({0}) de {1} grados Celsius está fuera de rango: indique por ejemplo 20C.</translation>
     </message>
     <message>
         <source>The tie tab at {0} degrees would run into another part: choose another angle.</source>
-        <translation type="unfinished"></translation>
+        <translation>La lengüeta a {0} grados chocaría con otra parte: elija otro ángulo.</translation>
     </message>
     <message>
         <source>The volume must be positive, not {0} m3.</source>
-        <translation type="unfinished"></translation>
+        <translation>El volumen debe ser positivo, no {0} m3.</translation>
     </message>
     <message>
         <source>The way from the intake into the balloon narrows to {0}, and the intake is {1} wide: put it where the balloon is wider, else air enters slowly.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The welds cut off the part at ({0}, {1}) mm: no air gets there. Leave a gap in them, or draw two shapes.</source>
-        <translation type="unfinished"></translation>
+        <translation>El paso de la boca al globo se estrecha a {0}, y la boca mide {1}: póngala donde el globo sea más ancho; si no, el aire entra despacio.</translation>
     </message>
     <message>
         <source>The width of the passages must be 0 or above.</source>
-        <translation type="unfinished"></translation>
+        <translation>La anchura de los pasos debe ser 0 o mayor.</translation>
+    </message>
+    <message>
+        <source>The {0} "{1}" of the material card {2} cannot be read: correct the card.</source>
+        <translation>El {0} «{1}» de la ficha de material {2} no se puede leer: corrija la ficha.</translation>
     </message>
     <message>
         <source>The {0} crosses or touches itself at {1}; part the lines there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cruce o contacto ({0}) en {1}; separe ahí las líneas.</translation>
     </message>
     <message>
         <source>The {0} encloses no area; draw a closed shape with at least three corners.</source>
-        <translation type="unfinished"></translation>
+        <translation>No se encierra área ({0}); dibuje una forma cerrada con al menos tres esquinas.</translation>
     </message>
     <message>
         <source>The {0} is {1} % off what was wanted: correct the goal by as much.</source>
-        <translation type="unfinished"></translation>
+        <translation>El objetivo ({0}) se desvió un {1} %: corríjalo en la misma medida.</translation>
     </message>
     <message>
         <source>The {0} is {1} mm: give one above 0, for example 300 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>La medida ({0}) es {1} mm: indique una mayor que 0, por ejemplo 300 mm.</translation>
     </message>
     <message>
         <source>The {0} line crosses itself near {1}: simplify the drawing there.</source>
-        <translation type="unfinished"></translation>
+        <translation>La línea {0} se cruza cerca de {1}: simplifique ahí el dibujo.</translation>
     </message>
     <message>
         <source>The {0} line that begins at {1} is open: programs fill, offset and cut closed lines only. Close it.</source>
-        <translation type="unfinished"></translation>
+        <translation>La línea {0} que empieza en {1} está abierta: los programas solo rellenan, desplazan y cortan líneas cerradas. Ciérrela.</translation>
     </message>
     <message>
         <source>The {0} {1} is not between {2} and {3} {4}: give one such as {5}.</source>
-        <translation type="unfinished"></translation>
+        <translation>El valor ({0}) {1} no está entre {2} y {3} {4}: indique por ejemplo {5}.</translation>
+    </message>
+    <message>
+        <source>Their depth</source>
+        <translation>Su profundidad</translation>
     </message>
     <message>
         <source>There can be 0 to {0} notches, not {1}, with a depth above 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Puede haber de 0 a {0} muescas, no {1}, con profundidad mayor que 0.</translation>
+    </message>
+    <message>
+        <source>There can be 1 to {0} copies, not {1}.</source>
+        <translation>Puede haber de 1 a {0} copias, no {1}.</translation>
     </message>
     <message>
         <source>There is no backend "{0}": choose {1}, or leave it out.</source>
-        <translation type="unfinished"></translation>
+        <translation>No hay motor de cálculo «{0}»: elija {1} u omítalo.</translation>
     </message>
     <message>
         <source>There is no file '{0}'. Check the name and the folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>No existe el archivo «{0}». Compruebe el nombre y la carpeta.</translation>
     </message>
     <message>
         <source>There is no file {0}: check the name and the folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>No existe el archivo {0}: compruebe el nombre y la carpeta.</translation>
     </message>
     <message>
         <source>There is no file {}: check the name and the folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>No existe el archivo {}: compruebe el nombre y la carpeta.</translation>
     </message>
     <message>
         <source>There is no film "{0}": choose one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>No hay película «{0}»: elija una de {1}.</translation>
     </message>
     <message>
         <source>There is no gas "{0}": choose one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>No hay gas «{0}»: elija uno de {1}.</translation>
     </message>
     <message>
         <source>There is no intake "{0}": choose one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>No hay boca «{0}»: elija una de {1}.</translation>
+    </message>
+    <message>
+        <source>There is no look "{0}": choose one of {1}.</source>
+        <translation>No hay aspecto «{0}»: elija uno de {1}.</translation>
     </message>
     <message>
         <source>There is no machine "{0}": choose one of {1}, or give a .json file.</source>
-        <translation type="unfinished"></translation>
+        <translation>No hay máquina «{0}»: elija una de {1} o indique un archivo .json.</translation>
     </message>
     <message>
         <source>There is no outline at {0} degrees from the centre: choose another intake angle.</source>
+        <translation>No hay contorno a {0} grados del centro: elija otro ángulo para la boca.</translation>
+    </message>
+    <message>
+        <source>There is no paper "{0}" for the assembly sheet: choose A4 or Letter.</source>
+        <translation>No hay papel «{0}» para la hoja de montaje: elija A4 o Letter.</translation>
+    </message>
+    <message>
+        <source>There is no picture to print: choose one, as the outline has none of its own.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>There is no room for a flange of {0} there: choose another place or a smaller one.</source>
+        <translation>No hay sitio para una brida de {0} ahí: elija otro lugar o una más pequeña.</translation>
+    </message>
+    <message>
+        <source>There is no sheet {0}: give a number from 1 to {1}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>There is no solver named '{0}'. Use 'native', 'numpy' or 'newmark'.</source>
-        <translation type="unfinished"></translation>
+        <translation>No hay ningún solucionador llamado «{0}». Use 'native', 'numpy' o 'newmark'.</translation>
     </message>
     <message>
         <source>There is no symmetry "{0}": choose one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>No hay simetría «{0}»: elija una de {1}.</translation>
     </message>
     <message>
         <source>Thickness</source>
-        <translation type="unfinished"></translation>
+        <translation>Grosor</translation>
     </message>
     <message>
         <source>Thickness of the pen ([ thinner, ] thicker)</source>
-        <translation type="unfinished"></translation>
+        <translation>Grosor del trazo ([ más fino, ] más grueso)</translation>
     </message>
     <message>
         <source>This arm is too thin to fill: drawn {width} wide, it becomes {measured} thick. Make it {wanted} wide.</source>
-        <translation type="unfinished"></translation>
+        <translation>Este brazo es demasiado fino para llenarse: dibujado con {width} de ancho, queda con {measured} de grueso. Hágalo de {wanted} de ancho.</translation>
+    </message>
+    <message>
+        <source>This arm is too thin to fill: {}. Make it {}?</source>
+        <translation>Este brazo es demasiado fino para llenarse: {}. ¿Hacerlo de {}?</translation>
     </message>
     <message>
         <source>This balloon holds {0} {1} litres at any pressure that suits its film: {2} litres at {3} Pa. Change the size of the balloon or the volume.</source>
-        <translation type="unfinished"></translation>
+        <translation>Este globo contiene {0} {1} litros a cualquier presión que admita su película: {2} litros a {3} Pa. Cambie el tamaño del globo o el volumen.</translation>
     </message>
     <message>
         <source>This gas is not lighter than the air around, so the balloon never floats: choose another gas or a higher temperature of the gas.</source>
-        <translation type="unfinished"></translation>
+        <translation>Este gas no es más ligero que el aire de alrededor, así que el globo nunca flota: elija otro gas o una temperatura del gas mayor.</translation>
     </message>
     <message>
         <source>This is shape {0} of the {1} in the drawing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Esta es la forma {0} de las {1} del dibujo.</translation>
     </message>
     <message>
         <source>This neck chokes the air: inside it is as wide as a tube of {measured} of film, the intake is {intake}. {behind} of the balloon fill through it. Make it {wanted} wide.</source>
-        <translation type="unfinished"></translation>
+        <translation>Este cuello estrangula el aire: por dentro equivale a un tubo de {measured} de película, la boca mide {intake}. {behind} del globo se llena por él. Hágalo de {wanted} de ancho.</translation>
+    </message>
+    <message>
+        <source>This neck is too thin to let the air through: {}. Make it {}?</source>
+        <translation>Este cuello es demasiado fino para que pase el aire: {}. ¿Hacerlo de {}?</translation>
     </message>
     <message>
         <source>This notch pulls the film {measured} as tight as elsewhere; it wrinkles there and is where it would tear. Round it with a radius of {wanted}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Esta entalla tensa la película {measured} más que en otras partes; ahí se arruga y se rasgaría. Redondéela con un radio de {wanted}.</translation>
     </message>
     <message>
         <source>This shape stays flat: it holds {percent} of the air that a disc of as much film would. Fewer and wider parts make it rounder.</source>
-        <translation type="unfinished"></translation>
+        <translation>Esta forma queda plana: contiene {percent} del aire que tendría un disco con igual película. Partes menos numerosas y más anchas la redondean.</translation>
     </message>
     <message>
         <source>This tip stays flat over {length}: it is too pointed. Round it with a radius of {wanted}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Esta punta queda plana a lo largo de {length}: es demasiado aguda. Redondéela con un radio de {wanted}.</translation>
     </message>
     <message>
         <source>Tip that stays flat</source>
-        <translation type="unfinished"></translation>
+        <translation>Punta que queda plana</translation>
     </message>
     <message>
         <source>Tracing paper, 92 g/m²</source>
-        <translation type="unfinished"></translation>
+        <translation>Papel vegetal, 92 g/m²</translation>
+    </message>
+    <message>
+        <source>Two circles: change their diameters in the sketch</source>
+        <translation>Dos círculos: cambie sus diámetros en el croquis</translation>
     </message>
     <message>
         <source>Two panels with a grain aslant are no mirror images. Turn the grain along x or y.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dos paneles con la fibra inclinada no son imágenes especulares. Gire la fibra según x o y.</translation>
     </message>
     <message>
         <source>Two shapes meet at {0}; part them, or join them into one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dos formas se tocan en {0}; sepárelas o únalas en una.</translation>
     </message>
     <message>
         <source>Upload the SVG as a cut image and compare the control bar: some versions read the size at 72 dpi.</source>
+        <translation>Suba el SVG como imagen de corte y compare la barra de control: algunas versiones leen el tamaño a 72 dpi.</translation>
+    </message>
+    <message>
+        <source>Used</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Violet</source>
-        <translation type="unfinished"></translation>
+        <translation>Violeta</translation>
     </message>
     <message>
         <source>Volume</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumen</translation>
     </message>
     <message>
         <source>Warm air</source>
-        <translation type="unfinished"></translation>
+        <translation>Aire caliente</translation>
     </message>
     <message>
         <source>Weight</source>
-        <translation type="unfinished"></translation>
+        <translation>Peso</translation>
     </message>
     <message>
         <source>Weld TPU to TPU with an iron or hot air, 10 mm wide. Warp and weft are stiff, the bias is soft: the model takes one modulus for all directions. Stiffer after the first inflations.</source>
+        <translation>Suelde TPU con TPU con plancha o aire caliente, 10 mm de ancho. Urdimbre y trama son rígidas, el bies es blando: el modelo toma un módulo para todas las direcciones. Más rígido tras los primeros inflados.</translation>
+    </message>
+    <message>
+        <source>Weld and cut</source>
+        <translation>Soldadura y corte</translation>
+    </message>
+    <message>
+        <source>Weld length</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Welds easily with an impulse sealer or an iron. Yields at about 9 MPa, half its tensile strength, and creeps: keep the pressure low.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se suelda fácilmente con selladora de impulso o plancha. Cede a unos 9 MPa, la mitad de su resistencia, y fluye: mantenga baja la presión.</translation>
     </message>
     <message>
         <source>What most shops ask for: R12, closed polylines, nothing on the sheet that is not cut. R12 knows no unit, so the file's name tells it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que piden casi todos los talleres: R12, polilíneas cerradas, nada en la lámina que no se corte. R12 no conoce unidades, por eso las dice el nombre del archivo.</translation>
     </message>
     <message>
         <source>What works here</source>
-        <translation type="unfinished"></translation>
+        <translation>Qué funciona aquí</translation>
+    </message>
+    <message>
+        <source>While this is pressed, the ring in the 3D view moves the intake</source>
+        <translation>Mientras esté pulsado, el anillo de la vista 3D mueve la boca</translation>
     </message>
     <message>
         <source>While this is pressed, what you select becomes the source</source>
-        <translation type="unfinished"></translation>
+        <translation>Mientras esté pulsado, lo que seleccione será la fuente</translation>
     </message>
     <message>
         <source>White</source>
-        <translation type="unfinished"></translation>
+        <translation>Blanco</translation>
     </message>
     <message>
         <source>Width</source>
-        <translation type="unfinished"></translation>
+        <translation>Anchura</translation>
     </message>
     <message>
         <source>Width of the balloon when it is inflated</source>
+        <translation>Anchura del globo una vez inflado</translation>
+    </message>
+    <message>
+        <source>Will it float?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write all results for ParaView (.vtu) or NumPy (.npz), or the shape alone (.stl)</source>
+        <translation>Escribir todos los resultados para ParaView (.vtu) o NumPy (.npz), o solo la forma (.stl)</translation>
+    </message>
+    <message>
+        <source>Write files…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Write {"unit": "mm", "outer": [[0, 0], [300, 0], [150, 200]]}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Escriba {"unit": "mm", "outer": [[0, 0], [300, 0], [150, 200]]}.</translation>
     </message>
     <message>
         <source>Writing DXF needs ezdxf: install it with pip install ezdxf, or use the SVG file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Escribir DXF necesita ezdxf: instálelo con pip install ezdxf o use el archivo SVG.</translation>
     </message>
     <message>
         <source>Writing PDF needs reportlab: install it with pip install reportlab, or use the SVG file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Escribir PDF necesita reportlab: instálelo con pip install reportlab o use el archivo SVG.</translation>
     </message>
     <message>
         <source>Yellow</source>
-        <translation type="unfinished"></translation>
+        <translation>Amarillo</translation>
     </message>
     <message>
         <source>Young's modulus</source>
-        <translation type="unfinished"></translation>
+        <translation>Módulo de Young</translation>
     </message>
     <message>
         <source>Young's modulus across the grain</source>
-        <translation type="unfinished"></translation>
+        <translation>Módulo de Young transversal a la fibra</translation>
     </message>
     <message>
         <source>a coordinate is not a number</source>
-        <translation type="unfinished"></translation>
+        <translation>una coordenada no es un número</translation>
+    </message>
+    <message>
+        <source>a transform is not a number</source>
+        <translation>una transformación no es un número</translation>
     </message>
     <message>
         <source>a {0} file has a unit of its own: give "unit": "mm".</source>
-        <translation type="unfinished"></translation>
+        <translation>un archivo {0} tiene su propia unidad: indique "unit": "mm".</translation>
+    </message>
+    <message>
+        <source>apart {} in the mean, 95 % below {}, at most {}</source>
+        <translation>distancia media {}, 95 % por debajo de {}, como mucho {}</translation>
+    </message>
+    <message>
+        <source>at most {:.4g} {}</source>
+        <translation>como mucho {:.4g} {}</translation>
     </message>
     <message>
         <source>balloon {0} of {1}, {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>globo {0} de {1}, {2}</translation>
     </message>
     <message>
         <source>bed_mm is {0}: give [width, height], or null where there is no limit.</source>
-        <translation type="unfinished"></translation>
+        <translation>bed_mm es {0}: indique [anchura, altura], o null donde no haya límite.</translation>
     </message>
     <message>
         <source>bring it to a</source>
-        <translation type="unfinished"></translation>
+        <translation>llévelo a una</translation>
     </message>
     <message>
         <source>colour index {0} and pen {1} of {2} must be from 1 to 255.</source>
-        <translation type="unfinished"></translation>
+        <translation>el índice de color {0} y la pluma {1} de {2} deben ser de 1 a 255.</translation>
     </message>
     <message>
         <source>does not name its unit</source>
-        <translation type="unfinished"></translation>
+        <translation>no indica su unidad</translation>
+    </message>
+    <message>
+        <source>drawing</source>
+        <translation>dibujo</translation>
+    </message>
+    <message>
+        <source>film and valve</source>
+        <translation>película y válvula</translation>
+    </message>
+    <message>
+        <source>in the mean {}</source>
+        <translation>de media {}</translation>
+    </message>
+    <message>
+        <source>inflated</source>
+        <translation>inflado</translation>
     </message>
     <message>
         <source>it would grow together with another part</source>
-        <translation type="unfinished"></translation>
+        <translation>se uniría con otra parte</translation>
+    </message>
+    <message>
+        <source>laying out{0}</source>
+        <translation>colocando{0}</translation>
     </message>
     <message>
         <source>names the unit {0}, which is not a usual one</source>
-        <translation type="unfinished"></translation>
+        <translation>indica la unidad {0}, que no es habitual</translation>
     </message>
     <message>
         <source>no layer is written: name at least CUT.</source>
-        <translation type="unfinished"></translation>
+        <translation>no se escribe ninguna capa: nombre al menos CUT.</translation>
     </message>
     <message>
         <source>nobody knows "{0}": it may be one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>nadie conoce «{0}»: puede ser {1}.</translation>
     </message>
     <message>
         <source>not converged: </source>
-        <translation type="unfinished"></translation>
+        <translation>no convergido: </translation>
     </message>
     <message>
         <source>place "{0}" is neither {1} nor {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>place «{0}» no es ni {1} ni {2}.</translation>
+    </message>
+    <message>
+        <source>safe to {}, margin {:.2g}</source>
+        <translation>seguro hasta {}, margen {:.2g}</translation>
+    </message>
+    <message>
+        <source>slack: {:.0f} %</source>
+        <translation>flojo: {:.0f} %</translation>
+    </message>
+    <message>
+        <source>stale: belongs to earlier values</source>
+        <translation>obsoleto: pertenece a valores anteriores</translation>
+    </message>
+    <message>
+        <source>strength of the film not known</source>
+        <translation>resistencia de la película desconocida</translation>
+    </message>
+    <message>
+        <source>taut: {:.0f} %</source>
+        <translation>tenso: {:.0f} %</translation>
     </message>
     <message>
         <source>the colour "{0}" is not written like #ff0000.</source>
-        <translation type="unfinished"></translation>
+        <translation>el color «{0}» no está escrito como #ff0000.</translation>
+    </message>
+    <message>
+        <source>the file name "{0}" may have letters, digits, spaces, _, - and . only.</source>
+        <translation>el nombre de archivo «{0}» solo puede tener letras, dígitos, espacios, _, - y .</translation>
     </message>
     <message>
         <source>the last line of each piece is its CUT.</source>
-        <translation type="unfinished"></translation>
+        <translation>la última línea de cada pieza es su CUT.</translation>
     </message>
     <message>
         <source>the layer name "{0}" may have 1 to 31 of A-Z, 0-9, _, - and $ only.</source>
-        <translation type="unfinished"></translation>
+        <translation>el nombre de capa «{0}» puede tener de 1 a 31 signos de A-Z, 0-9, _, - y $.</translation>
     </message>
     <message>
         <source>there is no such corner</source>
-        <translation type="unfinished"></translation>
+        <translation>no existe tal esquina</translation>
     </message>
     <message>
         <source>there is no such part</source>
+        <translation>no existe tal parte</translation>
+    </message>
+    <message>
+        <source>unknown: this film has no strength</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>up to date</source>
-        <translation type="unfinished"></translation>
+        <translation>al día</translation>
     </message>
     <message>
         <source>width_mm must be above 0, and taper from 0.2 to 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>width_mm debe ser mayor que 0, y taper de 0,2 a 1.</translation>
+    </message>
+    <message>
+        <source>wrinkled, taut along one direction: {:.0f} %</source>
+        <translation>arrugado, tenso en una dirección: {:.0f} %</translation>
     </message>
     <message>
         <source>{0} "{1}" is none of {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} «{1}» no es ninguno de {2}.</translation>
     </message>
     <message>
         <source>{0} and {1} lines meet near {2}: move the hole inward or make the allowance narrower.</source>
+        <translation>Las líneas {0} y {1} se tocan cerca de {2}: mueva el agujero hacia dentro o reduzca el margen.</translation>
+    </message>
+    <message>
+        <source>{0} balloons cannot be laid out: give 1 or more.</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} belongs to no balloon: choose an outline, a balloon or a pattern.</source>
+        <translation>{0} no pertenece a ningún globo: elija un contorno, un globo o un patrón.</translation>
+    </message>
+    <message>
+        <source>{0} cannot be "{1}": {2}</source>
+        <translation>{0} no puede ser «{1}»: {2}</translation>
     </message>
     <message>
         <source>{0} cannot be loaded ({1}).</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} no se puede cargar ({1}).</translation>
     </message>
     <message>
-        <source>{0} changed since it was inflated: choose Inflate now in its context menu, or switch Live on.</source>
-        <translation type="unfinished"></translation>
+        <source>{0} changed since. Choose Inflate now in its context menu, or switch Live on.</source>
+        <translation>Ha cambiado: {0}. Elija «Inflar ahora» en su menú contextual o active En vivo.</translation>
+    </message>
+    <message>
+        <source>{0} dots per inch cannot be printed well: give {1} to {2}.</source>
+        <translation>{0} puntos por pulgada no se imprimen bien: indique de {1} a {2}.</translation>
     </message>
     <message>
         <source>{0} gap{1} between the lines closed, the widest {2} % of the drawing's width.</source>
-        <translation type="unfinished"></translation>
+        <translation>Huecos cerrados entre las líneas: {0}{1}, el mayor del {2} % de la anchura del dibujo.</translation>
     </message>
     <message>
         <source>{0} has interface {1}, but {2} is needed.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} tiene la interfaz {1}, pero hace falta {2}.</translation>
     </message>
     <message>
         <source>{0} has no pattern: choose a balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} no tiene patrón: elija un globo.</translation>
+    </message>
+    <message>
+        <source>{0} has no result yet: recompute it.</source>
+        <translation>{0} aún no tiene resultado: recalcúlelo.</translation>
     </message>
     <message>
         <source>{0} has no shape: select a sketch, a wire or a face.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} no tiene forma: seleccione un croquis, un alambre o una cara.</translation>
     </message>
     <message>
         <source>{0} has not been built.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} no se ha compilado.</translation>
     </message>
     <message>
         <source>{0} has several faces: select one of them.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} tiene varias caras: seleccione una.</translation>
     </message>
     <message>
         <source>{0} is a folder</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} es una carpeta</translation>
     </message>
     <message>
         <source>{0} is empty: draw a closed line in it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} está vacío: dibuje en él una línea cerrada.</translation>
     </message>
     <message>
         <source>{0} is neither DXF nor SVG: let the name end in .dxf or .svg.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} no es DXF ni SVG: haga que el nombre acabe en .dxf o .svg.</translation>
     </message>
     <message>
         <source>{0} is neither VTU, NPZ nor STL: let the name end in .vtu, .npz or .stl.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} no es VTU, NPZ ni STL: haga que el nombre acabe en .vtu, .npz o .stl.</translation>
     </message>
     <message>
         <source>{0} is not a coordinate</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} no es una coordenada</translation>
     </message>
     <message>
         <source>{0} is not flat: a balloon is cut from flat film, so draw it in one plane.</source>
+        <translation>{0} no es plano: un globo se corta de película plana, así que dibújelo en un plano.</translation>
+    </message>
+    <message>
+        <source>{0} is not up to date. {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} is not up to date. {1} Repair that and recompute.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} is not up to date. {1} Repair that, recompute and export again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} no está al día. {1} Repárelo, recalcule y exporte de nuevo.</translation>
     </message>
     <message>
         <source>{0} is {1}: give a number from {2} to {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} es {1}: indique un número de {2} a {3}.</translation>
     </message>
     <message>
         <source>{0} is {1}: write true or false.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} es {1}: escriba true o false.</translation>
     </message>
     <message>
         <source>{0} loose ends of lines were joined to the drawing.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} extremos sueltos de líneas se unieron al dibujo.</translation>
+    </message>
+    <message>
+        <source>{0} m of a roll {1} mm wide</source>
+        <translation>{0} m de un rollo de {1} mm de ancho</translation>
+    </message>
+    <message>
+        <source>{0} mm wide, {1} m long</source>
+        <translation>{0} mm de ancho, {1} m de largo</translation>
     </message>
     <message>
         <source>{0} notches are closer than {1}: take fewer.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} muescas quedan a menos de {1}: tome menos.</translation>
     </message>
     <message>
         <source>{0} open line was left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se omitió {0} línea abierta.</translation>
     </message>
     <message>
         <source>{0} open lines were left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se omitieron {0} líneas abiertas.</translation>
     </message>
     <message>
         <source>{0} reads {1}, which has no pages: choose paper.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} lee {1}, que no tiene páginas: elija papel.</translation>
     </message>
     <message>
         <source>{0} small speck was dropped.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se omitió {0} mota pequeña.</translation>
     </message>
     <message>
         <source>{0} small specks were dropped.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se omitieron {0} motas pequeñas.</translation>
     </message>
     <message>
         <source>{0} thin line is</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} línea fina está</translation>
     </message>
     <message>
         <source>{0} thin lines are</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} líneas finas están</translation>
+    </message>
+    <message>
+        <source>{0} times</source>
+        <translation>{0} veces</translation>
     </message>
     <message>
         <source>{0} tiny hole was filled.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se rellenó {0} agujero diminuto.</translation>
     </message>
     <message>
         <source>{0} tiny holes were filled.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se rellenaron {0} agujeros diminutos.</translation>
     </message>
     <message>
         <source>{0} was left out. {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>Se omitió {0}. {1}</translation>
     </message>
     <message>
         <source>{0} weld{1} outside the shapes left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} soldadura fuera de las formas, omitida{1}.</translation>
     </message>
     <message>
         <source>{0} {1} cannot be made; {2} size between 1 mm and 100 m.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} {1} no es posible; {2} tamaño entre 1 mm y 100 m.</translation>
     </message>
     <message>
         <source>{0}: make the balloon smaller, or choose another machine or paper.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: reduzca el globo o elija otra máquina u otro papel.</translation>
     </message>
     <message>
         <source>{0}: turn the pattern by 90 degrees there.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: gire ahí el patrón 90 grados.</translation>
+    </message>
+    <message>
+        <source>{0}no, at no size.</source>
+        <translation>{0}no, con ningún tamaño.</translation>
+    </message>
+    <message>
+        <source>{0}no. From {1} cm width it would.</source>
+        <translation>{0}no. Desde {1} cm de anchura sí.</translation>
     </message>
     <message>
         <source>{0}what is shown is the last good state. Lower the pressure or change the mesh size.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}se muestra el último buen estado. Baje la presión o cambie el tamaño de malla.</translation>
+    </message>
+    <message>
+        <source>{0}yes, and it carries {1} g.</source>
+        <translation>{0}sí, y levanta {1} g.</translation>
     </message>
     <message>
         <source>{:.0f} % wrinkled, {:.0f} % slack</source>
-        <translation type="unfinished"></translation>
+        <translation>{:.0f} % arrugado, {:.0f} % flojo</translation>
+    </message>
+    <message>
+        <source>{:.0f} ms, {:.0f} Pa, frame {} of {}</source>
+        <translation>{:.0f} ms, {:.0f} Pa, fotograma {} de {}</translation>
     </message>
     <message>
         <source>{:.1f} x {:.1f} mm, weld {:.0f} mm</source>
+        <translation>{:.1f} x {:.1f} mm, soldadura {:.0f} mm</translation>
+    </message>
+    <message>
+        <source>{:.2f} m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{:.2f} m of a roll of {:.0f} mm</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{:.2f} mm, at most {:.2f} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>{:.2f} mm, como mucho {:.2f} mm</translation>
     </message>
     <message>
         <source>{:.3g} g, carries {:.3g} g with {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{:.3g} g, levanta {:.3g} g con {}</translation>
     </message>
     <message>
         <source>{:.3g} g, floats from {:.0f} mm width on with {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{:.3g} g, flota desde {:.0f} mm de anchura con {}</translation>
     </message>
     <message>
         <source>{:.3g} g, never floats with {}</source>
+        <translation>{:.3g} g, nunca flota con {}</translation>
+    </message>
+    <message>
+        <source>{:.3g} g: film {:.3g}, weld and neck {:.2g}, valve {:.2g}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{:.3g} kPa, margin {:g} ({})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{:.3g} l of {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{:.3g} m², wider than the usual roll</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} files written to {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} is in the tree</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} pieces on {:.0f} x {:.0f} mm, {:.0f} % used</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{} x {}, {} thick, {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} x {}, {} de grueso, {}</translation>
     </message>
     <message>
-        <source>{}: {}. Esc stops.</source>
-        <translation type="unfinished"></translation>
+        <source>{}: {}</source>
+        <translation>{}: {}</translation>
     </message>
 </context>
 <context>
     <name>BalloonWorkbench_Advice</name>
     <message>
         <source>Advice</source>
-        <translation type="unfinished"></translation>
+        <translation>Consejos</translation>
     </message>
     <message>
         <source>Show which parts of a shape will inflate badly, and repair them</source>
+        <translation>Muestra qué partes de una forma se inflarán mal y las repara</translation>
+    </message>
+</context>
+<context>
+    <name>BalloonWorkbench_Animate</name>
+    <message>
+        <source>Animate inflation</source>
+        <translation>Animar el inflado</translation>
+    </message>
+    <message>
+        <source>Play how the balloon inflates, from the flat film to rest, with a slider</source>
+        <translation>Reproduce cómo se infla el globo, de la película plana al reposo, con un control deslizante</translation>
+    </message>
+</context>
+<context>
+    <name>BalloonWorkbench_Artwork</name>
+    <message>
+        <source>Artwork</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Print a picture on the film so that it reads right on the inflated balloon</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>BalloonWorkbench_AssemblySheet</name>
+    <message>
+        <source>Assembly sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tell what the balloon takes and whether it floats, and write one page on how to make it</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>BalloonWorkbench_ColourMap</name>
+    <message>
+        <source>Colour map</source>
+        <translation>Mapa de colores</translation>
+    </message>
+    <message>
+        <source>Show tension, wrinkles, thickness and other results as colours on the balloon</source>
+        <translation>Muestra tensión, arrugas, grosor y otros resultados como colores sobre el globo</translation>
     </message>
 </context>
 <context>
     <name>BalloonWorkbench_Equipment</name>
     <message>
         <source>Show the solver in use, and which packages are missing and what that costs</source>
-        <translation type="unfinished"></translation>
+        <translation>Muestra el solucionador en uso, qué paquetes faltan y qué supone</translation>
     </message>
     <message>
         <source>What works here</source>
-        <translation type="unfinished"></translation>
+        <translation>Qué funciona aquí</translation>
+    </message>
+</context>
+<context>
+    <name>BalloonWorkbench_Examples</name>
+    <message>
+        <source>Examples</source>
+        <translation>Ejemplos</translation>
+    </message>
+    <message>
+        <source>Open a finished balloon, to look at it and to change it</source>
+        <translation>Abre un globo terminado, para verlo y cambiarlo</translation>
     </message>
 </context>
 <context>
     <name>BalloonWorkbench_ExportPattern</name>
     <message>
         <source>Export pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportar patrón</translation>
     </message>
     <message>
         <source>Write the flat pattern of a balloon for a cutter, a plotter, a heat sealer or a printer</source>
-        <translation type="unfinished"></translation>
+        <translation>Escribe el patrón plano de un globo para una cortadora, un trazador, una selladora o una impresora</translation>
     </message>
 </context>
 <context>
     <name>BalloonWorkbench_FromPicture</name>
     <message>
         <source>New balloon from picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Nuevo globo desde imagen</translation>
     </message>
     <message>
         <source>Trace a picture, SVG, DXF or JSON file and design the balloon that looks like it</source>
-        <translation type="unfinished"></translation>
+        <translation>Calca una imagen, archivo SVG, DXF o JSON y diseña el globo que se le parece</translation>
     </message>
 </context>
 <context>
     <name>BalloonWorkbench_FromSketch</name>
     <message>
         <source>Design the balloon that looks like the selected sketch, wire or face and follows it</source>
-        <translation type="unfinished"></translation>
+        <translation>Diseña el globo que se parece al croquis, alambre o cara elegidos y los sigue</translation>
     </message>
     <message>
         <source>New balloon from sketch</source>
+        <translation>Nuevo globo desde croquis</translation>
+    </message>
+</context>
+<context>
+    <name>BalloonWorkbench_Nest</name>
+    <message>
+        <source>Lay out on film</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lay the panels of one or several balloons closely on a roll or on sheets of film</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2306,11 +3296,22 @@
     <name>BalloonWorkbench_Paint</name>
     <message>
         <source>Draw with pen and brush, and watch the balloon and its pattern grow beside it</source>
-        <translation type="unfinished"></translation>
+        <translation>Dibujar con lápiz y pincel y ver crecer al lado el globo y su patrón</translation>
     </message>
     <message>
         <source>Paint a balloon</source>
-        <translation type="unfinished"></translation>
+        <translation>Pintar un globo</translation>
+    </message>
+</context>
+<context>
+    <name>Workbench</name>
+    <message>
+        <source>Film &amp;Balloon</source>
+        <translation>Glo&amp;bo de película</translation>
+    </message>
+    <message>
+        <source>Film Balloon</source>
+        <translation>Globo de película</translation>
     </message>
 </context>
 </TS>

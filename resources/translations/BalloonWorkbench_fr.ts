@@ -5,2300 +5,3290 @@
     <name>App::Property</name>
     <message>
         <source>A line of text where the film is widest, as outlines</source>
-        <translation type="unfinished"></translation>
+        <translation>Une ligne de texte là où le film est le plus large, en contours</translation>
     </message>
     <message>
         <source>A tab with a hole to tie the balloon to, outside the weld</source>
-        <translation type="unfinished"></translation>
+        <translation>Une languette percée pour attacher le ballon, hors de la soudure</translation>
     </message>
     <message>
-        <source>Add a neck through which the balloon is filled</source>
+        <source>Add what the balloon is filled through</source>
+        <translation>Ajoute ce par quoi le ballon est gonflé</translation>
+    </message>
+    <message>
+        <source>Another picture for the back; empty takes that of the front</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Area of film inside the welds, both panels</source>
-        <translation type="unfinished"></translation>
+        <translation>Surface de film à l'intérieur des soudures, les deux panneaux</translation>
     </message>
     <message>
         <source>Around the balloon, in degrees Celsius</source>
-        <translation type="unfinished"></translation>
+        <translation>Autour du ballon, en degrés Celsius</translation>
     </message>
     <message>
         <source>Automatic evens out a nearly symmetric picture, Forced any drawing: its left half is mirrored</source>
-        <translation type="unfinished"></translation>
+        <translation>« Automatique » régularise une image presque symétrique, « Forcée » tout dessin : sa moitié gauche est reflétée</translation>
+    </message>
+    <message>
+        <source>Corner relief: corners of the cuts are rounded so; the weld is not</source>
+        <translation>Dégagement d'angle : les angles des coupes sont arrondis ainsi, la soudure ne l'est pas</translation>
     </message>
     <message>
         <source>Corners of all loops</source>
-        <translation type="unfinished"></translation>
+        <translation>Sommets de toutes les boucles</translation>
     </message>
     <message>
         <source>Corners of all welds</source>
-        <translation type="unfinished"></translation>
+        <translation>Sommets de toutes les soudures</translation>
     </message>
     <message>
         <source>Corners of the pattern's seam</source>
-        <translation type="unfinished"></translation>
+        <translation>Sommets de la soudure du patron</translation>
     </message>
     <message>
         <source>Corners of the welds inside</source>
-        <translation type="unfinished"></translation>
+        <translation>Sommets des soudures intérieures</translation>
     </message>
     <message>
         <source>Correct the pattern until the balloon looks like the drawing, or not</source>
-        <translation type="unfinished"></translation>
+        <translation>Corriger ou non le patron jusqu'à ce que le ballon ressemble au dessin</translation>
     </message>
     <message>
         <source>Corrections of the pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>Corrections du patron</translation>
     </message>
     <message>
         <source>Direction of the grain, from the x axis of the drawing</source>
-        <translation type="unfinished"></translation>
+        <translation>Sens du film, depuis l'axe x du dessin</translation>
     </message>
     <message>
         <source>Direction of the neck, counter-clockwise from the x axis</source>
-        <translation type="unfinished"></translation>
+        <translation>Direction du col, dans le sens antihoraire depuis l'axe x</translation>
     </message>
     <message>
         <source>Direction of the tab from the middle of the pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>Direction de la languette depuis le milieu du patron</translation>
+    </message>
+    <message>
+        <source>Display mode when no map is shown</source>
+        <translation>Mode d'affichage quand aucune carte n'est montrée</translation>
     </message>
     <message>
         <source>Distance that 95 % of the silhouette keep to</source>
+        <translation>Écart que 95 % de la silhouette respectent</translation>
+    </message>
+    <message>
+        <source>Dots per inch of the files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Film left between pieces, and at the edges</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Film left outside the weld</source>
-        <translation type="unfinished"></translation>
+        <translation>Film laissé à l'extérieur de la soudure</translation>
     </message>
     <message>
         <source>Film of both panels with weld and intake, in grams</source>
-        <translation type="unfinished"></translation>
+        <translation>Film des deux panneaux avec soudure et embout, en grammes</translation>
     </message>
     <message>
         <source>Film that wrinkles where it is compressed, or a shell that does not, for comparison</source>
-        <translation type="unfinished"></translation>
+        <translation>Film qui se plisse où il est comprimé, ou coque qui ne le fait pas, pour comparer</translation>
     </message>
     <message>
         <source>Film, model and solver of the result</source>
-        <translation type="unfinished"></translation>
+        <translation>Film, modèle et solveur du résultat</translation>
     </message>
     <message>
         <source>Fit inside width and height instead of stretching to both</source>
-        <translation type="unfinished"></translation>
+        <translation>Inscrire dans la largeur et la hauteur au lieu d'étirer aux deux</translation>
     </message>
     <message>
         <source>Follow every change at once; switch it off for heavy models and inflate when you ask for it</source>
-        <translation type="unfinished"></translation>
+        <translation>Suivre aussitôt chaque changement ; à désactiver pour les modèles lourds, puis gonfler à la demande</translation>
+    </message>
+    <message>
+        <source>FreeCAD's material card that the values were taken from</source>
+        <translation>Fiche de matériau de FreeCAD d'où viennent les valeurs</translation>
     </message>
     <message>
         <source>Height above the sea</source>
+        <translation>Altitude au-dessus de la mer</translation>
+    </message>
+    <message>
+        <source>Height of all that is cut</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Height of its capital letters</source>
-        <translation type="unfinished"></translation>
+        <translation>Hauteur des capitales</translation>
     </message>
     <message>
         <source>Height of the drawing; 0 follows from the width</source>
-        <translation type="unfinished"></translation>
+        <translation>Hauteur du dessin ; 0 se déduit de la largeur</translation>
     </message>
     <message>
         <source>Height of the inflated balloon</source>
-        <translation type="unfinished"></translation>
+        <translation>Hauteur du ballon gonflé</translation>
     </message>
     <message>
         <source>Height of the outline</source>
-        <translation type="unfinished"></translation>
+        <translation>Hauteur du contour</translation>
     </message>
     <message>
         <source>Height of the piece of film</source>
+        <translation>Hauteur de la pièce de film</translation>
+    </message>
+    <message>
+        <source>Height of the print with its marks</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Inner width of the neck</source>
+        <source>How far the print goes past the cut</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How many balloons are cut from the sheet</source>
+        <translation>Nombre de ballons découpés dans la feuille</translation>
+    </message>
+    <message>
+        <source>How many balloons of each pattern</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How the balloon is filled and closed</source>
+        <translation>Comment le ballon est gonflé et fermé</translation>
+    </message>
+    <message>
+        <source>How the grain of the pieces lies, relative to the film's length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How the intake is made and used</source>
+        <translation>Comment l'embout est fait et utilisé</translation>
+    </message>
+    <message>
+        <source>Inner width of the neck, or bore of the nozzle</source>
+        <translation>Largeur intérieure du col, ou alésage de la buse</translation>
     </message>
     <message>
         <source>It carries itself</source>
-        <translation type="unfinished"></translation>
+        <translation>Il se porte lui-même</translation>
     </message>
     <message>
         <source>Label of the values the mesh belongs to</source>
+        <translation>Repère des valeurs auxquelles appartient le maillage</translation>
+    </message>
+    <message>
+        <source>Label of what was laid out</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Larger dimension before repairs, in mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Plus grande dimension avant réparations, en mm</translation>
     </message>
     <message>
         <source>Largest distance between drawing and silhouette</source>
-        <translation type="unfinished"></translation>
+        <translation>Plus grand écart entre dessin et silhouette</translation>
     </message>
     <message>
         <source>Largest membrane tension in N/m</source>
-        <translation type="unfinished"></translation>
+        <translation>Plus grande tension de membrane en N/m</translation>
     </message>
     <message>
         <source>Largest strain of the film</source>
-        <translation type="unfinished"></translation>
+        <translation>Plus grande déformation du film</translation>
     </message>
     <message>
         <source>Least bending stiffness, in units of the usual least one</source>
-        <translation type="unfinished"></translation>
+        <translation>Rigidité de flexion minimale, en unités de la minimale habituelle</translation>
+    </message>
+    <message>
+        <source>Left open in welds that would cut off a part, so wide; 0 gives each part an intake of its own</source>
+        <translation>Largeur laissée ouverte dans les soudures qui isoleraient une partie ; 0 donne à chaque partie son propre embout</translation>
     </message>
     <message>
         <source>Length of a notch; at most the allowance</source>
+        <translation>Longueur d'une encoche ; au plus la marge</translation>
+    </message>
+    <message>
+        <source>Length of a sheet; 0 is a roll</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Length of the neck from the seam outward; 0 is automatic</source>
+        <source>Length of all welds on it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length of the neck from the seam outward, or diameter of the flange; 0 takes the usual one</source>
+        <translation>Longueur du col depuis la soudure, ou diamètre de la collerette ; 0 prend la valeur habituelle</translation>
+    </message>
+    <message>
+        <source>Length of the roll that is used</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Length of the weld</source>
-        <translation type="unfinished"></translation>
+        <translation>Longueur de la soudure</translation>
     </message>
     <message>
         <source>Lines and arcs within 0.02 mm in place of many short lines</source>
-        <translation type="unfinished"></translation>
+        <translation>Droites et arcs à 0,02 mm près au lieu de nombreux petits segments</translation>
     </message>
     <message>
         <source>Mean distance between drawing and silhouette</source>
-        <translation type="unfinished"></translation>
+        <translation>Écart moyen entre dessin et silhouette</translation>
     </message>
     <message>
         <source>Notches to lay both films on each other by, evenly along the cut</source>
-        <translation type="unfinished"></translation>
+        <translation>Encoches pour superposer les deux films, réparties le long de la coupe</translation>
     </message>
     <message>
         <source>Number of corners of each loop</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre de sommets de chaque boucle</translation>
     </message>
     <message>
         <source>Number of corners of each seam</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre de sommets de chaque couture</translation>
     </message>
     <message>
         <source>Number of corners of each weld</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre de sommets de chaque soudure</translation>
     </message>
     <message>
         <source>Number of holes</source>
+        <translation>Nombre de trous</translation>
+    </message>
+    <message>
+        <source>Number of pieces on what is shown</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Number of seams, then the number of vertices of each seam and weld</source>
+        <translation>Nombre de coutures, puis nombre de nœuds de chaque couture et soudure</translation>
+    </message>
+    <message>
+        <source>Number of sheets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number of the sheet that is shown and exported</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Of warm air, in degrees Celsius</source>
+        <translation>De l'air chaud, en degrés Celsius</translation>
+    </message>
+    <message>
+        <source>Part of the film that the pieces take, in per cent</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Part of the film's area that is slack</source>
-        <translation type="unfinished"></translation>
+        <translation>Part de la surface du film qui est détendue</translation>
     </message>
     <message>
         <source>Part of the film's area that is wrinkled</source>
-        <translation type="unfinished"></translation>
+        <translation>Part de la surface du film qui est plissée</translation>
     </message>
     <message>
         <source>Picture, SVG, DXF or JSON file; a copy travels in the document</source>
-        <translation type="unfinished"></translation>
+        <translation>Image, fichier SVG, DXF ou JSON ; une copie reste dans le document</translation>
+    </message>
+    <message>
+        <source>Place of the intake: counter-clockwise along the outer seam from its rightmost point</source>
+        <translation>Place de l'embout : le long de la couture extérieure, sens antihoraire depuis son point le plus à droite</translation>
     </message>
     <message>
         <source>Point the neck from the centre to the farthest point</source>
-        <translation type="unfinished"></translation>
+        <translation>Diriger le col du centre vers le point le plus éloigné</translation>
     </message>
     <message>
         <source>Poisson's ratio of the film</source>
-        <translation type="unfinished"></translation>
+        <translation>Coefficient de Poisson du film</translation>
     </message>
     <message>
         <source>Pressure in the inflated balloon</source>
-        <translation type="unfinished"></translation>
+        <translation>Pression dans le ballon gonflé</translation>
     </message>
     <message>
         <source>Pressure inside, above that outside</source>
-        <translation type="unfinished"></translation>
+        <translation>Pression intérieure, au-dessus de l'extérieure</translation>
     </message>
     <message>
         <source>Put the tab opposite the intake</source>
-        <translation type="unfinished"></translation>
+        <translation>Placer la languette à l'opposé de l'embout</translation>
     </message>
     <message>
         <source>Remarks made during the design</source>
-        <translation type="unfinished"></translation>
+        <translation>Remarques faites pendant la conception</translation>
     </message>
     <message>
         <source>Remarks made while the outline was found</source>
-        <translation type="unfinished"></translation>
+        <translation>Remarques faites pendant la recherche du contour</translation>
     </message>
     <message>
         <source>Remarks made while the pattern was drawn</source>
+        <translation>Remarques faites pendant le tracé du patron</translation>
+    </message>
+    <message>
+        <source>Remarks on the layout</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Result that is shown as colours, with a legend</source>
+        <translation>Résultat montré en couleurs, avec une légende</translation>
     </message>
     <message>
         <source>Roundness: 1 for a disc, 0 for a flat thing</source>
-        <translation type="unfinished"></translation>
+        <translation>Rondeur : 1 pour un disque, 0 pour une chose plate</translation>
+    </message>
+    <message>
+        <source>Show the drawing and the silhouette over each other</source>
+        <translation>Montrer le dessin et la silhouette superposés</translation>
     </message>
     <message>
         <source>Simulate both panels instead of one and its mirror image</source>
-        <translation type="unfinished"></translation>
+        <translation>Simuler les deux panneaux au lieu d'un seul et de son image miroir</translation>
     </message>
     <message>
         <source>Size of the triangles; 0 is automatic</source>
-        <translation type="unfinished"></translation>
+        <translation>Taille des triangles ; 0 est automatique</translation>
     </message>
     <message>
         <source>Sketch, wire or face that the outline follows instead of a file</source>
-        <translation type="unfinished"></translation>
+        <translation>Esquisse, fil ou face que le contour suit au lieu d'un fichier</translation>
+    </message>
+    <message>
+        <source>Smooth stretches as single splines in place of arcs</source>
+        <translation>Parties lisses en une seule spline au lieu d'arcs</translation>
     </message>
     <message>
         <source>Solver that was used</source>
-        <translation type="unfinished"></translation>
+        <translation>Solveur utilisé</translation>
     </message>
     <message>
         <source>Solver: compiled, NumPy, or the best of them; Newmark follows the inflation in time, slowly</source>
-        <translation type="unfinished"></translation>
+        <translation>Solveur : compilé, NumPy, ou le meilleur des deux ; Newmark suit le gonflage dans le temps, lentement</translation>
     </message>
     <message>
         <source>Steps of the solver in the last inflation</source>
-        <translation type="unfinished"></translation>
+        <translation>Pas du solveur au dernier gonflage</translation>
+    </message>
+    <message>
+        <source>Tension over the section at which the film tears; 0: not known</source>
+        <translation>Contrainte dans la section à laquelle le film se déchire ; 0 : inconnue</translation>
     </message>
     <message>
         <source>The balloon that is cut from this pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>Le ballon découpé dans ce patron</translation>
     </message>
     <message>
         <source>The film resists bending</source>
-        <translation type="unfinished"></translation>
+        <translation>Le film résiste à la flexion</translation>
     </message>
     <message>
         <source>The mesh shown is an equilibrium</source>
-        <translation type="unfinished"></translation>
+        <translation>Le maillage montré est en équilibre</translation>
     </message>
     <message>
         <source>The outline of the drawing</source>
-        <translation type="unfinished"></translation>
+        <translation>Le contour du dessin</translation>
     </message>
     <message>
         <source>The outline whose drawing this one shares; empty: its own</source>
+        <translation>Le contour dont celui-ci partage le dessin ; vide : le sien</translation>
+    </message>
+    <message>
+        <source>The pattern that is printed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The patterns that are laid out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The second panel beside the first, mirrored; else cut twice</source>
+        <translation>Le second panneau à côté du premier, en miroir ; sinon couper deux fois</translation>
+    </message>
+    <message>
+        <source>The side that is shown and exported for a cutter</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The silhouette is within the tolerance of the drawing</source>
-        <translation type="unfinished"></translation>
+        <translation>La silhouette est dans la tolérance du dessin</translation>
     </message>
     <message>
         <source>The whole report as JSON</source>
-        <translation type="unfinished"></translation>
+        <translation>Le rapport entier en JSON</translation>
     </message>
     <message>
         <source>Thickness of the film</source>
-        <translation type="unfinished"></translation>
+        <translation>Épaisseur du film</translation>
     </message>
     <message>
         <source>Thickness of the inflated balloon</source>
-        <translation type="unfinished"></translation>
+        <translation>Épaisseur du ballon gonflé</translation>
     </message>
     <message>
         <source>Up to date, or what is wrong</source>
-        <translation type="unfinished"></translation>
+        <translation>À jour, ou ce qui ne va pas</translation>
     </message>
     <message>
         <source>Version of this object's properties</source>
-        <translation type="unfinished"></translation>
+        <translation>Version des propriétés de cet objet</translation>
     </message>
     <message>
         <source>Vertices along all seams, then along all welds inside</source>
-        <translation type="unfinished"></translation>
+        <translation>Nœuds le long des coutures, puis des soudures intérieures</translation>
     </message>
     <message>
         <source>Vertices of each triangle</source>
-        <translation type="unfinished"></translation>
+        <translation>Nœuds de chaque triangle</translation>
     </message>
     <message>
         <source>Vertices of the flat panel</source>
-        <translation type="unfinished"></translation>
+        <translation>Nœuds du panneau à plat</translation>
     </message>
     <message>
         <source>Vertices of the inflated upper film</source>
-        <translation type="unfinished"></translation>
+        <translation>Nœuds du film supérieur gonflé</translation>
     </message>
     <message>
         <source>Vertices of the lower film where both were simulated</source>
-        <translation type="unfinished"></translation>
+        <translation>Nœuds du film inférieur quand les deux ont été simulés</translation>
     </message>
     <message>
         <source>Volume of the balloon, from which the pressure follows</source>
-        <translation type="unfinished"></translation>
+        <translation>Volume du ballon, d'où se déduit la pression</translation>
     </message>
     <message>
         <source>Volume of the inflated balloon</source>
-        <translation type="unfinished"></translation>
+        <translation>Volume du ballon gonflé</translation>
     </message>
     <message>
         <source>Volume that decides the size</source>
-        <translation type="unfinished"></translation>
+        <translation>Volume qui décide de la taille</translation>
     </message>
     <message>
         <source>Weight of the film in kg per square metre</source>
-        <translation type="unfinished"></translation>
+        <translation>Masse du film en kg par mètre carré</translation>
     </message>
     <message>
         <source>What decides the size: the outline as it is, a volume to hold or a load to carry</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce qui décide de la taille : le contour tel quel, un volume à contenir ou une charge à porter</translation>
     </message>
     <message>
         <source>What fills it when it shall float</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce qui le remplit quand il doit flotter</translation>
     </message>
     <message>
         <source>What is given: the pressure, or the volume that it shall reach</source>
+        <translation>Ce qui est donné : la pression, ou le volume à atteindre</translation>
+    </message>
+    <message>
+        <source>What is printed; empty takes the picture or painting of the outline</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>What it carries with its gas, in grams; below 0 it sinks</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce qu'il porte avec son gaz, en grammes ; sous 0 il descend</translation>
     </message>
     <message>
         <source>What it shall carry besides itself, in grams; 0 makes it float just so</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce qu'il doit porter en plus de lui-même, en grammes ; 0 le fait juste flotter</translation>
+    </message>
+    <message>
+        <source>What tells where the intake is</source>
+        <translation>Ce qui indique la place de l'embout</translation>
     </message>
     <message>
         <source>What the balloon is made of; Custom lets you give your own values</source>
-        <translation type="unfinished"></translation>
+        <translation>De quoi le ballon est fait ; « Personnalisé » permet vos propres valeurs</translation>
     </message>
     <message>
         <source>What the coach has changed in the drawing, one repair each; delete an entry to take it back</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce que le conseiller a changé dans le dessin, une réparation par entrée ; effacer une entrée l'annule</translation>
     </message>
     <message>
         <source>What the outline was read from</source>
-        <translation type="unfinished"></translation>
+        <translation>D'où le contour a été lu</translation>
     </message>
     <message>
         <source>What to do along each wire of the shape</source>
-        <translation type="unfinished"></translation>
+        <translation>Que faire le long de chaque fil de la forme</translation>
     </message>
     <message>
         <source>What would make the balloon better</source>
+        <translation>Ce qui rendrait le ballon meilleur</translation>
+    </message>
+    <message>
+        <source>Where all pieces lie, as JSON</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Which shape of the drawing it is; 1 is the largest</source>
-        <translation type="unfinished"></translation>
+        <translation>Quelle forme du dessin c'est ; 1 est la plus grande</translation>
     </message>
     <message>
         <source>Width from which it carries itself; 0 when never</source>
+        <translation>Largeur à partir de laquelle il se porte ; 0 : jamais</translation>
+    </message>
+    <message>
+        <source>Width of all that is cut</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Width of the drawing; 0 follows from the height</source>
-        <translation type="unfinished"></translation>
+        <translation>Largeur du dessin ; 0 se déduit de la hauteur</translation>
     </message>
     <message>
         <source>Width of the inflated balloon</source>
-        <translation type="unfinished"></translation>
+        <translation>Largeur du ballon gonflé</translation>
     </message>
     <message>
         <source>Width of the outline</source>
-        <translation type="unfinished"></translation>
+        <translation>Largeur du contour</translation>
     </message>
     <message>
         <source>Width of the piece of film</source>
+        <translation>Largeur de la pièce de film</translation>
+    </message>
+    <message>
+        <source>Width of the print with its marks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Width of the roll or sheet</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Width of the weld that this film needs</source>
-        <translation type="unfinished"></translation>
+        <translation>Largeur de soudure qu'il faut à ce film</translation>
     </message>
     <message>
         <source>Width of the weld; 0 takes the film's</source>
-        <translation type="unfinished"></translation>
+        <translation>Largeur de la soudure ; 0 prend celle du film</translation>
     </message>
     <message>
         <source>Young's modulus across the grain; 0 means no grain</source>
-        <translation type="unfinished"></translation>
+        <translation>Module d'Young en travers du film ; 0 : sans sens privilégié</translation>
     </message>
     <message>
         <source>Young's modulus of the film</source>
-        <translation type="unfinished"></translation>
+        <translation>Module d'Young du film</translation>
     </message>
 </context>
 <context>
     <name>BalloonWorkbench</name>
     <message>
+        <source> The native solver, which is faster, is not available: {0}</source>
+        <translation> Le solveur natif, plus rapide, n'est pas disponible : {0}</translation>
+    </message>
+    <message>
         <source> is not ready: </source>
-        <translation type="unfinished"></translation>
+        <translation> n'est pas prêt : </translation>
+    </message>
+    <message>
+        <source>"{0}" is no colour: give one such as "#cc294d".</source>
+        <translation>« {0} » n'est pas une couleur : donnez par exemple « #cc294d ».</translation>
     </message>
     <message>
         <source>"{0}" is no sum of L, W, S, A and millimetres, such as "0.5 W + 2".</source>
-        <translation type="unfinished"></translation>
+        <translation>« {0} » n'est pas une somme de L, W, S, A et de millimètres, comme « 0.5 W + 2 ».</translation>
     </message>
     <message>
         <source>"{0}" may not use {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>« {0} » ne peut pas utiliser {1}.</translation>
     </message>
     <message>
         <source>'{0}' cannot be read ({1}). Check the name and its access.</source>
-        <translation type="unfinished"></translation>
+        <translation>« {0} » ne peut pas être lu ({1}). Vérifiez le nom et les droits d'accès.</translation>
     </message>
     <message>
         <source>'{0}' has {1} x {2} pixels, more than {3} million. Make it smaller; 2000 pixels across are plenty.</source>
-        <translation type="unfinished"></translation>
+        <translation>« {0} » a {1} x {2} pixels, plus de {3} millions. Réduisez-la ; 2000 pixels de large suffisent largement.</translation>
     </message>
     <message>
         <source>'{0}' is colder than anything; write a temperature as 20C, 68F or 293K.</source>
-        <translation type="unfinished"></translation>
+        <translation>« {0} » est plus froid que tout ; écrivez une température comme 20C, 68F ou 293K.</translation>
     </message>
     <message>
         <source>'{0}' is damaged or not a DXF file. Save it once more.</source>
-        <translation type="unfinished"></translation>
+        <translation>« {0} » est abîmé ou n'est pas un fichier DXF. Enregistrez-le à nouveau.</translation>
     </message>
     <message>
         <source>'{0}' is damaged or not a picture ({1}). Save it as PNG, JPEG or BMP once more.</source>
-        <translation type="unfinished"></translation>
+        <translation>« {0} » est abîmé ou n'est pas une image ({1}). Enregistrez-le à nouveau en PNG, JPEG ou BMP.</translation>
     </message>
     <message>
         <source>'{0}' is damaged or not a picture. Save it as PNG, JPEG or BMP once more.</source>
-        <translation type="unfinished"></translation>
+        <translation>« {0} » est abîmé ou n'est pas une image. Enregistrez-le à nouveau en PNG, JPEG ou BMP.</translation>
     </message>
     <message>
         <source>'{0}' is empty. Choose another file.</source>
-        <translation type="unfinished"></translation>
+        <translation>« {0} » est vide. Choisissez un autre fichier.</translation>
     </message>
     <message>
         <source>'{0}' is larger than {1} MB. Simplify the drawing.</source>
-        <translation type="unfinished"></translation>
+        <translation>« {0} » dépasse {1} Mo. Simplifiez le dessin.</translation>
     </message>
     <message>
         <source>'{0}' is neither SVG, DXF nor JSON. Save the drawing as one of these.</source>
-        <translation type="unfinished"></translation>
+        <translation>« {0} » n'est ni SVG, ni DXF, ni JSON. Enregistrez le dessin dans un de ces formats.</translation>
     </message>
     <message>
         <source>'{0}' is not a drawing that can be read. Use PNG, JPEG, BMP, SVG, DXF or JSON.</source>
-        <translation type="unfinished"></translation>
+        <translation>« {0} » n'est pas un dessin lisible. Utilisez PNG, JPEG, BMP, SVG, DXF ou JSON.</translation>
     </message>
     <message>
         <source>'{0}' is not a file name: leave out the folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>« {0} » n'est pas un nom de fichier : omettez le dossier.</translation>
     </message>
     <message>
         <source>'{0}' is not a picture that can be read. Save it as PNG, JPEG or BMP.</source>
-        <translation type="unfinished"></translation>
+        <translation>« {0} » n'est pas une image lisible. Enregistrez-la en PNG, JPEG ou BMP.</translation>
     </message>
     <message>
         <source>'{0}' is not a temperature; write it as 20C, 68F or 293K.</source>
-        <translation type="unfinished"></translation>
+        <translation>« {0} » n'est pas une température ; écrivez-la comme 20C, 68F ou 293K.</translation>
     </message>
     <message>
         <source>'{0}' is not a {1}; write it as {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>« {0} » ne convient pas ({1}) ; écrivez {2}.</translation>
     </message>
     <message>
         <source>'{}' is not a picture. Save it as PNG, JPEG or BMP once more.</source>
+        <translation>« {} » n'est pas une image. Enregistrez-la à nouveau en PNG, JPEG ou BMP.</translation>
+    </message>
+    <message>
+        <source>, about {:.2f} {}</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 to {0} pieces can be laid out, not {1}.</source>
+        <translation>On peut disposer de 1 à {0} pièces, pas {1}.</translation>
+    </message>
+    <message>
+        <source>A balloon has no "{0}": it has {1}.</source>
+        <translation>Un ballon n'a pas de « {0} » : il a {1}.</translation>
     </message>
     <message>
         <source>A corner relief of {0} would cut into the weld: choose a smaller radius or a wider allowance.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un dégagement d'angle de {0} entamerait la soudure : choisissez un rayon plus petit ou une marge plus large.</translation>
     </message>
     <message>
         <source>A drawing with welds inside cannot be made symmetric: draw it so, and leave the symmetry off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un dessin à soudures intérieures ne peut pas être rendu symétrique : dessinez-le ainsi et laissez la symétrie désactivée.</translation>
     </message>
     <message>
         <source>A drawing with welds inside is not made symmetric: draw it so, and turn this off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un dessin à soudures intérieures n'est pas rendu symétrique : dessinez-le ainsi et désactivez ceci.</translation>
     </message>
     <message>
         <source>A hole meets the outline or another hole at {0}; keep some film between them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un trou rencontre le contour ou un autre trou en {0} ; gardez un peu de film entre eux.</translation>
     </message>
     <message>
         <source>A hole would open or close: draw that part anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un trou s'ouvrirait ou se fermerait : redessinez cette partie.</translation>
     </message>
     <message>
-        <source>A label has up to {0} letters, and a height above 0.</source>
-        <translation type="unfinished"></translation>
+        <source>A label has up to {0} letters, between 0.1 mm and 10 m high: change it.</source>
+        <translation>Une inscription a au plus {0} lettres, hautes de 0,1 mm à 10 m : changez-la.</translation>
     </message>
     <message>
         <source>A lift of {0} g cannot be made: give one such as 5g.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une portance de {0} g est impossible : donnez par exemple 5g.</translation>
     </message>
     <message>
         <source>A lift of {0} kg is out of reach: {1} m large, this balloon would carry {2} kg. Choose a lighter film or gas, a smaller lift, or a rounder shape.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une portance de {0} kg est hors d'atteinte : grand de {1} m, ce ballon porterait {2} kg. Choisissez un film ou un gaz plus léger, moins de portance ou une forme plus ronde.</translation>
     </message>
     <message>
         <source>A lift of {0} kg is out of reach: {1} m large, this balloon would lack {2} kg. Choose a lighter film or gas, a smaller lift, or a rounder shape.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une portance de {0} kg est hors d'atteinte : grand de {1} m, il manquerait {2} kg à ce ballon. Choisissez un film ou un gaz plus léger, moins de portance ou une forme plus ronde.</translation>
     </message>
     <message>
         <source>A mesh of {0} is too coarse for a shape of {1}: use at most {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un maillage de {0} est trop grossier pour une forme de {1} : prenez au plus {2}.</translation>
     </message>
     <message>
         <source>A mesh of {0} would need more than a million vertices for a shape of {1}: use at least {2}.</source>
+        <translation>Un maillage de {0} demanderait plus d'un million de nœuds pour une forme de {1} : prenez au moins {2}.</translation>
+    </message>
+    <message>
+        <source>A new Sketcher sketch of lines and arcs, to go on with in FreeCAD</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>A number of an intake is empty.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un nombre d'un embout est vide.</translation>
     </message>
     <message>
         <source>A passage of {0} is left open in the weld at {1}, so that air reaches both sides.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un passage de {0} reste ouvert dans la soudure en {1}, pour que l'air atteigne les deux côtés.</translation>
     </message>
     <message>
         <source>A picture has no size of its own. Give the width or the height of the balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une image n'a pas de taille propre. Donnez la largeur ou la hauteur du ballon.</translation>
+    </message>
+    <message>
+        <source>A piece does not fit on the sheet: take a larger one.</source>
+        <translation>Une pièce ne tient pas sur la feuille : prenez-en une plus grande.</translation>
+    </message>
+    <message>
+        <source>A piece of {0} x {1} does not fit on film of {2}{3}: take film at least {4} wide, or let the grain lie in another direction.</source>
+        <translation>Une pièce de {0} x {1} ne tient pas sur un film de {2}{3} : prenez un film d'au moins {4} de large, ou changez le sens du film.</translation>
+    </message>
+    <message>
+        <source>A sketch with dimensions: change a cell of the spreadsheet, and all follows</source>
+        <translation>Une esquisse cotée : changez une cellule du tableur, et tout suit</translation>
     </message>
     <message>
         <source>A strict reader that wants plain polylines. Layers are told apart by colour.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un lecteur strict qui veut des polylignes simples. Les calques se distinguent par la couleur.</translation>
     </message>
     <message>
         <source>A volume of {0} litres cannot be made: give one such as 10l.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un volume de {0} litres est impossible : donnez par exemple 10l.</translation>
     </message>
     <message>
         <source>A volume to inflate to and a goal for the size exclude each other: leave one out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un volume de gonflage et un but de taille s'excluent : omettez l'un des deux.</translation>
     </message>
     <message>
         <source>A weld has no length; draw a line, or a circle for a spot.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une soudure n'a pas de longueur ; tracez une ligne, ou un cercle pour un point.</translation>
     </message>
     <message>
         <source>A weld leaves the film at {0}; keep it inside.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une soudure quitte le film en {0} ; gardez-la à l'intérieur.</translation>
     </message>
     <message>
         <source>A weld meets the outline, itself or another weld at {0}; keep some film between them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une soudure rencontre le contour, elle-même ou une autre en {0} ; gardez un peu de film entre elles.</translation>
     </message>
     <message>
         <source>A weld runs too near to another one or to the outline at ({0}, {1}) mm for this mesh: move it away, or use a smaller mesh size.</source>
+        <translation>Une soudure passe trop près d'une autre ou du contour en ({0}, {1}) mm pour ce maillage : écartez-la, ou prenez un maillage plus fin.</translation>
+    </message>
+    <message>
+        <source>Across</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Advice</source>
-        <translation type="unfinished"></translation>
+        <translation>Conseils</translation>
     </message>
     <message>
         <source>After welding, turn the tail in through itself with a straw, at the mark beside the balloon, and fill through it up to the second mark. Pull the straw out: the air in the balloon presses the tail flat.</source>
-        <translation type="unfinished"></translation>
+        <translation>Après la soudure, retournez la queue à travers elle-même avec une paille, au repère près du ballon, et gonflez par elle jusqu'au second repère. Retirez la paille : l'air du ballon plaque la queue.</translation>
     </message>
     <message>
         <source>Air intake</source>
-        <translation type="unfinished"></translation>
+        <translation>Embout de gonflage</translation>
+    </message>
+    <message>
+        <source>All packages are installed.</source>
+        <translation>Tous les paquets sont installés.</translation>
     </message>
     <message>
         <source>Allowance</source>
+        <translation>Marge</translation>
+    </message>
+    <message>
+        <source>Along</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Along the seam</source>
+        <translation>Le long de la couture</translation>
     </message>
     <message>
         <source>Aluminised BOPP foil, 30 µm</source>
-        <translation type="unfinished"></translation>
+        <translation>Film BOPP aluminisé, 30 µm</translation>
     </message>
     <message>
         <source>Aluminised PET ("Mylar"), 25 µm</source>
-        <translation type="unfinished"></translation>
+        <translation>PET aluminisé (« Mylar »), 25 µm</translation>
     </message>
     <message>
         <source>Aluminised nylon/PE foil (party balloon), 30 µm</source>
-        <translation type="unfinished"></translation>
+        <translation>Film nylon/PE aluminisé (ballon de fête), 30 µm</translation>
     </message>
     <message>
         <source>An animation needs at least two frames, not {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une animation demande au moins deux images, pas {0}.</translation>
     </message>
     <message>
         <source>An intake of {0} does not reach past the cut: give it at least {1}.</source>
+        <translation>Un embout de {0} ne dépasse pas la coupe : donnez-lui au moins {1}.</translation>
+    </message>
+    <message>
+        <source>Any</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Any program</source>
-        <translation type="unfinished"></translation>
+        <source>Any program (DXF)</source>
+        <translation>Tout programme (DXF)</translation>
+    </message>
+    <message>
+        <source>Any program (SVG)</source>
+        <translation>Tout programme (SVG)</translation>
     </message>
     <message>
         <source>Apply</source>
-        <translation type="unfinished"></translation>
+        <translation>Appliquer</translation>
+    </message>
+    <message>
+        <source>Arcs in a sketch, as they hang over a party table</source>
+        <translation>Des arcs dans une esquisse, comme au-dessus d'une table de fête</translation>
     </message>
     <message>
         <source>Arm too thin to fill</source>
+        <translation>Bras trop mince pour se remplir</translation>
+    </message>
+    <message>
+        <source>Artwork</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Artwork as PDF needs Pillow: install it with pip install pillow, or use the PNG files.</source>
+        <translation>Les illustrations en PDF demandent Pillow : installez-le par pip install pillow, ou prenez les fichiers PNG.</translation>
+    </message>
+    <message>
+        <source>Artwork needs OpenCV or SciPy: install the package python3-opencv or python3-scipy.</source>
+        <translation>Les illustrations demandent OpenCV ou SciPy : installez le paquet python3-opencv ou python3-scipy.</translation>
+    </message>
+    <message>
+        <source>Assembly sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Assembly sheet written to {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At {0} dots per inch the sheet would have {1} x {2} pixels: give a lower resolution.</source>
+        <translation>À {0} points par pouce, la feuille aurait {1} x {2} pixels : donnez une résolution plus faible.</translation>
+    </message>
+    <message>
         <source>Automatic</source>
+        <translation>Automatique</translation>
+    </message>
+    <message>
+        <source>Back</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Backend</source>
-        <translation type="unfinished"></translation>
+        <translation>Moteur de calcul</translation>
     </message>
     <message>
         <source>Balloon</source>
+        <translation>Ballon</translation>
+    </message>
+    <message>
+        <source>Balloons</source>
+        <translation>Ballons</translation>
+    </message>
+    <message>
+        <source>Balloons of each</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Bending stiffness</source>
-        <translation type="unfinished"></translation>
+        <translation>Rigidité de flexion</translation>
+    </message>
+    <message>
+        <source>Beside the document</source>
+        <translation>À côté du document</translation>
     </message>
     <message>
         <source>Black</source>
+        <translation>Noir</translation>
+    </message>
+    <message>
+        <source>Bleed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Blue</source>
-        <translation type="unfinished"></translation>
+        <translation>Bleu</translation>
     </message>
     <message>
         <source>Blue 0 mm, green {:.0f} mm, red {:.0f} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Bleu 0 mm, vert {:.0f} mm, rouge {:.0f} mm</translation>
     </message>
     <message>
         <source>Both panels</source>
-        <translation type="unfinished"></translation>
+        <translation>Les deux panneaux</translation>
+    </message>
+    <message>
+        <source>Both panels are on the sheet: only the front one gets the hole of the nozzle. Cut it once.</source>
+        <translation>Les deux panneaux sont sur la feuille : seul celui de devant reçoit le trou de la buse. Coupez-le une fois.</translation>
     </message>
     <message>
         <source>Brush</source>
-        <translation type="unfinished"></translation>
+        <translation>Pinceau</translation>
     </message>
     <message>
         <source>Cannot write to {0}: {1}. Choose another folder, or make room there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Impossible d'écrire dans {0} : {1}. Choisissez un autre dossier, ou libérez de la place.</translation>
     </message>
     <message>
         <source>Checked: nothing is in the way.</source>
+        <translation>Vérifié : rien ne s'y oppose.</translation>
+    </message>
+    <message>
+        <source>Checking the pattern</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Choose a drawing</source>
-        <translation type="unfinished"></translation>
+        <translation>Choisir un dessin</translation>
     </message>
     <message>
         <source>Choose a file</source>
-        <translation type="unfinished"></translation>
+        <translation>Choisir un fichier</translation>
+    </message>
+    <message>
+        <source>Choose a folder</source>
+        <translation>Choisir un dossier</translation>
+    </message>
+    <message>
+        <source>Choose a material card</source>
+        <translation>Choisir une fiche de matériau</translation>
     </message>
     <message>
         <source>Choose a picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Choisir une image</translation>
     </message>
     <message>
         <source>Choose a picture or a sketch.</source>
-        <translation type="unfinished"></translation>
+        <translation>Choisissez une image ou une esquisse.</translation>
     </message>
     <message>
         <source>Choose the balloon that it belongs to.</source>
-        <translation type="unfinished"></translation>
+        <translation>Choisissez le ballon auquel il appartient.</translation>
     </message>
     <message>
         <source>Choose the outline to inflate.</source>
+        <translation>Choisissez le contour à gonfler.</translation>
+    </message>
+    <message>
+        <source>Choose the pattern to print on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the patterns to lay out.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Close the open task panel first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fermez d'abord le panneau de tâches ouvert.</translation>
+    </message>
+    <message>
+        <source>Colour map</source>
+        <translation>Carte de couleurs</translation>
     </message>
     <message>
         <source>Coordinates really are inches, and the header says so.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les coordonnées sont vraiment en pouces, et l'en-tête le dit.</translation>
+    </message>
+    <message>
+        <source>Copies</source>
+        <translation>Copies</translation>
+    </message>
+    <message>
+        <source>Corner relief</source>
+        <translation>Dégagement d'angle</translation>
     </message>
     <message>
         <source>Cricut Design Space</source>
-        <translation type="unfinished"></translation>
+        <translation>Cricut Design Space</translation>
     </message>
     <message>
         <source>Custom</source>
-        <translation type="unfinished"></translation>
+        <translation>Personnalisé</translation>
     </message>
     <message>
         <source>Cut two strips from thin PE film and weld them together along their two lines; weld one strip to each panel across the neck, along its mark, with the strips' end at the mouth and their sides under the weld; then weld the panels. Fill with a straw: the pressure presses the strips together.</source>
-        <translation type="unfinished"></translation>
+        <translation>Découpez deux bandes de film PE mince et soudez-les ensemble le long de leurs deux lignes ; soudez une bande à chaque panneau en travers du col, le long de son repère, l'extrémité à l'embouchure et les côtés sous la soudure ; soudez ensuite les panneaux. Gonflez avec une paille : la pression plaque les bandes l'une contre l'autre.</translation>
     </message>
     <message>
         <source>Cutting shop (DXF R12)</source>
-        <translation type="unfinished"></translation>
+        <translation>Atelier de découpe (DXF R12)</translation>
     </message>
     <message>
         <source>Cutting shop in inches (DXF R2000)</source>
-        <translation type="unfinished"></translation>
+        <translation>Atelier de découpe en pouces (DXF R2000)</translation>
     </message>
     <message>
         <source>DXF files can be neither read nor written without it; SVG files can.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sans lui, les fichiers DXF ne peuvent être ni lus ni écrits ; les SVG, si.</translation>
     </message>
     <message>
         <source>DXF files need the Python package ezdxf. Install it with 'pip install ezdxf', or save the drawing as SVG.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les fichiers DXF demandent le paquet Python ezdxf. Installez-le par « pip install ezdxf », ou enregistrez le dessin en SVG.</translation>
     </message>
     <message>
         <source>Direction</source>
+        <translation>Direction</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Distance</translation>
+    </message>
+    <message>
+        <source>Dots per inch</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag in the view</source>
+        <translation>Glisser dans la vue</translation>
     </message>
     <message>
         <source>Draw a closed line, or paint an area: it becomes a balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tracez une ligne fermée, ou peignez une surface : elle devient un ballon.</translation>
     </message>
     <message>
         <source>Draw lines. A closed line becomes a balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tracer des lignes. Une ligne fermée devient un ballon.</translation>
     </message>
     <message>
-        <source>Drawing</source>
-        <translation type="unfinished"></translation>
+        <source>Drawing and silhouette</source>
+        <translation>Dessin et silhouette</translation>
+    </message>
+    <message>
+        <source>Drawing over silhouette</source>
+        <translation>Dessin sur la silhouette</translation>
     </message>
     <message>
         <source>Drawings</source>
-        <translation type="unfinished"></translation>
+        <translation>Dessins</translation>
     </message>
     <message>
         <source>E across the grain</source>
-        <translation type="unfinished"></translation>
+        <translation>Module d'Young en travers</translation>
     </message>
     <message>
         <source>Each stroke colour becomes an operation of its own. DXF is not read.</source>
+        <translation>Chaque couleur de trait devient une opération. Le DXF n'est pas lu.</translation>
+    </message>
+    <message>
+        <source>Edit artwork</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Edit balloon</source>
+        <translation>Modifier le ballon</translation>
+    </message>
+    <message>
+        <source>Edit film</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Elastic materials</source>
+        <translation>Matériaux élastiques</translation>
     </message>
     <message>
         <source>Eraser</source>
-        <translation type="unfinished"></translation>
+        <translation>Gomme</translation>
     </message>
     <message>
         <source>Every layer becomes a colour of the cut list; layers that share a colour would be merged. Set the import unit to millimetres. Switch the SEAL and REGISTRATION layers off, or give the control bar a light engraving.</source>
-        <translation type="unfinished"></translation>
+        <translation>Chaque calque devient une couleur de la liste de coupe ; des calques de même couleur seraient fusionnés. Réglez l'unité d'import sur le millimètre. Désactivez les calques SEAL et REGISTRATION, ou gravez légèrement la barre de contrôle.</translation>
     </message>
     <message>
         <source>Expected thickness</source>
-        <translation type="unfinished"></translation>
+        <translation>Épaisseur attendue</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportation</translation>
     </message>
     <message>
         <source>Export pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>Exporter le patron</translation>
     </message>
     <message>
         <source>File</source>
-        <translation type="unfinished"></translation>
+        <translation>Fichier</translation>
     </message>
     <message>
         <source>Fill</source>
-        <translation type="unfinished"></translation>
+        <translation>Remplir</translation>
     </message>
     <message>
         <source>Fill a closed line, or give an area another colour</source>
-        <translation type="unfinished"></translation>
+        <translation>Remplir une ligne fermée, ou changer la couleur d'une surface</translation>
     </message>
     <message>
         <source>Film</source>
+        <translation>Film</translation>
+    </message>
+    <message>
+        <source>Film Balloon {0} in FreeCAD {1}</source>
+        <translation>Film Balloon {0} dans FreeCAD {1}</translation>
+    </message>
+    <message>
+        <source>Film needed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Film of your own</source>
+        <translation>Votre propre film</translation>
+    </message>
+    <message>
+        <source>Film width</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>FilmBalloonPainting</source>
-        <translation type="unfinished"></translation>
+        <source>Film {0} m large is too much: write 500mm.</source>
+        <translation>Un film de {0} m, c'est trop : écrivez 500mm.</translation>
     </message>
     <message>
-        <source>Find its direction</source>
-        <translation type="unfinished"></translation>
+        <source>Films</source>
+        <translation>Films</translation>
+    </message>
+    <message>
+        <source>Find its place</source>
+        <translation>Trouver sa place</translation>
     </message>
     <message>
         <source>Fit to drawing</source>
+        <translation>Ajuster au dessin</translation>
+    </message>
+    <message>
+        <source>Fitting the pattern</source>
+        <translation>Ajustement du patron</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Dossier</translation>
+    </message>
+    <message>
+        <source>Folder for the artwork</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Follow every change at once</source>
+        <translation>Suivre aussitôt chaque changement</translation>
     </message>
     <message>
         <source>For {0} litres the drawing would be {1} large: choose a volume that makes it {2} to {3} m.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pour {0} litres, le dessin aurait {1} : choisissez un volume qui lui donne de {2} à {3} m.</translation>
     </message>
     <message>
         <source>Forced</source>
+        <translation>Forcée</translation>
+    </message>
+    <message>
+        <source>Frames are even in movement, not in time. Only the film has mass, the gas has none.</source>
+        <translation>Les images sont régulières en mouvement, non en temps. Seul le film a une masse, le gaz n'en a pas.</translation>
+    </message>
+    <message>
+        <source>FreeCAD has no material card "{0}": choose one of its material editor.</source>
+        <translation>FreeCAD n'a pas de fiche de matériau « {0} » : choisissez-en une de son éditeur de matériaux.</translation>
+    </message>
+    <message>
+        <source>From the flat film to the balloon at rest</source>
+        <translation>Du film plat au ballon au repos</translation>
+    </message>
+    <message>
+        <source>Front</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Format</source>
+        <source>Front and back as PNG and PDF, and as DXF and SVG with the same marks for the cutter</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Gaps of up to {0} between lines were closed ({1} loops).</source>
-        <translation type="unfinished"></translation>
+        <translation>Des écarts jusqu'à {0} entre lignes ont été fermés ({1} boucles).</translation>
     </message>
     <message>
         <source>Gas</source>
-        <translation type="unfinished"></translation>
+        <translation>Gaz</translation>
     </message>
     <message>
         <source>Give either a volume or a lift as the goal.</source>
-        <translation type="unfinished"></translation>
+        <translation>Donnez comme but soit un volume, soit une portance.</translation>
     </message>
     <message>
         <source>Given</source>
-        <translation type="unfinished"></translation>
+        <translation>Donnée</translation>
     </message>
     <message>
         <source>Glowforge</source>
-        <translation type="unfinished"></translation>
+        <translation>Glowforge</translation>
     </message>
     <message>
         <source>Glue the seams. Stiffer along the web than across it; E is the geometric mean. Does not hold gas for long and creases sharply.</source>
-        <translation type="unfinished"></translation>
+        <translation>Collez les coutures. Plus raide dans le sens de la bande qu'en travers ; E est la moyenne géométrique. Ne retient pas longtemps le gaz et se plie vivement.</translation>
     </message>
     <message>
         <source>Glue the seams. Stiffer along the web than across it; E is the geometric mean. Porous: for a moment's inflation or with a lining.</source>
-        <translation type="unfinished"></translation>
+        <translation>Collez les coutures. Plus raide dans le sens de la bande qu'en travers ; E est la moyenne géométrique. Poreux : pour un gonflage bref ou avec une doublure.</translation>
     </message>
     <message>
         <source>Grain</source>
+        <translation>Sens du film</translation>
+    </message>
+    <message>
+        <source>Grain lies</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Green</source>
-        <translation type="unfinished"></translation>
+        <translation>Vert</translation>
     </message>
     <message>
         <source>HPGL is written as polylines: give "arcs": false.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le HPGL s'écrit en polylignes : donnez "arcs": false.</translation>
     </message>
     <message>
         <source>HPGL plotter or vinyl cutter</source>
-        <translation type="unfinished"></translation>
+        <translation>Traceur HPGL ou plotter de découpe</translation>
+    </message>
+    <message>
+        <source>Heart from a spreadsheet</source>
+        <translation>Cœur piloté par un tableur</translation>
     </message>
     <message>
         <source>Heat sealer on a plotter</source>
-        <translation type="unfinished"></translation>
+        <translation>Soudeuse sur traceur</translation>
     </message>
     <message>
         <source>Height</source>
-        <translation type="unfinished"></translation>
+        <translation>Hauteur</translation>
     </message>
     <message>
         <source>Helium</source>
-        <translation type="unfinished"></translation>
+        <translation>Hélium</translation>
+    </message>
+    <message>
+        <source>How wide shall it be?</source>
+        <translation>Quelle largeur doit-il avoir ?</translation>
     </message>
     <message>
         <source>Hydrogen</source>
-        <translation type="unfinished"></translation>
+        <translation>Hydrogène</translation>
     </message>
     <message>
         <source>Inflate as drawn</source>
+        <translation>Gonfler tel que dessiné</translation>
+    </message>
+    <message>
+        <source>Inflate now</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Inflate with these values and show the balloon</source>
-        <translation type="unfinished"></translation>
+        <translation>Gonfler avec ces valeurs et montrer le ballon</translation>
+    </message>
+    <message>
+        <source>Inflating</source>
+        <translation>Gonflage</translation>
+    </message>
+    <message>
+        <source>Inflating in time</source>
+        <translation>Gonflage dans le temps</translation>
+    </message>
+    <message>
+        <source>Inflation</source>
+        <translation>Gonflage</translation>
     </message>
     <message>
         <source>Inkscape</source>
-        <translation type="unfinished"></translation>
+        <translation>Inkscape</translation>
+    </message>
+    <message>
+        <source>Intake</source>
+        <translation>Embout</translation>
     </message>
     <message>
         <source>Intake in a side part</source>
-        <translation type="unfinished"></translation>
+        <translation>Embout dans une partie secondaire</translation>
     </message>
     <message>
         <source>It is not inflated yet: choose Inflate now in its context menu, or switch Live on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il n'est pas encore gonflé : choisissez « Gonfler maintenant » dans son menu contextuel, ou activez Direct.</translation>
+    </message>
+    <message>
+        <source>It is wider now. Ctrl+Z takes that back.</source>
+        <translation>Il est plus large maintenant. Ctrl+Z annule.</translation>
     </message>
     <message>
         <source>Keep the proportions</source>
-        <translation type="unfinished"></translation>
+        <translation>Garder les proportions</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Type</translation>
     </message>
     <message>
         <source>Kraft paper, 80 g/m²</source>
-        <translation type="unfinished"></translation>
+        <translation>Papier kraft, 80 g/m²</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>Inscription</translation>
     </message>
     <message>
         <source>Labels need matplotlib: install it with pip install matplotlib, or leave the label empty.</source>
+        <translation>Les inscriptions demandent matplotlib : installez-le par pip install matplotlib, ou laissez l'inscription vide.</translation>
+    </message>
+    <message>
+        <source>Laid in rows, which takes more film: install the package spyrrow (pip install spyrrow) for a closer layout.</source>
+        <translation>Disposé en rangées, ce qui prend plus de film : installez le paquet spyrrow (pip install spyrrow) pour une disposition plus serrée.</translation>
+    </message>
+    <message>
+        <source>Lay out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lay out on film</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Layers, millimetres and arcs, to go on drawing.</source>
+        <translation>Calques, millimètres et arcs, pour continuer à dessiner.</translation>
+    </message>
+    <message>
+        <source>Laying out {0}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Length</source>
-        <translation type="unfinished"></translation>
+        <translation>Longueur</translation>
+    </message>
+    <message>
+        <source>Letter</source>
+        <translation>Lettre</translation>
+    </message>
+    <message>
+        <source>Letter height</source>
+        <translation>Hauteur des lettres</translation>
     </message>
     <message>
         <source>Lift</source>
-        <translation type="unfinished"></translation>
+        <translation>Portance</translation>
     </message>
     <message>
         <source>Lift in g</source>
-        <translation type="unfinished"></translation>
+        <translation>Portance en g</translation>
     </message>
     <message>
         <source>LightBurn (laser)</source>
-        <translation type="unfinished"></translation>
+        <translation>LightBurn (laser)</translation>
     </message>
     <message>
         <source>Line</source>
-        <translation type="unfinished"></translation>
+        <translation>Ligne</translation>
     </message>
     <message>
         <source>Lines that close around nothing beside the shapes were left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les lignes à côté des formes qui n'entourent rien ont été omises.</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>Direct</translation>
     </message>
     <message>
         <source>Load</source>
+        <translation>Charge</translation>
+    </message>
+    <message>
+        <source>Look for the closest layout; Esc takes the best one so far</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking at the picture</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Machine</source>
+        <translation>Machine</translation>
+    </message>
+    <message>
+        <source>Made with brush and pen: double-click the Outline to paint on</source>
+        <translation>Fait au pinceau et au stylo : double-cliquez sur le contour pour continuer</translation>
+    </message>
+    <message>
+        <source>Make a sketch of the cuts</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Make it!</source>
-        <translation type="unfinished"></translation>
+        <translation>Fabriquer !</translation>
+    </message>
+    <message>
+        <source>Marks</source>
+        <translation>Repères</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Matériau</translation>
     </message>
     <message>
         <source>Measured on the inflated balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mesuré sur le ballon gonflé.</translation>
     </message>
     <message>
         <source>Mesh reuse needs scipy: install it with pip install scipy.</source>
-        <translation type="unfinished"></translation>
+        <translation>La réutilisation du maillage demande scipy : installez-le par pip install scipy.</translation>
     </message>
     <message>
         <source>Mesh size</source>
-        <translation type="unfinished"></translation>
+        <translation>Taille de maille</translation>
+    </message>
+    <message>
+        <source>Mesh size (0: automatic)</source>
+        <translation>Taille de maille (0 : automatique)</translation>
     </message>
     <message>
         <source>Meshing needs pythoncdt or scipy: install one of them with pip.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le maillage demande pythoncdt ou scipy : installez l'un des deux par pip.</translation>
     </message>
     <message>
         <source>Meshing needs scipy: install it with pip install scipy.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le maillage demande scipy : installez-le par pip install scipy.</translation>
     </message>
     <message>
         <source>Mind</source>
-        <translation type="unfinished"></translation>
+        <translation>Attention</translation>
     </message>
     <message>
         <source>Mode</source>
-        <translation type="unfinished"></translation>
+        <translation>Mode</translation>
     </message>
     <message>
         <source>Model</source>
-        <translation type="unfinished"></translation>
+        <translation>Modèle</translation>
     </message>
     <message>
         <source>Move</source>
-        <translation type="unfinished"></translation>
+        <translation>Déplacer</translation>
     </message>
     <message>
         <source>Move the pointer to bend the line, then click. Esc drops it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Déplacez le pointeur pour courber la ligne, puis cliquez. Échap l'abandonne.</translation>
     </message>
     <message>
         <source>Native</source>
-        <translation type="unfinished"></translation>
+        <translation>Natif</translation>
     </message>
     <message>
         <source>Near ({0}, {1}) mm the inflated outline stays up to {2} from the drawing, along {3}: film cannot follow it there. Round it off or widen it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Près de ({0}, {1}) mm, le contour gonflé reste jusqu'à {2} du dessin, sur {3} : le film ne peut pas le suivre là. Arrondissez ou élargissez cet endroit.</translation>
     </message>
     <message>
         <source>Neck that chokes the air path</source>
-        <translation type="unfinished"></translation>
+        <translation>Col qui étrangle le passage de l'air</translation>
     </message>
     <message>
         <source>Never cut PVC with a laser: it gives off hydrogen chloride, which is toxic and ruins the machine. Weld with high frequency or hot air. Stretches visibly: at 2 kPa the shape depends on the grade and on the pressure.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ne coupez jamais le PVC au laser : il dégage du chlorure d'hydrogène, toxique, qui ruine la machine. Soudez par haute fréquence ou à l'air chaud. S'étire visiblement : à 2 kPa la forme dépend de la qualité et de la pression.</translation>
     </message>
     <message>
         <source>New balloon from picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Nouveau ballon depuis une image</translation>
     </message>
     <message>
         <source>New balloon from sketch</source>
-        <translation type="unfinished"></translation>
+        <translation>Nouveau ballon depuis une esquisse</translation>
+    </message>
+    <message>
+        <source>New balloons</source>
+        <translation>Nouveaux ballons</translation>
     </message>
     <message>
         <source>Newmark</source>
-        <translation type="unfinished"></translation>
+        <translation>Newmark</translation>
     </message>
     <message>
         <source>No balloon can be inflated anew without it; patterns can be changed and written.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sans lui, aucun ballon ne peut être gonflé de nouveau ; les patrons peuvent être modifiés et écrits.</translation>
     </message>
     <message>
         <source>No file for {0}: {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>Pas de fichier pour {0} : {1}</translation>
     </message>
     <message>
         <source>No pattern can be drawn anew without it; documents keep theirs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sans lui, aucun patron ne peut être retracé ; les documents gardent les leurs.</translation>
     </message>
     <message>
         <source>No shape stands out in the picture. Use stronger colours or a plainer background.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aucune forme ne ressort de l'image. Prenez des couleurs plus vives ou un fond plus uni.</translation>
+    </message>
+    <message>
+        <source>No solver works here.</source>
+        <translation>Aucun solveur ne marche ici.</translation>
     </message>
     <message>
         <source>No solver works here: {0} Build it or install the package scipy.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aucun solveur ne marche ici : {0} Compilez-le ou installez le paquet scipy.</translation>
     </message>
     <message>
         <source>Not possible</source>
-        <translation type="unfinished"></translation>
+        <translation>Impossible</translation>
     </message>
     <message>
         <source>Notch with a stress peak</source>
-        <translation type="unfinished"></translation>
+        <translation>Entaille où la tension culmine</translation>
+    </message>
+    <message>
+        <source>Notches</source>
+        <translation>Encoches</translation>
     </message>
     <message>
         <source>Notches of {0} do not end before the weld: the allowance is {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Des encoches de {0} ne s'arrêtent pas avant la soudure : la marge est de {1}.</translation>
     </message>
     <message>
         <source>Nothing can be computed without it; documents open and keep their shapes.</source>
+        <translation>Sans lui, rien ne peut être calculé ; les documents s'ouvrent et gardent leurs formes.</translation>
+    </message>
+    <message>
+        <source>Nothing is in the way. Paint on, or press Make it!</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Nothing to improve.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rien à améliorer.</translation>
     </message>
     <message>
         <source>Nozzle with flange</source>
-        <translation type="unfinished"></translation>
+        <translation>Buse à collerette</translation>
     </message>
     <message>
-        <source>NumPy</source>
-        <translation type="unfinished"></translation>
+        <source>OK, then {}</source>
+        <translation>OK, puis {}</translation>
     </message>
     <message>
         <source>Off</source>
-        <translation type="unfinished"></translation>
+        <translation>Désactivée</translation>
     </message>
     <message>
         <source>Off the drawing</source>
-        <translation type="unfinished"></translation>
+        <translation>Écart au dessin</translation>
     </message>
     <message>
         <source>One large page</source>
-        <translation type="unfinished"></translation>
+        <translation>Une seule grande page</translation>
     </message>
     <message>
         <source>One-way tail</source>
-        <translation type="unfinished"></translation>
+        <translation>Queue anti-retour</translation>
     </message>
     <message>
         <source>Only the middle of the weld. A closed weld runs past its start, so that the joint is tight.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seulement le milieu de la soudure. Une soudure fermée dépasse son début, pour que le raccord soit étanche.</translation>
     </message>
     <message>
         <source>Only {0} of film stay between two cuts near {1}; {2} wants {3}. It may tear or melt there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il ne reste que {0} de film entre deux coupes près de {1} ; {2} en veut {3}. Il peut s'y déchirer ou fondre.</translation>
+    </message>
+    <message>
+        <source>Opposite the intake</source>
+        <translation>À l'opposé de l'embout</translation>
     </message>
     <message>
         <source>Orange</source>
-        <translation type="unfinished"></translation>
+        <translation>Orange</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>Contour</translation>
     </message>
     <message>
         <source>Outline {} x {}, {} holes</source>
-        <translation type="unfinished"></translation>
+        <translation>Contour {} x {}, {} trous</translation>
     </message>
     <message>
         <source>PDF files need it; DXF, SVG and HPGL can be written.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les fichiers PDF le demandent ; DXF, SVG et HPGL peuvent être écrits.</translation>
     </message>
     <message>
         <source>Pa, its own range</source>
-        <translation type="unfinished"></translation>
+        <translation>Pa, sa propre plage</translation>
     </message>
     <message>
         <source>Paint a balloon</source>
-        <translation type="unfinished"></translation>
+        <translation>Peindre un ballon</translation>
     </message>
     <message>
         <source>Paint both sides at once, mirrored (M)</source>
-        <translation type="unfinished"></translation>
+        <translation>Peindre les deux côtés à la fois, en miroir (M)</translation>
     </message>
     <message>
         <source>Paint broad, soft strokes: what is painted becomes a balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>Peindre à traits larges et doux : ce qui est peint devient un ballon.</translation>
     </message>
     <message>
         <source>Paint something first: a closed line is enough.</source>
-        <translation type="unfinished"></translation>
+        <translation>Peignez d'abord quelque chose : une ligne fermée suffit.</translation>
     </message>
     <message>
         <source>Painted balloon</source>
+        <translation>Ballon peint</translation>
+    </message>
+    <message>
+        <source>Painted fish</source>
+        <translation>Poisson peint</translation>
+    </message>
+    <message>
+        <source>Panels are laid on the film in rows instead of closely; nothing else changes.</source>
+        <translation>Les panneaux sont disposés en rangées au lieu d'être serrés ; rien d'autre ne change.</translation>
+    </message>
+    <message>
+        <source>Paper</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>Patron</translation>
     </message>
     <message>
         <source>Pattern correction needs scipy: install it with pip install scipy.</source>
-        <translation type="unfinished"></translation>
+        <translation>La correction du patron demande scipy : installez-le par pip install scipy.</translation>
+    </message>
+    <message>
+        <source>Pattern drawn 1 : {0}</source>
+        <translation>Patron à l'échelle 1 : {0}</translation>
     </message>
     <message>
         <source>Pattern written to {}</source>
+        <translation>Patron écrit dans {}</translation>
+    </message>
+    <message>
+        <source>Patterns</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Patterns need shapely: install it with pip install shapely.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les patrons demandent shapely : installez-le par pip install shapely.</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
     </message>
     <message>
         <source>Pen</source>
-        <translation type="unfinished"></translation>
+        <translation>Stylo</translation>
     </message>
     <message>
         <source>Picture, SVG, DXF or JSON</source>
-        <translation type="unfinished"></translation>
+        <translation>Image, SVG, DXF ou JSON</translation>
     </message>
     <message>
         <source>Pictures</source>
-        <translation type="unfinished"></translation>
+        <translation>Images</translation>
     </message>
     <message>
         <source>Pictures are read by Qt and traced with SciPy or NumPy instead, a little slower.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les images sont lues par Qt et suivies avec SciPy ou NumPy, un peu plus lentement.</translation>
     </message>
     <message>
         <source>Pictures need OpenCV, which is missing or does not work here. Install the package python3-opencv (or opencv-python-headless), or open the picture inside FreeCAD.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les images demandent OpenCV, qui manque ou ne marche pas ici. Installez le paquet python3-opencv (ou opencv-python-headless), ou ouvrez l'image dans FreeCAD.</translation>
+    </message>
+    <message>
+        <source>Place by</source>
+        <translation>Placer par</translation>
+    </message>
+    <message>
+        <source>Place on the seam</source>
+        <translation>Place sur la couture</translation>
     </message>
     <message>
         <source>Plain PET does not weld to itself: take a grade with a sealing layer, or tape. The aluminium (some 50 nm) adds neither stiffness nor weight. What shops sell as Mylar balloons is mostly nylon-foil.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le PET nu ne se soude pas à lui-même : prenez une qualité à couche scellable, ou du ruban adhésif. L'aluminium (quelque 50 nm) n'ajoute ni raideur ni masse. Ce que les magasins vendent comme ballons Mylar est le plus souvent du nylon-foil.</translation>
     </message>
     <message>
         <source>Plain paper (PDF)</source>
-        <translation type="unfinished"></translation>
+        <translation>Papier ordinaire (PDF)</translation>
     </message>
     <message>
         <source>Plain shell</source>
-        <translation type="unfinished"></translation>
+        <translation>Coque simple</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Lire</translation>
+    </message>
+    <message>
+        <source>Play the inflation, or stop at a frame</source>
+        <translation>Lire le gonflage, ou s'arrêter sur une image</translation>
     </message>
     <message>
         <source>Plotter units of 0.025 mm. Pen 1 draws the control bar, pen 2 the marks, pen 3 cuts. For a swivel knife set its offset, 0.25 mm is common.</source>
-        <translation type="unfinished"></translation>
+        <translation>Unités de traceur de 0,025 mm. La plume 1 trace la barre de contrôle, la 2 les repères, la 3 coupe. Pour une lame pivotante, réglez son décalage ; 0,25 mm est courant.</translation>
     </message>
     <message>
         <source>Point {0} of the JSON file's {1} is not a pair of numbers. {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>Le point {0} de {1} du fichier JSON n'est pas une paire de nombres. {2}</translation>
     </message>
     <message>
         <source>Poisson's ratio</source>
-        <translation type="unfinished"></translation>
+        <translation>Coefficient de Poisson</translation>
     </message>
     <message>
         <source>Polyethylene film (LDPE), 50 µm</source>
-        <translation type="unfinished"></translation>
+        <translation>Film polyéthylène (PEBD), 50 µm</translation>
+    </message>
+    <message>
+        <source>Polylines at the real size with a layer and a colour for each role.</source>
+        <translation>Polylignes à la taille réelle, avec un calque et une couleur par rôle.</translation>
+    </message>
+    <message>
+        <source>Polylines in millimetres with a layer for each role: what every program reads.</source>
+        <translation>Polylignes en millimètres avec un calque par rôle : ce que tout programme lit.</translation>
     </message>
     <message>
         <source>Predicted from the outline; not inflated yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Prévu d'après le contour ; pas encore gonflé.</translation>
     </message>
     <message>
         <source>Pressure</source>
-        <translation type="unfinished"></translation>
+        <translation>Pression</translation>
     </message>
     <message>
         <source>Previews and labels need it; everything else works.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les aperçus et les inscriptions le demandent ; tout le reste marche.</translation>
     </message>
     <message>
         <source>Pull a line; then move the pointer to bend it, and click. A right click keeps it straight.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tirez une ligne, puis déplacez le pointeur pour la courber et cliquez. Un clic droit la garde droite.</translation>
     </message>
     <message>
         <source>Pull the paper. The middle button, or the space bar, does it with every tool; the wheel zooms.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tirez la feuille. Le bouton du milieu ou la barre d'espace le font avec tout outil ; la molette zoome.</translation>
     </message>
     <message>
         <source>Push a straw in, fill, pull it out and weld straight across the neck beside the balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>Glissez une paille, gonflez, retirez-la et soudez droit en travers du col près du ballon.</translation>
     </message>
     <message>
         <source>Push the nozzle through the hole of the front panel from inside, put the ring over it from outside, and weld flange, film and ring together along the ring's line before the panels are joined.</source>
-        <translation type="unfinished"></translation>
+        <translation>Passez la buse de l'intérieur par le trou du panneau de devant, posez l'anneau par-dessus à l'extérieur, et soudez collerette, film et anneau le long de la ligne de l'anneau avant d'assembler les panneaux.</translation>
     </message>
     <message>
-        <source>Put outline, balloon and pattern into the document</source>
-        <translation type="unfinished"></translation>
+        <source>Put outline, balloon and pattern into the document, and print the pattern</source>
+        <translation>Placer contour, ballon et patron dans le document, et imprimer le patron</translation>
     </message>
     <message>
         <source>RDWorks (Ruida laser)</source>
-        <translation type="unfinished"></translation>
+        <translation>RDWorks (laser Ruida)</translation>
     </message>
     <message>
         <source>Real size, to cut out by hand. Print at 100 % and measure the control bar.</source>
-        <translation type="unfinished"></translation>
+        <translation>Taille réelle, à découper à la main. Imprimez à 100 % et mesurez la barre de contrôle.</translation>
     </message>
     <message>
         <source>Red</source>
-        <translation type="unfinished"></translation>
+        <translation>Rouge</translation>
     </message>
     <message>
         <source>Repair</source>
-        <translation type="unfinished"></translation>
+        <translation>Réparer</translation>
     </message>
     <message>
         <source>Repair {0} cannot be read: delete it from Repairs.</source>
-        <translation type="unfinished"></translation>
+        <translation>La réparation {0} est illisible : effacez-la de « Repairs ».</translation>
     </message>
     <message>
         <source>Result</source>
-        <translation type="unfinished"></translation>
+        <translation>Résultat</translation>
+    </message>
+    <message>
+        <source>Result that is shown as colours, with a legend</source>
+        <translation>Résultat montré en couleurs, avec une légende</translation>
     </message>
     <message>
         <source>Results cannot be written as '{0}'. Choose {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les résultats ne peuvent pas être écrits en « {0} ». Choisissez {1}.</translation>
+    </message>
+    <message>
+        <source>Results written to {}</source>
+        <translation>Résultats écrits dans {}</translation>
+    </message>
+    <message>
+        <source>Ring</source>
+        <translation>Anneau</translation>
     </message>
     <message>
         <source>Ring that warps</source>
-        <translation type="unfinished"></translation>
+        <translation>Anneau qui se gauchit</translation>
     </message>
     <message>
         <source>Round this hole the balloon will not lie flat: a closed tube wants to curve more and twists out of its plane, here by about {length}. Open the ring, or seal the hole's area without cutting it out and keep it small.</source>
-        <translation type="unfinished"></translation>
+        <translation>Autour de ce trou, le ballon ne restera pas à plat : un tube fermé veut se courber davantage et se tord hors de son plan, ici d'environ {length}. Ouvrez l'anneau, ou soudez la zone du trou sans la découper et gardez-la petite.</translation>
     </message>
     <message>
         <source>Round with a radius of</source>
-        <translation type="unfinished"></translation>
+        <translation>Arrondir au rayon de</translation>
     </message>
     <message>
         <source>Roundness {:.0f} % of a disc's.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rondeur : {:.0f} % de celle d'un disque.</translation>
     </message>
     <message>
         <source>SVG files can be written but not read without it; pictures, DXF and JSON can be read.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sans lui, les fichiers SVG peuvent être écrits mais non lus ; images, DXF et JSON peuvent l'être.</translation>
     </message>
     <message>
         <source>SVG files need the Python package svgelements. Install it with 'pip install svgelements', or save the drawing as DXF.</source>
+        <translation>Les fichiers SVG demandent le paquet Python svgelements. Installez-le par « pip install svgelements », ou enregistrez le dessin en DXF.</translation>
+    </message>
+    <message>
+        <source>Safe pressure</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save results</source>
+        <translation>Enregistrer les résultats</translation>
+    </message>
+    <message>
+        <source>Save results…</source>
+        <translation>Enregistrer les résultats…</translation>
     </message>
     <message>
         <source>SciPy triangulates instead, a little slower.</source>
-        <translation type="unfinished"></translation>
+        <translation>SciPy triangule à sa place, un peu plus lentement.</translation>
     </message>
     <message>
         <source>Seal width</source>
-        <translation type="unfinished"></translation>
+        <translation>Largeur de soudure</translation>
+    </message>
+    <message>
+        <source>Seal width (0: the film's)</source>
+        <translation>Largeur de soudure (0 : celle du film)</translation>
+    </message>
+    <message>
+        <source>Second panel, mirrored</source>
+        <translation>Second panneau, en miroir</translation>
     </message>
     <message>
         <source>Select a sketch, a wire or a face in the tree or the 3D view.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sélectionnez une esquisse, un fil ou une face dans l'arborescence ou la vue 3D.</translation>
     </message>
     <message>
         <source>Select another</source>
-        <translation type="unfinished"></translation>
+        <translation>En choisir une autre</translation>
     </message>
     <message>
         <source>Self-sealing film valve</source>
-        <translation type="unfinished"></translation>
+        <translation>Valve de film autofermante</translation>
     </message>
     <message>
         <source>Shape that stays flat</source>
+        <translation>Forme qui reste plate</translation>
+    </message>
+    <message>
+        <source>Sheet length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sheet {} of {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the drawing and the silhouette over each other</source>
+        <translation>Montrer le dessin et la silhouette superposés</translation>
+    </message>
+    <message>
+        <source>Shown sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shown side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Side</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Silhouette Studio (vinyl cutter)</source>
-        <translation type="unfinished"></translation>
+        <translation>Silhouette Studio (plotter de découpe)</translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation>Simulation</translation>
     </message>
     <message>
         <source>Size</source>
-        <translation type="unfinished"></translation>
+        <translation>Taille</translation>
     </message>
     <message>
         <source>Size from</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>SizeGoal</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Sketch</source>
-        <translation type="unfinished"></translation>
+        <translation>Taille d'après</translation>
     </message>
     <message>
         <source>So far it is a line. Close it, or paint an area, and it becomes a balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pour l'instant c'est une ligne. Fermez-la, ou peignez une surface, et elle devient un ballon.</translation>
     </message>
     <message>
         <source>Soft PVC film, 0.2 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Film PVC souple, 0,2 mm</translation>
     </message>
     <message>
         <source>Solver</source>
+        <translation>Solveur</translation>
+    </message>
+    <message>
+        <source>Solver: {0}.</source>
+        <translation>Solveur : {0}.</translation>
+    </message>
+    <message>
+        <source>Solver: {0}. {1}</source>
+        <translation>Solveur : {0}. {1}</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Stiffer across the web than along it (up to 4.5 against 2.5 GPa): cut both panels in the same direction. Only grades with a sealing layer weld; the gas barrier is poor.</source>
-        <translation type="unfinished"></translation>
+        <translation>Plus raide en travers de la bande que dans sa longueur (jusqu'à 4,5 contre 2,5 GPa) : coupez les deux panneaux dans le même sens. Seules les qualités à couche scellable se soudent ; la barrière aux gaz est médiocre.</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Arrêter</translation>
+    </message>
+    <message>
+        <source>Stop (Esc)</source>
+        <translation>Arrêter (Échap)</translation>
+    </message>
+    <message>
+        <source>Stop and keep the last result</source>
+        <translation>Arrêter et garder le dernier résultat</translation>
     </message>
     <message>
         <source>Stopped.</source>
-        <translation type="unfinished"></translation>
+        <translation>Arrêté.</translation>
+    </message>
+    <message>
+        <source>Stopped. Your painting is still here.</source>
+        <translation>Arrêté. Votre peinture est toujours là.</translation>
+    </message>
+    <message>
+        <source>Stopping ...</source>
+        <translation>Arrêt en cours ...</translation>
     </message>
     <message>
         <source>Straw neck</source>
-        <translation type="unfinished"></translation>
+        <translation>Col à paille</translation>
     </message>
     <message>
         <source>Symmetry</source>
-        <translation type="unfinished"></translation>
+        <translation>Symétrie</translation>
     </message>
     <message>
         <source>TPU-coated nylon fabric (70 den), 170 g/m²</source>
-        <translation type="unfinished"></translation>
+        <translation>Tissu nylon enduit TPU (70 den), 170 g/m²</translation>
+    </message>
+    <message>
+        <source>Tab to tie it to</source>
+        <translation>Languette d'attache</translation>
     </message>
     <message>
         <source>Take paint off</source>
+        <translation>Enlever la peinture</translation>
+    </message>
+    <message>
+        <source>Take the numbers of one of FreeCAD's material cards</source>
+        <translation>Prendre les nombres d'une fiche de matériau de FreeCAD</translation>
+    </message>
+    <message>
+        <source>Take the picture away</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Tension field</source>
+        <translation>Champ de tension</translation>
+    </message>
+    <message>
+        <source>That of the front</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>That of the outline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>That wide</source>
+        <translation>Cette largeur</translation>
     </message>
     <message>
         <source>The 'parts' of the JSON file are not a list of shapes. {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>'parts' du fichier JSON n'est pas une liste de formes. {0}</translation>
     </message>
     <message>
         <source>The '{0}' of the JSON file are not a list of {1}. {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>'{0}' du fichier JSON n'est pas une liste de {1}. {2}</translation>
     </message>
     <message>
         <source>The DXF file has too many lines. Leave only the outline and its holes in it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le fichier DXF a trop de lignes. N'y laissez que le contour et ses trous.</translation>
     </message>
     <message>
         <source>The DXF file {0}; millimetres are assumed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le fichier DXF {0} ; des millimètres sont supposés.</translation>
     </message>
     <message>
         <source>The JSON file cannot be read ({0}). {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>Le fichier JSON est illisible ({0}). {1}</translation>
     </message>
     <message>
         <source>The JSON file does not name its unit; millimetres are assumed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le fichier JSON ne nomme pas son unité ; des millimètres sont supposés.</translation>
     </message>
     <message>
         <source>The JSON file has no 'outer' loop. {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Le fichier JSON n'a pas de boucle 'outer'. {0}</translation>
     </message>
     <message>
         <source>The JSON file has the unknown unit {0}. Use one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le fichier JSON a l'unité inconnue {0}. Utilisez l'une de {1}.</translation>
     </message>
     <message>
         <source>The JSON file's {0} needs at least {1}. {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} du fichier JSON demande au moins {1}. {2}</translation>
     </message>
     <message>
         <source>The Poisson's ratio {0} is not between 0 and 0.5: give one such as 0.38.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le coefficient de Poisson {0} n'est pas entre 0 et 0,5 : donnez par exemple 0.38.</translation>
     </message>
     <message>
         <source>The Python package {0} is missing. {1} To get it: pip install {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>Le paquet Python {0} manque. {1} Pour l'obtenir : pip install {2}</translation>
     </message>
     <message>
         <source>The SVG file cannot be read ({0}). Save it as plain SVG once more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le fichier SVG est illisible ({0}). Enregistrez-le à nouveau en SVG simple.</translation>
     </message>
     <message>
         <source>The SVG file defines entities, which are not read. Save it as plain SVG.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le fichier SVG définit des entités, qui ne sont pas lues. Enregistrez-le en SVG simple.</translation>
     </message>
     <message>
         <source>The SVG file has too many elements, or some that use themselves. Simplify it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le fichier SVG a trop d'éléments, ou certains qui s'utilisent eux-mêmes. Simplifiez-le.</translation>
     </message>
     <message>
         <source>The SVG file is damaged ({0}). Save it once more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le fichier SVG est abîmé ({0}). Enregistrez-le à nouveau.</translation>
     </message>
     <message>
         <source>The Young's modulus across the grain {0} Pa is too large for one along it of {1} Pa: turn the grain by 90 degrees and exchange the two.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le module d'Young en travers, {0} Pa, est trop grand pour celui en long de {1} Pa : tournez le sens du film de 90 degrés et échangez les deux.</translation>
     </message>
     <message>
         <source>The altitude {0} m is out of range: give one up to 11000 m.</source>
-        <translation type="unfinished"></translation>
+        <translation>L'altitude {0} m est hors limites : donnez au plus 11000 m.</translation>
+    </message>
+    <message>
+        <source>The assembly sheet needs matplotlib: install it with pip install matplotlib.</source>
+        <translation>La fiche de montage demande matplotlib : installez-le par pip install matplotlib.</translation>
     </message>
     <message>
         <source>The balloon is nowhere {0} wide behind its intake: choose another intake angle or a narrower intake, else air enters slowly.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le ballon n'a nulle part {0} de large derrière son embout : choisissez une autre direction ou un embout plus étroit, sinon l'air entre lentement.</translation>
     </message>
     <message>
         <source>The bending floor must be between 0 and 1, not {0}. Usual is {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le plancher de flexion doit être entre 0 et 1, pas {0}. L'usage est {1}.</translation>
+    </message>
+    <message>
+        <source>The bleed must be from 0 to {0}, not {1}.</source>
+        <translation>Le fond perdu doit être de 0 à {0}, pas {1}.</translation>
+    </message>
+    <message>
+        <source>The coach finds no "{0}" to repair in {1}: see its advice.</source>
+        <translation>Le conseiller ne trouve pas de « {0} » à réparer dans {1} : voyez ses conseils.</translation>
     </message>
     <message>
         <source>The colour would run out: close the line around this place first.</source>
+        <translation>La couleur déborderait : fermez d'abord la ligne autour de cet endroit.</translation>
+    </message>
+    <message>
+        <source>The drawing cannot be reached everywhere: the silhouette is up to {} off it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The drawing has no closed line. Draw one, and turn texts and groups into paths.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le dessin n'a pas de ligne fermée. Tracez-en une, et changez textes et groupes en chemins.</translation>
+    </message>
+    <message>
+        <source>The drawing has points more than {0} km from its origin. Move it there, and give it a size between 1 mm and 100 m.</source>
+        <translation>Le dessin a des points à plus de {0} km de son origine. Ramenez-le là, et donnez-lui une taille de 1 mm à 100 m.</translation>
     </message>
     <message>
         <source>The drawing has {0} shape{1} and no number {2}: choose another Part, or delete this balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le dessin a {0} forme{1} et pas de numéro {2} : choisissez une autre « Part », ou supprimez ce ballon.</translation>
     </message>
     <message>
         <source>The drawing is open: a line starts at {0} and ends {1} away at {2}. Close it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le dessin est ouvert : une ligne commence en {0} et finit à {1} de là, en {2}. Fermez-la.</translation>
     </message>
     <message>
         <source>The drawing was made symmetric: its halves were {0} apart, the left one was kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le dessin a été rendu symétrique : ses moitiés différaient de {0}, la gauche a été gardée.</translation>
     </message>
     <message>
         <source>The drawing would be smaller than {0}: choose a larger lift.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le dessin serait plus petit que {0} : choisissez une portance plus grande.</translation>
     </message>
     <message>
         <source>The drawing; a copy of it travels in the document</source>
-        <translation type="unfinished"></translation>
+        <translation>Le dessin ; une copie en reste dans le document</translation>
     </message>
     <message>
         <source>The file is XML but no SVG drawing. Choose a drawing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le fichier est du XML mais pas un dessin SVG. Choisissez un dessin.</translation>
     </message>
     <message>
         <source>The file of gases {0} is of no use: {1}. Install it anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le fichier des gaz {0} est inutilisable : {1}. Réinstallez-le.</translation>
     </message>
     <message>
         <source>The file of rules {0} is of no use: {1}. Install it anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le fichier des règles {0} est inutilisable : {1}. Réinstallez-le.</translation>
+    </message>
+    <message>
+        <source>The file {0} is of no use: {1}. Install it anew.</source>
+        <translation>Le fichier {0} est inutilisable : {1}. Réinstallez-le.</translation>
     </message>
     <message>
         <source>The film '{0}' has no mass. Give its areal density.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le film « {0} » n'a pas de masse. Donnez sa masse surfacique.</translation>
     </message>
     <message>
         <source>The film file {0} calls itself "{1}": give both the same name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le fichier de film {0} se nomme « {1} » : donnez aux deux le même nom.</translation>
     </message>
     <message>
         <source>The film file {0} is of no use: {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>Le fichier de film {0} est inutilisable : {1}</translation>
     </message>
     <message>
         <source>The film file {0} lacks {1}: add it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il manque {1} au fichier de film {0} : ajoutez-le.</translation>
+    </message>
+    <message>
+        <source>The film needs a width of more than two spacings, and no spacing below 0.</source>
+        <translation>Le film doit être plus large que deux espacements, et aucun espacement sous 0.</translation>
     </message>
     <message>
         <source>The film of shop-bought foil balloons: 15 µm oriented nylon 6 with an aluminium coat, 15 µm polyethylene inside. Weld PE to PE. Nylon takes up moisture and is then softer.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le film des ballons du commerce : 15 µm de nylon 6 orienté avec une couche d'aluminium, 15 µm de polyéthylène à l'intérieur. Soudez PE sur PE. Le nylon prend l'humidité et s'assouplit alors.</translation>
     </message>
     <message>
         <source>The free edition opens DXF, not SVG. Choose "as is" for the size in the import preferences. Silhouette makes its own registration marks.</source>
-        <translation type="unfinished"></translation>
+        <translation>L'édition gratuite ouvre le DXF, pas le SVG. Choisissez « tel quel » pour la taille dans les préférences d'import. Silhouette fait ses propres repères.</translation>
     </message>
     <message>
         <source>The grain's angle {0} is no number: give degrees from the x axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>L'angle du sens du film, {0}, n'est pas un nombre : donnez des degrés depuis l'axe x.</translation>
+    </message>
+    <message>
+        <source>The hand beside the shape is as large as a grown-up's</source>
+        <translation>La main à côté de la forme a la taille de celle d'un adulte</translation>
     </message>
     <message>
         <source>The hole at ({0}, {1}) mm is too small for a {2} seal, and its weld reaches {3} into the balloon: make the hole at least {4} wide, or the seal narrower.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le trou en ({0}, {1}) mm est trop petit pour une soudure de {2}, et elle empiète de {3} sur le ballon : donnez au trou au moins {4}, ou rétrécissez la soudure.</translation>
     </message>
     <message>
         <source>The hole at ({0}, {1}) mm is welded but not cut out: for that, make it wider than two seals with their allowances, {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le trou en ({0}, {1}) mm est soudé mais pas découpé : pour cela, faites-le plus large que deux soudures avec leurs marges, {2}.</translation>
     </message>
     <message>
         <source>The hole at {0} lies in another hole; remove one of them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le trou en {0} est dans un autre trou ; enlevez l'un des deux.</translation>
     </message>
     <message>
         <source>The hole at {0} lies outside the outline; move it inside.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le trou en {0} est hors du contour ; ramenez-le à l'intérieur.</translation>
     </message>
     <message>
         <source>The inflated outline stays {0} from the drawing on average: film cannot follow this shape everywhere. Round off notches and widen thin parts.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le contour gonflé reste en moyenne à {0} du dessin : le film ne peut pas suivre partout cette forme. Arrondissez les entailles et élargissez les parties minces.</translation>
     </message>
     <message>
         <source>The intake file {0} calls itself "{1}": give both the same name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le fichier d'embout {0} se nomme « {1} » : donnez aux deux le même nom.</translation>
     </message>
     <message>
         <source>The intake file {0} is of no use: {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>Le fichier d'embout {0} est inutilisable : {1}</translation>
     </message>
     <message>
         <source>The intake file {0} lacks {1}: add it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il manque {1} au fichier d'embout {0} : ajoutez-le.</translation>
     </message>
     <message>
         <source>The intake opens into a part with {percent} of the film; the rest fills through something narrower than the intake. Move it to the largest part.</source>
-        <translation type="unfinished"></translation>
+        <translation>L'embout donne dans une partie qui a {percent} du film ; le reste se remplit par un passage plus étroit que lui. Déplacez-le vers la plus grande partie.</translation>
     </message>
     <message>
         <source>The intake would run into another part of the balloon: choose another angle or length for it.</source>
-        <translation type="unfinished"></translation>
+        <translation>L'embout heurterait une autre partie du ballon : choisissez un autre angle ou une autre longueur.</translation>
     </message>
     <message>
         <source>The intake's angle must be a number.</source>
+        <translation>L'angle de l'embout doit être un nombre.</translation>
+    </message>
+    <message>
+        <source>The intake's length must be above 0, up to 100 m: give it about 30 mm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The intake's place along the seam must be a length.</source>
-        <translation type="unfinished"></translation>
+        <translation>La place de l'embout le long de la couture doit être une longueur.</translation>
     </message>
     <message>
-        <source>The intake's width and length must be above 0.</source>
+        <source>The intake's width must be between 0.01 mm and 10 m: give it about 10 mm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The intakes of two chambers run into each other: leave a gap in the weld between them, or choose another place for the first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les embouts de deux chambres se heurtent : laissez un passage dans la soudure entre elles, ou placez le premier ailleurs.</translation>
     </message>
     <message>
         <source>The label "{0}" has no letter that can be drawn: write it in other letters.</source>
-        <translation type="unfinished"></translation>
+        <translation>L'inscription « {0} » n'a aucune lettre traçable : écrivez-la avec d'autres lettres.</translation>
     </message>
     <message>
         <source>The label "{0}" is {1} long, and the film is only {2} wide: take a shorter text or lower letters.</source>
+        <translation>L'inscription « {0} » fait {1} de long, et le film n'a que {2} de large : prenez un texte plus court ou des lettres plus basses.</translation>
+    </message>
+    <message>
+        <source>The layout failed: give the pieces more room.</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The layout was stopped; nothing was changed.</source>
+        <translation>La disposition a été arrêtée ; rien n'a changé.</translation>
     </message>
     <message>
         <source>The lines of the drawing do not close around anything: the outline follows the lines.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les lignes du dessin n'entourent rien : le contour suit les lignes.</translation>
     </message>
     <message>
         <source>The machine file {0} calls itself "{1}": give both the same name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le fichier de machine {0} se nomme « {1} » : donnez aux deux le même nom.</translation>
     </message>
     <message>
         <source>The machine file {0} is of no use: {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>Le fichier de machine {0} est inutilisable : {1}</translation>
     </message>
     <message>
         <source>The machine file {0} lacks {1}: add it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il manque {1} au fichier de machine {0} : ajoutez-le.</translation>
     </message>
     <message>
         <source>The mesh has a vertex without triangles. Mesh the outline anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le maillage a un nœud sans triangle. Remaillez le contour.</translation>
     </message>
     <message>
         <source>The mesh size is {0} mm: give one above 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>La taille de maille est {0} mm : donnez-en une au-dessus de 0.</translation>
     </message>
     <message>
         <source>The native solver is not available: {0} Use the NumPy solver.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le solveur natif n'est pas disponible : {0} Utilisez le solveur NumPy.</translation>
     </message>
     <message>
         <source>The nozzle's flange must be wider than its bore.</source>
-        <translation type="unfinished"></translation>
+        <translation>La collerette de la buse doit être plus large que son alésage.</translation>
     </message>
     <message>
         <source>The outline cannot be mirrored about its axis: draw it symmetric, or leave that.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le contour ne peut pas être reflété sur son axe : dessinez-le symétrique, ou laissez cela.</translation>
     </message>
     <message>
         <source>The outline crosses or nearly touches itself near ({0}, {1}) mm: separate the parts that meet there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le contour se croise ou se touche presque près de ({0}, {1}) mm : séparez les parties qui s'y rencontrent.</translation>
     </message>
     <message>
         <source>The outline crosses or touches itself and cannot be meshed: separate the parts that meet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le contour se croise ou se touche et ne peut pas être maillé : séparez les parties qui se rencontrent.</translation>
     </message>
     <message>
         <source>The outline crosses or touches itself and cannot be mirrored; part the lines.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le contour se croise ou se touche et ne peut pas être reflété ; séparez les lignes.</translation>
     </message>
     <message>
         <source>The outline encloses no area; draw a closed shape with at least three corners.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le contour n'entoure aucune surface ; tracez une forme fermée d'au moins trois sommets.</translation>
     </message>
     <message>
         <source>The outline has a coordinate that is not a number; correct it in the drawing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le contour a une coordonnée qui n'est pas un nombre ; corrigez-la dans le dessin.</translation>
     </message>
     <message>
         <source>The outline's {0} of</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} du contour :</translation>
     </message>
     <message>
         <source>The painting cannot be written to '{}': is the disk full?</source>
-        <translation type="unfinished"></translation>
+        <translation>La peinture ne peut pas être écrite dans « {} » : le disque est-il plein ?</translation>
     </message>
     <message>
-        <source>The part round ({0}, {1}) mm has no rim for an intake: leave a gap in the welds round it.</source>
-        <translation type="unfinished"></translation>
+        <source>The part round {0} has no rim for an intake: leave a gap in the welds round it.</source>
+        <translation>La partie autour de {0} n'a pas de bord pour un embout : laissez un passage dans les soudures qui l'entourent.</translation>
     </message>
     <message>
         <source>The pattern becomes too thin for its mesh. Widen the thin parts, or use a finer mesh.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le patron devient trop mince pour son maillage. Élargissez les parties minces, ou prenez un maillage plus fin.</translation>
     </message>
     <message>
         <source>The pattern crosses itself near ({0}, {1}) mm: simplify the drawing there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le patron se croise près de ({0}, {1}) mm : simplifiez-y le dessin.</translation>
     </message>
     <message>
         <source>The pattern has no lines for {0}, which takes {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le patron n'a pas de lignes pour {0}, qui prend {1}.</translation>
     </message>
     <message>
         <source>The pattern is being fitted to the painting ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Le patron est ajusté à la peinture ...</translation>
     </message>
     <message>
         <source>The pattern is not symmetric: the balloon buckles to one side, and this comes nearer to the drawing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le patron n'est pas symétrique : le ballon flambe d'un côté, et ceci se rapproche davantage du dessin.</translation>
     </message>
     <message>
         <source>The pattern measures {0}, the bed of {1} {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>Le patron mesure {0}, le plateau de {1} {2}</translation>
     </message>
     <message>
         <source>The picture has a single colour. Choose one that shows a shape on a background.</source>
-        <translation type="unfinished"></translation>
+        <translation>L'image n'a qu'une couleur. Choisissez-en une qui montre une forme sur un fond.</translation>
     </message>
     <message>
         <source>The picture has no plain background around the shape. Use one with a background of one colour or a transparent one.</source>
-        <translation type="unfinished"></translation>
+        <translation>L'image n'a pas de fond uni autour de la forme. Prenez-en une à fond d'une seule couleur ou transparent.</translation>
+    </message>
+    <message>
+        <source>The picture is damaged. Save it as PNG, JPEG or BMP once more.</source>
+        <translation>L'image est abîmée. Enregistrez-la à nouveau en PNG, JPEG ou BMP.</translation>
     </message>
     <message>
         <source>The picture is empty: all of it is transparent. Choose a picture that shows a shape.</source>
-        <translation type="unfinished"></translation>
+        <translation>L'image est vide : elle est toute transparente. Choisissez-en une qui montre une forme.</translation>
     </message>
     <message>
         <source>The picture is too small to see a shape. Use {0} pixels or more across.</source>
-        <translation type="unfinished"></translation>
+        <translation>L'image est trop petite pour y voir une forme. Prenez au moins {0} pixels de large.</translation>
     </message>
     <message>
         <source>The picture was read as a pen drawing: the inside of its lines is filled.</source>
-        <translation type="unfinished"></translation>
+        <translation>L'image a été lue comme un dessin au trait : l'intérieur de ses lignes est rempli.</translation>
     </message>
     <message>
-        <source>The pressure must be positive, not {0} Pa. A party balloon has about 2 kPa.</source>
-        <translation type="unfinished"></translation>
+        <source>The pressure must be positive and at most {0} Pa, not {1} Pa. A party balloon has about 2 kPa.</source>
+        <translation>La pression doit être positive et d'au plus {0} Pa, pas {1} Pa. Un ballon de fête a environ 2 kPa.</translation>
     </message>
     <message>
         <source>The radius of the corner relief must be 0 or above.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le rayon du dégagement d'angle doit être 0 ou plus.</translation>
     </message>
     <message>
         <source>The repair at {0} no longer fits, {1}: take it back or draw that part anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>La réparation en {0} ne convient plus, {1} : annulez-la ou redessinez cette partie.</translation>
     </message>
     <message>
-        <source>The seal width must be above 0 and the allowance not below 0.</source>
-        <translation type="unfinished"></translation>
+        <source>The seal width must be between 0.01 mm and 1 m, the allowance between 0 and 1 m.</source>
+        <translation>La largeur de soudure doit être entre 0,01 mm et 1 m, la marge entre 0 et 1 m.</translation>
     </message>
     <message>
         <source>The shape in the picture is too frayed to trace. Use a clearer picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>La forme de l'image est trop effrangée pour être suivie. Prenez une image plus nette.</translation>
     </message>
     <message>
         <source>The shape is only {0} mm thick near ({1}, {2}) mm, too thin for a mesh of {3}: make it thicker there, or use a mesh size of at most {4} mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>La forme n'a que {0} mm d'épaisseur près de ({1}, {2}) mm, trop mince pour un maillage de {3} : épaississez-la là, ou prenez au plus {4} mm.</translation>
     </message>
     <message>
         <source>The shape touches the {0} border of the picture; if it was cut off there, leave more margin.</source>
-        <translation type="unfinished"></translation>
+        <translation>La forme touche le bord de l'image ({0}) ; si elle y a été coupée, laissez plus de marge.</translation>
     </message>
     <message>
         <source>The simulation cannot take its first step. Check the outline for degenerate parts.</source>
-        <translation type="unfinished"></translation>
+        <translation>La simulation ne peut pas faire son premier pas. Cherchez des parties dégénérées dans le contour.</translation>
     </message>
     <message>
         <source>The simulation did not come to rest; the shape shown is its last good state. Try a coarser mesh.</source>
-        <translation type="unfinished"></translation>
+        <translation>La simulation n'est pas arrivée au repos ; la forme montrée est son dernier bon état. Essayez un maillage plus grossier.</translation>
     </message>
     <message>
         <source>The simulation failed: {0}. Check the outline for degenerate parts.</source>
-        <translation type="unfinished"></translation>
+        <translation>La simulation a échoué : {0}. Cherchez des parties dégénérées dans le contour.</translation>
     </message>
     <message>
         <source>The simulation has no finite start. Check the outline for degenerate parts.</source>
-        <translation type="unfinished"></translation>
+        <translation>La simulation n'a pas de départ fini. Cherchez des parties dégénérées dans le contour.</translation>
     </message>
     <message>
         <source>The simulation was stopped.</source>
-        <translation type="unfinished"></translation>
+        <translation>La simulation a été arrêtée.</translation>
     </message>
     <message>
-        <source>The smallest radius is {0}, near {1}; {2} follows {3}. It will come out rounder there.</source>
+        <source>The smallest radius is {0} mm, near {1}; {2} follows {3}. It will come out rounder there.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The solver '{0}' needs the Python package scipy. Install it or use the native solver.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le solveur « {0} » demande le paquet Python scipy. Installez-le ou utilisez le solveur natif.</translation>
     </message>
     <message>
         <source>The solver stopped; the report view tells why.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le solveur s'est arrêté ; la vue rapport dit pourquoi.</translation>
     </message>
     <message>
         <source>The temperature of the {0}, {1} degrees Celsius, is out of range: give one such as 20C.</source>
-        <translation type="unfinished"></translation>
+        <translation>La température ({0}) de {1} degrés Celsius est hors limites : donnez par exemple 20C.</translation>
     </message>
     <message>
         <source>The tie tab at {0} degrees would run into another part: choose another angle.</source>
-        <translation type="unfinished"></translation>
+        <translation>La languette à {0} degrés heurterait une autre partie : choisissez un autre angle.</translation>
     </message>
     <message>
         <source>The volume must be positive, not {0} m3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le volume doit être positif, pas {0} m3.</translation>
     </message>
     <message>
         <source>The way from the intake into the balloon narrows to {0}, and the intake is {1} wide: put it where the balloon is wider, else air enters slowly.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The welds cut off the part at ({0}, {1}) mm: no air gets there. Leave a gap in them, or draw two shapes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le passage de l'embout dans le ballon se resserre à {0}, et l'embout a {1} de large : placez-le où le ballon est plus large, sinon l'air entre lentement.</translation>
     </message>
     <message>
         <source>The width of the passages must be 0 or above.</source>
-        <translation type="unfinished"></translation>
+        <translation>La largeur des passages doit être 0 ou plus.</translation>
+    </message>
+    <message>
+        <source>The {0} "{1}" of the material card {2} cannot be read: correct the card.</source>
+        <translation>Le {0} « {1} » de la fiche de matériau {2} est illisible : corrigez la fiche.</translation>
     </message>
     <message>
         <source>The {0} crosses or touches itself at {1}; part the lines there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Croisement ou contact ({0}) en {1} ; séparez-y les lignes.</translation>
     </message>
     <message>
         <source>The {0} encloses no area; draw a closed shape with at least three corners.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aucune surface entourée ({0}) ; tracez une forme fermée d'au moins trois sommets.</translation>
     </message>
     <message>
         <source>The {0} is {1} % off what was wanted: correct the goal by as much.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le but ({0}) est manqué de {1} % : corrigez-le d'autant.</translation>
     </message>
     <message>
         <source>The {0} is {1} mm: give one above 0, for example 300 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>La dimension ({0}) est de {1} mm : donnez-en une au-dessus de 0, par exemple 300 mm.</translation>
     </message>
     <message>
         <source>The {0} line crosses itself near {1}: simplify the drawing there.</source>
-        <translation type="unfinished"></translation>
+        <translation>La ligne {0} se croise près de {1} : simplifiez-y le dessin.</translation>
     </message>
     <message>
         <source>The {0} line that begins at {1} is open: programs fill, offset and cut closed lines only. Close it.</source>
-        <translation type="unfinished"></translation>
+        <translation>La ligne {0} qui commence en {1} est ouverte : les programmes ne remplissent, décalent et coupent que des lignes fermées. Fermez-la.</translation>
     </message>
     <message>
         <source>The {0} {1} is not between {2} and {3} {4}: give one such as {5}.</source>
-        <translation type="unfinished"></translation>
+        <translation>La valeur ({0}) {1} n'est pas entre {2} et {3} {4} : donnez par exemple {5}.</translation>
+    </message>
+    <message>
+        <source>Their depth</source>
+        <translation>Leur profondeur</translation>
     </message>
     <message>
         <source>There can be 0 to {0} notches, not {1}, with a depth above 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il peut y avoir de 0 à {0} encoches, pas {1}, d'une profondeur au-dessus de 0.</translation>
+    </message>
+    <message>
+        <source>There can be 1 to {0} copies, not {1}.</source>
+        <translation>Il peut y avoir de 1 à {0} copies, pas {1}.</translation>
     </message>
     <message>
         <source>There is no backend "{0}": choose {1}, or leave it out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il n'y a pas de moteur de calcul « {0} » : choisissez {1}, ou omettez-le.</translation>
     </message>
     <message>
         <source>There is no file '{0}'. Check the name and the folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il n'y a pas de fichier « {0} ». Vérifiez le nom et le dossier.</translation>
     </message>
     <message>
         <source>There is no file {0}: check the name and the folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il n'y a pas de fichier {0} : vérifiez le nom et le dossier.</translation>
     </message>
     <message>
         <source>There is no file {}: check the name and the folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il n'y a pas de fichier {} : vérifiez le nom et le dossier.</translation>
     </message>
     <message>
         <source>There is no film "{0}": choose one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il n'y a pas de film « {0} » : choisissez parmi {1}.</translation>
     </message>
     <message>
         <source>There is no gas "{0}": choose one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il n'y a pas de gaz « {0} » : choisissez parmi {1}.</translation>
     </message>
     <message>
         <source>There is no intake "{0}": choose one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il n'y a pas d'embout « {0} » : choisissez parmi {1}.</translation>
+    </message>
+    <message>
+        <source>There is no look "{0}": choose one of {1}.</source>
+        <translation>Il n'y a pas d'aspect « {0} » : choisissez parmi {1}.</translation>
     </message>
     <message>
         <source>There is no machine "{0}": choose one of {1}, or give a .json file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il n'y a pas de machine « {0} » : choisissez parmi {1}, ou donnez un fichier .json.</translation>
     </message>
     <message>
         <source>There is no outline at {0} degrees from the centre: choose another intake angle.</source>
+        <translation>Il n'y a pas de contour à {0} degrés du centre : choisissez un autre angle d'embout.</translation>
+    </message>
+    <message>
+        <source>There is no paper "{0}" for the assembly sheet: choose A4 or Letter.</source>
+        <translation>Il n'y a pas de papier « {0} » pour la fiche de montage : choisissez A4 ou Letter.</translation>
+    </message>
+    <message>
+        <source>There is no picture to print: choose one, as the outline has none of its own.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>There is no room for a flange of {0} there: choose another place or a smaller one.</source>
+        <translation>Il n'y a pas la place d'une collerette de {0} à cet endroit : choisissez une autre place ou une plus petite.</translation>
+    </message>
+    <message>
+        <source>There is no sheet {0}: give a number from 1 to {1}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>There is no solver named '{0}'. Use 'native', 'numpy' or 'newmark'.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il n'y a pas de solveur nommé « {0} ». Utilisez 'native', 'numpy' ou 'newmark'.</translation>
     </message>
     <message>
         <source>There is no symmetry "{0}": choose one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il n'y a pas de symétrie « {0} » : choisissez parmi {1}.</translation>
     </message>
     <message>
         <source>Thickness</source>
-        <translation type="unfinished"></translation>
+        <translation>Épaisseur</translation>
     </message>
     <message>
         <source>Thickness of the pen ([ thinner, ] thicker)</source>
-        <translation type="unfinished"></translation>
+        <translation>Épaisseur du trait ([ plus fin, ] plus épais)</translation>
     </message>
     <message>
         <source>This arm is too thin to fill: drawn {width} wide, it becomes {measured} thick. Make it {wanted} wide.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce bras est trop mince pour se remplir : dessiné large de {width}, il devient épais de {measured}. Faites-le large de {wanted}.</translation>
+    </message>
+    <message>
+        <source>This arm is too thin to fill: {}. Make it {}?</source>
+        <translation>Ce bras est trop mince pour se remplir : {}. Le faire large de {} ?</translation>
     </message>
     <message>
         <source>This balloon holds {0} {1} litres at any pressure that suits its film: {2} litres at {3} Pa. Change the size of the balloon or the volume.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce ballon contient {0} {1} litres à toute pression qui convient à son film : {2} litres à {3} Pa. Changez la taille du ballon ou le volume.</translation>
     </message>
     <message>
         <source>This gas is not lighter than the air around, so the balloon never floats: choose another gas or a higher temperature of the gas.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce gaz n'est pas plus léger que l'air autour, le ballon ne flotte donc jamais : choisissez un autre gaz ou une température du gaz plus élevée.</translation>
     </message>
     <message>
         <source>This is shape {0} of the {1} in the drawing.</source>
-        <translation type="unfinished"></translation>
+        <translation>C'est la forme {0} des {1} du dessin.</translation>
     </message>
     <message>
         <source>This neck chokes the air: inside it is as wide as a tube of {measured} of film, the intake is {intake}. {behind} of the balloon fill through it. Make it {wanted} wide.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce col étrangle l'air : l'intérieur vaut un tube de {measured} de film, l'embout fait {intake}. {behind} du ballon se remplissent par lui. Faites-le large de {wanted}.</translation>
+    </message>
+    <message>
+        <source>This neck is too thin to let the air through: {}. Make it {}?</source>
+        <translation>Ce col est trop mince pour laisser passer l'air : {}. Le faire large de {} ?</translation>
     </message>
     <message>
         <source>This notch pulls the film {measured} as tight as elsewhere; it wrinkles there and is where it would tear. Round it with a radius of {wanted}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cette entaille tend le film {measured} plus qu'ailleurs ; il s'y plisse et s'y déchirerait. Arrondissez-la au rayon de {wanted}.</translation>
     </message>
     <message>
         <source>This shape stays flat: it holds {percent} of the air that a disc of as much film would. Fewer and wider parts make it rounder.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cette forme reste plate : elle contient {percent} de l'air qu'aurait un disque d'autant de film. Des parties moins nombreuses et plus larges l'arrondissent.</translation>
     </message>
     <message>
         <source>This tip stays flat over {length}: it is too pointed. Round it with a radius of {wanted}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cette pointe reste plate sur {length} : elle est trop effilée. Arrondissez-la au rayon de {wanted}.</translation>
     </message>
     <message>
         <source>Tip that stays flat</source>
-        <translation type="unfinished"></translation>
+        <translation>Pointe qui reste plate</translation>
     </message>
     <message>
         <source>Tracing paper, 92 g/m²</source>
-        <translation type="unfinished"></translation>
+        <translation>Papier calque, 92 g/m²</translation>
+    </message>
+    <message>
+        <source>Two circles: change their diameters in the sketch</source>
+        <translation>Deux cercles : changez leurs diamètres dans l'esquisse</translation>
     </message>
     <message>
         <source>Two panels with a grain aslant are no mirror images. Turn the grain along x or y.</source>
-        <translation type="unfinished"></translation>
+        <translation>Deux panneaux à sens oblique ne sont pas des images miroir. Tournez le sens du film selon x ou y.</translation>
     </message>
     <message>
         <source>Two shapes meet at {0}; part them, or join them into one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Deux formes se touchent en {0} ; séparez-les, ou joignez-les en une.</translation>
     </message>
     <message>
         <source>Upload the SVG as a cut image and compare the control bar: some versions read the size at 72 dpi.</source>
+        <translation>Téléversez le SVG comme image de coupe et comparez la barre de contrôle : certaines versions lisent la taille à 72 dpi.</translation>
+    </message>
+    <message>
+        <source>Used</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Violet</source>
-        <translation type="unfinished"></translation>
+        <translation>Violet foncé</translation>
     </message>
     <message>
         <source>Volume</source>
-        <translation type="unfinished"></translation>
+        <translation>Volume</translation>
     </message>
     <message>
         <source>Warm air</source>
-        <translation type="unfinished"></translation>
+        <translation>Air chaud</translation>
     </message>
     <message>
         <source>Weight</source>
-        <translation type="unfinished"></translation>
+        <translation>Masse</translation>
     </message>
     <message>
         <source>Weld TPU to TPU with an iron or hot air, 10 mm wide. Warp and weft are stiff, the bias is soft: the model takes one modulus for all directions. Stiffer after the first inflations.</source>
+        <translation>Soudez TPU sur TPU au fer ou à l'air chaud, sur 10 mm. Chaîne et trame sont raides, le biais est souple : le modèle prend un seul module pour toutes les directions. Plus raide après les premiers gonflages.</translation>
+    </message>
+    <message>
+        <source>Weld and cut</source>
+        <translation>Soudure et coupe</translation>
+    </message>
+    <message>
+        <source>Weld length</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Welds easily with an impulse sealer or an iron. Yields at about 9 MPa, half its tensile strength, and creeps: keep the pressure low.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se soude facilement à la soudeuse à impulsion ou au fer. Cède vers 9 MPa, la moitié de sa résistance, et flue : gardez la pression basse.</translation>
     </message>
     <message>
         <source>What most shops ask for: R12, closed polylines, nothing on the sheet that is not cut. R12 knows no unit, so the file's name tells it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce que demandent la plupart des ateliers : R12, polylignes fermées, rien sur la feuille qui ne soit coupé. R12 ne connaît pas d'unité, le nom du fichier la dit donc.</translation>
     </message>
     <message>
         <source>What works here</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce qui marche ici</translation>
+    </message>
+    <message>
+        <source>While this is pressed, the ring in the 3D view moves the intake</source>
+        <translation>Tant que ceci est enfoncé, l'anneau de la vue 3D déplace l'embout</translation>
     </message>
     <message>
         <source>While this is pressed, what you select becomes the source</source>
-        <translation type="unfinished"></translation>
+        <translation>Tant que ceci est enfoncé, ce que vous sélectionnez devient la source</translation>
     </message>
     <message>
         <source>White</source>
-        <translation type="unfinished"></translation>
+        <translation>Blanc</translation>
     </message>
     <message>
         <source>Width</source>
-        <translation type="unfinished"></translation>
+        <translation>Largeur</translation>
     </message>
     <message>
         <source>Width of the balloon when it is inflated</source>
+        <translation>Largeur du ballon une fois gonflé</translation>
+    </message>
+    <message>
+        <source>Will it float?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write all results for ParaView (.vtu) or NumPy (.npz), or the shape alone (.stl)</source>
+        <translation>Écrire tous les résultats pour ParaView (.vtu) ou NumPy (.npz), ou la forme seule (.stl)</translation>
+    </message>
+    <message>
+        <source>Write files…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Write {"unit": "mm", "outer": [[0, 0], [300, 0], [150, 200]]}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Écrivez {"unit": "mm", "outer": [[0, 0], [300, 0], [150, 200]]}.</translation>
     </message>
     <message>
         <source>Writing DXF needs ezdxf: install it with pip install ezdxf, or use the SVG file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Écrire du DXF demande ezdxf : installez-le par pip install ezdxf, ou prenez le fichier SVG.</translation>
     </message>
     <message>
         <source>Writing PDF needs reportlab: install it with pip install reportlab, or use the SVG file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Écrire du PDF demande reportlab : installez-le par pip install reportlab, ou prenez le fichier SVG.</translation>
     </message>
     <message>
         <source>Yellow</source>
-        <translation type="unfinished"></translation>
+        <translation>Jaune</translation>
     </message>
     <message>
         <source>Young's modulus</source>
-        <translation type="unfinished"></translation>
+        <translation>Module d'Young</translation>
     </message>
     <message>
         <source>Young's modulus across the grain</source>
-        <translation type="unfinished"></translation>
+        <translation>Module d'Young en travers du film</translation>
     </message>
     <message>
         <source>a coordinate is not a number</source>
-        <translation type="unfinished"></translation>
+        <translation>une coordonnée n'est pas un nombre</translation>
+    </message>
+    <message>
+        <source>a transform is not a number</source>
+        <translation>une transformation n'est pas un nombre</translation>
     </message>
     <message>
         <source>a {0} file has a unit of its own: give "unit": "mm".</source>
-        <translation type="unfinished"></translation>
+        <translation>un fichier {0} a sa propre unité : donnez "unit": "mm".</translation>
+    </message>
+    <message>
+        <source>apart {} in the mean, 95 % below {}, at most {}</source>
+        <translation>écart moyen {}, 95 % sous {}, au plus {}</translation>
+    </message>
+    <message>
+        <source>at most {:.4g} {}</source>
+        <translation>au plus {:.4g} {}</translation>
     </message>
     <message>
         <source>balloon {0} of {1}, {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>ballon {0} sur {1}, {2}</translation>
     </message>
     <message>
         <source>bed_mm is {0}: give [width, height], or null where there is no limit.</source>
-        <translation type="unfinished"></translation>
+        <translation>bed_mm est {0} : donnez [largeur, hauteur], ou null s'il n'y a pas de limite.</translation>
     </message>
     <message>
         <source>bring it to a</source>
-        <translation type="unfinished"></translation>
+        <translation>donnez-lui une</translation>
     </message>
     <message>
         <source>colour index {0} and pen {1} of {2} must be from 1 to 255.</source>
-        <translation type="unfinished"></translation>
+        <translation>l'indice de couleur {0} et la plume {1} de {2} doivent être de 1 à 255.</translation>
     </message>
     <message>
         <source>does not name its unit</source>
-        <translation type="unfinished"></translation>
+        <translation>ne nomme pas son unité</translation>
+    </message>
+    <message>
+        <source>drawing</source>
+        <translation>dessin</translation>
+    </message>
+    <message>
+        <source>film and valve</source>
+        <translation>film et valve</translation>
+    </message>
+    <message>
+        <source>in the mean {}</source>
+        <translation>en moyenne {}</translation>
+    </message>
+    <message>
+        <source>inflated</source>
+        <translation>gonflé</translation>
     </message>
     <message>
         <source>it would grow together with another part</source>
-        <translation type="unfinished"></translation>
+        <translation>elle se joindrait à une autre partie</translation>
+    </message>
+    <message>
+        <source>laying out{0}</source>
+        <translation>disposition{0}</translation>
     </message>
     <message>
         <source>names the unit {0}, which is not a usual one</source>
-        <translation type="unfinished"></translation>
+        <translation>nomme l'unité {0}, qui n'est pas courante</translation>
     </message>
     <message>
         <source>no layer is written: name at least CUT.</source>
-        <translation type="unfinished"></translation>
+        <translation>aucun calque n'est écrit : nommez au moins CUT.</translation>
     </message>
     <message>
         <source>nobody knows "{0}": it may be one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>personne ne connaît « {0} » : ce peut être {1}.</translation>
     </message>
     <message>
         <source>not converged: </source>
-        <translation type="unfinished"></translation>
+        <translation>non convergé : </translation>
     </message>
     <message>
         <source>place "{0}" is neither {1} nor {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>place « {0} » n'est ni {1} ni {2}.</translation>
+    </message>
+    <message>
+        <source>safe to {}, margin {:.2g}</source>
+        <translation>sûr jusqu'à {}, marge {:.2g}</translation>
+    </message>
+    <message>
+        <source>slack: {:.0f} %</source>
+        <translation>détendu : {:.0f} %</translation>
+    </message>
+    <message>
+        <source>stale: belongs to earlier values</source>
+        <translation>périmé : appartient à des valeurs antérieures</translation>
+    </message>
+    <message>
+        <source>strength of the film not known</source>
+        <translation>résistance du film inconnue</translation>
+    </message>
+    <message>
+        <source>taut: {:.0f} %</source>
+        <translation>tendu : {:.0f} %</translation>
     </message>
     <message>
         <source>the colour "{0}" is not written like #ff0000.</source>
-        <translation type="unfinished"></translation>
+        <translation>la couleur « {0} » n'est pas écrite comme #ff0000.</translation>
+    </message>
+    <message>
+        <source>the file name "{0}" may have letters, digits, spaces, _, - and . only.</source>
+        <translation>le nom de fichier « {0} » ne peut avoir que lettres, chiffres, espaces, _, - et .</translation>
     </message>
     <message>
         <source>the last line of each piece is its CUT.</source>
-        <translation type="unfinished"></translation>
+        <translation>la dernière ligne de chaque pièce est son CUT.</translation>
     </message>
     <message>
         <source>the layer name "{0}" may have 1 to 31 of A-Z, 0-9, _, - and $ only.</source>
-        <translation type="unfinished"></translation>
+        <translation>le nom de calque « {0} » peut avoir de 1 à 31 signes parmi A-Z, 0-9, _, - et $.</translation>
     </message>
     <message>
         <source>there is no such corner</source>
-        <translation type="unfinished"></translation>
+        <translation>il n'y a pas de tel angle</translation>
     </message>
     <message>
         <source>there is no such part</source>
+        <translation>il n'y a pas de telle partie</translation>
+    </message>
+    <message>
+        <source>unknown: this film has no strength</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>up to date</source>
-        <translation type="unfinished"></translation>
+        <translation>à jour</translation>
     </message>
     <message>
         <source>width_mm must be above 0, and taper from 0.2 to 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>width_mm doit dépasser 0, et taper être de 0,2 à 1.</translation>
+    </message>
+    <message>
+        <source>wrinkled, taut along one direction: {:.0f} %</source>
+        <translation>plissé, tendu dans une direction : {:.0f} %</translation>
     </message>
     <message>
         <source>{0} "{1}" is none of {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} « {1} » n'est aucun de {2}.</translation>
     </message>
     <message>
         <source>{0} and {1} lines meet near {2}: move the hole inward or make the allowance narrower.</source>
+        <translation>Les lignes {0} et {1} se rencontrent près de {2} : déplacez le trou vers l'intérieur ou réduisez la marge.</translation>
+    </message>
+    <message>
+        <source>{0} balloons cannot be laid out: give 1 or more.</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} belongs to no balloon: choose an outline, a balloon or a pattern.</source>
+        <translation>{0} n'appartient à aucun ballon : choisissez un contour, un ballon ou un patron.</translation>
+    </message>
+    <message>
+        <source>{0} cannot be "{1}": {2}</source>
+        <translation>{0} ne peut pas être « {1} » : {2}</translation>
     </message>
     <message>
         <source>{0} cannot be loaded ({1}).</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ne peut pas être chargé ({1}).</translation>
     </message>
     <message>
-        <source>{0} changed since it was inflated: choose Inflate now in its context menu, or switch Live on.</source>
-        <translation type="unfinished"></translation>
+        <source>{0} changed since. Choose Inflate now in its context menu, or switch Live on.</source>
+        <translation>Changé depuis : {0}. Choisissez « Gonfler maintenant » dans son menu contextuel, ou activez Direct.</translation>
+    </message>
+    <message>
+        <source>{0} dots per inch cannot be printed well: give {1} to {2}.</source>
+        <translation>{0} points par pouce s'impriment mal : donnez de {1} à {2}.</translation>
     </message>
     <message>
         <source>{0} gap{1} between the lines closed, the widest {2} % of the drawing's width.</source>
-        <translation type="unfinished"></translation>
+        <translation>Écarts fermés entre les lignes : {0}{1}, le plus large {2} % de la largeur du dessin.</translation>
     </message>
     <message>
         <source>{0} has interface {1}, but {2} is needed.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} a l'interface {1}, mais il faut {2}.</translation>
     </message>
     <message>
         <source>{0} has no pattern: choose a balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} n'a pas de patron : choisissez un ballon.</translation>
+    </message>
+    <message>
+        <source>{0} has no result yet: recompute it.</source>
+        <translation>{0} n'a pas encore de résultat : recalculez-le.</translation>
     </message>
     <message>
         <source>{0} has no shape: select a sketch, a wire or a face.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} n'a pas de forme : sélectionnez une esquisse, un fil ou une face.</translation>
     </message>
     <message>
         <source>{0} has not been built.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} n'a pas été compilé.</translation>
     </message>
     <message>
         <source>{0} has several faces: select one of them.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} a plusieurs faces : sélectionnez-en une.</translation>
     </message>
     <message>
         <source>{0} is a folder</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} est un dossier</translation>
     </message>
     <message>
         <source>{0} is empty: draw a closed line in it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} est vide : tracez-y une ligne fermée.</translation>
     </message>
     <message>
         <source>{0} is neither DXF nor SVG: let the name end in .dxf or .svg.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} n'est ni DXF ni SVG : terminez le nom par .dxf ou .svg.</translation>
     </message>
     <message>
         <source>{0} is neither VTU, NPZ nor STL: let the name end in .vtu, .npz or .stl.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} n'est ni VTU, ni NPZ, ni STL : terminez le nom par .vtu, .npz ou .stl.</translation>
     </message>
     <message>
         <source>{0} is not a coordinate</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} n'est pas une coordonnée</translation>
     </message>
     <message>
         <source>{0} is not flat: a balloon is cut from flat film, so draw it in one plane.</source>
+        <translation>{0} n'est pas plan : un ballon se découpe dans du film plat, dessinez-le donc dans un plan.</translation>
+    </message>
+    <message>
+        <source>{0} is not up to date. {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} is not up to date. {1} Repair that and recompute.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} is not up to date. {1} Repair that, recompute and export again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} n'est pas à jour. {1} Réparez cela, recalculez et exportez à nouveau.</translation>
     </message>
     <message>
         <source>{0} is {1}: give a number from {2} to {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} est {1} : donnez un nombre de {2} à {3}.</translation>
     </message>
     <message>
         <source>{0} is {1}: write true or false.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} est {1} : écrivez true ou false.</translation>
     </message>
     <message>
         <source>{0} loose ends of lines were joined to the drawing.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} bouts de lignes libres ont été joints au dessin.</translation>
+    </message>
+    <message>
+        <source>{0} m of a roll {1} mm wide</source>
+        <translation>{0} m d'un rouleau de {1} mm de large</translation>
+    </message>
+    <message>
+        <source>{0} mm wide, {1} m long</source>
+        <translation>{0} mm de large, {1} m de long</translation>
     </message>
     <message>
         <source>{0} notches are closer than {1}: take fewer.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} encoches sont plus serrées que {1} : prenez-en moins.</translation>
     </message>
     <message>
         <source>{0} open line was left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ligne ouverte a été omise.</translation>
     </message>
     <message>
         <source>{0} open lines were left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} lignes ouvertes ont été omises.</translation>
     </message>
     <message>
         <source>{0} reads {1}, which has no pages: choose paper.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} lit {1}, qui n'a pas de pages : choisissez le papier.</translation>
     </message>
     <message>
         <source>{0} small speck was dropped.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} petite tache a été omise.</translation>
     </message>
     <message>
         <source>{0} small specks were dropped.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} petites taches ont été omises.</translation>
     </message>
     <message>
         <source>{0} thin line is</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ligne mince est</translation>
     </message>
     <message>
         <source>{0} thin lines are</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} lignes minces sont</translation>
+    </message>
+    <message>
+        <source>{0} times</source>
+        <translation>{0} fois</translation>
     </message>
     <message>
         <source>{0} tiny hole was filled.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} trou minuscule a été rempli.</translation>
     </message>
     <message>
         <source>{0} tiny holes were filled.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} trous minuscules ont été remplis.</translation>
     </message>
     <message>
         <source>{0} was left out. {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} a été omis. {1}</translation>
     </message>
     <message>
         <source>{0} weld{1} outside the shapes left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} soudure hors des formes, omise{1}.</translation>
     </message>
     <message>
         <source>{0} {1} cannot be made; {2} size between 1 mm and 100 m.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} {1} est impossible ; {2} taille entre 1 mm et 100 m.</translation>
     </message>
     <message>
         <source>{0}: make the balloon smaller, or choose another machine or paper.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} : réduisez le ballon, ou choisissez une autre machine ou un autre papier.</translation>
     </message>
     <message>
         <source>{0}: turn the pattern by 90 degrees there.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} : tournez-y le patron de 90 degrés.</translation>
+    </message>
+    <message>
+        <source>{0}no, at no size.</source>
+        <translation>{0}non, à aucune taille.</translation>
+    </message>
+    <message>
+        <source>{0}no. From {1} cm width it would.</source>
+        <translation>{0}non. À partir de {1} cm de large, si.</translation>
     </message>
     <message>
         <source>{0}what is shown is the last good state. Lower the pressure or change the mesh size.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}ce qui est montré est le dernier bon état. Baissez la pression ou changez la taille de maille.</translation>
+    </message>
+    <message>
+        <source>{0}yes, and it carries {1} g.</source>
+        <translation>{0}oui, et il porte {1} g.</translation>
     </message>
     <message>
         <source>{:.0f} % wrinkled, {:.0f} % slack</source>
-        <translation type="unfinished"></translation>
+        <translation>{:.0f} % plissé, {:.0f} % détendu</translation>
+    </message>
+    <message>
+        <source>{:.0f} ms, {:.0f} Pa, frame {} of {}</source>
+        <translation>{:.0f} ms, {:.0f} Pa, image {} sur {}</translation>
     </message>
     <message>
         <source>{:.1f} x {:.1f} mm, weld {:.0f} mm</source>
+        <translation>{:.1f} x {:.1f} mm, soudure {:.0f} mm</translation>
+    </message>
+    <message>
+        <source>{:.2f} m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{:.2f} m of a roll of {:.0f} mm</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{:.2f} mm, at most {:.2f} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>{:.2f} mm, au plus {:.2f} mm</translation>
     </message>
     <message>
         <source>{:.3g} g, carries {:.3g} g with {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{:.3g} g, porte {:.3g} g avec {}</translation>
     </message>
     <message>
         <source>{:.3g} g, floats from {:.0f} mm width on with {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{:.3g} g, flotte dès {:.0f} mm de large avec {}</translation>
     </message>
     <message>
         <source>{:.3g} g, never floats with {}</source>
+        <translation>{:.3g} g, ne flotte jamais avec {}</translation>
+    </message>
+    <message>
+        <source>{:.3g} g: film {:.3g}, weld and neck {:.2g}, valve {:.2g}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{:.3g} kPa, margin {:g} ({})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{:.3g} l of {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{:.3g} m², wider than the usual roll</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} files written to {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} is in the tree</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} pieces on {:.0f} x {:.0f} mm, {:.0f} % used</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{} x {}, {} thick, {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} x {}, épais de {}, {}</translation>
     </message>
     <message>
-        <source>{}: {}. Esc stops.</source>
-        <translation type="unfinished"></translation>
+        <source>{}: {}</source>
+        <translation>{} : {}</translation>
     </message>
 </context>
 <context>
     <name>BalloonWorkbench_Advice</name>
     <message>
         <source>Advice</source>
-        <translation type="unfinished"></translation>
+        <translation>Conseils</translation>
     </message>
     <message>
         <source>Show which parts of a shape will inflate badly, and repair them</source>
+        <translation>Montre quelles parties d'une forme se gonfleront mal, et les répare</translation>
+    </message>
+</context>
+<context>
+    <name>BalloonWorkbench_Animate</name>
+    <message>
+        <source>Animate inflation</source>
+        <translation>Animer le gonflage</translation>
+    </message>
+    <message>
+        <source>Play how the balloon inflates, from the flat film to rest, with a slider</source>
+        <translation>Joue comment le ballon se gonfle, du film plat au repos, avec un curseur</translation>
+    </message>
+</context>
+<context>
+    <name>BalloonWorkbench_Artwork</name>
+    <message>
+        <source>Artwork</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Print a picture on the film so that it reads right on the inflated balloon</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>BalloonWorkbench_AssemblySheet</name>
+    <message>
+        <source>Assembly sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tell what the balloon takes and whether it floats, and write one page on how to make it</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>BalloonWorkbench_ColourMap</name>
+    <message>
+        <source>Colour map</source>
+        <translation>Carte de couleurs</translation>
+    </message>
+    <message>
+        <source>Show tension, wrinkles, thickness and other results as colours on the balloon</source>
+        <translation>Montre tension, plis, épaisseur et autres résultats en couleurs sur le ballon</translation>
     </message>
 </context>
 <context>
     <name>BalloonWorkbench_Equipment</name>
     <message>
         <source>Show the solver in use, and which packages are missing and what that costs</source>
-        <translation type="unfinished"></translation>
+        <translation>Montre le solveur utilisé, et quels paquets manquent et ce que cela coûte</translation>
     </message>
     <message>
         <source>What works here</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce qui marche ici</translation>
+    </message>
+</context>
+<context>
+    <name>BalloonWorkbench_Examples</name>
+    <message>
+        <source>Examples</source>
+        <translation>Exemples</translation>
+    </message>
+    <message>
+        <source>Open a finished balloon, to look at it and to change it</source>
+        <translation>Ouvre un ballon terminé, à regarder et à modifier</translation>
     </message>
 </context>
 <context>
     <name>BalloonWorkbench_ExportPattern</name>
     <message>
         <source>Export pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>Exporter le patron</translation>
     </message>
     <message>
         <source>Write the flat pattern of a balloon for a cutter, a plotter, a heat sealer or a printer</source>
-        <translation type="unfinished"></translation>
+        <translation>Écrit le patron à plat d'un ballon pour une découpeuse, un traceur, une soudeuse ou une imprimante</translation>
     </message>
 </context>
 <context>
     <name>BalloonWorkbench_FromPicture</name>
     <message>
         <source>New balloon from picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Nouveau ballon depuis une image</translation>
     </message>
     <message>
         <source>Trace a picture, SVG, DXF or JSON file and design the balloon that looks like it</source>
-        <translation type="unfinished"></translation>
+        <translation>Suit une image, un fichier SVG, DXF ou JSON et conçoit le ballon qui lui ressemble</translation>
     </message>
 </context>
 <context>
     <name>BalloonWorkbench_FromSketch</name>
     <message>
         <source>Design the balloon that looks like the selected sketch, wire or face and follows it</source>
-        <translation type="unfinished"></translation>
+        <translation>Conçoit le ballon qui ressemble à l'esquisse, au fil ou à la face choisis et les suit</translation>
     </message>
     <message>
         <source>New balloon from sketch</source>
+        <translation>Nouveau ballon depuis une esquisse</translation>
+    </message>
+</context>
+<context>
+    <name>BalloonWorkbench_Nest</name>
+    <message>
+        <source>Lay out on film</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lay the panels of one or several balloons closely on a roll or on sheets of film</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2306,11 +3296,22 @@
     <name>BalloonWorkbench_Paint</name>
     <message>
         <source>Draw with pen and brush, and watch the balloon and its pattern grow beside it</source>
-        <translation type="unfinished"></translation>
+        <translation>Dessiner au stylo et au pinceau, et voir le ballon et son patron grandir à côté</translation>
     </message>
     <message>
         <source>Paint a balloon</source>
-        <translation type="unfinished"></translation>
+        <translation>Peindre un ballon</translation>
+    </message>
+</context>
+<context>
+    <name>Workbench</name>
+    <message>
+        <source>Film &amp;Balloon</source>
+        <translation>&amp;Ballon en film</translation>
+    </message>
+    <message>
+        <source>Film Balloon</source>
+        <translation>Ballon en film</translation>
     </message>
 </context>
 </TS>

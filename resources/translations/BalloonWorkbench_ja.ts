@@ -5,2340 +5,3290 @@
     <name>App::Property</name>
     <message>
         <source>A line of text where the film is widest, as outlines</source>
-        <translation type="unfinished"></translation>
+        <translation>フィルムが最も広い所に入れる 1 行の文字（輪郭線として）</translation>
     </message>
     <message>
         <source>A tab with a hole to tie the balloon to, outside the weld</source>
-        <translation type="unfinished"></translation>
+        <translation>風船を結ぶための穴付きの耳（溶着線の外側）</translation>
     </message>
     <message>
-        <source>Add a neck through which the balloon is filled</source>
+        <source>Add what the balloon is filled through</source>
+        <translation>風船をふくらませるための口を付ける</translation>
+    </message>
+    <message>
+        <source>Another picture for the back; empty takes that of the front</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Area of film inside the welds, both panels</source>
-        <translation type="unfinished"></translation>
+        <translation>溶着線の内側のフィルム面積（表裏 2 枚）</translation>
     </message>
     <message>
         <source>Around the balloon, in degrees Celsius</source>
-        <translation type="unfinished"></translation>
+        <translation>風船の周囲の温度（摂氏）</translation>
     </message>
     <message>
         <source>Automatic evens out a nearly symmetric picture, Forced any drawing: its left half is mirrored</source>
-        <translation type="unfinished"></translation>
+        <translation>「自動」はほぼ対称な絵を整え、「強制」はどんな図でも左半分を反転して対称にする</translation>
+    </message>
+    <message>
+        <source>Corner relief: corners of the cuts are rounded so; the weld is not</source>
+        <translation>角の逃げ：切り線の角をこの半径で丸める（溶着線は丸めない）</translation>
     </message>
     <message>
         <source>Corners of all loops</source>
-        <translation type="unfinished"></translation>
+        <translation>すべての輪の頂点</translation>
     </message>
     <message>
         <source>Corners of all welds</source>
-        <translation type="unfinished"></translation>
+        <translation>すべての溶着線の頂点</translation>
     </message>
     <message>
         <source>Corners of the pattern's seam</source>
-        <translation type="unfinished"></translation>
+        <translation>型紙の溶着線の頂点</translation>
     </message>
     <message>
         <source>Corners of the welds inside</source>
-        <translation type="unfinished"></translation>
+        <translation>内側の溶着線の頂点</translation>
     </message>
     <message>
         <source>Correct the pattern until the balloon looks like the drawing, or not</source>
-        <translation type="unfinished"></translation>
+        <translation>風船が図と同じ形に見えるまで型紙を補正するかどうか</translation>
     </message>
     <message>
         <source>Corrections of the pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>型紙の補正回数</translation>
     </message>
     <message>
         <source>Direction of the grain, from the x axis of the drawing</source>
-        <translation type="unfinished"></translation>
+        <translation>フィルムの流れ方向（図の x 軸から測る）</translation>
     </message>
     <message>
         <source>Direction of the neck, counter-clockwise from the x axis</source>
-        <translation type="unfinished"></translation>
+        <translation>注入口の向き（x 軸から反時計回り）</translation>
     </message>
     <message>
         <source>Direction of the tab from the middle of the pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>型紙の中心から見た耳の向き</translation>
+    </message>
+    <message>
+        <source>Display mode when no map is shown</source>
+        <translation>カラーマップを表示しないときの表示モード</translation>
     </message>
     <message>
         <source>Distance that 95 % of the silhouette keep to</source>
+        <translation>シルエットの 95 % が収まる距離</translation>
+    </message>
+    <message>
+        <source>Dots per inch of the files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Film left between pieces, and at the edges</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Film left outside the weld</source>
-        <translation type="unfinished"></translation>
+        <translation>溶着線の外側に残すフィルムの幅</translation>
     </message>
     <message>
         <source>Film of both panels with weld and intake, in grams</source>
-        <translation type="unfinished"></translation>
+        <translation>表裏 2 枚のフィルム、溶着部、注入口の重さ（グラム）</translation>
     </message>
     <message>
         <source>Film that wrinkles where it is compressed, or a shell that does not, for comparison</source>
-        <translation type="unfinished"></translation>
+        <translation>圧縮されるとしわになるフィルム、または比較用のしわにならないシェル</translation>
     </message>
     <message>
         <source>Film, model and solver of the result</source>
-        <translation type="unfinished"></translation>
+        <translation>結果に使われたフィルム、モデル、ソルバー</translation>
     </message>
     <message>
         <source>Fit inside width and height instead of stretching to both</source>
-        <translation type="unfinished"></translation>
+        <translation>幅と高さの両方に引き伸ばさず、その中に収める</translation>
     </message>
     <message>
         <source>Follow every change at once; switch it off for heavy models and inflate when you ask for it</source>
-        <translation type="unfinished"></translation>
+        <translation>変更にすぐ追従する。重いモデルではオフにし、必要なときにふくらませる</translation>
     </message>
     <message>
         <source>FreeCAD's material card that the values were taken from</source>
-        <translation type="unfinished"></translation>
+        <translation>値の元になった FreeCAD の材料カード</translation>
     </message>
     <message>
         <source>Height above the sea</source>
+        <translation>海抜高度</translation>
+    </message>
+    <message>
+        <source>Height of all that is cut</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Height of its capital letters</source>
-        <translation type="unfinished"></translation>
+        <translation>大文字の高さ</translation>
     </message>
     <message>
         <source>Height of the drawing; 0 follows from the width</source>
-        <translation type="unfinished"></translation>
+        <translation>図の高さ（0 なら幅から決まる）</translation>
     </message>
     <message>
         <source>Height of the inflated balloon</source>
-        <translation type="unfinished"></translation>
+        <translation>ふくらんだ風船の高さ</translation>
     </message>
     <message>
         <source>Height of the outline</source>
-        <translation type="unfinished"></translation>
+        <translation>輪郭の高さ</translation>
     </message>
     <message>
         <source>Height of the piece of film</source>
+        <translation>フィルム片の高さ</translation>
+    </message>
+    <message>
+        <source>Height of the print with its marks</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Inner width of the neck</source>
+        <source>How far the print goes past the cut</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How many balloons are cut from the sheet</source>
+        <translation>1 枚のシートから切り出す風船の数</translation>
+    </message>
+    <message>
+        <source>How many balloons of each pattern</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How the balloon is filled and closed</source>
+        <translation>風船のふくらませ方と閉じ方</translation>
+    </message>
+    <message>
+        <source>How the grain of the pieces lies, relative to the film's length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How the intake is made and used</source>
+        <translation>注入口の作り方と使い方</translation>
+    </message>
+    <message>
+        <source>Inner width of the neck, or bore of the nozzle</source>
+        <translation>首の内幅、またはノズルの内径</translation>
     </message>
     <message>
         <source>It carries itself</source>
-        <translation type="unfinished"></translation>
+        <translation>自分の重さを支えて浮く</translation>
     </message>
     <message>
         <source>Label of the values the mesh belongs to</source>
+        <translation>このメッシュが対応する値の識別子</translation>
+    </message>
+    <message>
+        <source>Label of what was laid out</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Larger dimension before repairs, in mm</source>
-        <translation type="unfinished"></translation>
+        <translation>修正前の長い方の寸法（mm）</translation>
     </message>
     <message>
         <source>Largest distance between drawing and silhouette</source>
-        <translation type="unfinished"></translation>
+        <translation>図とシルエットの最大の隔たり</translation>
     </message>
     <message>
         <source>Largest membrane tension in N/m</source>
-        <translation type="unfinished"></translation>
+        <translation>膜張力の最大値（N/m）</translation>
     </message>
     <message>
         <source>Largest strain of the film</source>
-        <translation type="unfinished"></translation>
+        <translation>フィルムの最大ひずみ</translation>
     </message>
     <message>
         <source>Least bending stiffness, in units of the usual least one</source>
-        <translation type="unfinished"></translation>
+        <translation>曲げ剛性の下限（通常の下限を 1 とする）</translation>
+    </message>
+    <message>
+        <source>Left open in welds that would cut off a part, so wide; 0 gives each part an intake of its own</source>
+        <translation>部分を切り離してしまう溶着線に残す通路の幅。0 なら部分ごとに注入口を付ける</translation>
     </message>
     <message>
         <source>Length of a notch; at most the allowance</source>
+        <translation>合印の長さ（外側の余白以下）</translation>
+    </message>
+    <message>
+        <source>Length of a sheet; 0 is a roll</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Length of the neck from the seam outward; 0 is automatic</source>
+        <source>Length of all welds on it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length of the neck from the seam outward, or diameter of the flange; 0 takes the usual one</source>
+        <translation>溶着線から外へ伸びる首の長さ、またはフランジの直径。0 なら通常の値</translation>
+    </message>
+    <message>
+        <source>Length of the roll that is used</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Length of the weld</source>
-        <translation type="unfinished"></translation>
+        <translation>溶着線の長さ</translation>
     </message>
     <message>
         <source>Lines and arcs within 0.02 mm in place of many short lines</source>
-        <translation type="unfinished"></translation>
+        <translation>多数の短い線の代わりに、誤差 0.02 mm 以内の直線と円弧を使う</translation>
     </message>
     <message>
         <source>Mean distance between drawing and silhouette</source>
-        <translation type="unfinished"></translation>
+        <translation>図とシルエットの平均の隔たり</translation>
     </message>
     <message>
         <source>Notches to lay both films on each other by, evenly along the cut</source>
-        <translation type="unfinished"></translation>
+        <translation>2 枚のフィルムを重ね合わせるための合印（切り線に沿って等間隔）</translation>
     </message>
     <message>
         <source>Number of corners of each loop</source>
-        <translation type="unfinished"></translation>
+        <translation>各輪の頂点数</translation>
     </message>
     <message>
         <source>Number of corners of each seam</source>
-        <translation type="unfinished"></translation>
+        <translation>各溶着線（外周）の頂点数</translation>
     </message>
     <message>
         <source>Number of corners of each weld</source>
-        <translation type="unfinished"></translation>
+        <translation>各内側溶着線の頂点数</translation>
     </message>
     <message>
         <source>Number of holes</source>
+        <translation>穴の数</translation>
+    </message>
+    <message>
+        <source>Number of pieces on what is shown</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Number of seams, then the number of vertices of each seam and weld</source>
+        <translation>外周の数、続いて各外周・溶着線の節点数</translation>
+    </message>
+    <message>
+        <source>Number of sheets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number of the sheet that is shown and exported</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Of warm air, in degrees Celsius</source>
+        <translation>熱気の温度（摂氏）</translation>
+    </message>
+    <message>
+        <source>Part of the film that the pieces take, in per cent</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Part of the film's area that is slack</source>
-        <translation type="unfinished"></translation>
+        <translation>たるんでいるフィルム面積の割合</translation>
     </message>
     <message>
         <source>Part of the film's area that is wrinkled</source>
-        <translation type="unfinished"></translation>
+        <translation>しわになっているフィルム面積の割合</translation>
     </message>
     <message>
         <source>Picture, SVG, DXF or JSON file; a copy travels in the document</source>
-        <translation type="unfinished"></translation>
+        <translation>画像、SVG、DXF、JSON のファイル（コピーが文書に入る）</translation>
+    </message>
+    <message>
+        <source>Place of the intake: counter-clockwise along the outer seam from its rightmost point</source>
+        <translation>注入口の位置：外周の右端から反時計回りに測った長さ</translation>
     </message>
     <message>
         <source>Point the neck from the centre to the farthest point</source>
-        <translation type="unfinished"></translation>
+        <translation>首を中心から最も遠い点へ向ける</translation>
     </message>
     <message>
         <source>Poisson's ratio of the film</source>
-        <translation type="unfinished"></translation>
+        <translation>フィルムのポアソン比</translation>
     </message>
     <message>
         <source>Pressure in the inflated balloon</source>
-        <translation type="unfinished"></translation>
+        <translation>ふくらんだ風船の内圧</translation>
     </message>
     <message>
         <source>Pressure inside, above that outside</source>
-        <translation type="unfinished"></translation>
+        <translation>内圧（外気圧との差）</translation>
     </message>
     <message>
         <source>Put the tab opposite the intake</source>
-        <translation type="unfinished"></translation>
+        <translation>耳を注入口の反対側に付ける</translation>
     </message>
     <message>
         <source>Remarks made during the design</source>
-        <translation type="unfinished"></translation>
+        <translation>設計中の注意</translation>
     </message>
     <message>
         <source>Remarks made while the outline was found</source>
-        <translation type="unfinished"></translation>
+        <translation>輪郭抽出中の注意</translation>
     </message>
     <message>
         <source>Remarks made while the pattern was drawn</source>
+        <translation>型紙作図中の注意</translation>
+    </message>
+    <message>
+        <source>Remarks on the layout</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Result that is shown as colours, with a legend</source>
+        <translation>凡例付きで色表示する結果</translation>
     </message>
     <message>
         <source>Roundness: 1 for a disc, 0 for a flat thing</source>
-        <translation type="unfinished"></translation>
+        <translation>ふくらみ度：円盤なら 1、平らなものは 0</translation>
+    </message>
+    <message>
+        <source>Show the drawing and the silhouette over each other</source>
+        <translation>図とシルエットを重ねて表示する</translation>
     </message>
     <message>
         <source>Simulate both panels instead of one and its mirror image</source>
-        <translation type="unfinished"></translation>
+        <translation>1 枚とその鏡像ではなく 2 枚とも計算する</translation>
     </message>
     <message>
         <source>Size of the triangles; 0 is automatic</source>
-        <translation type="unfinished"></translation>
+        <translation>三角形の大きさ（0 は自動）</translation>
     </message>
     <message>
         <source>Sketch, wire or face that the outline follows instead of a file</source>
-        <translation type="unfinished"></translation>
+        <translation>ファイルの代わりに輪郭が追従するスケッチ、ワイヤー、面</translation>
+    </message>
+    <message>
+        <source>Smooth stretches as single splines in place of arcs</source>
+        <translation>滑らかな区間を円弧ではなく 1 本のスプラインにする</translation>
     </message>
     <message>
         <source>Solver that was used</source>
-        <translation type="unfinished"></translation>
+        <translation>使われたソルバー</translation>
     </message>
     <message>
         <source>Solver: compiled, NumPy, or the best of them; Newmark follows the inflation in time, slowly</source>
-        <translation type="unfinished"></translation>
+        <translation>ソルバー：コンパイル版、NumPy、またはその最良のもの。Newmark は膨張を時間とともに追うが遅い</translation>
     </message>
     <message>
         <source>Steps of the solver in the last inflation</source>
-        <translation type="unfinished"></translation>
+        <translation>最後の膨張計算のステップ数</translation>
     </message>
     <message>
         <source>Tension over the section at which the film tears; 0: not known</source>
-        <translation type="unfinished"></translation>
+        <translation>フィルムが破れる断面応力（0：不明）</translation>
     </message>
     <message>
         <source>The balloon that is cut from this pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>この型紙から作る風船</translation>
     </message>
     <message>
         <source>The film resists bending</source>
-        <translation type="unfinished"></translation>
+        <translation>フィルムの曲げ剛性を考える</translation>
     </message>
     <message>
         <source>The mesh shown is an equilibrium</source>
-        <translation type="unfinished"></translation>
+        <translation>表示中のメッシュは釣り合い状態にある</translation>
     </message>
     <message>
         <source>The outline of the drawing</source>
-        <translation type="unfinished"></translation>
+        <translation>図の輪郭</translation>
     </message>
     <message>
         <source>The outline whose drawing this one shares; empty: its own</source>
+        <translation>同じ図を使う元の輪郭（空なら自分の図）</translation>
+    </message>
+    <message>
+        <source>The pattern that is printed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The patterns that are laid out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The second panel beside the first, mirrored; else cut twice</source>
+        <translation>2 枚目を反転して 1 枚目の隣に置く（しない場合は 2 回切る）</translation>
+    </message>
+    <message>
+        <source>The side that is shown and exported for a cutter</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The silhouette is within the tolerance of the drawing</source>
-        <translation type="unfinished"></translation>
+        <translation>シルエットが図の許容差内にある</translation>
     </message>
     <message>
         <source>The whole report as JSON</source>
-        <translation type="unfinished"></translation>
+        <translation>レポート全体（JSON）</translation>
     </message>
     <message>
         <source>Thickness of the film</source>
-        <translation type="unfinished"></translation>
+        <translation>フィルムの厚さ</translation>
     </message>
     <message>
         <source>Thickness of the inflated balloon</source>
-        <translation type="unfinished"></translation>
+        <translation>ふくらんだ風船の厚み</translation>
     </message>
     <message>
         <source>Up to date, or what is wrong</source>
-        <translation type="unfinished"></translation>
+        <translation>最新か、または問題の内容</translation>
     </message>
     <message>
         <source>Version of this object's properties</source>
-        <translation type="unfinished"></translation>
+        <translation>このオブジェクトのプロパティの版</translation>
     </message>
     <message>
         <source>Vertices along all seams, then along all welds inside</source>
-        <translation type="unfinished"></translation>
+        <translation>すべての外周の節点、続いて内側の溶着線の節点</translation>
     </message>
     <message>
         <source>Vertices of each triangle</source>
-        <translation type="unfinished"></translation>
+        <translation>各三角形の節点</translation>
     </message>
     <message>
         <source>Vertices of the flat panel</source>
-        <translation type="unfinished"></translation>
+        <translation>平らなフィルムの節点</translation>
     </message>
     <message>
         <source>Vertices of the inflated upper film</source>
-        <translation type="unfinished"></translation>
+        <translation>ふくらんだ上側フィルムの節点</translation>
     </message>
     <message>
         <source>Vertices of the lower film where both were simulated</source>
-        <translation type="unfinished"></translation>
+        <translation>2 枚とも計算した場合の下側フィルムの節点</translation>
     </message>
     <message>
         <source>Volume of the balloon, from which the pressure follows</source>
-        <translation type="unfinished"></translation>
+        <translation>風船の体積（ここから圧力が決まる）</translation>
     </message>
     <message>
         <source>Volume of the inflated balloon</source>
-        <translation type="unfinished"></translation>
+        <translation>ふくらんだ風船の体積</translation>
     </message>
     <message>
         <source>Volume that decides the size</source>
-        <translation type="unfinished"></translation>
+        <translation>大きさを決める体積</translation>
     </message>
     <message>
         <source>Weight of the film in kg per square metre</source>
-        <translation type="unfinished"></translation>
+        <translation>フィルムの重さ（kg/m²）</translation>
     </message>
     <message>
         <source>What decides the size: the outline as it is, a volume to hold or a load to carry</source>
-        <translation type="unfinished"></translation>
+        <translation>大きさを決めるもの：輪郭のまま、入る体積、または持ち上げる重さ</translation>
     </message>
     <message>
         <source>What fills it when it shall float</source>
-        <translation type="unfinished"></translation>
+        <translation>浮かせるときに入れる気体</translation>
     </message>
     <message>
         <source>What is given: the pressure, or the volume that it shall reach</source>
+        <translation>与えるもの：圧力、または目標の体積</translation>
+    </message>
+    <message>
+        <source>What is printed; empty takes the picture or painting of the outline</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>What it carries with its gas, in grams; below 0 it sinks</source>
-        <translation type="unfinished"></translation>
+        <translation>気体で持ち上げられる重さ（グラム）。0 未満なら沈む</translation>
     </message>
     <message>
         <source>What it shall carry besides itself, in grams; 0 makes it float just so</source>
-        <translation type="unfinished"></translation>
+        <translation>自重のほかに持ち上げる重さ（グラム）。0 ならちょうど浮く</translation>
+    </message>
+    <message>
+        <source>What tells where the intake is</source>
+        <translation>注入口の位置の指定方法</translation>
     </message>
     <message>
         <source>What the balloon is made of; Custom lets you give your own values</source>
-        <translation type="unfinished"></translation>
+        <translation>風船の材料。「カスタム」では値を自分で入れる</translation>
     </message>
     <message>
         <source>What the coach has changed in the drawing, one repair each; delete an entry to take it back</source>
-        <translation type="unfinished"></translation>
+        <translation>助言により図に加えた修正（1 行に 1 つ）。行を消すと元に戻る</translation>
     </message>
     <message>
         <source>What the outline was read from</source>
-        <translation type="unfinished"></translation>
+        <translation>輪郭の読み込み元</translation>
     </message>
     <message>
         <source>What to do along each wire of the shape</source>
-        <translation type="unfinished"></translation>
+        <translation>形状の各ワイヤーに沿って行う加工</translation>
     </message>
     <message>
         <source>What would make the balloon better</source>
+        <translation>風船をよりよくする助言</translation>
+    </message>
+    <message>
+        <source>Where all pieces lie, as JSON</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Which shape of the drawing it is; 1 is the largest</source>
-        <translation type="unfinished"></translation>
+        <translation>図の何番目の形か（1 が最大）</translation>
     </message>
     <message>
         <source>Width from which it carries itself; 0 when never</source>
+        <translation>自分の重さで浮く最小の幅（0：浮かない）</translation>
+    </message>
+    <message>
+        <source>Width of all that is cut</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Width of the drawing; 0 follows from the height</source>
-        <translation type="unfinished"></translation>
+        <translation>図の幅（0 なら高さから決まる）</translation>
     </message>
     <message>
         <source>Width of the inflated balloon</source>
-        <translation type="unfinished"></translation>
+        <translation>ふくらんだ風船の幅</translation>
     </message>
     <message>
         <source>Width of the outline</source>
-        <translation type="unfinished"></translation>
+        <translation>輪郭の幅</translation>
     </message>
     <message>
         <source>Width of the piece of film</source>
+        <translation>フィルム片の幅</translation>
+    </message>
+    <message>
+        <source>Width of the print with its marks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Width of the roll or sheet</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Width of the weld that this film needs</source>
-        <translation type="unfinished"></translation>
+        <translation>このフィルムに必要な溶着幅</translation>
     </message>
     <message>
         <source>Width of the weld; 0 takes the film's</source>
-        <translation type="unfinished"></translation>
+        <translation>溶着幅（0 ならフィルムの値）</translation>
     </message>
     <message>
         <source>Young's modulus across the grain; 0 means no grain</source>
-        <translation type="unfinished"></translation>
+        <translation>流れ方向に直角のヤング率（0 は方向性なし）</translation>
     </message>
     <message>
         <source>Young's modulus of the film</source>
-        <translation type="unfinished"></translation>
+        <translation>フィルムのヤング率</translation>
     </message>
 </context>
 <context>
     <name>BalloonWorkbench</name>
     <message>
+        <source> The native solver, which is faster, is not available: {0}</source>
+        <translation> 高速なネイティブソルバーは使えません：{0}</translation>
+    </message>
+    <message>
         <source> is not ready: </source>
-        <translation type="unfinished"></translation>
+        <translation> の準備ができていません：</translation>
     </message>
     <message>
         <source>"{0}" is no colour: give one such as "#cc294d".</source>
-        <translation type="unfinished"></translation>
+        <translation>「{0}」は色ではありません。「#cc294d」のように入力してください。</translation>
     </message>
     <message>
         <source>"{0}" is no sum of L, W, S, A and millimetres, such as "0.5 W + 2".</source>
-        <translation type="unfinished"></translation>
+        <translation>「{0}」は「0.5 W + 2」のような L、W、S、A とミリメートルの和ではありません。</translation>
     </message>
     <message>
         <source>"{0}" may not use {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>「{0}」では {1} を使えません。</translation>
     </message>
     <message>
         <source>'{0}' cannot be read ({1}). Check the name and its access.</source>
-        <translation type="unfinished"></translation>
+        <translation>「{0}」を読めません（{1}）。名前とアクセス権を確かめてください。</translation>
     </message>
     <message>
         <source>'{0}' has {1} x {2} pixels, more than {3} million. Make it smaller; 2000 pixels across are plenty.</source>
-        <translation type="unfinished"></translation>
+        <translation>「{0}」は {1} x {2} ピクセルで、{3} 百万を超えています。小さくしてください。幅 2000 ピクセルあれば十分です。</translation>
     </message>
     <message>
         <source>'{0}' is colder than anything; write a temperature as 20C, 68F or 293K.</source>
-        <translation type="unfinished"></translation>
+        <translation>「{0}」は絶対零度より低い温度です。20C、68F、293K のように書いてください。</translation>
     </message>
     <message>
         <source>'{0}' is damaged or not a DXF file. Save it once more.</source>
-        <translation type="unfinished"></translation>
+        <translation>「{0}」は壊れているか、DXF ファイルではありません。保存し直してください。</translation>
     </message>
     <message>
         <source>'{0}' is damaged or not a picture ({1}). Save it as PNG, JPEG or BMP once more.</source>
-        <translation type="unfinished"></translation>
+        <translation>「{0}」は壊れているか、画像ではありません（{1}）。PNG、JPEG、BMP で保存し直してください。</translation>
     </message>
     <message>
         <source>'{0}' is damaged or not a picture. Save it as PNG, JPEG or BMP once more.</source>
-        <translation type="unfinished"></translation>
+        <translation>「{0}」は壊れているか、画像ではありません。PNG、JPEG、BMP で保存し直してください。</translation>
     </message>
     <message>
         <source>'{0}' is empty. Choose another file.</source>
-        <translation type="unfinished"></translation>
+        <translation>「{0}」は空です。別のファイルを選んでください。</translation>
     </message>
     <message>
         <source>'{0}' is larger than {1} MB. Simplify the drawing.</source>
-        <translation type="unfinished"></translation>
+        <translation>「{0}」は {1} MB を超えています。図を簡単にしてください。</translation>
     </message>
     <message>
         <source>'{0}' is neither SVG, DXF nor JSON. Save the drawing as one of these.</source>
-        <translation type="unfinished"></translation>
+        <translation>「{0}」は SVG、DXF、JSON のどれでもありません。いずれかで保存してください。</translation>
     </message>
     <message>
         <source>'{0}' is not a drawing that can be read. Use PNG, JPEG, BMP, SVG, DXF or JSON.</source>
-        <translation type="unfinished"></translation>
+        <translation>「{0}」は読み込める図ではありません。PNG、JPEG、BMP、SVG、DXF、JSON を使ってください。</translation>
     </message>
     <message>
         <source>'{0}' is not a file name: leave out the folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>「{0}」はファイル名ではありません。フォルダーは書かないでください。</translation>
     </message>
     <message>
         <source>'{0}' is not a picture that can be read. Save it as PNG, JPEG or BMP.</source>
-        <translation type="unfinished"></translation>
+        <translation>「{0}」は読み込める画像ではありません。PNG、JPEG、BMP で保存してください。</translation>
     </message>
     <message>
         <source>'{0}' is not a temperature; write it as 20C, 68F or 293K.</source>
-        <translation type="unfinished"></translation>
+        <translation>「{0}」は温度ではありません。20C、68F、293K のように書いてください。</translation>
     </message>
     <message>
         <source>'{0}' is not a {1}; write it as {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>「{0}」は使えません（{1}）。{2} のように書いてください。</translation>
     </message>
     <message>
         <source>'{}' is not a picture. Save it as PNG, JPEG or BMP once more.</source>
+        <translation>「{}」は画像ではありません。PNG、JPEG、BMP で保存し直してください。</translation>
+    </message>
+    <message>
+        <source>, about {:.2f} {}</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 to {0} pieces can be laid out, not {1}.</source>
+        <translation>配置できるのは 1～{0} 枚です（{1} は不可）。</translation>
+    </message>
+    <message>
+        <source>A balloon has no "{0}": it has {1}.</source>
+        <translation>風船に「{0}」という値はありません。使えるもの：{1}。</translation>
     </message>
     <message>
         <source>A corner relief of {0} would cut into the weld: choose a smaller radius or a wider allowance.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} の角の逃げは溶着線に食い込みます。半径を小さくするか、余白を広くしてください。</translation>
     </message>
     <message>
         <source>A drawing with welds inside cannot be made symmetric: draw it so, and leave the symmetry off.</source>
-        <translation type="unfinished"></translation>
+        <translation>内側に溶着線のある図は対称にできません。対称に描き、対称化はオフのままにしてください。</translation>
     </message>
     <message>
         <source>A drawing with welds inside is not made symmetric: draw it so, and turn this off.</source>
-        <translation type="unfinished"></translation>
+        <translation>内側に溶着線のある図は対称にしません。対称に描き、この設定をオフにしてください。</translation>
     </message>
     <message>
         <source>A hole meets the outline or another hole at {0}; keep some film between them.</source>
-        <translation type="unfinished"></translation>
+        <translation>穴が {0} で輪郭か別の穴に触れています。間にフィルムを残してください。</translation>
     </message>
     <message>
         <source>A hole would open or close: draw that part anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>穴が開いたり閉じたりします。その部分を描き直してください。</translation>
     </message>
     <message>
-        <source>A label has up to {0} letters, and a height above 0.</source>
-        <translation type="unfinished"></translation>
+        <source>A label has up to {0} letters, between 0.1 mm and 10 m high: change it.</source>
+        <translation>文字は {0} 字まで、高さは 0.1 mm～10 m です。変更してください。</translation>
     </message>
     <message>
         <source>A lift of {0} g cannot be made: give one such as 5g.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} g の浮力は作れません。5g のように指定してください。</translation>
     </message>
     <message>
         <source>A lift of {0} kg is out of reach: {1} m large, this balloon would carry {2} kg. Choose a lighter film or gas, a smaller lift, or a rounder shape.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} kg の浮力は得られません。{1} m の大きさでも持ち上げられるのは {2} kg です。軽いフィルムや気体、小さな浮力、丸い形を選んでください。</translation>
     </message>
     <message>
         <source>A lift of {0} kg is out of reach: {1} m large, this balloon would lack {2} kg. Choose a lighter film or gas, a smaller lift, or a rounder shape.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} kg の浮力は得られません。{1} m の大きさでも {2} kg 足りません。軽いフィルムや気体、小さな浮力、丸い形を選んでください。</translation>
     </message>
     <message>
         <source>A mesh of {0} is too coarse for a shape of {1}: use at most {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{1} の形に {0} のメッシュは粗すぎます。{2} 以下にしてください。</translation>
     </message>
     <message>
         <source>A mesh of {0} would need more than a million vertices for a shape of {1}: use at least {2}.</source>
+        <translation>{1} の形に {0} のメッシュでは節点が 100 万を超えます。{2} 以上にしてください。</translation>
+    </message>
+    <message>
+        <source>A new Sketcher sketch of lines and arcs, to go on with in FreeCAD</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>A number of an intake is empty.</source>
-        <translation type="unfinished"></translation>
+        <translation>注入口の数値が空です。</translation>
     </message>
     <message>
         <source>A passage of {0} is left open in the weld at {1}, so that air reaches both sides.</source>
-        <translation type="unfinished"></translation>
+        <translation>空気が両側に届くように、溶着線の {1} に {0} の通路を残しました。</translation>
     </message>
     <message>
         <source>A picture has no size of its own. Give the width or the height of the balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>画像には寸法がありません。風船の幅か高さを入力してください。</translation>
+    </message>
+    <message>
+        <source>A piece does not fit on the sheet: take a larger one.</source>
+        <translation>部品がシートに収まりません。大きなシートを使ってください。</translation>
+    </message>
+    <message>
+        <source>A piece of {0} x {1} does not fit on film of {2}{3}: take film at least {4} wide, or let the grain lie in another direction.</source>
+        <translation>{0} x {1} の部品は {2}{3} のフィルムに収まりません。幅 {4} 以上のフィルムを使うか、流れ方向を変えてください。</translation>
+    </message>
+    <message>
+        <source>A sketch with dimensions: change a cell of the spreadsheet, and all follows</source>
+        <translation>寸法付きのスケッチ：表のセルを変えると全体が追従します</translation>
     </message>
     <message>
         <source>A strict reader that wants plain polylines. Layers are told apart by colour.</source>
-        <translation type="unfinished"></translation>
+        <translation>単純なポリラインだけを読む厳格なプログラムです。レイヤーは色で区別されます。</translation>
     </message>
     <message>
         <source>A volume of {0} litres cannot be made: give one such as 10l.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} リットルの体積は作れません。10l のように指定してください。</translation>
     </message>
     <message>
         <source>A volume to inflate to and a goal for the size exclude each other: leave one out.</source>
-        <translation type="unfinished"></translation>
+        <translation>ふくらませる体積と大きさの目標は同時に指定できません。どちらかを外してください。</translation>
     </message>
     <message>
         <source>A weld has no length; draw a line, or a circle for a spot.</source>
-        <translation type="unfinished"></translation>
+        <translation>溶着線に長さがありません。線か、点なら円を描いてください。</translation>
     </message>
     <message>
         <source>A weld leaves the film at {0}; keep it inside.</source>
-        <translation type="unfinished"></translation>
+        <translation>溶着線が {0} でフィルムの外に出ています。内側に収めてください。</translation>
     </message>
     <message>
         <source>A weld meets the outline, itself or another weld at {0}; keep some film between them.</source>
-        <translation type="unfinished"></translation>
+        <translation>溶着線が {0} で輪郭、自分自身、または別の溶着線に触れています。間にフィルムを残してください。</translation>
     </message>
     <message>
         <source>A weld runs too near to another one or to the outline at ({0}, {1}) mm for this mesh: move it away, or use a smaller mesh size.</source>
+        <translation>({0}, {1}) mm で溶着線が別の溶着線か輪郭に近すぎて、このメッシュでは扱えません。離すか、メッシュを細かくしてください。</translation>
+    </message>
+    <message>
+        <source>Across</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Advice</source>
-        <translation type="unfinished"></translation>
+        <translation>助言</translation>
     </message>
     <message>
         <source>After welding, turn the tail in through itself with a straw, at the mark beside the balloon, and fill through it up to the second mark. Pull the straw out: the air in the balloon presses the tail flat.</source>
-        <translation type="unfinished"></translation>
+        <translation>溶着後、風船のそばの印で尾をストローで内側へ裏返し、2 番目の印までストローを入れて空気を入れます。ストローを抜くと、中の空気が尾を平らに押さえます。</translation>
     </message>
     <message>
         <source>Air intake</source>
-        <translation type="unfinished"></translation>
+        <translation>注入口</translation>
+    </message>
+    <message>
+        <source>All packages are installed.</source>
+        <translation>必要なパッケージはすべてそろっています。</translation>
     </message>
     <message>
         <source>Allowance</source>
+        <translation>外側の余白</translation>
+    </message>
+    <message>
+        <source>Along</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Along the seam</source>
+        <translation>溶着線に沿った長さ</translation>
     </message>
     <message>
         <source>Aluminised BOPP foil, 30 µm</source>
-        <translation type="unfinished"></translation>
+        <translation>アルミ蒸着 BOPP フィルム、30 µm</translation>
     </message>
     <message>
         <source>Aluminised PET ("Mylar"), 25 µm</source>
-        <translation type="unfinished"></translation>
+        <translation>アルミ蒸着 PET（マイラー）、25 µm</translation>
     </message>
     <message>
         <source>Aluminised nylon/PE foil (party balloon), 30 µm</source>
-        <translation type="unfinished"></translation>
+        <translation>アルミ蒸着ナイロン/PE フィルム（パーティー用風船）、30 µm</translation>
     </message>
     <message>
         <source>An animation needs at least two frames, not {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>アニメーションには 2 コマ以上必要です（指定は {0}）。</translation>
     </message>
     <message>
         <source>An intake of {0} does not reach past the cut: give it at least {1}.</source>
+        <translation>{0} の注入口は切り線の外まで届きません。{1} 以上にしてください。</translation>
+    </message>
+    <message>
+        <source>Any</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Any program</source>
-        <translation type="unfinished"></translation>
+        <source>Any program (DXF)</source>
+        <translation>任意のプログラム（DXF）</translation>
+    </message>
+    <message>
+        <source>Any program (SVG)</source>
+        <translation>任意のプログラム（SVG）</translation>
     </message>
     <message>
         <source>Apply</source>
-        <translation type="unfinished"></translation>
+        <translation>適用</translation>
+    </message>
+    <message>
+        <source>Arcs in a sketch, as they hang over a party table</source>
+        <translation>パーティーの飾りのような、スケッチの円弧でできた文字</translation>
     </message>
     <message>
         <source>Arm too thin to fill</source>
+        <translation>細すぎてふくらまない腕</translation>
+    </message>
+    <message>
+        <source>Artwork</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Artwork as PDF needs Pillow: install it with pip install pillow, or use the PNG files.</source>
+        <translation>絵柄の PDF 出力には Pillow が必要です。pip install pillow で入れるか、PNG ファイルを使ってください。</translation>
+    </message>
+    <message>
+        <source>Artwork needs OpenCV or SciPy: install the package python3-opencv or python3-scipy.</source>
+        <translation>絵柄には OpenCV か SciPy が必要です。python3-opencv か python3-scipy を入れてください。</translation>
+    </message>
+    <message>
+        <source>Assembly sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Assembly sheet written to {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At {0} dots per inch the sheet would have {1} x {2} pixels: give a lower resolution.</source>
+        <translation>{0} dpi ではシートが {1} x {2} ピクセルになります。解像度を下げてください。</translation>
+    </message>
+    <message>
         <source>Automatic</source>
+        <translation>自動</translation>
+    </message>
+    <message>
+        <source>Back</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Backend</source>
-        <translation type="unfinished"></translation>
+        <translation>計算エンジン</translation>
     </message>
     <message>
         <source>Balloon</source>
+        <translation>風船</translation>
+    </message>
+    <message>
+        <source>Balloons</source>
+        <translation>風船</translation>
+    </message>
+    <message>
+        <source>Balloons of each</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Bending stiffness</source>
-        <translation type="unfinished"></translation>
+        <translation>曲げ剛性</translation>
+    </message>
+    <message>
+        <source>Beside the document</source>
+        <translation>文書と同じ場所</translation>
     </message>
     <message>
         <source>Black</source>
+        <translation>黒</translation>
+    </message>
+    <message>
+        <source>Bleed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Blue</source>
-        <translation type="unfinished"></translation>
+        <translation>青</translation>
     </message>
     <message>
         <source>Blue 0 mm, green {:.0f} mm, red {:.0f} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>青 0 mm、緑 {:.0f} mm、赤 {:.0f} mm</translation>
     </message>
     <message>
         <source>Both panels</source>
-        <translation type="unfinished"></translation>
+        <translation>表裏 2 枚</translation>
     </message>
     <message>
         <source>Both panels are on the sheet: only the front one gets the hole of the nozzle. Cut it once.</source>
-        <translation type="unfinished"></translation>
+        <translation>シートには 2 枚とも並んでいます。ノズルの穴は表側だけなので、1 回だけ切ってください。</translation>
     </message>
     <message>
         <source>Brush</source>
-        <translation type="unfinished"></translation>
+        <translation>ブラシ</translation>
     </message>
     <message>
         <source>Cannot write to {0}: {1}. Choose another folder, or make room there.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} に書き込めません：{1}。別のフォルダーを選ぶか、空きを作ってください。</translation>
     </message>
     <message>
         <source>Checked: nothing is in the way.</source>
+        <translation>確認しました。問題はありません。</translation>
+    </message>
+    <message>
+        <source>Checking the pattern</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Choose a drawing</source>
-        <translation type="unfinished"></translation>
+        <translation>図を選ぶ</translation>
     </message>
     <message>
         <source>Choose a file</source>
-        <translation type="unfinished"></translation>
+        <translation>ファイルを選ぶ</translation>
+    </message>
+    <message>
+        <source>Choose a folder</source>
+        <translation>フォルダーを選ぶ</translation>
+    </message>
+    <message>
+        <source>Choose a material card</source>
+        <translation>材料カードを選ぶ</translation>
     </message>
     <message>
         <source>Choose a picture</source>
-        <translation type="unfinished"></translation>
+        <translation>画像を選ぶ</translation>
     </message>
     <message>
         <source>Choose a picture or a sketch.</source>
-        <translation type="unfinished"></translation>
+        <translation>画像かスケッチを選んでください。</translation>
     </message>
     <message>
         <source>Choose the balloon that it belongs to.</source>
-        <translation type="unfinished"></translation>
+        <translation>対応する風船を選んでください。</translation>
     </message>
     <message>
         <source>Choose the outline to inflate.</source>
+        <translation>ふくらませる輪郭を選んでください。</translation>
+    </message>
+    <message>
+        <source>Choose the pattern to print on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the patterns to lay out.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Close the open task panel first.</source>
-        <translation type="unfinished"></translation>
+        <translation>先に開いているタスクパネルを閉じてください。</translation>
+    </message>
+    <message>
+        <source>Colour map</source>
+        <translation>カラーマップ</translation>
     </message>
     <message>
         <source>Coordinates really are inches, and the header says so.</source>
-        <translation type="unfinished"></translation>
+        <translation>座標は本当にインチで、ヘッダーにもそう書かれています。</translation>
+    </message>
+    <message>
+        <source>Copies</source>
+        <translation>枚数</translation>
+    </message>
+    <message>
+        <source>Corner relief</source>
+        <translation>角の逃げ</translation>
     </message>
     <message>
         <source>Cricut Design Space</source>
-        <translation type="unfinished"></translation>
+        <translation>Cricut Design Space</translation>
     </message>
     <message>
         <source>Custom</source>
-        <translation type="unfinished"></translation>
+        <translation>カスタム</translation>
     </message>
     <message>
         <source>Cut two strips from thin PE film and weld them together along their two lines; weld one strip to each panel across the neck, along its mark, with the strips' end at the mouth and their sides under the weld; then weld the panels. Fill with a straw: the pressure presses the strips together.</source>
-        <translation type="unfinished"></translation>
+        <translation>薄い PE フィルムから 2 本の帯を切り、2 本の線に沿って溶着します。帯の端を口に、両脇を溶着線の下に合わせ、首を横切る印のところで帯を 1 本ずつ各フィルムに溶着し、それから表裏を溶着します。ストローでふくらませると、内圧が帯を押し合わせて閉じます。</translation>
     </message>
     <message>
         <source>Cutting shop (DXF R12)</source>
-        <translation type="unfinished"></translation>
+        <translation>カット業者（DXF R12）</translation>
     </message>
     <message>
         <source>Cutting shop in inches (DXF R2000)</source>
-        <translation type="unfinished"></translation>
+        <translation>カット業者、インチ（DXF R2000）</translation>
     </message>
     <message>
         <source>DXF files can be neither read nor written without it; SVG files can.</source>
-        <translation type="unfinished"></translation>
+        <translation>これがないと DXF ファイルは読み書きできません。SVG は使えます。</translation>
     </message>
     <message>
         <source>DXF files need the Python package ezdxf. Install it with 'pip install ezdxf', or save the drawing as SVG.</source>
-        <translation type="unfinished"></translation>
+        <translation>DXF ファイルには Python パッケージ ezdxf が必要です。「pip install ezdxf」で入れるか、図を SVG で保存してください。</translation>
     </message>
     <message>
         <source>Direction</source>
+        <translation>向き</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>距離</translation>
+    </message>
+    <message>
+        <source>Dots per inch</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag in the view</source>
+        <translation>ビューでドラッグ</translation>
     </message>
     <message>
         <source>Draw a closed line, or paint an area: it becomes a balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>閉じた線を描くか、面を塗ってください。風船になります。</translation>
     </message>
     <message>
         <source>Draw lines. A closed line becomes a balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>線を描きます。閉じた線は風船になります。</translation>
     </message>
     <message>
-        <source>Drawing</source>
-        <translation type="unfinished"></translation>
+        <source>Drawing and silhouette</source>
+        <translation>図とシルエット</translation>
+    </message>
+    <message>
+        <source>Drawing over silhouette</source>
+        <translation>図をシルエットに重ねる</translation>
     </message>
     <message>
         <source>Drawings</source>
-        <translation type="unfinished"></translation>
+        <translation>図</translation>
     </message>
     <message>
         <source>E across the grain</source>
-        <translation type="unfinished"></translation>
+        <translation>流れに直角のヤング率</translation>
     </message>
     <message>
         <source>Each stroke colour becomes an operation of its own. DXF is not read.</source>
+        <translation>線の色ごとに別の加工になります。DXF は読めません。</translation>
+    </message>
+    <message>
+        <source>Edit artwork</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Edit balloon</source>
+        <translation>風船を編集</translation>
+    </message>
+    <message>
+        <source>Edit film</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Elastic materials</source>
+        <translation>弾性材料</translation>
     </message>
     <message>
         <source>Eraser</source>
-        <translation type="unfinished"></translation>
+        <translation>消しゴム</translation>
     </message>
     <message>
         <source>Every layer becomes a colour of the cut list; layers that share a colour would be merged. Set the import unit to millimetres. Switch the SEAL and REGISTRATION layers off, or give the control bar a light engraving.</source>
-        <translation type="unfinished"></translation>
+        <translation>レイヤーごとにカットリストの色になり、同じ色のレイヤーはまとめられます。読み込み単位をミリメートルにしてください。SEAL と REGISTRATION のレイヤーはオフにするか、確認用の棒を軽く彫刻してください。</translation>
     </message>
     <message>
         <source>Expected thickness</source>
-        <translation type="unfinished"></translation>
+        <translation>予想される厚み</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>書き出し</translation>
     </message>
     <message>
         <source>Export pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>型紙を書き出す</translation>
     </message>
     <message>
         <source>File</source>
-        <translation type="unfinished"></translation>
+        <translation>ファイル</translation>
     </message>
     <message>
         <source>Fill</source>
-        <translation type="unfinished"></translation>
+        <translation>塗りつぶし</translation>
     </message>
     <message>
         <source>Fill a closed line, or give an area another colour</source>
-        <translation type="unfinished"></translation>
+        <translation>閉じた線の中を塗る、または面の色を変える</translation>
     </message>
     <message>
         <source>Film</source>
+        <translation>フィルム</translation>
+    </message>
+    <message>
+        <source>Film Balloon {0} in FreeCAD {1}</source>
+        <translation>Film Balloon {0}（FreeCAD {1}）</translation>
+    </message>
+    <message>
+        <source>Film needed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Film of your own</source>
+        <translation>自分のフィルム</translation>
+    </message>
+    <message>
+        <source>Film width</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>FilmBalloonPainting</source>
-        <translation type="unfinished"></translation>
+        <source>Film {0} m large is too much: write 500mm.</source>
+        <translation>{0} m のフィルムは大きすぎます。500mm のように書いてください。</translation>
     </message>
     <message>
-        <source>Find its direction</source>
-        <translation type="unfinished"></translation>
+        <source>Films</source>
+        <translation>フィルム</translation>
+    </message>
+    <message>
+        <source>Find its place</source>
+        <translation>位置を自動で決める</translation>
     </message>
     <message>
         <source>Fit to drawing</source>
+        <translation>図に合わせる</translation>
+    </message>
+    <message>
+        <source>Fitting the pattern</source>
+        <translation>型紙を合わせています</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>フォルダー</translation>
+    </message>
+    <message>
+        <source>Folder for the artwork</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Follow every change at once</source>
+        <translation>変更にすぐ追従する</translation>
     </message>
     <message>
         <source>For {0} litres the drawing would be {1} large: choose a volume that makes it {2} to {3} m.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} リットルにすると図の大きさは {1} になります。{2}～{3} m になる体積を選んでください。</translation>
     </message>
     <message>
         <source>Forced</source>
-        <translation type="unfinished"></translation>
+        <translation>強制</translation>
     </message>
     <message>
-        <source>Format</source>
-        <translation type="unfinished"></translation>
+        <source>Frames are even in movement, not in time. Only the film has mass, the gas has none.</source>
+        <translation>コマは時間ではなく動きに対して等間隔です。質量はフィルムだけにあり、気体にはありません。</translation>
     </message>
     <message>
         <source>FreeCAD has no material card "{0}": choose one of its material editor.</source>
+        <translation>FreeCAD に材料カード「{0}」はありません。材料エディターのカードから選んでください。</translation>
+    </message>
+    <message>
+        <source>From the flat film to the balloon at rest</source>
+        <translation>平らなフィルムから、ふくらんで静止するまで</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Front and back as PNG and PDF, and as DXF and SVG with the same marks for the cutter</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Gaps of up to {0} between lines were closed ({1} loops).</source>
-        <translation type="unfinished"></translation>
+        <translation>線の間の {0} までのすき間を閉じました（{1} 本の輪）。</translation>
     </message>
     <message>
         <source>Gas</source>
-        <translation type="unfinished"></translation>
+        <translation>気体</translation>
     </message>
     <message>
         <source>Give either a volume or a lift as the goal.</source>
-        <translation type="unfinished"></translation>
+        <translation>目標には体積か浮力のどちらか一方を指定してください。</translation>
     </message>
     <message>
         <source>Given</source>
-        <translation type="unfinished"></translation>
+        <translation>与えるもの</translation>
     </message>
     <message>
         <source>Glowforge</source>
-        <translation type="unfinished"></translation>
+        <translation>Glowforge</translation>
     </message>
     <message>
         <source>Glue the seams. Stiffer along the web than across it; E is the geometric mean. Does not hold gas for long and creases sharply.</source>
-        <translation type="unfinished"></translation>
+        <translation>継ぎ目は接着します。流れ方向の方が直角方向より硬く、E は幾何平均です。気体は長く保てず、折り目が鋭くつきます。</translation>
     </message>
     <message>
         <source>Glue the seams. Stiffer along the web than across it; E is the geometric mean. Porous: for a moment's inflation or with a lining.</source>
-        <translation type="unfinished"></translation>
+        <translation>継ぎ目は接着します。流れ方向の方が直角方向より硬く、E は幾何平均です。空気が抜けるので、短時間だけ使うか内張りをします。</translation>
     </message>
     <message>
         <source>Grain</source>
+        <translation>流れ方向</translation>
+    </message>
+    <message>
+        <source>Grain lies</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Green</source>
-        <translation type="unfinished"></translation>
+        <translation>緑</translation>
     </message>
     <message>
         <source>HPGL is written as polylines: give "arcs": false.</source>
-        <translation type="unfinished"></translation>
+        <translation>HPGL はポリラインで書かれます。"arcs": false にしてください。</translation>
     </message>
     <message>
         <source>HPGL plotter or vinyl cutter</source>
-        <translation type="unfinished"></translation>
+        <translation>HPGL プロッター、カッティングマシン</translation>
+    </message>
+    <message>
+        <source>Heart from a spreadsheet</source>
+        <translation>表で動くハート</translation>
     </message>
     <message>
         <source>Heat sealer on a plotter</source>
-        <translation type="unfinished"></translation>
+        <translation>プロッター式ヒートシーラー</translation>
     </message>
     <message>
         <source>Height</source>
-        <translation type="unfinished"></translation>
+        <translation>高さ</translation>
     </message>
     <message>
         <source>Helium</source>
-        <translation type="unfinished"></translation>
+        <translation>ヘリウム</translation>
+    </message>
+    <message>
+        <source>How wide shall it be?</source>
+        <translation>幅はどのくらいにしますか？</translation>
     </message>
     <message>
         <source>Hydrogen</source>
-        <translation type="unfinished"></translation>
+        <translation>水素</translation>
     </message>
     <message>
         <source>Inflate as drawn</source>
+        <translation>描いたままふくらませる</translation>
+    </message>
+    <message>
+        <source>Inflate now</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Inflate with these values and show the balloon</source>
-        <translation type="unfinished"></translation>
+        <translation>この値でふくらませて風船を表示する</translation>
+    </message>
+    <message>
+        <source>Inflating</source>
+        <translation>ふくらませています</translation>
+    </message>
+    <message>
+        <source>Inflating in time</source>
+        <translation>時間を追ってふくらませています</translation>
+    </message>
+    <message>
+        <source>Inflation</source>
+        <translation>膨張</translation>
     </message>
     <message>
         <source>Inkscape</source>
-        <translation type="unfinished"></translation>
+        <translation>Inkscape</translation>
+    </message>
+    <message>
+        <source>Intake</source>
+        <translation>注入口</translation>
     </message>
     <message>
         <source>Intake in a side part</source>
-        <translation type="unfinished"></translation>
+        <translation>脇の部分にある注入口</translation>
     </message>
     <message>
         <source>It is not inflated yet: choose Inflate now in its context menu, or switch Live on.</source>
-        <translation type="unfinished"></translation>
+        <translation>まだふくらんでいません。コンテキストメニューで「今すぐふくらませる」を選ぶか、ライブをオンにしてください。</translation>
+    </message>
+    <message>
+        <source>It is wider now. Ctrl+Z takes that back.</source>
+        <translation>広くしました。Ctrl+Z で元に戻せます。</translation>
     </message>
     <message>
         <source>Keep the proportions</source>
-        <translation type="unfinished"></translation>
+        <translation>縦横比を保つ</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>種類</translation>
     </message>
     <message>
         <source>Kraft paper, 80 g/m²</source>
-        <translation type="unfinished"></translation>
+        <translation>クラフト紙、80 g/m²</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>文字</translation>
     </message>
     <message>
         <source>Labels need matplotlib: install it with pip install matplotlib, or leave the label empty.</source>
+        <translation>文字には matplotlib が必要です。pip install matplotlib で入れるか、文字を空にしてください。</translation>
+    </message>
+    <message>
+        <source>Laid in rows, which takes more film: install the package spyrrow (pip install spyrrow) for a closer layout.</source>
+        <translation>列に並べたのでフィルムが余分に必要です。詰めて並べるにはパッケージ spyrrow を入れてください（pip install spyrrow）。</translation>
+    </message>
+    <message>
+        <source>Lay out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lay out on film</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Layers, millimetres and arcs, to go on drawing.</source>
+        <translation>続きを描くための、レイヤー、ミリメートル、円弧。</translation>
+    </message>
+    <message>
+        <source>Laying out {0}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Length</source>
-        <translation type="unfinished"></translation>
+        <translation>長さ</translation>
+    </message>
+    <message>
+        <source>Letter</source>
+        <translation>文字の風船</translation>
+    </message>
+    <message>
+        <source>Letter height</source>
+        <translation>文字の高さ</translation>
     </message>
     <message>
         <source>Lift</source>
-        <translation type="unfinished"></translation>
+        <translation>浮力</translation>
     </message>
     <message>
         <source>Lift in g</source>
-        <translation type="unfinished"></translation>
+        <translation>浮力（g）</translation>
     </message>
     <message>
         <source>LightBurn (laser)</source>
-        <translation type="unfinished"></translation>
+        <translation>LightBurn（レーザー）</translation>
     </message>
     <message>
         <source>Line</source>
-        <translation type="unfinished"></translation>
+        <translation>線</translation>
     </message>
     <message>
         <source>Lines that close around nothing beside the shapes were left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>形のそばにある、何も囲まない線は無視しました。</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>ライブ</translation>
     </message>
     <message>
         <source>Load</source>
+        <translation>荷重</translation>
+    </message>
+    <message>
+        <source>Look for the closest layout; Esc takes the best one so far</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking at the picture</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Machine</source>
+        <translation>機械</translation>
+    </message>
+    <message>
+        <source>Made with brush and pen: double-click the Outline to paint on</source>
+        <translation>ブラシとペンで描いたもの。輪郭をダブルクリックすると続きを描けます</translation>
+    </message>
+    <message>
+        <source>Make a sketch of the cuts</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Make it!</source>
-        <translation type="unfinished"></translation>
+        <translation>作る！</translation>
+    </message>
+    <message>
+        <source>Marks</source>
+        <translation>印</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>材料</translation>
     </message>
     <message>
         <source>Measured on the inflated balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>ふくらんだ風船で測定しました。</translation>
     </message>
     <message>
         <source>Mesh reuse needs scipy: install it with pip install scipy.</source>
-        <translation type="unfinished"></translation>
+        <translation>メッシュの再利用には scipy が必要です。pip install scipy で入れてください。</translation>
     </message>
     <message>
         <source>Mesh size</source>
-        <translation type="unfinished"></translation>
+        <translation>メッシュの大きさ</translation>
+    </message>
+    <message>
+        <source>Mesh size (0: automatic)</source>
+        <translation>メッシュの大きさ（0：自動）</translation>
     </message>
     <message>
         <source>Meshing needs pythoncdt or scipy: install one of them with pip.</source>
-        <translation type="unfinished"></translation>
+        <translation>メッシュ作成には pythoncdt か scipy が必要です。どちらかを pip で入れてください。</translation>
     </message>
     <message>
         <source>Meshing needs scipy: install it with pip install scipy.</source>
-        <translation type="unfinished"></translation>
+        <translation>メッシュ作成には scipy が必要です。pip install scipy で入れてください。</translation>
     </message>
     <message>
         <source>Mind</source>
-        <translation type="unfinished"></translation>
+        <translation>注意</translation>
     </message>
     <message>
         <source>Mode</source>
-        <translation type="unfinished"></translation>
+        <translation>モード</translation>
     </message>
     <message>
         <source>Model</source>
-        <translation type="unfinished"></translation>
+        <translation>モデル</translation>
     </message>
     <message>
         <source>Move</source>
-        <translation type="unfinished"></translation>
+        <translation>移動</translation>
     </message>
     <message>
         <source>Move the pointer to bend the line, then click. Esc drops it.</source>
-        <translation type="unfinished"></translation>
+        <translation>ポインターを動かして線を曲げ、クリックします。Esc で取り消します。</translation>
     </message>
     <message>
         <source>Native</source>
-        <translation type="unfinished"></translation>
+        <translation>ネイティブ</translation>
     </message>
     <message>
         <source>Near ({0}, {1}) mm the inflated outline stays up to {2} from the drawing, along {3}: film cannot follow it there. Round it off or widen it.</source>
-        <translation type="unfinished"></translation>
+        <translation>({0}, {1}) mm 付近で、ふくらんだ輪郭が {3} にわたって図から最大 {2} 離れます。フィルムはそこに追従できません。丸めるか広げてください。</translation>
     </message>
     <message>
         <source>Neck that chokes the air path</source>
-        <translation type="unfinished"></translation>
+        <translation>空気の通りを妨げるくびれ</translation>
     </message>
     <message>
         <source>Never cut PVC with a laser: it gives off hydrogen chloride, which is toxic and ruins the machine. Weld with high frequency or hot air. Stretches visibly: at 2 kPa the shape depends on the grade and on the pressure.</source>
-        <translation type="unfinished"></translation>
+        <translation>PVC は絶対にレーザーで切らないでください。有毒で機械を傷める塩化水素が出ます。高周波か熱風で溶着します。目に見えて伸び、2 kPa では形が材質と圧力で変わります。</translation>
     </message>
     <message>
         <source>New balloon from picture</source>
-        <translation type="unfinished"></translation>
+        <translation>画像から新しい風船</translation>
     </message>
     <message>
         <source>New balloon from sketch</source>
-        <translation type="unfinished"></translation>
+        <translation>スケッチから新しい風船</translation>
+    </message>
+    <message>
+        <source>New balloons</source>
+        <translation>新しい風船</translation>
     </message>
     <message>
         <source>Newmark</source>
-        <translation type="unfinished"></translation>
+        <translation>Newmark</translation>
     </message>
     <message>
         <source>No balloon can be inflated anew without it; patterns can be changed and written.</source>
-        <translation type="unfinished"></translation>
+        <translation>これがないと風船を新たにふくらませられません。型紙の変更と書き出しはできます。</translation>
     </message>
     <message>
         <source>No file for {0}: {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} 用のファイルは作れません：{1}</translation>
     </message>
     <message>
         <source>No pattern can be drawn anew without it; documents keep theirs.</source>
-        <translation type="unfinished"></translation>
+        <translation>これがないと型紙を新たに描けません。文書にある型紙は残ります。</translation>
     </message>
     <message>
         <source>No shape stands out in the picture. Use stronger colours or a plainer background.</source>
-        <translation type="unfinished"></translation>
+        <translation>画像の中に形が見つかりません。はっきりした色か、無地に近い背景にしてください。</translation>
+    </message>
+    <message>
+        <source>No solver works here.</source>
+        <translation>使えるソルバーがありません。</translation>
     </message>
     <message>
         <source>No solver works here: {0} Build it or install the package scipy.</source>
-        <translation type="unfinished"></translation>
+        <translation>使えるソルバーがありません：{0} ソルバーをビルドするか、パッケージ scipy を入れてください。</translation>
     </message>
     <message>
         <source>Not possible</source>
-        <translation type="unfinished"></translation>
+        <translation>不可</translation>
     </message>
     <message>
         <source>Notch with a stress peak</source>
-        <translation type="unfinished"></translation>
+        <translation>応力が集中する切れ込み</translation>
+    </message>
+    <message>
+        <source>Notches</source>
+        <translation>合印</translation>
     </message>
     <message>
         <source>Notches of {0} do not end before the weld: the allowance is {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} の合印は溶着線に届きます。余白は {1} です。</translation>
     </message>
     <message>
         <source>Nothing can be computed without it; documents open and keep their shapes.</source>
+        <translation>これがないと何も計算できません。文書は開け、形は残ります。</translation>
+    </message>
+    <message>
+        <source>Nothing is in the way. Paint on, or press Make it!</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Nothing to improve.</source>
-        <translation type="unfinished"></translation>
+        <translation>直すところはありません。</translation>
     </message>
     <message>
         <source>Nozzle with flange</source>
-        <translation type="unfinished"></translation>
+        <translation>フランジ付きノズル</translation>
     </message>
     <message>
-        <source>NumPy</source>
-        <translation type="unfinished"></translation>
+        <source>OK, then {}</source>
+        <translation>OK のあと {}</translation>
     </message>
     <message>
         <source>Off</source>
-        <translation type="unfinished"></translation>
+        <translation>オフ</translation>
     </message>
     <message>
         <source>Off the drawing</source>
-        <translation type="unfinished"></translation>
+        <translation>図からのずれ</translation>
     </message>
     <message>
         <source>One large page</source>
-        <translation type="unfinished"></translation>
+        <translation>大きな 1 ページ</translation>
     </message>
     <message>
         <source>One-way tail</source>
-        <translation type="unfinished"></translation>
+        <translation>逆止めの尾</translation>
     </message>
     <message>
         <source>Only the middle of the weld. A closed weld runs past its start, so that the joint is tight.</source>
-        <translation type="unfinished"></translation>
+        <translation>溶着線の中心だけです。閉じた線は始点を少し越えて重なり、継ぎ目の漏れを防ぎます。</translation>
     </message>
     <message>
         <source>Only {0} of film stay between two cuts near {1}; {2} wants {3}. It may tear or melt there.</source>
-        <translation type="unfinished"></translation>
+        <translation>{1} 付近で 2 本の切り線の間が {0} しかありません。{2} には {3} 必要です。破れたり溶けたりするおそれがあります。</translation>
+    </message>
+    <message>
+        <source>Opposite the intake</source>
+        <translation>注入口の反対側</translation>
     </message>
     <message>
         <source>Orange</source>
-        <translation type="unfinished"></translation>
+        <translation>オレンジ</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>輪郭</translation>
     </message>
     <message>
         <source>Outline {} x {}, {} holes</source>
-        <translation type="unfinished"></translation>
+        <translation>輪郭 {} x {}、穴 {} 個</translation>
     </message>
     <message>
         <source>PDF files need it; DXF, SVG and HPGL can be written.</source>
-        <translation type="unfinished"></translation>
+        <translation>PDF ファイルに必要です。DXF、SVG、HPGL は書き出せます。</translation>
     </message>
     <message>
         <source>Pa, its own range</source>
-        <translation type="unfinished"></translation>
+        <translation>Pa（自身の範囲）</translation>
     </message>
     <message>
         <source>Paint a balloon</source>
-        <translation type="unfinished"></translation>
+        <translation>風船を描く</translation>
     </message>
     <message>
         <source>Paint both sides at once, mirrored (M)</source>
-        <translation type="unfinished"></translation>
+        <translation>左右対称に同時に描く（M）</translation>
     </message>
     <message>
         <source>Paint broad, soft strokes: what is painted becomes a balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>太く柔らかい線で塗ります。塗ったところが風船になります。</translation>
     </message>
     <message>
         <source>Paint something first: a closed line is enough.</source>
-        <translation type="unfinished"></translation>
+        <translation>先に何か描いてください。閉じた線 1 本で十分です。</translation>
     </message>
     <message>
         <source>Painted balloon</source>
+        <translation>描いた風船</translation>
+    </message>
+    <message>
+        <source>Painted fish</source>
+        <translation>描いた魚</translation>
+    </message>
+    <message>
+        <source>Panels are laid on the film in rows instead of closely; nothing else changes.</source>
+        <translation>フィルム片は詰めずに列に並べられます。ほかは変わりません。</translation>
+    </message>
+    <message>
+        <source>Paper</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>型紙</translation>
     </message>
     <message>
         <source>Pattern correction needs scipy: install it with pip install scipy.</source>
-        <translation type="unfinished"></translation>
+        <translation>型紙の補正には scipy が必要です。pip install scipy で入れてください。</translation>
+    </message>
+    <message>
+        <source>Pattern drawn 1 : {0}</source>
+        <translation>型紙、縮尺 1 : {0}</translation>
     </message>
     <message>
         <source>Pattern written to {}</source>
+        <translation>型紙を {} に書き出しました</translation>
+    </message>
+    <message>
+        <source>Patterns</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Patterns need shapely: install it with pip install shapely.</source>
-        <translation type="unfinished"></translation>
+        <translation>型紙には shapely が必要です。pip install shapely で入れてください。</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>一時停止</translation>
     </message>
     <message>
         <source>Pen</source>
-        <translation type="unfinished"></translation>
+        <translation>ペン</translation>
     </message>
     <message>
         <source>Picture, SVG, DXF or JSON</source>
-        <translation type="unfinished"></translation>
+        <translation>画像、SVG、DXF、JSON</translation>
     </message>
     <message>
         <source>Pictures</source>
-        <translation type="unfinished"></translation>
+        <translation>画像</translation>
     </message>
     <message>
         <source>Pictures are read by Qt and traced with SciPy or NumPy instead, a little slower.</source>
-        <translation type="unfinished"></translation>
+        <translation>代わりに Qt で画像を読み、SciPy か NumPy でなぞります。少し遅くなります。</translation>
     </message>
     <message>
         <source>Pictures need OpenCV, which is missing or does not work here. Install the package python3-opencv (or opencv-python-headless), or open the picture inside FreeCAD.</source>
-        <translation type="unfinished"></translation>
+        <translation>画像には OpenCV が必要ですが、ないか動きません。python3-opencv（または opencv-python-headless）を入れるか、FreeCAD の中で画像を開いてください。</translation>
+    </message>
+    <message>
+        <source>Place by</source>
+        <translation>位置の指定</translation>
+    </message>
+    <message>
+        <source>Place on the seam</source>
+        <translation>溶着線上の位置</translation>
     </message>
     <message>
         <source>Plain PET does not weld to itself: take a grade with a sealing layer, or tape. The aluminium (some 50 nm) adds neither stiffness nor weight. What shops sell as Mylar balloons is mostly nylon-foil.</source>
-        <translation type="unfinished"></translation>
+        <translation>素の PET どうしは溶着できません。シール層のある品種かテープを使います。アルミ（約 50 nm）は硬さにも重さにもほとんど影響しません。店でマイラー風船と呼ばれるものは、たいてい nylon-foil です。</translation>
     </message>
     <message>
         <source>Plain paper (PDF)</source>
-        <translation type="unfinished"></translation>
+        <translation>普通紙（PDF）</translation>
     </message>
     <message>
         <source>Plain shell</source>
-        <translation type="unfinished"></translation>
+        <translation>単純なシェル</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>再生</translation>
+    </message>
+    <message>
+        <source>Play the inflation, or stop at a frame</source>
+        <translation>膨張を再生する、または途中で止める</translation>
     </message>
     <message>
         <source>Plotter units of 0.025 mm. Pen 1 draws the control bar, pen 2 the marks, pen 3 cuts. For a swivel knife set its offset, 0.25 mm is common.</source>
-        <translation type="unfinished"></translation>
+        <translation>プロッター単位は 0.025 mm です。ペン 1 は確認用の棒、ペン 2 は印、ペン 3 は切断です。回転刃ではオフセットを設定してください（普通 0.25 mm）。</translation>
     </message>
     <message>
         <source>Point {0} of the JSON file's {1} is not a pair of numbers. {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>JSON ファイルの {1} の点 {0} は数の組ではありません。{2}</translation>
     </message>
     <message>
         <source>Poisson's ratio</source>
-        <translation type="unfinished"></translation>
+        <translation>ポアソン比</translation>
     </message>
     <message>
         <source>Polyethylene film (LDPE), 50 µm</source>
-        <translation type="unfinished"></translation>
+        <translation>ポリエチレンフィルム（LDPE）、50 µm</translation>
+    </message>
+    <message>
+        <source>Polylines at the real size with a layer and a colour for each role.</source>
+        <translation>原寸のポリライン。役割ごとにレイヤーと色があります。</translation>
+    </message>
+    <message>
+        <source>Polylines in millimetres with a layer for each role: what every program reads.</source>
+        <translation>ミリメートルのポリライン。役割ごとのレイヤーで、どのプログラムでも読めます。</translation>
     </message>
     <message>
         <source>Predicted from the outline; not inflated yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>輪郭からの予測です。まだふくらませていません。</translation>
     </message>
     <message>
         <source>Pressure</source>
-        <translation type="unfinished"></translation>
+        <translation>圧力</translation>
     </message>
     <message>
         <source>Previews and labels need it; everything else works.</source>
-        <translation type="unfinished"></translation>
+        <translation>プレビューと文字に必要です。ほかはすべて使えます。</translation>
     </message>
     <message>
         <source>Pull a line; then move the pointer to bend it, and click. A right click keeps it straight.</source>
-        <translation type="unfinished"></translation>
+        <translation>線を引き、ポインターを動かして曲げ、クリックします。右クリックなら真っすぐのままです。</translation>
     </message>
     <message>
         <source>Pull the paper. The middle button, or the space bar, does it with every tool; the wheel zooms.</source>
-        <translation type="unfinished"></translation>
+        <translation>紙を動かします。どの道具でも中ボタンかスペースキーで動かせ、ホイールで拡大縮小します。</translation>
     </message>
     <message>
         <source>Push a straw in, fill, pull it out and weld straight across the neck beside the balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>ストローを差し込んでふくらませ、抜いてから、風船のそばで首を真横に溶着します。</translation>
     </message>
     <message>
         <source>Push the nozzle through the hole of the front panel from inside, put the ring over it from outside, and weld flange, film and ring together along the ring's line before the panels are joined.</source>
-        <translation type="unfinished"></translation>
+        <translation>ノズルを表側フィルムの穴に内側から通し、外側から輪をかぶせ、表裏を合わせる前に、フランジ、フィルム、輪を輪の線に沿って溶着します。</translation>
     </message>
     <message>
-        <source>Put outline, balloon and pattern into the document</source>
-        <translation type="unfinished"></translation>
+        <source>Put outline, balloon and pattern into the document, and print the pattern</source>
+        <translation>輪郭、風船、型紙を文書に入れ、型紙を印刷する</translation>
     </message>
     <message>
         <source>RDWorks (Ruida laser)</source>
-        <translation type="unfinished"></translation>
+        <translation>RDWorks（Ruida レーザー）</translation>
     </message>
     <message>
         <source>Real size, to cut out by hand. Print at 100 % and measure the control bar.</source>
-        <translation type="unfinished"></translation>
+        <translation>手で切るための原寸です。100 % で印刷し、確認用の棒を測ってください。</translation>
     </message>
     <message>
         <source>Red</source>
-        <translation type="unfinished"></translation>
+        <translation>赤</translation>
     </message>
     <message>
         <source>Repair</source>
-        <translation type="unfinished"></translation>
+        <translation>直す</translation>
     </message>
     <message>
         <source>Repair {0} cannot be read: delete it from Repairs.</source>
-        <translation type="unfinished"></translation>
+        <translation>修正 {0} を読めません。Repairs から消してください。</translation>
     </message>
     <message>
         <source>Result</source>
-        <translation type="unfinished"></translation>
+        <translation>結果</translation>
+    </message>
+    <message>
+        <source>Result that is shown as colours, with a legend</source>
+        <translation>凡例付きで色表示する結果</translation>
     </message>
     <message>
         <source>Results cannot be written as '{0}'. Choose {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>結果を「{0}」で書き出すことはできません。{1} を選んでください。</translation>
+    </message>
+    <message>
+        <source>Results written to {}</source>
+        <translation>結果を {} に書き出しました</translation>
+    </message>
+    <message>
+        <source>Ring</source>
+        <translation>輪</translation>
     </message>
     <message>
         <source>Ring that warps</source>
-        <translation type="unfinished"></translation>
+        <translation>ねじれる輪</translation>
     </message>
     <message>
         <source>Round this hole the balloon will not lie flat: a closed tube wants to curve more and twists out of its plane, here by about {length}. Open the ring, or seal the hole's area without cutting it out and keep it small.</source>
-        <translation type="unfinished"></translation>
+        <translation>この穴のまわりで風船は平らになりません。閉じた管は余計に曲がろうとして面から {length} ほどねじれ出ます。輪を切り開くか、穴を切り抜かずに溶着し、小さくしてください。</translation>
     </message>
     <message>
         <source>Round with a radius of</source>
-        <translation type="unfinished"></translation>
+        <translation>丸める半径</translation>
     </message>
     <message>
         <source>Roundness {:.0f} % of a disc's.</source>
-        <translation type="unfinished"></translation>
+        <translation>ふくらみ度は円盤の {:.0f} %。</translation>
     </message>
     <message>
         <source>SVG files can be written but not read without it; pictures, DXF and JSON can be read.</source>
-        <translation type="unfinished"></translation>
+        <translation>これがないと SVG は書けますが読めません。画像、DXF、JSON は読めます。</translation>
     </message>
     <message>
         <source>SVG files need the Python package svgelements. Install it with 'pip install svgelements', or save the drawing as DXF.</source>
+        <translation>SVG ファイルには Python パッケージ svgelements が必要です。「pip install svgelements」で入れるか、図を DXF で保存してください。</translation>
+    </message>
+    <message>
+        <source>Safe pressure</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save results</source>
+        <translation>結果を保存</translation>
+    </message>
+    <message>
+        <source>Save results…</source>
+        <translation>結果を保存…</translation>
     </message>
     <message>
         <source>SciPy triangulates instead, a little slower.</source>
-        <translation type="unfinished"></translation>
+        <translation>代わりに SciPy がメッシュを作ります。少し遅くなります。</translation>
     </message>
     <message>
         <source>Seal width</source>
-        <translation type="unfinished"></translation>
+        <translation>溶着幅</translation>
+    </message>
+    <message>
+        <source>Seal width (0: the film's)</source>
+        <translation>溶着幅（0：フィルムの値）</translation>
+    </message>
+    <message>
+        <source>Second panel, mirrored</source>
+        <translation>2 枚目（反転）</translation>
     </message>
     <message>
         <source>Select a sketch, a wire or a face in the tree or the 3D view.</source>
-        <translation type="unfinished"></translation>
+        <translation>ツリーか 3D ビューでスケッチ、ワイヤー、面を選んでください。</translation>
     </message>
     <message>
         <source>Select another</source>
-        <translation type="unfinished"></translation>
+        <translation>選び直す</translation>
     </message>
     <message>
         <source>Self-sealing film valve</source>
-        <translation type="unfinished"></translation>
+        <translation>自動で閉じるフィルム弁</translation>
     </message>
     <message>
         <source>Shape that stays flat</source>
+        <translation>平らなままの形</translation>
+    </message>
+    <message>
+        <source>Sheet length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sheet {} of {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the drawing and the silhouette over each other</source>
+        <translation>図とシルエットを重ねて表示する</translation>
+    </message>
+    <message>
+        <source>Shown sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shown side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Side</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Silhouette Studio (vinyl cutter)</source>
-        <translation type="unfinished"></translation>
+        <translation>Silhouette Studio（カッティングマシン）</translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation>シミュレーション</translation>
     </message>
     <message>
         <source>Size</source>
-        <translation type="unfinished"></translation>
+        <translation>大きさ</translation>
     </message>
     <message>
         <source>Size from</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>SizeGoal</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Sketch</source>
-        <translation type="unfinished"></translation>
+        <translation>大きさの決め方</translation>
     </message>
     <message>
         <source>So far it is a line. Close it, or paint an area, and it becomes a balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>まだ線です。閉じるか面を塗ると風船になります。</translation>
     </message>
     <message>
         <source>Soft PVC film, 0.2 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>軟質 PVC フィルム、0.2 mm</translation>
     </message>
     <message>
         <source>Solver</source>
+        <translation>ソルバー</translation>
+    </message>
+    <message>
+        <source>Solver: {0}.</source>
+        <translation>ソルバー：{0}。</translation>
+    </message>
+    <message>
+        <source>Solver: {0}. {1}</source>
+        <translation>ソルバー：{0}。{1}</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Stiffer across the web than along it (up to 4.5 against 2.5 GPa): cut both panels in the same direction. Only grades with a sealing layer weld; the gas barrier is poor.</source>
-        <translation type="unfinished"></translation>
+        <translation>流れ方向より直角方向の方が硬い（2.5 に対し最大 4.5 GPa）ので、2 枚を同じ向きに切ってください。溶着できるのはシール層のある品種だけで、気体の遮断性は低めです。</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Stop (Esc)</source>
+        <translation>停止（Esc）</translation>
+    </message>
+    <message>
+        <source>Stop and keep the last result</source>
+        <translation>停止して最後の結果を残す</translation>
     </message>
     <message>
         <source>Stopped.</source>
-        <translation type="unfinished"></translation>
+        <translation>停止しました。</translation>
+    </message>
+    <message>
+        <source>Stopped. Your painting is still here.</source>
+        <translation>停止しました。描いた絵は残っています。</translation>
+    </message>
+    <message>
+        <source>Stopping ...</source>
+        <translation>停止しています…</translation>
     </message>
     <message>
         <source>Straw neck</source>
-        <translation type="unfinished"></translation>
+        <translation>ストロー用の首</translation>
     </message>
     <message>
         <source>Symmetry</source>
-        <translation type="unfinished"></translation>
+        <translation>対称</translation>
     </message>
     <message>
         <source>TPU-coated nylon fabric (70 den), 170 g/m²</source>
-        <translation type="unfinished"></translation>
+        <translation>TPU コートのナイロン布（70 デニール）、170 g/m²</translation>
+    </message>
+    <message>
+        <source>Tab to tie it to</source>
+        <translation>結ぶための耳</translation>
     </message>
     <message>
         <source>Take paint off</source>
+        <translation>絵の具を消す</translation>
+    </message>
+    <message>
+        <source>Take the numbers of one of FreeCAD's material cards</source>
+        <translation>FreeCAD の材料カードの数値を使う</translation>
+    </message>
+    <message>
+        <source>Take the picture away</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Tension field</source>
+        <translation>張力場</translation>
+    </message>
+    <message>
+        <source>That of the front</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>That of the outline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>That wide</source>
+        <translation>この幅</translation>
     </message>
     <message>
         <source>The 'parts' of the JSON file are not a list of shapes. {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>JSON ファイルの 'parts' が形の一覧ではありません。{0}</translation>
     </message>
     <message>
         <source>The '{0}' of the JSON file are not a list of {1}. {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>JSON ファイルの '{0}' が {1} の一覧ではありません。{2}</translation>
     </message>
     <message>
         <source>The DXF file has too many lines. Leave only the outline and its holes in it.</source>
-        <translation type="unfinished"></translation>
+        <translation>DXF ファイルの線が多すぎます。輪郭と穴だけを残してください。</translation>
     </message>
     <message>
         <source>The DXF file {0}; millimetres are assumed.</source>
-        <translation type="unfinished"></translation>
+        <translation>DXF ファイル：{0}。ミリメートルとして扱います。</translation>
     </message>
     <message>
         <source>The JSON file cannot be read ({0}). {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>JSON ファイルを読めません（{0}）。{1}</translation>
     </message>
     <message>
         <source>The JSON file does not name its unit; millimetres are assumed.</source>
-        <translation type="unfinished"></translation>
+        <translation>JSON ファイルに単位がないので、ミリメートルとして扱います。</translation>
     </message>
     <message>
         <source>The JSON file has no 'outer' loop. {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>JSON ファイルに 'outer' がありません。{0}</translation>
     </message>
     <message>
         <source>The JSON file has the unknown unit {0}. Use one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>JSON ファイルの単位 {0} は不明です。{1} のどれかにしてください。</translation>
     </message>
     <message>
         <source>The JSON file's {0} needs at least {1}. {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>JSON ファイルの {0} には少なくとも {1} 必要です。{2}</translation>
     </message>
     <message>
         <source>The Poisson's ratio {0} is not between 0 and 0.5: give one such as 0.38.</source>
-        <translation type="unfinished"></translation>
+        <translation>ポアソン比 {0} は 0 から 0.5 の間にありません。0.38 のように指定してください。</translation>
     </message>
     <message>
         <source>The Python package {0} is missing. {1} To get it: pip install {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>Python パッケージ {0} がありません。{1} 入れるには：pip install {2}</translation>
     </message>
     <message>
         <source>The SVG file cannot be read ({0}). Save it as plain SVG once more.</source>
-        <translation type="unfinished"></translation>
+        <translation>SVG ファイルを読めません（{0}）。プレーン SVG で保存し直してください。</translation>
     </message>
     <message>
         <source>The SVG file defines entities, which are not read. Save it as plain SVG.</source>
-        <translation type="unfinished"></translation>
+        <translation>SVG ファイルに読み込めないエンティティ定義があります。プレーン SVG で保存してください。</translation>
     </message>
     <message>
         <source>The SVG file has too many elements, or some that use themselves. Simplify it.</source>
-        <translation type="unfinished"></translation>
+        <translation>SVG ファイルの要素が多すぎるか、自分自身を参照しています。簡単にしてください。</translation>
     </message>
     <message>
         <source>The SVG file is damaged ({0}). Save it once more.</source>
-        <translation type="unfinished"></translation>
+        <translation>SVG ファイルが壊れています（{0}）。保存し直してください。</translation>
     </message>
     <message>
         <source>The Young's modulus across the grain {0} Pa is too large for one along it of {1} Pa: turn the grain by 90 degrees and exchange the two.</source>
-        <translation type="unfinished"></translation>
+        <translation>流れに直角のヤング率 {0} Pa は、流れ方向の {1} Pa に対して大きすぎます。流れ方向を 90 度回し、二つを入れ替えてください。</translation>
     </message>
     <message>
         <source>The altitude {0} m is out of range: give one up to 11000 m.</source>
-        <translation type="unfinished"></translation>
+        <translation>高度 {0} m は範囲外です。11000 m までにしてください。</translation>
+    </message>
+    <message>
+        <source>The assembly sheet needs matplotlib: install it with pip install matplotlib.</source>
+        <translation>組み立て図には matplotlib が必要です。pip install matplotlib で入れてください。</translation>
     </message>
     <message>
         <source>The balloon is nowhere {0} wide behind its intake: choose another intake angle or a narrower intake, else air enters slowly.</source>
-        <translation type="unfinished"></translation>
+        <translation>注入口の奥に幅 {0} の所がありません。別の向きか細い注入口にしないと、空気がゆっくりしか入りません。</translation>
     </message>
     <message>
         <source>The bending floor must be between 0 and 1, not {0}. Usual is {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>曲げ剛性の下限は 0 から 1 の間にしてください（指定は {0}）。通常は {1} です。</translation>
+    </message>
+    <message>
+        <source>The bleed must be from 0 to {0}, not {1}.</source>
+        <translation>塗り足しは 0 から {0} までです（指定は {1}）。</translation>
+    </message>
+    <message>
+        <source>The coach finds no "{0}" to repair in {1}: see its advice.</source>
+        <translation>{1} には直すべき「{0}」がありません。助言を確かめてください。</translation>
     </message>
     <message>
         <source>The colour would run out: close the line around this place first.</source>
+        <translation>色が外にあふれます。先にこの場所を囲む線を閉じてください。</translation>
+    </message>
+    <message>
+        <source>The drawing cannot be reached everywhere: the silhouette is up to {} off it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The drawing has no closed line. Draw one, and turn texts and groups into paths.</source>
-        <translation type="unfinished"></translation>
+        <translation>図に閉じた線がありません。閉じた線を描き、文字やグループはパスに変換してください。</translation>
+    </message>
+    <message>
+        <source>The drawing has points more than {0} km from its origin. Move it there, and give it a size between 1 mm and 100 m.</source>
+        <translation>図に原点から {0} km 以上離れた点があります。原点へ移し、大きさを 1 mm～100 m にしてください。</translation>
     </message>
     <message>
         <source>The drawing has {0} shape{1} and no number {2}: choose another Part, or delete this balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>図には形が {0} 個{1}で、{2} 番はありません。別の Part を選ぶか、この風船を消してください。</translation>
     </message>
     <message>
         <source>The drawing is open: a line starts at {0} and ends {1} away at {2}. Close it.</source>
-        <translation type="unfinished"></translation>
+        <translation>図が閉じていません。{0} で始まる線が、{1} 離れた {2} で終わっています。閉じてください。</translation>
     </message>
     <message>
         <source>The drawing was made symmetric: its halves were {0} apart, the left one was kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>図を対称にしました。左右の差は {0} で、左半分を残しました。</translation>
     </message>
     <message>
         <source>The drawing would be smaller than {0}: choose a larger lift.</source>
-        <translation type="unfinished"></translation>
+        <translation>図が {0} より小さくなります。浮力を大きくしてください。</translation>
     </message>
     <message>
         <source>The drawing; a copy of it travels in the document</source>
-        <translation type="unfinished"></translation>
+        <translation>図（コピーが文書に入ります）</translation>
     </message>
     <message>
         <source>The file is XML but no SVG drawing. Choose a drawing.</source>
-        <translation type="unfinished"></translation>
+        <translation>このファイルは XML ですが SVG の図ではありません。図を選んでください。</translation>
     </message>
     <message>
         <source>The file of gases {0} is of no use: {1}. Install it anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>気体のファイル {0} が使えません：{1}。入れ直してください。</translation>
     </message>
     <message>
         <source>The file of rules {0} is of no use: {1}. Install it anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>規則のファイル {0} が使えません：{1}。入れ直してください。</translation>
+    </message>
+    <message>
+        <source>The file {0} is of no use: {1}. Install it anew.</source>
+        <translation>ファイル {0} が使えません：{1}。入れ直してください。</translation>
     </message>
     <message>
         <source>The film '{0}' has no mass. Give its areal density.</source>
-        <translation type="unfinished"></translation>
+        <translation>フィルム「{0}」に質量がありません。面密度を入力してください。</translation>
     </message>
     <message>
         <source>The film file {0} calls itself "{1}": give both the same name.</source>
-        <translation type="unfinished"></translation>
+        <translation>フィルムのファイル {0} の中の名前は「{1}」です。同じ名前にしてください。</translation>
     </message>
     <message>
         <source>The film file {0} is of no use: {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>フィルムのファイル {0} が使えません：{1}</translation>
     </message>
     <message>
         <source>The film file {0} lacks {1}: add it.</source>
-        <translation type="unfinished"></translation>
+        <translation>フィルムのファイル {0} に {1} がありません。加えてください。</translation>
+    </message>
+    <message>
+        <source>The film needs a width of more than two spacings, and no spacing below 0.</source>
+        <translation>フィルムの幅は間隔の 2 倍より広く、間隔は 0 以上にしてください。</translation>
     </message>
     <message>
         <source>The film of shop-bought foil balloons: 15 µm oriented nylon 6 with an aluminium coat, 15 µm polyethylene inside. Weld PE to PE. Nylon takes up moisture and is then softer.</source>
-        <translation type="unfinished"></translation>
+        <translation>市販の風船のフィルムです。アルミ蒸着した 15 µm の延伸ナイロン 6 と、内側の 15 µm のポリエチレン。PE どうしを溶着します。ナイロンは湿気を吸うと柔らかくなります。</translation>
     </message>
     <message>
         <source>The free edition opens DXF, not SVG. Choose "as is" for the size in the import preferences. Silhouette makes its own registration marks.</source>
-        <translation type="unfinished"></translation>
+        <translation>無料版が開けるのは DXF で、SVG ではありません。読み込み設定の大きさは「そのまま」にしてください。トンボは Silhouette が自分で作ります。</translation>
     </message>
     <message>
         <source>The grain's angle {0} is no number: give degrees from the x axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>流れ方向の角度 {0} は数ではありません。x 軸からの度数で指定してください。</translation>
+    </message>
+    <message>
+        <source>The hand beside the shape is as large as a grown-up's</source>
+        <translation>形の横の手は大人の手の大きさです</translation>
     </message>
     <message>
         <source>The hole at ({0}, {1}) mm is too small for a {2} seal, and its weld reaches {3} into the balloon: make the hole at least {4} wide, or the seal narrower.</source>
-        <translation type="unfinished"></translation>
+        <translation>({0}, {1}) mm の穴は {2} の溶着には小さすぎ、溶着が風船の中へ {3} 入り込みます。穴を {4} 以上にするか、溶着を細くしてください。</translation>
     </message>
     <message>
         <source>The hole at ({0}, {1}) mm is welded but not cut out: for that, make it wider than two seals with their allowances, {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>({0}, {1}) mm の穴は溶着しますが切り抜きません。切り抜くには、余白込みの溶着 2 本分（{2}）より広くしてください。</translation>
     </message>
     <message>
         <source>The hole at {0} lies in another hole; remove one of them.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} の穴は別の穴の中にあります。どちらかを消してください。</translation>
     </message>
     <message>
         <source>The hole at {0} lies outside the outline; move it inside.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} の穴は輪郭の外にあります。内側へ移してください。</translation>
     </message>
     <message>
         <source>The inflated outline stays {0} from the drawing on average: film cannot follow this shape everywhere. Round off notches and widen thin parts.</source>
-        <translation type="unfinished"></translation>
+        <translation>ふくらんだ輪郭は図から平均 {0} 離れます。フィルムはこの形のすべてには追従できません。切れ込みを丸め、細い部分を広げてください。</translation>
     </message>
     <message>
         <source>The intake file {0} calls itself "{1}": give both the same name.</source>
-        <translation type="unfinished"></translation>
+        <translation>注入口のファイル {0} の中の名前は「{1}」です。同じ名前にしてください。</translation>
     </message>
     <message>
         <source>The intake file {0} is of no use: {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>注入口のファイル {0} が使えません：{1}</translation>
     </message>
     <message>
         <source>The intake file {0} lacks {1}: add it.</source>
-        <translation type="unfinished"></translation>
+        <translation>注入口のファイル {0} に {1} がありません。加えてください。</translation>
     </message>
     <message>
         <source>The intake opens into a part with {percent} of the film; the rest fills through something narrower than the intake. Move it to the largest part.</source>
-        <translation type="unfinished"></translation>
+        <translation>注入口が開く部分はフィルムの {percent} しかなく、残りは注入口より狭い所を通ってふくらみます。最も大きな部分へ移してください。</translation>
     </message>
     <message>
         <source>The intake would run into another part of the balloon: choose another angle or length for it.</source>
-        <translation type="unfinished"></translation>
+        <translation>注入口が風船の別の部分にぶつかります。角度か長さを変えてください。</translation>
     </message>
     <message>
         <source>The intake's angle must be a number.</source>
+        <translation>注入口の角度は数で指定してください。</translation>
+    </message>
+    <message>
+        <source>The intake's length must be above 0, up to 100 m: give it about 30 mm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The intake's place along the seam must be a length.</source>
-        <translation type="unfinished"></translation>
+        <translation>注入口の位置は溶着線に沿った長さで指定してください。</translation>
     </message>
     <message>
-        <source>The intake's width and length must be above 0.</source>
+        <source>The intake's width must be between 0.01 mm and 10 m: give it about 10 mm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The intakes of two chambers run into each other: leave a gap in the weld between them, or choose another place for the first.</source>
-        <translation type="unfinished"></translation>
+        <translation>二つの部屋の注入口がぶつかります。間の溶着線にすき間を残すか、最初の注入口を移してください。</translation>
     </message>
     <message>
         <source>The label "{0}" has no letter that can be drawn: write it in other letters.</source>
-        <translation type="unfinished"></translation>
+        <translation>文字「{0}」には描ける字がありません。別の文字にしてください。</translation>
     </message>
     <message>
         <source>The label "{0}" is {1} long, and the film is only {2} wide: take a shorter text or lower letters.</source>
+        <translation>文字「{0}」の長さは {1} ですが、フィルムの幅は {2} しかありません。短くするか文字を小さくしてください。</translation>
+    </message>
+    <message>
+        <source>The layout failed: give the pieces more room.</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The layout was stopped; nothing was changed.</source>
+        <translation>配置を中止しました。何も変わっていません。</translation>
     </message>
     <message>
         <source>The lines of the drawing do not close around anything: the outline follows the lines.</source>
-        <translation type="unfinished"></translation>
+        <translation>図の線は何も囲んでいないので、輪郭は線をなぞります。</translation>
     </message>
     <message>
         <source>The machine file {0} calls itself "{1}": give both the same name.</source>
-        <translation type="unfinished"></translation>
+        <translation>機械のファイル {0} の中の名前は「{1}」です。同じ名前にしてください。</translation>
     </message>
     <message>
         <source>The machine file {0} is of no use: {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>機械のファイル {0} が使えません：{1}</translation>
     </message>
     <message>
         <source>The machine file {0} lacks {1}: add it.</source>
-        <translation type="unfinished"></translation>
+        <translation>機械のファイル {0} に {1} がありません。加えてください。</translation>
     </message>
     <message>
         <source>The mesh has a vertex without triangles. Mesh the outline anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>メッシュに三角形のない節点があります。輪郭のメッシュを作り直してください。</translation>
     </message>
     <message>
         <source>The mesh size is {0} mm: give one above 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>メッシュの大きさが {0} mm です。0 より大きくしてください。</translation>
     </message>
     <message>
         <source>The native solver is not available: {0} Use the NumPy solver.</source>
-        <translation type="unfinished"></translation>
+        <translation>ネイティブソルバーは使えません：{0} NumPy のソルバーを使ってください。</translation>
     </message>
     <message>
         <source>The nozzle's flange must be wider than its bore.</source>
-        <translation type="unfinished"></translation>
+        <translation>ノズルのフランジは穴より広くしてください。</translation>
     </message>
     <message>
         <source>The outline cannot be mirrored about its axis: draw it symmetric, or leave that.</source>
-        <translation type="unfinished"></translation>
+        <translation>輪郭を軸で反転できません。対称に描くか、そのままにしてください。</translation>
     </message>
     <message>
         <source>The outline crosses or nearly touches itself near ({0}, {1}) mm: separate the parts that meet there.</source>
-        <translation type="unfinished"></translation>
+        <translation>({0}, {1}) mm 付近で輪郭が交わるか、ほとんど触れています。離してください。</translation>
     </message>
     <message>
         <source>The outline crosses or touches itself and cannot be meshed: separate the parts that meet.</source>
-        <translation type="unfinished"></translation>
+        <translation>輪郭が交わるか触れているので、メッシュを作れません。離してください。</translation>
     </message>
     <message>
         <source>The outline crosses or touches itself and cannot be mirrored; part the lines.</source>
-        <translation type="unfinished"></translation>
+        <translation>輪郭が交わるか触れているので、反転できません。線を離してください。</translation>
     </message>
     <message>
         <source>The outline encloses no area; draw a closed shape with at least three corners.</source>
-        <translation type="unfinished"></translation>
+        <translation>輪郭が面を囲んでいません。角が三つ以上の閉じた形を描いてください。</translation>
     </message>
     <message>
         <source>The outline has a coordinate that is not a number; correct it in the drawing.</source>
-        <translation type="unfinished"></translation>
+        <translation>輪郭に数ではない座標があります。図を直してください。</translation>
     </message>
     <message>
         <source>The outline's {0} of</source>
-        <translation type="unfinished"></translation>
+        <translation>輪郭の{0}：</translation>
     </message>
     <message>
         <source>The painting cannot be written to '{}': is the disk full?</source>
-        <translation type="unfinished"></translation>
+        <translation>絵を「{}」に書き込めません。ディスクがいっぱいではありませんか？</translation>
     </message>
     <message>
         <source>The part round {0} has no rim for an intake: leave a gap in the welds round it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} のまわりの部分には注入口を付ける縁がありません。まわりの溶着線にすき間を残してください。</translation>
     </message>
     <message>
         <source>The pattern becomes too thin for its mesh. Widen the thin parts, or use a finer mesh.</source>
-        <translation type="unfinished"></translation>
+        <translation>型紙がメッシュに対して細くなりすぎます。細い部分を広げるか、メッシュを細かくしてください。</translation>
     </message>
     <message>
         <source>The pattern crosses itself near ({0}, {1}) mm: simplify the drawing there.</source>
-        <translation type="unfinished"></translation>
+        <translation>({0}, {1}) mm 付近で型紙が交わります。そこの図を簡単にしてください。</translation>
     </message>
     <message>
         <source>The pattern has no lines for {0}, which takes {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>型紙に {0} 用の線がありません（必要：{1}）。</translation>
     </message>
     <message>
         <source>The pattern is being fitted to the painting ...</source>
-        <translation type="unfinished"></translation>
+        <translation>型紙を絵に合わせています…</translation>
     </message>
     <message>
         <source>The pattern is not symmetric: the balloon buckles to one side, and this comes nearer to the drawing.</source>
-        <translation type="unfinished"></translation>
+        <translation>型紙は対称ではありません。風船が片側に座屈するため、この方が図に近くなります。</translation>
     </message>
     <message>
         <source>The pattern measures {0}, the bed of {1} {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>型紙は {0}、{1} の加工台は {2} です</translation>
     </message>
     <message>
         <source>The picture has a single colour. Choose one that shows a shape on a background.</source>
-        <translation type="unfinished"></translation>
+        <translation>画像が一色だけです。背景の上に形が見えるものを選んでください。</translation>
     </message>
     <message>
         <source>The picture has no plain background around the shape. Use one with a background of one colour or a transparent one.</source>
-        <translation type="unfinished"></translation>
+        <translation>形のまわりが無地ではありません。背景が一色か透明の画像を使ってください。</translation>
+    </message>
+    <message>
+        <source>The picture is damaged. Save it as PNG, JPEG or BMP once more.</source>
+        <translation>画像が壊れています。PNG、JPEG、BMP で保存し直してください。</translation>
     </message>
     <message>
         <source>The picture is empty: all of it is transparent. Choose a picture that shows a shape.</source>
-        <translation type="unfinished"></translation>
+        <translation>画像が空（全体が透明）です。形のある画像を選んでください。</translation>
     </message>
     <message>
         <source>The picture is too small to see a shape. Use {0} pixels or more across.</source>
-        <translation type="unfinished"></translation>
+        <translation>画像が小さすぎて形が分かりません。{0} ピクセル以上にしてください。</translation>
     </message>
     <message>
         <source>The picture was read as a pen drawing: the inside of its lines is filled.</source>
-        <translation type="unfinished"></translation>
+        <translation>線画として読み込み、線の内側を塗りました。</translation>
     </message>
     <message>
-        <source>The pressure must be positive, not {0} Pa. A party balloon has about 2 kPa.</source>
-        <translation type="unfinished"></translation>
+        <source>The pressure must be positive and at most {0} Pa, not {1} Pa. A party balloon has about 2 kPa.</source>
+        <translation>圧力は 0 より大きく {0} Pa 以下にしてください（指定は {1} Pa）。パーティー用の風船は約 2 kPa です。</translation>
     </message>
     <message>
         <source>The radius of the corner relief must be 0 or above.</source>
-        <translation type="unfinished"></translation>
+        <translation>角の逃げの半径は 0 以上にしてください。</translation>
     </message>
     <message>
         <source>The repair at {0} no longer fits, {1}: take it back or draw that part anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} の修正は合わなくなりました（{1}）。取り消すか、その部分を描き直してください。</translation>
     </message>
     <message>
-        <source>The seal width must be above 0 and the allowance not below 0.</source>
-        <translation type="unfinished"></translation>
+        <source>The seal width must be between 0.01 mm and 1 m, the allowance between 0 and 1 m.</source>
+        <translation>溶着幅は 0.01 mm～1 m、余白は 0～1 m にしてください。</translation>
     </message>
     <message>
         <source>The shape in the picture is too frayed to trace. Use a clearer picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>画像の形の縁が荒れすぎてなぞれません。もっとはっきりした画像を使ってください。</translation>
     </message>
     <message>
         <source>The shape is only {0} mm thick near ({1}, {2}) mm, too thin for a mesh of {3}: make it thicker there, or use a mesh size of at most {4} mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>({1}, {2}) mm 付近の太さは {0} mm しかなく、{3} のメッシュには細すぎます。太くするか、メッシュを {4} mm 以下にしてください。</translation>
     </message>
     <message>
         <source>The shape touches the {0} border of the picture; if it was cut off there, leave more margin.</source>
-        <translation type="unfinished"></translation>
+        <translation>形が画像の{0}端に触れています。切れているなら余白を増やしてください。</translation>
     </message>
     <message>
         <source>The simulation cannot take its first step. Check the outline for degenerate parts.</source>
-        <translation type="unfinished"></translation>
+        <translation>シミュレーションの最初のステップを計算できません。輪郭につぶれた部分がないか確かめてください。</translation>
     </message>
     <message>
         <source>The simulation did not come to rest; the shape shown is its last good state. Try a coarser mesh.</source>
-        <translation type="unfinished"></translation>
+        <translation>シミュレーションが収束しませんでした。表示は最後の良い状態です。メッシュを粗くしてみてください。</translation>
     </message>
     <message>
         <source>The simulation failed: {0}. Check the outline for degenerate parts.</source>
-        <translation type="unfinished"></translation>
+        <translation>シミュレーションに失敗しました：{0}。輪郭につぶれた部分がないか確かめてください。</translation>
     </message>
     <message>
         <source>The simulation has no finite start. Check the outline for degenerate parts.</source>
-        <translation type="unfinished"></translation>
+        <translation>シミュレーションの初期状態が有限ではありません。輪郭につぶれた部分がないか確かめてください。</translation>
     </message>
     <message>
         <source>The simulation was stopped.</source>
-        <translation type="unfinished"></translation>
+        <translation>シミュレーションを停止しました。</translation>
     </message>
     <message>
-        <source>The smallest radius is {0}, near {1}; {2} follows {3}. It will come out rounder there.</source>
+        <source>The smallest radius is {0} mm, near {1}; {2} follows {3}. It will come out rounder there.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The solver '{0}' needs the Python package scipy. Install it or use the native solver.</source>
-        <translation type="unfinished"></translation>
+        <translation>ソルバー「{0}」には Python パッケージ scipy が必要です。入れるか、ネイティブソルバーを使ってください。</translation>
     </message>
     <message>
         <source>The solver stopped; the report view tells why.</source>
-        <translation type="unfinished"></translation>
+        <translation>ソルバーが止まりました。理由はレポートビューにあります。</translation>
     </message>
     <message>
         <source>The temperature of the {0}, {1} degrees Celsius, is out of range: give one such as 20C.</source>
-        <translation type="unfinished"></translation>
+        <translation>温度（{0}）{1} ℃ は範囲外です。20C のように指定してください。</translation>
     </message>
     <message>
         <source>The tie tab at {0} degrees would run into another part: choose another angle.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} 度の耳は別の部分にぶつかります。角度を変えてください。</translation>
     </message>
     <message>
         <source>The volume must be positive, not {0} m3.</source>
-        <translation type="unfinished"></translation>
+        <translation>体積は 0 より大きくしてください（指定は {0} m3）。</translation>
     </message>
     <message>
         <source>The way from the intake into the balloon narrows to {0}, and the intake is {1} wide: put it where the balloon is wider, else air enters slowly.</source>
-        <translation type="unfinished"></translation>
+        <translation>注入口から風船への通路が {0} に狭まります（注入口の幅は {1}）。もっと広い所に付けないと、空気がゆっくりしか入りません。</translation>
     </message>
     <message>
         <source>The width of the passages must be 0 or above.</source>
-        <translation type="unfinished"></translation>
+        <translation>通路の幅は 0 以上にしてください。</translation>
     </message>
     <message>
         <source>The {0} "{1}" of the material card {2} cannot be read: correct the card.</source>
-        <translation type="unfinished"></translation>
+        <translation>材料カード {2} の {0}「{1}」を読めません。カードを直してください。</translation>
     </message>
     <message>
         <source>The {0} crosses or touches itself at {1}; part the lines there.</source>
-        <translation type="unfinished"></translation>
+        <translation>{1} で線が交わるか触れています（{0}）。離してください。</translation>
     </message>
     <message>
         <source>The {0} encloses no area; draw a closed shape with at least three corners.</source>
-        <translation type="unfinished"></translation>
+        <translation>面を囲んでいません（{0}）。角が三つ以上の閉じた形を描いてください。</translation>
     </message>
     <message>
         <source>The {0} is {1} % off what was wanted: correct the goal by as much.</source>
-        <translation type="unfinished"></translation>
+        <translation>目標（{0}）から {1} % ずれました。その分だけ目標を直してください。</translation>
     </message>
     <message>
         <source>The {0} is {1} mm: give one above 0, for example 300 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>寸法（{0}）が {1} mm です。300 mm のように 0 より大きくしてください。</translation>
     </message>
     <message>
         <source>The {0} line crosses itself near {1}: simplify the drawing there.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} の線が {1} 付近で交わります。そこの図を簡単にしてください。</translation>
     </message>
     <message>
         <source>The {0} line that begins at {1} is open: programs fill, offset and cut closed lines only. Close it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{1} で始まる {0} の線が閉じていません。塗り、オフセット、切断には閉じた線が必要です。閉じてください。</translation>
     </message>
     <message>
         <source>The {0} {1} is not between {2} and {3} {4}: give one such as {5}.</source>
-        <translation type="unfinished"></translation>
+        <translation>値（{0}）{1} は {2}～{3} {4} の範囲にありません。{5} のように指定してください。</translation>
+    </message>
+    <message>
+        <source>Their depth</source>
+        <translation>切り込みの深さ</translation>
     </message>
     <message>
         <source>There can be 0 to {0} notches, not {1}, with a depth above 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>合印は 0～{0} 個（指定は {1}）、深さは 0 より大きくしてください。</translation>
     </message>
     <message>
         <source>There can be 1 to {0} copies, not {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>枚数は 1～{0} です（指定は {1}）。</translation>
     </message>
     <message>
         <source>There is no backend "{0}": choose {1}, or leave it out.</source>
-        <translation type="unfinished"></translation>
+        <translation>計算エンジン「{0}」はありません。{1} を選ぶか、省いてください。</translation>
     </message>
     <message>
         <source>There is no file '{0}'. Check the name and the folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>ファイル「{0}」がありません。名前とフォルダーを確かめてください。</translation>
     </message>
     <message>
         <source>There is no file {0}: check the name and the folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>ファイル {0} がありません。名前とフォルダーを確かめてください。</translation>
     </message>
     <message>
         <source>There is no file {}: check the name and the folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>ファイル {} がありません。名前とフォルダーを確かめてください。</translation>
     </message>
     <message>
         <source>There is no film "{0}": choose one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>フィルム「{0}」はありません。{1} から選んでください。</translation>
     </message>
     <message>
         <source>There is no gas "{0}": choose one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>気体「{0}」はありません。{1} から選んでください。</translation>
     </message>
     <message>
         <source>There is no intake "{0}": choose one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>注入口「{0}」はありません。{1} から選んでください。</translation>
     </message>
     <message>
         <source>There is no look "{0}": choose one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>外観「{0}」はありません。{1} から選んでください。</translation>
     </message>
     <message>
         <source>There is no machine "{0}": choose one of {1}, or give a .json file.</source>
-        <translation type="unfinished"></translation>
+        <translation>機械「{0}」はありません。{1} から選ぶか、.json ファイルを指定してください。</translation>
     </message>
     <message>
         <source>There is no outline at {0} degrees from the centre: choose another intake angle.</source>
+        <translation>中心から {0} 度の方向に輪郭がありません。注入口の角度を変えてください。</translation>
+    </message>
+    <message>
+        <source>There is no paper "{0}" for the assembly sheet: choose A4 or Letter.</source>
+        <translation>組み立て図に用紙「{0}」は使えません。A4 か Letter を選んでください。</translation>
+    </message>
+    <message>
+        <source>There is no picture to print: choose one, as the outline has none of its own.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>There is no room for a flange of {0} there: choose another place or a smaller one.</source>
+        <translation>そこに {0} のフランジは入りません。別の場所か小さなフランジにしてください。</translation>
+    </message>
+    <message>
+        <source>There is no sheet {0}: give a number from 1 to {1}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>There is no solver named '{0}'. Use 'native', 'numpy' or 'newmark'.</source>
-        <translation type="unfinished"></translation>
+        <translation>「{0}」というソルバーはありません。'native'、'numpy'、'newmark' を使ってください。</translation>
     </message>
     <message>
         <source>There is no symmetry "{0}": choose one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>対称「{0}」はありません。{1} から選んでください。</translation>
     </message>
     <message>
         <source>Thickness</source>
-        <translation type="unfinished"></translation>
+        <translation>厚み</translation>
     </message>
     <message>
         <source>Thickness of the pen ([ thinner, ] thicker)</source>
-        <translation type="unfinished"></translation>
+        <translation>ペンの太さ（[ 細く、] 太く）</translation>
     </message>
     <message>
         <source>This arm is too thin to fill: drawn {width} wide, it becomes {measured} thick. Make it {wanted} wide.</source>
-        <translation type="unfinished"></translation>
+        <translation>この腕は細すぎてふくらみません。描いた幅は {width}、ふくらむ厚みは {measured} です。幅を {wanted} にしてください。</translation>
     </message>
     <message>
         <source>This arm is too thin to fill: {}. Make it {}?</source>
-        <translation type="unfinished"></translation>
+        <translation>この腕は細すぎてふくらみません：{}。{} にしますか？</translation>
     </message>
     <message>
         <source>This balloon holds {0} {1} litres at any pressure that suits its film: {2} litres at {3} Pa. Change the size of the balloon or the volume.</source>
-        <translation type="unfinished"></translation>
+        <translation>この風船に入るのは、フィルムに合うどの圧力でも {0} {1} リットルです（{3} Pa で {2} リットル）。風船の大きさか体積を変えてください。</translation>
     </message>
     <message>
         <source>This gas is not lighter than the air around, so the balloon never floats: choose another gas or a higher temperature of the gas.</source>
-        <translation type="unfinished"></translation>
+        <translation>この気体はまわりの空気より軽くないので、風船は浮きません。別の気体か、高い温度にしてください。</translation>
     </message>
     <message>
         <source>This is shape {0} of the {1} in the drawing.</source>
-        <translation type="unfinished"></translation>
+        <translation>これは図の {1} 個の形のうち {0} 番目です。</translation>
     </message>
     <message>
         <source>This neck chokes the air: inside it is as wide as a tube of {measured} of film, the intake is {intake}. {behind} of the balloon fill through it. Make it {wanted} wide.</source>
-        <translation type="unfinished"></translation>
+        <translation>このくびれが空気の通りを妨げます。中の広さは幅 {measured} のフィルムの管と同じで、注入口は {intake} です。風船の {behind} がここを通ってふくらみます。幅を {wanted} にしてください。</translation>
     </message>
     <message>
         <source>This neck is too thin to let the air through: {}. Make it {}?</source>
-        <translation type="unfinished"></translation>
+        <translation>このくびれは細すぎて空気が通りません：{}。{} にしますか？</translation>
     </message>
     <message>
         <source>This notch pulls the film {measured} as tight as elsewhere; it wrinkles there and is where it would tear. Round it with a radius of {wanted}.</source>
-        <translation type="unfinished"></translation>
+        <translation>この切れ込みではフィルムの張りがほかの {measured} になり、しわが寄って破れやすくなります。半径 {wanted} で丸めてください。</translation>
     </message>
     <message>
         <source>This shape stays flat: it holds {percent} of the air that a disc of as much film would. Fewer and wider parts make it rounder.</source>
-        <translation type="unfinished"></translation>
+        <translation>この形は平らなままです。同じ量のフィルムの円盤に比べ、空気は {percent} しか入りません。部分を減らし、広くすると丸くなります。</translation>
     </message>
     <message>
         <source>This tip stays flat over {length}: it is too pointed. Round it with a radius of {wanted}.</source>
-        <translation type="unfinished"></translation>
+        <translation>この先端は {length} にわたって平らなままです。とがりすぎなので、半径 {wanted} で丸めてください。</translation>
     </message>
     <message>
         <source>Tip that stays flat</source>
-        <translation type="unfinished"></translation>
+        <translation>平らなままの先端</translation>
     </message>
     <message>
         <source>Tracing paper, 92 g/m²</source>
-        <translation type="unfinished"></translation>
+        <translation>トレーシングペーパー、92 g/m²</translation>
+    </message>
+    <message>
+        <source>Two circles: change their diameters in the sketch</source>
+        <translation>二つの円：スケッチで直径を変えられます</translation>
     </message>
     <message>
         <source>Two panels with a grain aslant are no mirror images. Turn the grain along x or y.</source>
-        <translation type="unfinished"></translation>
+        <translation>流れ方向が斜めの 2 枚は鏡像になりません。流れ方向を x か y に合わせてください。</translation>
     </message>
     <message>
         <source>Two shapes meet at {0}; part them, or join them into one.</source>
-        <translation type="unfinished"></translation>
+        <translation>二つの形が {0} で触れています。離すか、一つにしてください。</translation>
     </message>
     <message>
         <source>Upload the SVG as a cut image and compare the control bar: some versions read the size at 72 dpi.</source>
+        <translation>SVG をカット画像としてアップロードし、確認用の棒を比べてください。大きさを 72 dpi で読む版があります。</translation>
+    </message>
+    <message>
+        <source>Used</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Violet</source>
-        <translation type="unfinished"></translation>
+        <translation>紫</translation>
     </message>
     <message>
         <source>Volume</source>
-        <translation type="unfinished"></translation>
+        <translation>体積</translation>
     </message>
     <message>
         <source>Warm air</source>
-        <translation type="unfinished"></translation>
+        <translation>熱気</translation>
     </message>
     <message>
         <source>Weight</source>
-        <translation type="unfinished"></translation>
+        <translation>重さ</translation>
     </message>
     <message>
         <source>Weld TPU to TPU with an iron or hot air, 10 mm wide. Warp and weft are stiff, the bias is soft: the model takes one modulus for all directions. Stiffer after the first inflations.</source>
+        <translation>TPU どうしをアイロンか熱風で幅 10 mm に溶着します。縦糸と横糸の方向は硬く、斜めは柔らかいですが、モデルは全方向に一つの値を使います。数回ふくらませると硬くなります。</translation>
+    </message>
+    <message>
+        <source>Weld and cut</source>
+        <translation>溶着と切断</translation>
+    </message>
+    <message>
+        <source>Weld length</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Welds easily with an impulse sealer or an iron. Yields at about 9 MPa, half its tensile strength, and creeps: keep the pressure low.</source>
-        <translation type="unfinished"></translation>
+        <translation>インパルスシーラーかアイロンで簡単に溶着できます。引張強さの半分の約 9 MPa で降伏し、クリープするので、圧力は低くしてください。</translation>
     </message>
     <message>
         <source>What most shops ask for: R12, closed polylines, nothing on the sheet that is not cut. R12 knows no unit, so the file's name tells it.</source>
-        <translation type="unfinished"></translation>
+        <translation>多くの業者が求める形式です。R12、閉じたポリライン、切らない線はなし。R12 には単位がないので、ファイル名に書きます。</translation>
     </message>
     <message>
         <source>What works here</source>
-        <translation type="unfinished"></translation>
+        <translation>この環境で使えるもの</translation>
+    </message>
+    <message>
+        <source>While this is pressed, the ring in the 3D view moves the intake</source>
+        <translation>押している間、3D ビューの輪で注入口を動かせます</translation>
     </message>
     <message>
         <source>While this is pressed, what you select becomes the source</source>
-        <translation type="unfinished"></translation>
+        <translation>押している間、選んだものが元の形になります</translation>
     </message>
     <message>
         <source>White</source>
-        <translation type="unfinished"></translation>
+        <translation>白</translation>
     </message>
     <message>
         <source>Width</source>
-        <translation type="unfinished"></translation>
+        <translation>幅</translation>
     </message>
     <message>
         <source>Width of the balloon when it is inflated</source>
+        <translation>ふくらんだときの風船の幅</translation>
+    </message>
+    <message>
+        <source>Will it float?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write all results for ParaView (.vtu) or NumPy (.npz), or the shape alone (.stl)</source>
+        <translation>すべての結果を ParaView（.vtu）か NumPy（.npz）用に、または形だけを（.stl）書き出す</translation>
+    </message>
+    <message>
+        <source>Write files…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Write {"unit": "mm", "outer": [[0, 0], [300, 0], [150, 200]]}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{"unit": "mm", "outer": [[0, 0], [300, 0], [150, 200]]} のように書いてください。</translation>
     </message>
     <message>
         <source>Writing DXF needs ezdxf: install it with pip install ezdxf, or use the SVG file.</source>
-        <translation type="unfinished"></translation>
+        <translation>DXF の書き出しには ezdxf が必要です。pip install ezdxf で入れるか、SVG を使ってください。</translation>
     </message>
     <message>
         <source>Writing PDF needs reportlab: install it with pip install reportlab, or use the SVG file.</source>
-        <translation type="unfinished"></translation>
+        <translation>PDF の書き出しには reportlab が必要です。pip install reportlab で入れるか、SVG を使ってください。</translation>
     </message>
     <message>
         <source>Yellow</source>
-        <translation type="unfinished"></translation>
+        <translation>黄</translation>
     </message>
     <message>
         <source>Young's modulus</source>
-        <translation type="unfinished"></translation>
+        <translation>ヤング率</translation>
     </message>
     <message>
         <source>Young's modulus across the grain</source>
-        <translation type="unfinished"></translation>
+        <translation>流れに直角のヤング率</translation>
     </message>
     <message>
         <source>a coordinate is not a number</source>
-        <translation type="unfinished"></translation>
+        <translation>数ではない座標がある</translation>
+    </message>
+    <message>
+        <source>a transform is not a number</source>
+        <translation>変換が数ではない</translation>
     </message>
     <message>
         <source>a {0} file has a unit of its own: give "unit": "mm".</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ファイルには自分の単位があります。"unit": "mm" にしてください。</translation>
+    </message>
+    <message>
+        <source>apart {} in the mean, 95 % below {}, at most {}</source>
+        <translation>隔たりは平均 {}、95 % が {} 以下、最大 {}</translation>
+    </message>
+    <message>
+        <source>at most {:.4g} {}</source>
+        <translation>最大 {:.4g} {}</translation>
     </message>
     <message>
         <source>balloon {0} of {1}, {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>風船 {0}/{1}、{2}</translation>
     </message>
     <message>
         <source>bed_mm is {0}: give [width, height], or null where there is no limit.</source>
-        <translation type="unfinished"></translation>
+        <translation>bed_mm が {0} です。[幅, 高さ] か、制限がなければ null にしてください。</translation>
     </message>
     <message>
         <source>bring it to a</source>
-        <translation type="unfinished"></translation>
+        <translation>次にしてください：</translation>
     </message>
     <message>
         <source>colour index {0} and pen {1} of {2} must be from 1 to 255.</source>
-        <translation type="unfinished"></translation>
+        <translation>{2} の色番号 {0} とペン {1} は 1～255 にしてください。</translation>
     </message>
     <message>
         <source>does not name its unit</source>
-        <translation type="unfinished"></translation>
+        <translation>単位が書かれていません</translation>
+    </message>
+    <message>
+        <source>drawing</source>
+        <translation>図</translation>
+    </message>
+    <message>
+        <source>film and valve</source>
+        <translation>フィルムと弁</translation>
+    </message>
+    <message>
+        <source>in the mean {}</source>
+        <translation>平均 {}</translation>
+    </message>
+    <message>
+        <source>inflated</source>
+        <translation>ふくらんだ形</translation>
     </message>
     <message>
         <source>it would grow together with another part</source>
-        <translation type="unfinished"></translation>
+        <translation>別の部分とつながってしまう</translation>
+    </message>
+    <message>
+        <source>laying out{0}</source>
+        <translation>配置中{0}</translation>
     </message>
     <message>
         <source>names the unit {0}, which is not a usual one</source>
-        <translation type="unfinished"></translation>
+        <translation>単位 {0} は一般的ではありません</translation>
     </message>
     <message>
         <source>no layer is written: name at least CUT.</source>
-        <translation type="unfinished"></translation>
+        <translation>書き出すレイヤーがありません。少なくとも CUT を入れてください。</translation>
     </message>
     <message>
         <source>nobody knows "{0}": it may be one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>「{0}」は使えません。使えるもの：{1}。</translation>
     </message>
     <message>
         <source>not converged: </source>
-        <translation type="unfinished"></translation>
+        <translation>収束していません：</translation>
     </message>
     <message>
         <source>place "{0}" is neither {1} nor {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>place「{0}」は {1} でも {2} でもありません。</translation>
+    </message>
+    <message>
+        <source>safe to {}, margin {:.2g}</source>
+        <translation>{} まで安全、余裕 {:.2g} 倍</translation>
+    </message>
+    <message>
+        <source>slack: {:.0f} %</source>
+        <translation>たるみ：{:.0f} %</translation>
+    </message>
+    <message>
+        <source>stale: belongs to earlier values</source>
+        <translation>古い結果：以前の値のもの</translation>
+    </message>
+    <message>
+        <source>strength of the film not known</source>
+        <translation>フィルムの強度が不明</translation>
+    </message>
+    <message>
+        <source>taut: {:.0f} %</source>
+        <translation>張り：{:.0f} %</translation>
     </message>
     <message>
         <source>the colour "{0}" is not written like #ff0000.</source>
-        <translation type="unfinished"></translation>
+        <translation>色「{0}」が #ff0000 の形になっていません。</translation>
+    </message>
+    <message>
+        <source>the file name "{0}" may have letters, digits, spaces, _, - and . only.</source>
+        <translation>ファイル名「{0}」に使えるのは英数字、空白、_、-、. だけです。</translation>
     </message>
     <message>
         <source>the last line of each piece is its CUT.</source>
-        <translation type="unfinished"></translation>
+        <translation>各部品の最後の線は CUT です。</translation>
     </message>
     <message>
         <source>the layer name "{0}" may have 1 to 31 of A-Z, 0-9, _, - and $ only.</source>
-        <translation type="unfinished"></translation>
+        <translation>レイヤー名「{0}」は A-Z、0-9、_、-、$ の 1～31 字にしてください。</translation>
     </message>
     <message>
         <source>there is no such corner</source>
-        <translation type="unfinished"></translation>
+        <translation>そのような角がない</translation>
     </message>
     <message>
         <source>there is no such part</source>
+        <translation>そのような部分がない</translation>
+    </message>
+    <message>
+        <source>unknown: this film has no strength</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>up to date</source>
-        <translation type="unfinished"></translation>
+        <translation>最新</translation>
     </message>
     <message>
         <source>width_mm must be above 0, and taper from 0.2 to 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>width_mm は 0 より大きく、taper は 0.2～1 にしてください。</translation>
+    </message>
+    <message>
+        <source>wrinkled, taut along one direction: {:.0f} %</source>
+        <translation>しわ（一方向に張り）：{:.0f} %</translation>
     </message>
     <message>
         <source>{0} "{1}" is none of {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}「{1}」は {2} のどれでもありません。</translation>
     </message>
     <message>
         <source>{0} and {1} lines meet near {2}: move the hole inward or make the allowance narrower.</source>
+        <translation>{0} と {1} の線が {2} 付近で交わります。穴を内側へ移すか、余白を狭くしてください。</translation>
+    </message>
+    <message>
+        <source>{0} balloons cannot be laid out: give 1 or more.</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} belongs to no balloon: choose an outline, a balloon or a pattern.</source>
+        <translation>{0} はどの風船のものでもありません。輪郭、風船、型紙のどれかを選んでください。</translation>
+    </message>
+    <message>
+        <source>{0} cannot be "{1}": {2}</source>
+        <translation>{0} を「{1}」にはできません：{2}</translation>
     </message>
     <message>
         <source>{0} cannot be loaded ({1}).</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} を読み込めません（{1}）。</translation>
     </message>
     <message>
         <source>{0} changed since. Choose Inflate now in its context menu, or switch Live on.</source>
-        <translation type="unfinished"></translation>
+        <translation>変わった値：{0}。コンテキストメニューで「今すぐふくらませる」を選ぶか、ライブをオンにしてください。</translation>
+    </message>
+    <message>
+        <source>{0} dots per inch cannot be printed well: give {1} to {2}.</source>
+        <translation>{0} dpi ではきれいに印刷できません。{1}～{2} にしてください。</translation>
     </message>
     <message>
         <source>{0} gap{1} between the lines closed, the widest {2} % of the drawing's width.</source>
-        <translation type="unfinished"></translation>
+        <translation>線の間のすき間を {0} か所閉じました{1}。最大で図の幅の {2} % です。</translation>
     </message>
     <message>
         <source>{0} has interface {1}, but {2} is needed.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} のインターフェースは {1} ですが、{2} が必要です。</translation>
     </message>
     <message>
         <source>{0} has no pattern: choose a balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} に型紙がありません。風船を選んでください。</translation>
     </message>
     <message>
         <source>{0} has no result yet: recompute it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} にはまだ結果がありません。再計算してください。</translation>
     </message>
     <message>
         <source>{0} has no shape: select a sketch, a wire or a face.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} に形状がありません。スケッチ、ワイヤー、面を選んでください。</translation>
     </message>
     <message>
         <source>{0} has not been built.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} はビルドされていません。</translation>
     </message>
     <message>
         <source>{0} has several faces: select one of them.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} には面が複数あります。一つを選んでください。</translation>
     </message>
     <message>
         <source>{0} is a folder</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} はフォルダーです</translation>
     </message>
     <message>
         <source>{0} is empty: draw a closed line in it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} は空です。閉じた線を描いてください。</translation>
     </message>
     <message>
         <source>{0} is neither DXF nor SVG: let the name end in .dxf or .svg.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} は DXF でも SVG でもありません。名前の末尾を .dxf か .svg にしてください。</translation>
     </message>
     <message>
         <source>{0} is neither VTU, NPZ nor STL: let the name end in .vtu, .npz or .stl.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} は VTU、NPZ、STL のどれでもありません。名前の末尾を .vtu、.npz、.stl にしてください。</translation>
     </message>
     <message>
         <source>{0} is not a coordinate</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} は座標ではない</translation>
     </message>
     <message>
         <source>{0} is not flat: a balloon is cut from flat film, so draw it in one plane.</source>
+        <translation>{0} は平らではありません。風船は平らなフィルムから切るので、一つの平面に描いてください。</translation>
+    </message>
+    <message>
+        <source>{0} is not up to date. {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} is not up to date. {1} Repair that and recompute.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} is not up to date. {1} Repair that, recompute and export again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} は最新ではありません。{1} それを直し、再計算してから書き出してください。</translation>
     </message>
     <message>
         <source>{0} is {1}: give a number from {2} to {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} が {1} です。{2}～{3} の数にしてください。</translation>
     </message>
     <message>
         <source>{0} is {1}: write true or false.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} が {1} です。true か false にしてください。</translation>
     </message>
     <message>
         <source>{0} loose ends of lines were joined to the drawing.</source>
-        <translation type="unfinished"></translation>
+        <translation>線の端を {0} か所、図につなぎました。</translation>
+    </message>
+    <message>
+        <source>{0} m of a roll {1} mm wide</source>
+        <translation>幅 {1} mm のロールを {0} m</translation>
+    </message>
+    <message>
+        <source>{0} mm wide, {1} m long</source>
+        <translation>幅 {0} mm、長さ {1} m</translation>
     </message>
     <message>
         <source>{0} notches are closer than {1}: take fewer.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} 個の合印では間隔が {1} より狭くなります。減らしてください。</translation>
     </message>
     <message>
         <source>{0} open line was left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>閉じていない線を {0} 本除きました。</translation>
     </message>
     <message>
         <source>{0} open lines were left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>閉じていない線を {0} 本除きました。</translation>
     </message>
     <message>
         <source>{0} reads {1}, which has no pages: choose paper.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} が読むのは {1} で、ページがありません。用紙を選んでください。</translation>
     </message>
     <message>
         <source>{0} small speck was dropped.</source>
-        <translation type="unfinished"></translation>
+        <translation>小さな点を {0} 個除きました。</translation>
     </message>
     <message>
         <source>{0} small specks were dropped.</source>
-        <translation type="unfinished"></translation>
+        <translation>小さな点を {0} 個除きました。</translation>
     </message>
     <message>
         <source>{0} thin line is</source>
-        <translation type="unfinished"></translation>
+        <translation>細い線 {0} 本</translation>
     </message>
     <message>
         <source>{0} thin lines are</source>
-        <translation type="unfinished"></translation>
+        <translation>細い線 {0} 本</translation>
+    </message>
+    <message>
+        <source>{0} times</source>
+        <translation>{0} 倍</translation>
     </message>
     <message>
         <source>{0} tiny hole was filled.</source>
-        <translation type="unfinished"></translation>
+        <translation>ごく小さな穴を {0} 個ふさぎました。</translation>
     </message>
     <message>
         <source>{0} tiny holes were filled.</source>
-        <translation type="unfinished"></translation>
+        <translation>ごく小さな穴を {0} 個ふさぎました。</translation>
     </message>
     <message>
         <source>{0} was left out. {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} を省きました。{1}</translation>
     </message>
     <message>
         <source>{0} weld{1} outside the shapes left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>形の外の溶着線を {0} 本除きました{1}。</translation>
     </message>
     <message>
         <source>{0} {1} cannot be made; {2} size between 1 mm and 100 m.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} {1} は作れません。{2} 1 mm～100 m の大きさにしてください。</translation>
     </message>
     <message>
         <source>{0}: make the balloon smaller, or choose another machine or paper.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}。風船を小さくするか、別の機械か用紙を選んでください。</translation>
     </message>
     <message>
         <source>{0}: turn the pattern by 90 degrees there.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}。そこで型紙を 90 度回してください。</translation>
+    </message>
+    <message>
+        <source>{0}no, at no size.</source>
+        <translation>{0}いいえ、どの大きさでも浮きません。</translation>
+    </message>
+    <message>
+        <source>{0}no. From {1} cm width it would.</source>
+        <translation>{0}いいえ。幅 {1} cm 以上なら浮きます。</translation>
     </message>
     <message>
         <source>{0}what is shown is the last good state. Lower the pressure or change the mesh size.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}表示は最後の良い状態です。圧力を下げるか、メッシュの大きさを変えてください。</translation>
+    </message>
+    <message>
+        <source>{0}yes, and it carries {1} g.</source>
+        <translation>{0}はい、{1} g を持ち上げます。</translation>
     </message>
     <message>
         <source>{:.0f} % wrinkled, {:.0f} % slack</source>
-        <translation type="unfinished"></translation>
+        <translation>しわ {:.0f} %、たるみ {:.0f} %</translation>
+    </message>
+    <message>
+        <source>{:.0f} ms, {:.0f} Pa, frame {} of {}</source>
+        <translation>{:.0f} ms、{:.0f} Pa、コマ {}/{}</translation>
     </message>
     <message>
         <source>{:.1f} x {:.1f} mm, weld {:.0f} mm</source>
+        <translation>{:.1f} x {:.1f} mm、溶着線 {:.0f} mm</translation>
+    </message>
+    <message>
+        <source>{:.2f} m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{:.2f} m of a roll of {:.0f} mm</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{:.2f} mm, at most {:.2f} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>{:.2f} mm、最大 {:.2f} mm</translation>
     </message>
     <message>
         <source>{:.3g} g, carries {:.3g} g with {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0:.3g} g、{2}で {1:.3g} g を持ち上げる</translation>
     </message>
     <message>
         <source>{:.3g} g, floats from {:.0f} mm width on with {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0:.3g} g、{2}なら幅 {1:.0f} mm 以上で浮く</translation>
     </message>
     <message>
         <source>{:.3g} g, never floats with {}</source>
+        <translation>{:.3g} g、{}では浮かない</translation>
+    </message>
+    <message>
+        <source>{:.3g} g: film {:.3g}, weld and neck {:.2g}, valve {:.2g}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{:.3g} kPa, margin {:g} ({})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{:.3g} l of {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{:.3g} m², wider than the usual roll</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} files written to {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} is in the tree</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} pieces on {:.0f} x {:.0f} mm, {:.0f} % used</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{} x {}, {} thick, {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} x {}、厚み {}、{}</translation>
     </message>
     <message>
-        <source>{}: {}. Esc stops.</source>
-        <translation type="unfinished"></translation>
+        <source>{}: {}</source>
+        <translation>{}：{}</translation>
     </message>
 </context>
 <context>
     <name>BalloonWorkbench_Advice</name>
     <message>
         <source>Advice</source>
-        <translation type="unfinished"></translation>
+        <translation>助言</translation>
     </message>
     <message>
         <source>Show which parts of a shape will inflate badly, and repair them</source>
+        <translation>うまくふくらまない部分を示し、直す</translation>
+    </message>
+</context>
+<context>
+    <name>BalloonWorkbench_Animate</name>
+    <message>
+        <source>Animate inflation</source>
+        <translation>膨張のアニメーション</translation>
+    </message>
+    <message>
+        <source>Play how the balloon inflates, from the flat film to rest, with a slider</source>
+        <translation>平らなフィルムから静止するまで、風船がふくらむ様子をスライダー付きで再生する</translation>
+    </message>
+</context>
+<context>
+    <name>BalloonWorkbench_Artwork</name>
+    <message>
+        <source>Artwork</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Print a picture on the film so that it reads right on the inflated balloon</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>BalloonWorkbench_AssemblySheet</name>
+    <message>
+        <source>Assembly sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tell what the balloon takes and whether it floats, and write one page on how to make it</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>BalloonWorkbench_ColourMap</name>
+    <message>
+        <source>Colour map</source>
+        <translation>カラーマップ</translation>
+    </message>
+    <message>
+        <source>Show tension, wrinkles, thickness and other results as colours on the balloon</source>
+        <translation>張力、しわ、厚みなどの結果を風船の上に色で示す</translation>
     </message>
 </context>
 <context>
     <name>BalloonWorkbench_Equipment</name>
     <message>
         <source>Show the solver in use, and which packages are missing and what that costs</source>
-        <translation type="unfinished"></translation>
+        <translation>使っているソルバーと、足りないパッケージとその影響を示す</translation>
     </message>
     <message>
         <source>What works here</source>
-        <translation type="unfinished"></translation>
+        <translation>この環境で使えるもの</translation>
+    </message>
+</context>
+<context>
+    <name>BalloonWorkbench_Examples</name>
+    <message>
+        <source>Examples</source>
+        <translation>例</translation>
+    </message>
+    <message>
+        <source>Open a finished balloon, to look at it and to change it</source>
+        <translation>完成した風船を開いて、見たり変えたりする</translation>
     </message>
 </context>
 <context>
     <name>BalloonWorkbench_ExportPattern</name>
     <message>
         <source>Export pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>型紙を書き出す</translation>
     </message>
     <message>
         <source>Write the flat pattern of a balloon for a cutter, a plotter, a heat sealer or a printer</source>
-        <translation type="unfinished"></translation>
+        <translation>風船の平らな型紙を、カッター、プロッター、ヒートシーラー、プリンター用に書き出す</translation>
     </message>
 </context>
 <context>
     <name>BalloonWorkbench_FromPicture</name>
     <message>
         <source>New balloon from picture</source>
-        <translation type="unfinished"></translation>
+        <translation>画像から新しい風船</translation>
     </message>
     <message>
         <source>Trace a picture, SVG, DXF or JSON file and design the balloon that looks like it</source>
-        <translation type="unfinished"></translation>
+        <translation>画像、SVG、DXF、JSON をなぞり、それと同じ形に見える風船を設計する</translation>
     </message>
 </context>
 <context>
     <name>BalloonWorkbench_FromSketch</name>
     <message>
         <source>Design the balloon that looks like the selected sketch, wire or face and follows it</source>
-        <translation type="unfinished"></translation>
+        <translation>選んだスケッチ、ワイヤー、面と同じ形に見え、それに追従する風船を設計する</translation>
     </message>
     <message>
         <source>New balloon from sketch</source>
+        <translation>スケッチから新しい風船</translation>
+    </message>
+</context>
+<context>
+    <name>BalloonWorkbench_Nest</name>
+    <message>
+        <source>Lay out on film</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lay the panels of one or several balloons closely on a roll or on sheets of film</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2346,11 +3296,22 @@
     <name>BalloonWorkbench_Paint</name>
     <message>
         <source>Draw with pen and brush, and watch the balloon and its pattern grow beside it</source>
-        <translation type="unfinished"></translation>
+        <translation>ペンとブラシで描き、隣で風船と型紙ができていくのを見る</translation>
     </message>
     <message>
         <source>Paint a balloon</source>
-        <translation type="unfinished"></translation>
+        <translation>風船を描く</translation>
+    </message>
+</context>
+<context>
+    <name>Workbench</name>
+    <message>
+        <source>Film &amp;Balloon</source>
+        <translation>フィルム風船(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Film Balloon</source>
+        <translation>フィルム風船</translation>
     </message>
 </context>
 </TS>

@@ -149,11 +149,11 @@ def test_recorded_call_does_not_run_twice(doc, macro):
     assert macro[-1] == 'balloon = BalloonWorkbench.from_picture(App.ActiveDocument, "no such file.png")'
 
 
-def test_export(opened, macro, tmp_path):
-    hands.press("Cancel")
+def test_export(doc, macro, tmp_path):
+    create.balloon_from_sketch(doc, sketches.rectangle(doc, 90, 60), mesh_size=15, correct=False)
     Gui.runCommand("BalloonWorkbench_ExportPattern")
     hands.wait_until(hands.panel_is_open)
-    hands.type_into(hands.find("File"), str(tmp_path / "plate.dxf"))
+    hands.type_into(hands.find("File"), str(tmp_path / "plate.dxf"), confirm=False)
     hands.press("Ok")
     hands.wait_until(hands.panel_is_closed)
     written = next(tmp_path.glob("plate*"))
