@@ -3,14 +3,22 @@
 
 from __future__ import annotations
 
+import math
+
 import FreeCAD as App
 import numpy as np
 import Part
 
 from BalloonWorkbench.core.outline.drawing import sealed
 from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.pattern.arcs import from_polyline
 from BalloonWorkbench.core.pattern.curves import Curve
 from BalloonWorkbench.core.units import from_mm, to_mm
+
+#: How far a spline may be from the arcs [m], how far it turns [rad], and how often it gets more points.
+_CHORD = from_mm(0.005)
+_QUARTER = 1.6
+_TRIALS = 4
 
 
 def vectors(points) -> list:
@@ -37,40 +45,44 @@ def curve_wire(curve: Curve):
     return Part.Wire(edges)
 
 
-def spline_wire(curve: Curve, tolerance: float = from_mm(0.005)):
-    """A wire of straight edges and splines: smooth stretches between them are one each, near to it [m]."""
-    turned = curve.begun_at(int(np.flatnonzero(curve.corners)[0])) if _cornered(curve) else curve
-    corners, straight = turned.corners, turned.bulges == 0.0
-    edges, run = [], []
-    for k in range(len(turned)):
+def spline_wire(curve: Curve):
+    """A wire of straight edges and splines, which meet smoothly except in corners.
+
+    A spline runs on for about a quarter of a turn: FreeCAD measures areas beside long ones badly.
+    """
+    if curve.closed and curve.corners.any():
+        curve = curve.begun_at(int(np.flatnonzero(curve.corners)[0]))
+    corners, straight = curve.corners, curve.bulges == 0.0
+    edges, run, turned = [], [], 0.0
+    for k in range(len(curve)):
         run.append(k)
-        after = (k + 1) % len(turned)
-        ends = k + 1 == len(turned) or corners[after] or straight[k] or straight[after]
-        if not ends:
+        turned += abs(float(curve.turns[k]))
+        after = (k + 1) % len(curve)
+        ends = k + 1 == len(curve) or corners[after] or straight[k] or straight[after]
+        if not ends and turned + abs(curve.turns[after]) <= _QUARTER:
             continue
-        ends_at = (turned.starts[run[0]], turned.ends[run[-1]])
+        joints = np.concatenate([curve.starts[run], curve.ends[run[-1:]]])
         if straight[k]:
-            edges.append(Part.LineSegment(*vectors(ends_at)).toShape())
+            edges.append(Part.LineSegment(*vectors(joints)).toShape())
         else:
-            part = Curve(
-                np.concatenate([turned.starts[run], turned.ends[run[-1:]]]), turned.bulges[run], False
-            )
-            edges.append(_spline(part, tolerance).toShape())
-        run = []
+            edges.append(_spline(Curve(joints, curve.bulges[run], False)).toShape())
+        run, turned = [], 0.0
     return Part.Wire(edges)
 
 
-def _cornered(curve: Curve) -> bool:
-    return curve.closed and bool(curve.corners.any())
-
-
-def _spline(curve: Curve, tolerance: float):
-    """A smooth spline through the ends, near to arcs, with their directions at the ends."""
-    points = curve.flattened(0.1 * tolerance)
-    spline = Part.BSplineCurve()
-    spline.approximate(
-        Points=vectors(points), DegMin=3, DegMax=3, Continuity="C2", Tolerance=to_mm(0.5 * tolerance)
-    )
+def _spline(curve: Curve):
+    """A spline through points of smooth arcs, with their directions at its ends; as many as keep it near."""
+    first, last = curve.headings
+    starts, ends = (App.Vector(math.cos(turn), math.sin(turn), 0.0) for turn in (first[0], last[-1]))
+    line = curve.flattened(0.1 * _CHORD)
+    spline, chord = Part.BSplineCurve(), _CHORD
+    for _ in range(_TRIALS):
+        points = curve.flattened(chord)
+        spline.interpolate(Points=vectors(points), InitialTangent=starts, FinalTangent=ends)
+        drawn = [(at.x, at.y) for at in spline.discretize(4 * len(points))]
+        if from_polyline(from_mm(np.array(drawn)), line).max() < _CHORD:
+            break
+        chord *= 0.25
     return spline
 
 

@@ -15,7 +15,7 @@ from BalloonWorkbench.gui.qt import QtCore, position
 
 _NEAR = 14.0  # px at which the mouse catches the handle
 _COLOUR, _CAUGHT = (0.10, 0.55, 0.95), (1.00, 0.55, 0.00)
-_RING = 0.02  # radius, of the size of the pattern
+_RING = 0.03  # radius, of the size of the pattern
 _ABOVE = 0.002  # the handle hovers over the pattern, of its size
 
 

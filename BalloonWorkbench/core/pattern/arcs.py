@@ -139,11 +139,11 @@ def _deviation(samples: Samples, knots: Knots, joints: Floats, bulges: list[floa
         to_curve = np.min([away_from(inside, *segment) for segment in beside], axis=0)
         drawn = Curve(joints[k : k + 2], np.array(bulges[k : k + 1]), False).flattened(0.01 * TOLERANCE)
         near = samples.points[max(low - 40, 0) : high + 41]
-        most = max(most, float(to_curve.max()), float(_from_polyline(drawn, near).max()))
+        most = max(most, float(to_curve.max()), float(from_polyline(drawn, near).max()))
     return most
 
 
-def _from_polyline(points: Floats, line: Floats) -> Floats:
+def from_polyline(points: Floats, line: Floats) -> Floats:
     """Distance (n,) of points (n, 2) from the nearest edge of a polyline (k, 2)."""
     edges = np.diff(line, axis=0)
     away = points[:, None] - line[None, :-1]

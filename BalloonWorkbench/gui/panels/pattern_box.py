@@ -3,7 +3,11 @@
 
 from __future__ import annotations
 
+import FreeCADGui as Gui
+
+from BalloonWorkbench.app import status
 from BalloonWorkbench.app.pattern import PLACE, choose_kind
+from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.pattern.panels import MOST_COPIES
 from BalloonWorkbench.gui.intake_handle import IntakeHandle
 from BalloonWorkbench.gui.panels.fields import Fields
@@ -61,7 +65,12 @@ class PatternBox(QtWidgets.QWidget):
         self._row("TieTabAngle", translate("Direction"), fields.quantity("TieTabAngle", "deg", 5.0))
         self._row("LabelText", translate("Label"), fields.text("LabelText"))
         self._row("LabelHeight", translate("Letter height"), fields.quantity("LabelHeight", "mm"))
+        self.sketch = QtWidgets.QPushButton(translate("Make a sketch of the cuts"))
+        self.sketch.setObjectName("MakeSketch")
+        self.sketch.setToolTip(translate("A new Sketcher sketch of lines and arcs, to go on with in FreeCAD"))
+        self.form.addRow(self.sketch)
         fields.changed.connect(self._edited)
+        self.sketch.clicked.connect(self._make_sketch)
         self.drag.toggled.connect(self._follow_drag)
 
     def finish_typing(self) -> None:
@@ -87,6 +96,7 @@ class PatternBox(QtWidgets.QWidget):
         self.advice.setVisible(bool(pattern.Warnings))
         self.drag.setVisible(pattern.Intake)
         self.drag.setEnabled(bool(pattern.Roles))
+        self.sketch.setEnabled(status.is_ready(pattern))
         if self.handle is not None:
             self.handle.follow()
 
@@ -118,6 +128,20 @@ class PatternBox(QtWidgets.QWidget):
         self.pattern.IntakeAuto, self.pattern.IntakeBy = False, PLACE
         self.pattern.IntakeAlong = along
         self.changed.emit()
+
+    def _make_sketch(self, _checked: bool = False) -> None:
+        from BalloonWorkbench.app.pattern_sketch import make_sketch
+
+        self.finish_typing()
+        try:
+            sketch = make_sketch(self.pattern)
+        except BalloonError as error:
+            self.advice.setText(tell(str(error)))
+            self.advice.setVisible(True)
+            return
+        sketch.recompute()
+        text = translate("{} is in the tree").format(sketch.Label)
+        Gui.getMainWindow().statusBar().showMessage(text, 8000)
 
     def _remove_handle(self) -> None:
         if self.handle is not None:
