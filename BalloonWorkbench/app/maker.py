@@ -11,14 +11,18 @@ from BalloonWorkbench.app import film_result, size_goal, status
 from BalloonWorkbench.core.errors import ExportError
 
 
-def numbers(parts):
-    """The core's Numbers of a balloon that has a result. Raises BalloonError where there is none."""
+def numbers(parts, exact: bool = True):
+    """The core's Numbers of a balloon that has a result. Raises BalloonError where there is none.
+
+    exact  a balloon that bears less than its pressure is inflated anew at lower ones, which takes a second;
+           else its safe pressure is a little too high
+    """
     from BalloonWorkbench.app import film
     from BalloonWorkbench.app.pattern import build, values
 
     panel, wanted = build(parts.pattern), values(parts.pattern)
     own, filling = film.read(parts.balloon), size_goal.filling(parts.balloon)
-    return _numbers(_Known(parts.balloon), panel_key(panel), _Panel(panel, wanted), own, filling)
+    return _numbers(_Known(parts.balloon), panel_key(panel), _Panel(panel, wanted), own, filling, exact)
 
 
 class _Known:
@@ -59,7 +63,7 @@ def panel_key(pattern) -> bytes:
 
 
 @lru_cache(maxsize=8)
-def _numbers(known: _Known, _key: bytes, panel: _Panel, own, filling):
+def _numbers(known: _Known, _key: bytes, panel: _Panel, own, filling, exact: bool):
     from BalloonWorkbench.app import shapes
     from BalloonWorkbench.core.maker.numbers import maker_numbers
     from BalloonWorkbench.core.pattern.make import sheet_of
@@ -67,6 +71,10 @@ def _numbers(known: _Known, _key: bytes, panel: _Panel, own, filling):
 
     balloon = known.balloon
     inflation, _ = film_result.stored(balloon)
+
+    def again(pressure: float):
+        return inflate(inflation.panel, own, pressure, start=inflation, model=inflation.report.model)
+
     return maker_numbers(
         inflation,
         own,
@@ -75,9 +83,7 @@ def _numbers(known: _Known, _key: bytes, panel: _Panel, own, filling):
         film_result.drawing(balloon).size[0],
         filling,
         pieces=sheet_of(panel.pattern, replace(panel.wanted, mirror=True, copies=1)),
-        at_pressure=lambda pressure: inflate(
-            inflation.panel, own, pressure, start=inflation, model=inflation.report.model
-        ),
+        at_pressure=again if exact else None,
     )
 
 

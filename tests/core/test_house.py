@@ -38,6 +38,7 @@ ROOMS = ["outline", "mesh", "film", "solver", "design", "pattern", "coach"]
 ROOMS += ["nesting", "maker", "export", "artwork", "assembly"]
 
 OPTIONAL = ["cv2", "scipy", "ezdxf", "shapely", "pythoncdt", "matplotlib", "reportlab", "PIL"]
+OPTIONAL += ["spyrrow"]
 
 
 def sources(*suffixes: str) -> list[Path]:

@@ -16,7 +16,7 @@ def rows(parts) -> list[tuple[str, str]]:
     if not all(status.is_ready(obj) for obj in (parts.balloon, parts.pattern)):
         return []
     try:
-        numbers = maker.numbers(parts)
+        numbers = maker.numbers(parts, exact=False)  # the window does not wait
     except BalloonError:
         return []
     return [
@@ -53,6 +53,9 @@ def _strength(numbers) -> str:
     safe = numbers.safety
     if safe.safe_pressure is None:
         return translate("unknown: this film has no strength")
+    if safe.safe_pressure < safe.pressure:
+        told = translate("less than its {:.3g} kPa with a margin of {:g} ({})")
+        return told.format(1e-3 * safe.pressure, safe.margin, tell(safe.weakest))
     told = translate("{:.3g} kPa, margin {:g} ({})")
     return told.format(1e-3 * safe.safe_pressure, safe.margin, tell(safe.weakest))
 
