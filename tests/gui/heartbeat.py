@@ -11,10 +11,11 @@ class Heartbeat:
     """Beats every few milliseconds.
 
     longest  s by the clock between two beats: other programs of a busy machine are in it
-    gui      s of the processor that the window's own thread worked between two beats
+    gui      s of the processor that the window's own thread worked between two beats; `most` at the worst
     own      s between two beats, or what this process with all its threads can account for: a window that
-             waits for a thread of ours is deaf by our doing. Of all beats but one in a hundred: the 3D view
-             without a graphics card draws slowly at times.
+             waits for a thread of ours is deaf by our doing
+
+    gui and own are of all beats but one in a hundred: without a graphics card the 3D view is slow at times.
     """
 
     def __init__(self):
@@ -24,8 +25,8 @@ class Heartbeat:
         self.reset()
 
     def reset(self):
-        self.longest = self.gui = 0.0
-        self._owns = [0.0]
+        self.longest = 0.0
+        self._works, self._owns = [0.0], [0.0]
         self._last = self._now()
 
     def skip(self):
@@ -36,8 +37,16 @@ class Heartbeat:
         self._timer.stop()
 
     @property
+    def gui(self):
+        return _nearly_all(self._works)
+
+    @property
     def own(self):
-        return sorted(self._owns)[int(0.99 * (len(self._owns) - 1))]
+        return _nearly_all(self._owns)
+
+    @property
+    def most(self):
+        return max(self._works)
 
     @staticmethod
     def _now():
@@ -46,6 +55,11 @@ class Heartbeat:
     def _beat(self):
         now = self._now()
         clock, mine, everybody = (b - a for a, b in zip(self._last, now, strict=True))
-        self.longest, self.gui = max(self.longest, clock), max(self.gui, mine)
+        self.longest = max(self.longest, clock)
+        self._works.append(mine)
         self._owns.append(min(clock, everybody / (os.cpu_count() or 1)))
         self._last = now
+
+
+def _nearly_all(values):
+    return sorted(values)[int(0.99 * (len(values) - 1))]

@@ -128,7 +128,7 @@ def test_a_fill_does_not_run_out_and_a_line_bends(window):
     assert canvas.hand.stroke is None
     assert colour_at(window, 0.5, 0.3) == rgba(BLACK)
     assert colour_at(window, 0.5, 0.6)[3] == 0
-    hands.wait_until(lambda: "it is a line" in window.form.hint.text(), 5)
+    hands.wait_until(lambda: "it is a line" in window.form.hint.text(), 30)
     assert not window.scene.is_shown()
     press("PaintMake")  # nothing can be made of it, and it says so
     hands.wait_until(lambda: not window.making, 20)
@@ -159,9 +159,9 @@ def test_a_click_widens_an_arm_that_is_too_thin(framed_window):
     arm = [(0.46, 0.494), (0.60, 0.494)]
     left, right = arc(0.3, 0.5, 0.18, 3, 357), arc(0.75, 0.5, 0.15, 178, -178)
     draw(canvas, [*arm, *right, (0.60, 0.506), (0.46, 0.506), *left])
-    hands.wait_until(window.card.isVisible, 20)
+    hands.wait_until(window.card.isVisible, 30)
     press("PaintSizeDone")
-    hands.wait_until(lambda: canvas.thin.asked() is not None, 20)
+    hands.wait_until(lambda: canvas.thin.asked() is not None, 30)
     remark = canvas.thin.remarks[canvas.thin.asked()]
     assert "too thin" in remark.question
     before = arm_width(window)
@@ -174,7 +174,7 @@ def test_a_click_widens_an_arm_that_is_too_thin(framed_window):
     assert len(window.painting.steps) == steps + 1
     assert arm_width(window) == pytest.approx(before + remark.step.wanted - remark.step.was, abs=3)
     wide = pixels(window.painting.image)
-    hands.wait_until(window.live.is_settled, 40)
+    hands.wait_until(window.live.is_settled, 60)
     assert not [told for told in canvas.thin.remarks if told.step is not None]
     press("PaintUndo")
     assert arm_width(window) == before
@@ -198,10 +198,10 @@ def test_a_picture_is_paint_or_backdrop(window):
     press("PaintBackdrop")
     assert window.painting.backdrop is None
     window.pictures.put_on(HEART)
-    hands.wait_until(lambda: not window.painting.is_empty(), 10)
+    hands.wait_until(lambda: not window.painting.is_empty(), 30)
     assert colour_at(window, 0.02, 0.02)[3] == 0
     assert colour_at(window, 0.5, 0.5)[3] == 255
-    hands.wait_until(window.scene.is_shown, 5)
+    hands.wait_until(window.scene.is_shown, 30)
     window.pictures.put_on(Path("README.md"))
     assert "not a picture" in window.form.hint.text()
 
@@ -211,7 +211,7 @@ def test_painting_comes_back_by_double_click(doc, window, tmp_path):
     draw(window.canvas, ellipse(0.5, 0.5, 0.3, 0.2))
     hands.type_into(window.form.width_field, "200 mm")
     press("PaintMake")
-    hands.wait_until(is_closed, 40)
+    hands.wait_until(is_closed, 60)
     height = doc.Outline.SizeY.Value
     assert doc.Outline.SizeX.Value == pytest.approx(200, abs=1)
     path = str(tmp_path / "painted.FCStd")
@@ -221,13 +221,13 @@ def test_painting_comes_back_by_double_click(doc, window, tmp_path):
     assert doc.Balloon.ViewObject.DisplayMode == "Painted"
     assert doc.Outline.ViewObject.Proxy.doubleClicked(doc.Outline.ViewObject)
     again = paint_window._open[0]
-    hands.wait_until(again.scene.is_shown, 10)
+    hands.wait_until(again.scene.is_shown, 30)
     assert len(again.painting.steps) == 1
     assert again.live.width == pytest.approx(200)
     assert not doc.Balloon.ViewObject.Visibility
     draw(again.canvas, ellipse(0.5, 0.65, 0.12, 0.22))
     press("PaintMake")
-    hands.wait_until(is_closed, 40)
+    hands.wait_until(is_closed, 60)
     assert doc.Outline.SizeY.Value > 1.1 * height
     assert doc.Balloon.ViewObject.Visibility
     assert [obj.Status for obj in (doc.Outline, doc.Balloon, doc.Pattern)] == [status.READY] * 3
@@ -235,9 +235,9 @@ def test_painting_comes_back_by_double_click(doc, window, tmp_path):
     doc.recompute()
     assert doc.Outline.SizeY.Value == pytest.approx(height, abs=0.1)
     doc.Outline.ViewObject.Proxy.doubleClicked(doc.Outline.ViewObject)
-    hands.wait_until(paint_window._open[0].scene.is_shown, 10)
+    hands.wait_until(paint_window._open[0].scene.is_shown, 30)
     App.closeDocument(doc.Name)
-    hands.wait_until(is_closed, 5)
+    hands.wait_until(is_closed, 30)
 
 
 def test_closing_keeps_the_painting_and_deleting_the_document_closes(doc, window):
@@ -248,4 +248,4 @@ def test_closing_keeps_the_painting_and_deleting_the_document_closes(doc, window
     assert paint_window._open == [window]
     assert len(window.painting.steps) == 1
     App.closeDocument(doc.Name)
-    hands.wait_until(is_closed, 5)
+    hands.wait_until(is_closed, 30)

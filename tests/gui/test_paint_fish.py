@@ -81,7 +81,7 @@ def test_a_fish_from_the_first_stroke_to_the_cutter(doc, window, beat, tmp_path)
     hands.press("Ok")
     hands.wait_until(hands.panel_is_closed, 60)
     record("another width", beat)
-    answers(beat, 0.2)  # FreeCAD takes half of it to make the fields of the panel
+    answers(beat)
     assert_made(doc, 200)
     doc.undo()
     doc.recompute()
@@ -107,9 +107,9 @@ def paint(window, beat):
     assert canvas.width() > 0.3 * Gui.getMainWindow().width()
     press(f"PaintColour{BLUE}")
     draw(canvas, fish.RIM)
-    hands.wait_until(window.scene.is_shown, 10)
+    hands.wait_until(window.scene.is_shown, 30)
     assert live.latest.solved is None  # a glance; nothing was waited for
-    hands.wait_until(window.card.isVisible, 10)
+    hands.wait_until(window.card.isVisible, 30)
     assert canvas.scale.shown
     picture("tutorial-first-stroke")
     beat.skip()
@@ -202,10 +202,11 @@ def cut(doc, path):
     assert max(xs) - min(xs) == pytest.approx(doc.Pattern.PatternWidth.Value, abs=1)
 
 
-def answers(beat, most=0.1):
+def answers(beat):
     """The window answers: what it works itself between two beats, and what our threads keep from it [s]."""
-    assert beat.gui < most
+    assert beat.gui < 0.1
     assert beat.own < 0.1
+    assert beat.most < 0.5  # the first picture of a 3D view
 
 
 def record(what, beat, delays=()):
@@ -214,7 +215,8 @@ def record(what, beat, delays=()):
     line = (
         f"{what}: deaf for {1e3 * beat.longest:.0f} ms at most by the clock, {1e3 * beat.own:.0f} ms by us,"
     )
-    line += f" {1e3 * beat.gui:.0f} ms of work in the window; {others:.1f} programs for each core"
+    line += f" {1e3 * beat.gui:.0f} ms of work in the window, at worst {1e3 * beat.most:.0f} ms;"
+    line += f" {others:.1f} programs for each core"
     if delays:
         line += "; glances: " + ", ".join(f"{1e3 * a:.0f} ms, work {1e3 * b:.0f} ms" for a, b in delays)
     hands.SCREENSHOTS.mkdir(parents=True, exist_ok=True)

@@ -13,13 +13,17 @@ from BalloonWorkbench.core.types import Bools, Floats, Ints
 
 #: A corner of the seam below this angle is a sharp tip: it keeps one triangle with all vertices on the seam.
 SHARP = np.radians(40.0)
-_SWEEPS = 10
+SWEEPS = 10
 _EDITS = (1, 3, 5, 7)
 _TINY = 1e-300
 
 
 def relax(
-    points: Floats, loops: tuple[Ints, ...], field: SizeField, lines: tuple[Ints, ...] = ()
+    points: Floats,
+    loops: tuple[Ints, ...],
+    field: SizeField,
+    lines: tuple[Ints, ...] = (),
+    sweeps: int = SWEEPS,
 ) -> tuple[Floats, Ints]:
     """An even mesh of the vertices on loops and open lines (which come first and stay) and interior ones.
 
@@ -29,7 +33,7 @@ def relax(
     """
     fixed = _fixed(loops, lines)
     triangles = triangulate_points(points, loops, lines)
-    for sweep in range(_SWEEPS):
+    for sweep in range(sweeps):
         points = _smoothed(points, fixed, triangles, field)
         if sweep in _EDITS:
             kept = _uncrowded(points, fixed, triangles, field)

@@ -10,9 +10,12 @@ import numpy as np
 from BalloonWorkbench.core.mesh.boundary import seam_points, weld_points
 from BalloonWorkbench.core.mesh.lattice import lattice
 from BalloonWorkbench.core.mesh.panel import Panel
-from BalloonWorkbench.core.mesh.relax import relax
+from BalloonWorkbench.core.mesh.relax import SWEEPS, relax
 from BalloonWorkbench.core.mesh.sizing import size_field
 from BalloonWorkbench.core.outline.outline import Outline
+
+#: Sweeps of the relaxation for a quick look.
+_ROUGH = 4
 
 
 def triangulate(outline: Outline, size: float, rough: bool = False) -> Panel:
@@ -35,5 +38,6 @@ def triangulate(outline: Outline, size: float, rough: bool = False) -> Panel:
     lines = tuple(weld.chain(int(first)) for weld, first in zip(welds, starts[len(seams) :]))
     own = [weld.points for weld in welds]
     inner = lattice(seams, field, [line for line in own if len(line)])
-    points, triangles = relax(np.concatenate([*seams, *own, inner]), loops, field, lines)
+    sweeps = _ROUGH if rough else SWEEPS
+    points, triangles = relax(np.concatenate([*seams, *own, inner]), loops, field, lines, sweeps)
     return Panel(points, triangles, loops, lines)

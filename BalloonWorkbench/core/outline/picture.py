@@ -125,7 +125,8 @@ def _mean_width(loop: Floats, area: float) -> float:
 
 def _simple(shapes: list[list[Floats]], radius: float) -> list[list[Floats]]:
     """The traced loops; where smoothing would make thin parts touch, with less of it."""
-    for ripple, tolerance in ((1.0, 0.2), (0.5, 0.1)):
+    rough = 1.0 if radius > 0 else 2.5  # a quick look gets by with fewer points
+    for ripple, tolerance in ((1.0, 0.2 * rough), (0.5, 0.1 * rough)):
         traced = [[trace(loop, radius, ripple, tolerance) for loop in loops] for loops in shapes]
         if first_crossing([loop for loops in traced for loop in loops]) is None:
             return traced
