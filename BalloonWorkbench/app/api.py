@@ -79,14 +79,59 @@ def repair(made: Parts, rule: str, near=(0.0, 0.0)) -> None:
 def export(obj, path, machine: str | None = None, paper: str | None = None) -> Path:
     """Write a pattern, or all of a group, to a DXF or SVG file, or as a machine reads it; returns the file.
 
-    Given a Balloon object it writes what the film does everywhere, as .vtu, .npz or .stl. Raises ExportError.
+    Given a Balloon object it writes what the film does everywhere, as .vtu, .npz or .stl; given an artwork,
+    all its files into a folder. Raises ExportError.
     """
+    from BalloonWorkbench.app import artwork as prints
+
     if _done:
+        return Path(path)
+    if prints.is_artwork(obj):
+        prints.write(obj, path)
         return Path(path)
     if machine:
         return writer.export_for(obj, machine, path, paper)
     results = isinstance(getattr(obj, "Proxy", None), balloon.BalloonProxy)
     return (writer.export_results if results else writer.export_pattern)(obj, path)
+
+
+def artwork(pattern_obj, **wanted):
+    """The artwork of a pattern, made if there is none, with these values: picture, back_picture, bleed ...
+
+    Returns the Artwork object; `export` with a folder writes its files. Raises InputError.
+    """
+    from BalloonWorkbench.app import artwork as prints
+
+    if _done:
+        return _done[-1]
+    found = [obj for obj in pattern_obj.InList if prints.is_artwork(obj) and obj.Pattern == pattern_obj]
+    made = found[0] if found else prints.make(pattern_obj)
+    values.assign_to(made, prints.PROPERTIES, wanted)
+    made.Document.recompute()
+    return made
+
+
+def nest(patterns, sheet=None, **wanted):
+    """Lay out patterns closely on a new roll or sheet, or on one that is there; returns the object.
+
+    Values are film_width, film_length, spacing, balloons, grain, shown. Raises InputError.
+    """
+    from BalloonWorkbench.app import film_sheet
+
+    if _done:
+        return _done[-1]
+    made = sheet or film_sheet.make(patterns[0].Document, patterns)
+    made.Patterns = list(patterns)
+    values.assign_to(made, film_sheet.PROPERTIES, wanted)
+    made.Document.recompute()
+    return made
+
+
+def assembly_sheet(made: Parts, path, paper: str = "A4") -> Path:
+    """Write the page on how to make a balloon, a PDF on A4 or Letter; returns it. Raises ExportError."""
+    from BalloonWorkbench.app import maker
+
+    return Path(path) if _done else maker.write_assembly(made, path, paper)
 
 
 @contextmanager

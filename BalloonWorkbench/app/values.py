@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+import os
 import re
 from typing import Any
 
@@ -56,15 +57,47 @@ def assign(parts, values: dict[str, Any]) -> None:
     known = places()
     for name in sorted(values, key=lambda name: (name not in _FIRST, name)):
         part, item = known[name]
-        obj, value = getattr(parts, part), values[name]
-        read = _READ.get(item.type) if isinstance(value, str) else None
-        try:
-            if name == "drawing":
-                outline.set_drawing(obj, value)
-            else:
-                setattr(obj, item.name, read(value) if read else value)
-        except (ValueError, TypeError, OSError, RuntimeError) as error:
-            raise InputError(f'{name} cannot be "{value}": {error}') from error
+        _set(getattr(parts, part), name, item, values[name])
+
+
+def assign_to(obj, properties: tuple[Property, ...], values: dict[str, Any]) -> None:
+    """As `assign`, for one object and its properties."""
+    known = {snake(item.name): item for item in properties if not item.result}
+    for name, value in values.items():
+        if name not in known:
+            raise InputError(f'{obj.Label} has no "{name}": it has {", ".join(sorted(known))}.')
+        _set(obj, name, known[name], value)
+
+
+def texts_of(obj, properties: tuple[Property, ...]) -> dict[str, str]:
+    """The values of one object that are not the usual ones, as Python text by name; no files or links."""
+    return {
+        snake(item.name): text(getattr(obj, item.name), item)
+        for item in properties
+        if not item.result and "Link" not in item.type and item.type != "FileIncluded"
+        if _plain(getattr(obj, item.name)) != _usual(obj, item)
+    }
+
+
+def _plain(value):
+    return getattr(value, "Value", value)
+
+
+def _usual(obj, item: Property):
+    if item.type == "Enumeration":
+        return obj.getEnumerationsOfProperty(item.name)[0]
+    return item.value or type(_plain(getattr(obj, item.name)))()
+
+
+def _set(obj, name: str, item: Property, value) -> None:
+    read = _READ.get(item.type) if isinstance(value, str) else None
+    try:
+        if item.type == "FileIncluded":
+            setattr(obj, item.name, (os.fspath(value), os.path.basename(value)) if value else "")
+        else:
+            setattr(obj, item.name, read(value) if read else value)
+    except (ValueError, TypeError, OSError, RuntimeError) as error:
+        raise InputError(f'{name} cannot be "{value}": {error}') from error
 
 
 def texts(parts) -> dict[str, str]:

@@ -163,3 +163,21 @@ def test_preferences_play_no_part(doc):
     finally:
         for key, item in preferences.items().items():
             preferences.put(key, item.default)
+
+
+def test_artwork_layout_and_page(parts, tmp_path):
+    """What follows the pattern; each by one call."""
+    print_ = BalloonWorkbench.artwork(parts.pattern, picture=str(HEART), bleed="4 mm", resolution=50)
+    assert print_.Bleed.Value == pytest.approx(4)
+    assert BalloonWorkbench.artwork(parts.pattern, bleed="2 mm") == print_
+    BalloonWorkbench.export(print_, tmp_path / "prints")
+    assert list((tmp_path / "prints").glob("*.png"))
+    with pytest.raises(InputError, match="it has"):
+        BalloonWorkbench.artwork(parts.pattern, colour=1)
+    page = BalloonWorkbench.assembly_sheet(parts, tmp_path / "page.pdf")
+    assert page.read_bytes().startswith(b"%PDF")
+    sheet = BalloonWorkbench.nest([parts.pattern], film_width="200 mm", spacing="5 mm")
+    assert sheet.FilmWidth.Value == pytest.approx(200)
+    assert sheet.Pieces == 2
+    assert BalloonWorkbench.nest([parts.pattern], sheet=sheet, balloons=2) == sheet
+    assert sheet.Pieces == 4

@@ -14,7 +14,7 @@ _KEYS = {
     "Advice": "B, A",
     "ColourMap": "B, M",
     "Animate": "B, V",
-    "Artwork": "B, P",
+    "Artwork": "B, R",
     "Nest": "B, L",
     "ExportPattern": "B, E",
     "AssemblySheet": "B, H",

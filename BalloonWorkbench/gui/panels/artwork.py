@@ -7,8 +7,9 @@ from pathlib import Path
 
 import FreeCADGui as Gui
 
-from BalloonWorkbench.app import artwork, status
+from BalloonWorkbench.app import artwork, status, values
 from BalloonWorkbench.core.errors import BalloonError
+from BalloonWorkbench.gui import record
 from BalloonWorkbench.gui.paint.display import MODE
 from BalloonWorkbench.gui.panels.fields import Fields
 from BalloonWorkbench.gui.panels.watch import Watch
@@ -30,6 +31,7 @@ class ArtworkPanel:
     def __init__(self, obj):
         self.obj = obj
         self.doc = obj.Document
+        self.files: dict[str, str] = {}  # pictures that were chosen, as Python text
         self.form = QtWidgets.QWidget()
         self.form.setObjectName("ArtworkPanel")
         self.form.setWindowTitle(translate("Artwork"))
@@ -73,6 +75,7 @@ class ArtworkPanel:
                 translate("There is no file {}: check the name and the folder.").format(path)
             )
             return
+        self.files[values.snake(name)] = record.text(path)
         self.update()
 
     def update(self) -> None:
@@ -106,6 +109,7 @@ class ArtworkPanel:
         except BalloonError as error:
             self.message.setText(tell(str(error)))
         else:
+            record.call("export", record.obj(self.obj), record.text(folder))
             told = translate("{} files written to {}").format(len(written), folder)
             self.message.setText(told)
         finally:
@@ -117,6 +121,8 @@ class ArtworkPanel:
         self.abandon()
         self.doc.commitTransaction()
         self.doc.recompute()
+        told = values.texts_of(self.obj, artwork.PROPERTIES) | self.files
+        record.call("artwork", record.obj(self.obj.Pattern), result=self.obj, name="artwork", **told)
         return True
 
     def reject(self):

@@ -10,6 +10,7 @@ import FreeCADGui as Gui
 from BalloonWorkbench.app import maker
 from BalloonWorkbench.core.assembly.page import PAGES
 from BalloonWorkbench.core.errors import BalloonError
+from BalloonWorkbench.gui import record
 from BalloonWorkbench.gui.panels.maker_rows import rows
 from BalloonWorkbench.gui.panels.watch import Watch
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, icon, translate
@@ -78,6 +79,8 @@ class AssemblyPanel:
             return False
         finally:
             QtWidgets.QApplication.restoreOverrideCursor()
+        balloon = f"BalloonWorkbench.parts({record.obj(self.parts.balloon)})"
+        record.call("assembly_sheet", balloon, record.text(written), record.text(self.paper.currentText()))
         self.close()
         told = translate("Assembly sheet written to {}").format(written)
         Gui.getMainWindow().statusBar().showMessage(told, 8000)

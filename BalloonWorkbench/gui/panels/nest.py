@@ -5,8 +5,9 @@ from __future__ import annotations
 
 import FreeCADGui as Gui
 
-from BalloonWorkbench.app import status
+from BalloonWorkbench.app import film_sheet, status, values
 from BalloonWorkbench.app.parts import patterns
+from BalloonWorkbench.gui import record
 from BalloonWorkbench.gui.panels.fields import Fields
 from BalloonWorkbench.gui.panels.watch import Watch
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, icon, translate
@@ -25,6 +26,7 @@ class NestPanel:
     def __init__(self, obj):
         self.obj = obj
         self.doc = obj.Document
+        self.is_new = not obj.LaidOutFor
         self.form = QtWidgets.QWidget()
         self.form.setObjectName("NestPanel")
         self.form.setWindowTitle(translate("Lay out on film"))
@@ -121,6 +123,11 @@ class NestPanel:
             return False
         self.abandon()
         self.doc.commitTransaction()
+        told = values.texts_of(self.obj, film_sheet.PROPERTIES)
+        if not self.is_new:
+            told["sheet"] = record.obj(self.obj)
+        names = ", ".join(map(record.obj, self.obj.Patterns))
+        record.call("nest", f"[{names}]", result=self.obj, name="sheet", **told)
         return True
 
     def reject(self):

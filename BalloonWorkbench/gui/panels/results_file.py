@@ -7,6 +7,7 @@ from pathlib import Path
 
 from BalloonWorkbench.app.export import export_results
 from BalloonWorkbench.core.errors import BalloonError
+from BalloonWorkbench.gui import record
 from BalloonWorkbench.gui.qt import QtWidgets, translate
 from BalloonWorkbench.gui.sentences import tell
 
@@ -33,4 +34,5 @@ def save_results(balloon) -> str:
         written = export_results(balloon, path)
     except BalloonError as error:
         return tell(str(error))
+    record.call("export", record.obj(balloon), record.text(written))
     return translate("Results written to {}").format(written)
