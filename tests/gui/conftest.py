@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The workbench is active, each test has its own document, and no dialog may stand in front of the window."""
 
+import shutil
 import sys
 from pathlib import Path
 
@@ -45,6 +46,26 @@ def opened(doc):
     parts.balloon.ViewObject.Proxy.doubleClicked(parts.balloon.ViewObject)
     hands.wait_until(hands.panel_is_open)
     return parts
+
+
+@pytest.fixture(scope="session")
+def rectangle_file(tmp_path_factory):
+    """A finished balloon of 90 x 60 mm as drawn, from a sketch, in a file: opening it takes no time."""
+    document = App.newDocument("Test")
+    create.balloon_from_sketch(document, sketches.rectangle(document, 90, 60), mesh_size=10, correct=False)
+    path = tmp_path_factory.mktemp("balloon") / "Test.FCStd"
+    document.saveAs(str(path))
+    App.closeDocument(document.Name)
+    return path
+
+
+@pytest.fixture
+def made(rectangle_file, tmp_path):
+    """The parts of that balloon in a document of its own, with nothing to undo."""
+    document = App.openDocument(str(shutil.copy(rectangle_file, tmp_path)))
+    document.clearUndos()
+    hands.wait(0.1)
+    return create.Parts(document.Outline, document.Balloon, document.Pattern)
 
 
 @pytest.fixture(autouse=True)

@@ -6,24 +6,22 @@ import FreeCADGui as Gui
 import hands
 import numpy as np
 import pytest
-import sketches
 
-from BalloonWorkbench.app import create, status
+from BalloonWorkbench.app import status
 from BalloonWorkbench.app.qt_picture import pixels
 from BalloonWorkbench.core.export import colour_map
 
 QtCore, QtWidgets = hands.QtCore, hands.QtWidgets
 
 
-@pytest.fixture
-def made(doc):
-    """A finished balloon in the middle of the view, without its pattern."""
-    parts = create.balloon_from_sketch(doc, sketches.rectangle(doc, 90, 60), mesh_size=9, correct=False)
-    parts.pattern.ViewObject.Visibility = False
-    doc.clearUndos()
+@pytest.fixture(autouse=True)
+def fitted(made):
+    """The balloon in the middle of the view, without its pattern."""
+    made.pattern.ViewObject.Visibility = False
+    view().viewTop()
+    hands.wait(0.3)
     Gui.SendMsgToActiveView("ViewFit")
     hands.wait(0.1)
-    return parts
 
 
 def view():

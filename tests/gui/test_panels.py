@@ -7,19 +7,11 @@ import FreeCAD as App
 import FreeCADGui as Gui
 import hands
 import pytest
-import sketches
 
 from BalloonWorkbench.app import create, status
 from BalloonWorkbench.gui import remarks
 
 QtCore, QtWidgets = hands.QtCore, hands.QtWidgets
-
-
-@pytest.fixture
-def made(doc):
-    parts = create.balloon_from_sketch(doc, sketches.rectangle(doc, 90, 60), mesh_size=12, correct=False)
-    doc.clearUndos()
-    return parts
 
 
 def open_panel(obj):

@@ -30,4 +30,5 @@ def test_view_draws_an_object(document, tmp_path) -> None:
     view.saveImage(str(picture), 100, 100, "White")
     image = QtGui.QImage(str(picture))
     colours = [QtGui.QColor(image.pixel(x, y)) for x in range(0, 100, 5) for y in range(0, 100, 5)]
-    assert any(colour.red() > 2 * max(colour.green(), colour.blue()) for colour in colours)
+    # FreeCAD 1.0 has so much light that pure red comes out as #ff9999
+    assert any(colour.red() > 1.5 * max(colour.green(), colour.blue()) for colour in colours)

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets
 
-_HIGHEST = 430  # px; a longer page scrolls
+_HIGHEST = 320  # px; a longer page scrolls
 
 
 class Pages(QtWidgets.QTabWidget):
