@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The Balloon object: a closed mesh that follows its values, and survives values that make no sense."""
 
-from contextlib import contextmanager
 from dataclasses import replace
 
 import FreeCAD as App
@@ -216,12 +215,11 @@ def test_unconverged_solve_is_shown_and_marked(parts, monkeypatch):
 
 
 def test_stopped_solve_keeps_the_last_mesh(parts, monkeypatch):
-    @contextmanager
-    def impatient(title):
-        yield lambda fraction, text: False
+    def impatient(title, job):
+        return job(lambda fraction, text: False)
 
     before = measures(parts.balloon)
-    monkeypatch.setattr(hooks, "progress", impatient)
+    monkeypatch.setattr(hooks, "work", impatient)
     parts.balloon.Pressure = 3
     parts.balloon.Document.recompute()
     refused(parts)
