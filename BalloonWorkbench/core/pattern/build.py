@@ -20,6 +20,7 @@ from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.outline.passages import chambers
 from BalloonWorkbench.core.packages import shapely
+from BalloonWorkbench.core.pattern.cuttable import closed_gaps, opened_hole
 from BalloonWorkbench.core.pattern.fairing import faired
 from BalloonWorkbench.core.pattern.intake import Neck, Wish, freest, place_neck
 from BalloonWorkbench.core.pattern.intake_kinds import STRAW
@@ -87,7 +88,7 @@ def build_pattern(
     # Where the weld closes a bay of the outline, the rest of the bay is cut out like a hole.
     sealed = _largest(offset(whole, 0.5 * seal_width))
     cut = _largest(offset(sealed, margin - 0.5 * seal_width))  # from the weld, also round its tips
-    cut = relieved(cut, sealed.boundary, 0.5 * seal_width, corner_radius)
+    cut = relieved(closed_gaps(cut), sealed.boundary, 0.5 * seal_width, corner_radius)
     contours += [Contour(Role.SEAL, closed_loop(ring, False), True) for ring in _sizeable(sealed.interiors)]
     contours += [Contour(Role.CUT_INNER, closed_loop(ring, False), True) for ring in _sizeable(cut.interiors)]
     mouths = [neck.beyond for neck in necks if neck.beyond is not None]
@@ -162,7 +163,8 @@ def _inner(
     """Weld and cut of a hole, as far as it has room for them."""
     welds = parts(offset(hole, -0.5 * seal_width))
     walls = shapely().union_all([weld.exterior for weld in welds])
-    cuts = [relieved(cut, walls, 0.5 * seal_width, corner_radius) for cut in parts(offset(hole, -margin))]
+    wells = [well for piece in parts(offset(hole, -margin)) for well in opened_hole(piece)]
+    cuts = [relieved(well, walls, 0.5 * seal_width, corner_radius) for well in wells]
     x, y = to_mm(np.asarray(hole.centroid.coords[0]))
     radius = float(shapely().maximum_inscribed_circle(hole).length)
     if not welds:
