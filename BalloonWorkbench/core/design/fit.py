@@ -112,7 +112,8 @@ def fit(
     best: Pass | None = None
     last: Pass | None = None
     previous: Pass | None = None  # whose mesh may still serve
-    settings: NewtonSettings | None = None
+    exact = AT_REST if target.holes else None  # round holes film may fold this way or that
+    settings = exact if edge == fine else None
     stalled = passes = meshes = halvings = 0
     while True:
         shown = _part(progress, passes)
@@ -160,7 +161,7 @@ def fit(
             stalled = 0
         previous = last
         if edge > fine and (found <= CLOSE * size or stalled):
-            edge, previous, best, stalled = fine, None, None, 0
+            edge, previous, best, stalled, settings = fine, None, None, 0, exact
             mixing, hopes = AndersonMixing(GAIN), Hopes(course, size)
     if best is None:
         raise MeshError(
