@@ -13,6 +13,7 @@ import ast
 import json
 import re
 from collections.abc import Iterator
+from functools import cache
 from itertools import product
 from pathlib import Path
 from typing import NamedTuple
@@ -38,7 +39,7 @@ _DATA = {
     "gases.json": ("title",),
 }
 _WORDS = "words.json"
-_LETTERS = 8  # that a sentence with places must have, to be recognised
+_LETTERS = 7  # that a sentence with places must have, to be recognised
 
 
 class Text(NamedTuple):
@@ -49,6 +50,7 @@ class Text(NamedTuple):
     sentence: bool = False
 
 
+@cache
 def texts() -> list[Text]:
     """Every text of the workbench, each once, in a fixed order."""
     found: set[Text] = set()
@@ -125,6 +127,10 @@ def _parts(node: ast.AST) -> list[list[str | None]] | None:
         return [*(left or [[None]]), *(right or [[None]])]
     if isinstance(node, ast.JoinedStr):
         return [piece for value in node.values for piece in _parts(value) or [[None]]]
+    if isinstance(node, ast.FormattedValue) and isinstance(node.value, ast.BinOp):
+        repeated = node.value.left  # {"s" * (count > 1)}
+        if isinstance(repeated, ast.Constant) and isinstance(repeated.value, str):
+            return [["", repeated.value]]
     if isinstance(node, ast.FormattedValue) and isinstance(node.value, ast.IfExp):
         either = [node.value.body, node.value.orelse]
         if all(isinstance(value, ast.Constant) and isinstance(value.value, str) for value in either):

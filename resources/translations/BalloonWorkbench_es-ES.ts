@@ -17,7 +17,7 @@
     </message>
     <message>
         <source>Another picture for the back; empty takes that of the front</source>
-        <translation type="unfinished"></translation>
+        <translation>Otra imagen para el dorso; vacío toma la del frente</translation>
     </message>
     <message>
         <source>Area of film inside the welds, both panels</source>
@@ -81,11 +81,11 @@
     </message>
     <message>
         <source>Dots per inch of the files</source>
-        <translation type="unfinished"></translation>
+        <translation>Puntos por pulgada de los archivos</translation>
     </message>
     <message>
         <source>Film left between pieces, and at the edges</source>
-        <translation type="unfinished"></translation>
+        <translation>Película que queda entre piezas y en los bordes</translation>
     </message>
     <message>
         <source>Film left outside the weld</source>
@@ -121,7 +121,7 @@
     </message>
     <message>
         <source>Height of all that is cut</source>
-        <translation type="unfinished"></translation>
+        <translation>Altura de todo lo que se corta</translation>
     </message>
     <message>
         <source>Height of its capital letters</source>
@@ -145,11 +145,11 @@
     </message>
     <message>
         <source>Height of the print with its marks</source>
-        <translation type="unfinished"></translation>
+        <translation>Altura de la impresión con sus marcas</translation>
     </message>
     <message>
         <source>How far the print goes past the cut</source>
-        <translation type="unfinished"></translation>
+        <translation>Cuánto sobrepasa la impresión el corte</translation>
     </message>
     <message>
         <source>How many balloons are cut from the sheet</source>
@@ -157,7 +157,7 @@
     </message>
     <message>
         <source>How many balloons of each pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>Cuántos globos de cada patrón</translation>
     </message>
     <message>
         <source>How the balloon is filled and closed</source>
@@ -165,7 +165,7 @@
     </message>
     <message>
         <source>How the grain of the pieces lies, relative to the film's length</source>
-        <translation type="unfinished"></translation>
+        <translation>Cómo queda la fibra de las piezas respecto a la longitud de la película</translation>
     </message>
     <message>
         <source>How the intake is made and used</source>
@@ -185,7 +185,7 @@
     </message>
     <message>
         <source>Label of what was laid out</source>
-        <translation type="unfinished"></translation>
+        <translation>Marca de lo que se colocó</translation>
     </message>
     <message>
         <source>Larger dimension before repairs, in mm</source>
@@ -217,11 +217,11 @@
     </message>
     <message>
         <source>Length of a sheet; 0 is a roll</source>
-        <translation type="unfinished"></translation>
+        <translation>Longitud de una lámina; 0 es un rollo</translation>
     </message>
     <message>
         <source>Length of all welds on it</source>
-        <translation type="unfinished"></translation>
+        <translation>Longitud de todas las soldaduras</translation>
     </message>
     <message>
         <source>Length of the neck from the seam outward, or diameter of the flange; 0 takes the usual one</source>
@@ -229,7 +229,7 @@
     </message>
     <message>
         <source>Length of the roll that is used</source>
-        <translation type="unfinished"></translation>
+        <translation>Longitud de rollo usada</translation>
     </message>
     <message>
         <source>Length of the weld</source>
@@ -265,7 +265,7 @@
     </message>
     <message>
         <source>Number of pieces on what is shown</source>
-        <translation type="unfinished"></translation>
+        <translation>Número de piezas en lo que se muestra</translation>
     </message>
     <message>
         <source>Number of seams, then the number of vertices of each seam and weld</source>
@@ -273,11 +273,11 @@
     </message>
     <message>
         <source>Number of sheets</source>
-        <translation type="unfinished"></translation>
+        <translation>Número de láminas</translation>
     </message>
     <message>
         <source>Number of the sheet that is shown and exported</source>
-        <translation type="unfinished"></translation>
+        <translation>Número de la lámina que se muestra y exporta</translation>
     </message>
     <message>
         <source>Of warm air, in degrees Celsius</source>
@@ -285,7 +285,7 @@
     </message>
     <message>
         <source>Part of the film that the pieces take, in per cent</source>
-        <translation type="unfinished"></translation>
+        <translation>Parte de la película que ocupan las piezas, en por ciento</translation>
     </message>
     <message>
         <source>Part of the film's area that is slack</source>
@@ -337,7 +337,7 @@
     </message>
     <message>
         <source>Remarks on the layout</source>
-        <translation type="unfinished"></translation>
+        <translation>Observaciones sobre la colocación</translation>
     </message>
     <message>
         <source>Result that is shown as colours, with a legend</source>
@@ -405,11 +405,11 @@
     </message>
     <message>
         <source>The pattern that is printed</source>
-        <translation type="unfinished"></translation>
+        <translation>El patrón que se imprime</translation>
     </message>
     <message>
         <source>The patterns that are laid out</source>
-        <translation type="unfinished"></translation>
+        <translation>Los patrones que se colocan</translation>
     </message>
     <message>
         <source>The second panel beside the first, mirrored; else cut twice</source>
@@ -417,7 +417,7 @@
     </message>
     <message>
         <source>The side that is shown and exported for a cutter</source>
-        <translation type="unfinished"></translation>
+        <translation>La cara que se muestra y se exporta para una cortadora</translation>
     </message>
     <message>
         <source>The silhouette is within the tolerance of the drawing</source>
@@ -493,7 +493,7 @@
     </message>
     <message>
         <source>What is printed; empty takes the picture or painting of the outline</source>
-        <translation type="unfinished"></translation>
+        <translation>Qué se imprime; vacío toma la imagen o pintura del contorno</translation>
     </message>
     <message>
         <source>What it carries with its gas, in grams; below 0 it sinks</source>
@@ -529,7 +529,7 @@
     </message>
     <message>
         <source>Where all pieces lie, as JSON</source>
-        <translation type="unfinished"></translation>
+        <translation>Dónde están todas las piezas, como JSON</translation>
     </message>
     <message>
         <source>Which shape of the drawing it is; 1 is the largest</source>
@@ -541,7 +541,7 @@
     </message>
     <message>
         <source>Width of all that is cut</source>
-        <translation type="unfinished"></translation>
+        <translation>Anchura de todo lo que se corta</translation>
     </message>
     <message>
         <source>Width of the drawing; 0 follows from the height</source>
@@ -561,11 +561,11 @@
     </message>
     <message>
         <source>Width of the print with its marks</source>
-        <translation type="unfinished"></translation>
+        <translation>Anchura de la impresión con sus marcas</translation>
     </message>
     <message>
         <source>Width of the roll or sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>Anchura del rollo o de la lámina</translation>
     </message>
     <message>
         <source>Width of the weld that this film needs</source>
@@ -668,7 +668,11 @@
     </message>
     <message>
         <source>, about {:.2f} {}</source>
-        <translation type="unfinished"></translation>
+        <translation>, unos {:.2f} {}</translation>
+    </message>
+    <message>
+        <source>, {0} mm so far</source>
+        <translation>, {0} mm hasta ahora</translation>
     </message>
     <message>
         <source>1 to {0} pieces can be laid out, not {1}.</source>
@@ -724,7 +728,7 @@
     </message>
     <message>
         <source>A new Sketcher sketch of lines and arcs, to go on with in FreeCAD</source>
-        <translation type="unfinished"></translation>
+        <translation>Un nuevo croquis de líneas y arcos, para seguir en FreeCAD</translation>
     </message>
     <message>
         <source>A number of an intake is empty.</source>
@@ -780,7 +784,7 @@
     </message>
     <message>
         <source>Across</source>
-        <translation type="unfinished"></translation>
+        <translation>A través</translation>
     </message>
     <message>
         <source>Advice</source>
@@ -804,7 +808,7 @@
     </message>
     <message>
         <source>Along</source>
-        <translation type="unfinished"></translation>
+        <translation>A lo largo</translation>
     </message>
     <message>
         <source>Along the seam</source>
@@ -832,7 +836,7 @@
     </message>
     <message>
         <source>Any</source>
-        <translation type="unfinished"></translation>
+        <translation>Cualquiera</translation>
     </message>
     <message>
         <source>Any program (DXF)</source>
@@ -856,7 +860,7 @@
     </message>
     <message>
         <source>Artwork</source>
-        <translation type="unfinished"></translation>
+        <translation>Ilustración</translation>
     </message>
     <message>
         <source>Artwork as PDF needs Pillow: install it with pip install pillow, or use the PNG files.</source>
@@ -868,11 +872,11 @@
     </message>
     <message>
         <source>Assembly sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>Hoja de montaje</translation>
     </message>
     <message>
         <source>Assembly sheet written to {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Hoja de montaje escrita en {}</translation>
     </message>
     <message>
         <source>At {0} dots per inch the sheet would have {1} x {2} pixels: give a lower resolution.</source>
@@ -884,7 +888,7 @@
     </message>
     <message>
         <source>Back</source>
-        <translation type="unfinished"></translation>
+        <translation>Dorso</translation>
     </message>
     <message>
         <source>Backend</source>
@@ -900,7 +904,7 @@
     </message>
     <message>
         <source>Balloons of each</source>
-        <translation type="unfinished"></translation>
+        <translation>Globos de cada uno</translation>
     </message>
     <message>
         <source>Bending stiffness</source>
@@ -916,7 +920,7 @@
     </message>
     <message>
         <source>Bleed</source>
-        <translation type="unfinished"></translation>
+        <translation>Sangrado</translation>
     </message>
     <message>
         <source>Blue</source>
@@ -948,7 +952,7 @@
     </message>
     <message>
         <source>Checking the pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>Comprobando el patrón</translation>
     </message>
     <message>
         <source>Choose a drawing</source>
@@ -984,11 +988,11 @@
     </message>
     <message>
         <source>Choose the pattern to print on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Elija el patrón en el que se imprime.</translation>
     </message>
     <message>
         <source>Choose the patterns to lay out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Elija los patrones que se van a colocar.</translation>
     </message>
     <message>
         <source>Close the open task panel first.</source>
@@ -1048,7 +1052,7 @@
     </message>
     <message>
         <source>Dots per inch</source>
-        <translation type="unfinished"></translation>
+        <translation>Puntos por pulgada</translation>
     </message>
     <message>
         <source>Drag in the view</source>
@@ -1084,7 +1088,7 @@
     </message>
     <message>
         <source>Edit artwork</source>
-        <translation type="unfinished"></translation>
+        <translation>Editar ilustración</translation>
     </message>
     <message>
         <source>Edit balloon</source>
@@ -1092,7 +1096,7 @@
     </message>
     <message>
         <source>Edit film</source>
-        <translation type="unfinished"></translation>
+        <translation>Editar lámina de película</translation>
     </message>
     <message>
         <source>Elastic materials</source>
@@ -1140,7 +1144,7 @@
     </message>
     <message>
         <source>Film needed</source>
-        <translation type="unfinished"></translation>
+        <translation>Película necesaria</translation>
     </message>
     <message>
         <source>Film of your own</source>
@@ -1148,7 +1152,7 @@
     </message>
     <message>
         <source>Film width</source>
-        <translation type="unfinished"></translation>
+        <translation>Anchura de la película</translation>
     </message>
     <message>
         <source>Film {0} m large is too much: write 500mm.</source>
@@ -1176,7 +1180,7 @@
     </message>
     <message>
         <source>Folder for the artwork</source>
-        <translation type="unfinished"></translation>
+        <translation>Carpeta para la ilustración</translation>
     </message>
     <message>
         <source>Follow every change at once</source>
@@ -1204,11 +1208,11 @@
     </message>
     <message>
         <source>Front</source>
-        <translation type="unfinished"></translation>
+        <translation>Frente</translation>
     </message>
     <message>
         <source>Front and back as PNG and PDF, and as DXF and SVG with the same marks for the cutter</source>
-        <translation type="unfinished"></translation>
+        <translation>Frente y dorso como PNG y PDF, y como DXF y SVG con las mismas marcas para la cortadora</translation>
     </message>
     <message>
         <source>Gaps of up to {0} between lines were closed ({1} loops).</source>
@@ -1244,7 +1248,7 @@
     </message>
     <message>
         <source>Grain lies</source>
-        <translation type="unfinished"></translation>
+        <translation>La fibra va</translation>
     </message>
     <message>
         <source>Green</source>
@@ -1288,7 +1292,7 @@
     </message>
     <message>
         <source>Inflate now</source>
-        <translation type="unfinished"></translation>
+        <translation>Inflar ahora</translation>
     </message>
     <message>
         <source>Inflate with these values and show the balloon</source>
@@ -1352,11 +1356,11 @@
     </message>
     <message>
         <source>Lay out</source>
-        <translation type="unfinished"></translation>
+        <translation>Colocar</translation>
     </message>
     <message>
         <source>Lay out on film</source>
-        <translation type="unfinished"></translation>
+        <translation>Colocar en la película</translation>
     </message>
     <message>
         <source>Layers, millimetres and arcs, to go on drawing.</source>
@@ -1364,7 +1368,7 @@
     </message>
     <message>
         <source>Laying out {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Colocando {0}</translation>
     </message>
     <message>
         <source>Length</source>
@@ -1408,11 +1412,11 @@
     </message>
     <message>
         <source>Look for the closest layout; Esc takes the best one so far</source>
-        <translation type="unfinished"></translation>
+        <translation>Buscar la colocación más apretada; Esc toma la mejor hasta el momento</translation>
     </message>
     <message>
         <source>Looking at the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Mirando la imagen</translation>
     </message>
     <message>
         <source>Machine</source>
@@ -1424,7 +1428,7 @@
     </message>
     <message>
         <source>Make a sketch of the cuts</source>
-        <translation type="unfinished"></translation>
+        <translation>Hacer un croquis de los cortes</translation>
     </message>
     <message>
         <source>Make it!</source>
@@ -1560,7 +1564,7 @@
     </message>
     <message>
         <source>Nothing is in the way. Paint on, or press Make it!</source>
-        <translation type="unfinished"></translation>
+        <translation>Nada lo impide. Siga pintando o pulse «¡Hazlo!».</translation>
     </message>
     <message>
         <source>Nothing to improve.</source>
@@ -1652,7 +1656,7 @@
     </message>
     <message>
         <source>Paper</source>
-        <translation type="unfinished"></translation>
+        <translation>Papel</translation>
     </message>
     <message>
         <source>Pattern</source>
@@ -1672,7 +1676,7 @@
     </message>
     <message>
         <source>Patterns</source>
-        <translation type="unfinished"></translation>
+        <translation>Patrones</translation>
     </message>
     <message>
         <source>Patterns need shapely: install it with pip install shapely.</source>
@@ -1852,7 +1856,7 @@
     </message>
     <message>
         <source>Safe pressure</source>
-        <translation type="unfinished"></translation>
+        <translation>Presión segura</translation>
     </message>
     <message>
         <source>Save results</source>
@@ -1896,11 +1900,11 @@
     </message>
     <message>
         <source>Sheet length</source>
-        <translation type="unfinished"></translation>
+        <translation>Longitud de lámina</translation>
     </message>
     <message>
         <source>Sheet {} of {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Lámina {} de {}</translation>
     </message>
     <message>
         <source>Show the drawing and the silhouette over each other</source>
@@ -1908,15 +1912,15 @@
     </message>
     <message>
         <source>Shown sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>Lámina mostrada</translation>
     </message>
     <message>
         <source>Shown side</source>
-        <translation type="unfinished"></translation>
+        <translation>Cara mostrada</translation>
     </message>
     <message>
         <source>Side</source>
-        <translation type="unfinished"></translation>
+        <translation>Cara</translation>
     </message>
     <message>
         <source>Silhouette Studio (vinyl cutter)</source>
@@ -1956,7 +1960,7 @@
     </message>
     <message>
         <source>Spacing</source>
-        <translation type="unfinished"></translation>
+        <translation>Separación</translation>
     </message>
     <message>
         <source>Stiffer across the web than along it (up to 4.5 against 2.5 GPa): cut both panels in the same direction. Only grades with a sealing layer weld; the gas barrier is poor.</source>
@@ -2012,7 +2016,7 @@
     </message>
     <message>
         <source>Take the picture away</source>
-        <translation type="unfinished"></translation>
+        <translation>Quitar la imagen</translation>
     </message>
     <message>
         <source>Tension field</source>
@@ -2020,11 +2024,11 @@
     </message>
     <message>
         <source>That of the front</source>
-        <translation type="unfinished"></translation>
+        <translation>La del frente</translation>
     </message>
     <message>
         <source>That of the outline</source>
-        <translation type="unfinished"></translation>
+        <translation>La del contorno</translation>
     </message>
     <message>
         <source>That wide</source>
@@ -2124,7 +2128,7 @@
     </message>
     <message>
         <source>The drawing cannot be reached everywhere: the silhouette is up to {} off it.</source>
-        <translation type="unfinished"></translation>
+        <translation>El dibujo no se puede alcanzar en todas partes: la silueta se desvía hasta {}.</translation>
     </message>
     <message>
         <source>The drawing has no closed line. Draw one, and turn texts and groups into paths.</source>
@@ -2135,8 +2139,12 @@
         <translation>El dibujo tiene puntos a más de {0} km de su origen. Muévalo allí y dele un tamaño de 1 mm a 100 m.</translation>
     </message>
     <message>
-        <source>The drawing has {0} shape{1} and no number {2}: choose another Part, or delete this balloon.</source>
-        <translation>El dibujo tiene {0} forma{1} y ningún número {2}: elija otra «Part» o borre este globo.</translation>
+        <source>The drawing has {0} shape and no number {1}: choose another Part, or delete this balloon.</source>
+        <translation>El dibujo tiene {0} forma y ningún número {1}: elija otra «Part» o borre este globo.</translation>
+    </message>
+    <message>
+        <source>The drawing has {0} shapes and no number {1}: choose another Part, or delete this balloon.</source>
+        <translation>El dibujo tiene {0} formas y ningún número {1}: elija otra «Part» o borre este globo.</translation>
     </message>
     <message>
         <source>The drawing is open: a line starts at {0} and ends {1} away at {2}. Close it.</source>
@@ -2252,7 +2260,7 @@
     </message>
     <message>
         <source>The intake's length must be above 0, up to 100 m: give it about 30 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>La longitud de la boca debe ser mayor que 0, hasta 100 m: dele unos 30 mm.</translation>
     </message>
     <message>
         <source>The intake's place along the seam must be a length.</source>
@@ -2260,7 +2268,7 @@
     </message>
     <message>
         <source>The intake's width must be between 0.01 mm and 10 m: give it about 10 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>La anchura de la boca debe estar entre 0,01 mm y 10 m: dele unos 10 mm.</translation>
     </message>
     <message>
         <source>The intakes of two chambers run into each other: leave a gap in the weld between them, or choose another place for the first.</source>
@@ -2276,7 +2284,7 @@
     </message>
     <message>
         <source>The layout failed: give the pieces more room.</source>
-        <translation type="unfinished"></translation>
+        <translation>La colocación falló: dé más sitio a las piezas.</translation>
     </message>
     <message>
         <source>The layout was stopped; nothing was changed.</source>
@@ -2448,7 +2456,7 @@
     </message>
     <message>
         <source>The smallest radius is {0} mm, near {1}; {2} follows {3}. It will come out rounder there.</source>
-        <translation type="unfinished"></translation>
+        <translation>El radio menor es {0} mm, cerca de {1}; {2} sigue {3}. Ahí saldrá más redondo.</translation>
     </message>
     <message>
         <source>The solver '{0}' needs the Python package scipy. Install it or use the native solver.</source>
@@ -2568,7 +2576,7 @@
     </message>
     <message>
         <source>There is no picture to print: choose one, as the outline has none of its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>No hay imagen que imprimir: elija una, pues el contorno no tiene.</translation>
     </message>
     <message>
         <source>There is no room for a flange of {0} there: choose another place or a smaller one.</source>
@@ -2576,7 +2584,7 @@
     </message>
     <message>
         <source>There is no sheet {0}: give a number from 1 to {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>No hay lámina {0}: indique un número de 1 a {1}.</translation>
     </message>
     <message>
         <source>There is no solver named '{0}'. Use 'native', 'numpy' or 'newmark'.</source>
@@ -2660,7 +2668,7 @@
     </message>
     <message>
         <source>Used</source>
-        <translation type="unfinished"></translation>
+        <translation>Usado</translation>
     </message>
     <message>
         <source>Violet</source>
@@ -2688,7 +2696,7 @@
     </message>
     <message>
         <source>Weld length</source>
-        <translation type="unfinished"></translation>
+        <translation>Longitud de soldadura</translation>
     </message>
     <message>
         <source>Welds easily with an impulse sealer or an iron. Yields at about 9 MPa, half its tensile strength, and creeps: keep the pressure low.</source>
@@ -2724,7 +2732,7 @@
     </message>
     <message>
         <source>Will it float?</source>
-        <translation type="unfinished"></translation>
+        <translation>¿Flotará?</translation>
     </message>
     <message>
         <source>Write all results for ParaView (.vtu) or NumPy (.npz), or the shape alone (.stl)</source>
@@ -2732,7 +2740,7 @@
     </message>
     <message>
         <source>Write files…</source>
-        <translation type="unfinished"></translation>
+        <translation>Escribir archivos…</translation>
     </message>
     <message>
         <source>Write {"unit": "mm", "outer": [[0, 0], [300, 0], [150, 200]]}.</source>
@@ -2771,8 +2779,16 @@
         <translation>un archivo {0} tiene su propia unidad: indique "unit": "mm".</translation>
     </message>
     <message>
+        <source>air</source>
+        <translation>aire</translation>
+    </message>
+    <message>
         <source>apart {} in the mean, 95 % below {}, at most {}</source>
         <translation>distancia media {}, 95 % por debajo de {}, como mucho {}</translation>
+    </message>
+    <message>
+        <source>areal density</source>
+        <translation>densidad superficial</translation>
     </message>
     <message>
         <source>at most {:.4g} {}</source>
@@ -2803,8 +2819,36 @@
         <translation>dibujo</translation>
     </message>
     <message>
+        <source>empty: </source>
+        <translation>vacío: </translation>
+    </message>
+    <message>
         <source>film and valve</source>
         <translation>película y válvula</translation>
+    </message>
+    <message>
+        <source>gas</source>
+        <translation>gas</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>altura</translation>
+    </message>
+    <message>
+        <source>helium</source>
+        <translation>helio</translation>
+    </message>
+    <message>
+        <source>hint</source>
+        <translation>sugerencia</translation>
+    </message>
+    <message>
+        <source>hole</source>
+        <translation>agujero</translation>
+    </message>
+    <message>
+        <source>hydrogen</source>
+        <translation>hidrógeno</translation>
     </message>
     <message>
         <source>in the mean {}</source>
@@ -2823,6 +2867,38 @@
         <translation>colocando{0}</translation>
     </message>
     <message>
+        <source>left</source>
+        <translation>izquierdo</translation>
+    </message>
+    <message>
+        <source>length</source>
+        <translation>longitud</translation>
+    </message>
+    <message>
+        <source>less than</source>
+        <translation>menos de</translation>
+    </message>
+    <message>
+        <source>less than its {:.3g} kPa with a margin of {:g} ({})</source>
+        <translation>menos que sus {:.3g} kPa con margen {:g} ({})</translation>
+    </message>
+    <message>
+        <source>lift</source>
+        <translation>sustentación</translation>
+    </message>
+    <message>
+        <source>lower</source>
+        <translation>inferior</translation>
+    </message>
+    <message>
+        <source>mass</source>
+        <translation>masa</translation>
+    </message>
+    <message>
+        <source>more than</source>
+        <translation>más de</translation>
+    </message>
+    <message>
         <source>names the unit {0}, which is not a usual one</source>
         <translation>indica la unidad {0}, que no es habitual</translation>
     </message>
@@ -2839,20 +2915,52 @@
         <translation>no convergido: </translation>
     </message>
     <message>
+        <source>opacity</source>
+        <translation>opacidad</translation>
+    </message>
+    <message>
+        <source>outline</source>
+        <translation>contorno</translation>
+    </message>
+    <message>
         <source>place "{0}" is neither {1} nor {2}.</source>
         <translation>place «{0}» no es ni {1} ni {2}.</translation>
+    </message>
+    <message>
+        <source>pressure</source>
+        <translation>presión</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>derecho</translation>
     </message>
     <message>
         <source>safe to {}, margin {:.2g}</source>
         <translation>seguro hasta {}, margen {:.2g}</translation>
     </message>
     <message>
+        <source>seal width</source>
+        <translation>anchura de soldadura</translation>
+    </message>
+    <message>
+        <source>serious</source>
+        <translation>grave</translation>
+    </message>
+    <message>
         <source>slack: {:.0f} %</source>
         <translation>flojo: {:.0f} %</translation>
     </message>
     <message>
+        <source>stale: </source>
+        <translation>obsoleto: </translation>
+    </message>
+    <message>
         <source>stale: belongs to earlier values</source>
         <translation>obsoleto: pertenece a valores anteriores</translation>
+    </message>
+    <message>
+        <source>strength</source>
+        <translation>resistencia</translation>
     </message>
     <message>
         <source>strength of the film not known</source>
@@ -2861,6 +2969,10 @@
     <message>
         <source>taut: {:.0f} %</source>
         <translation>tenso: {:.0f} %</translation>
+    </message>
+    <message>
+        <source>temperature</source>
+        <translation>temperatura</translation>
     </message>
     <message>
         <source>the colour "{0}" is not written like #ff0000.</source>
@@ -2887,12 +2999,36 @@
         <translation>no existe tal parte</translation>
     </message>
     <message>
+        <source>thickness</source>
+        <translation>espesor</translation>
+    </message>
+    <message>
         <source>unknown: this film has no strength</source>
-        <translation type="unfinished"></translation>
+        <translation>desconocida: esta película no tiene resistencia</translation>
     </message>
     <message>
         <source>up to date</source>
         <translation>al día</translation>
+    </message>
+    <message>
+        <source>upper</source>
+        <translation>superior</translation>
+    </message>
+    <message>
+        <source>volume</source>
+        <translation>volumen</translation>
+    </message>
+    <message>
+        <source>warm air</source>
+        <translation>aire caliente</translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation>advertencia</translation>
+    </message>
+    <message>
+        <source>width</source>
+        <translation>anchura</translation>
     </message>
     <message>
         <source>width_mm must be above 0, and taper from 0.2 to 1.</source>
@@ -2912,7 +3048,7 @@
     </message>
     <message>
         <source>{0} balloons cannot be laid out: give 1 or more.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} globos no se pueden colocar: indique 1 o más.</translation>
     </message>
     <message>
         <source>{0} belongs to no balloon: choose an outline, a balloon or a pattern.</source>
@@ -2935,12 +3071,20 @@
         <translation>{0} puntos por pulgada no se imprimen bien: indique de {1} a {2}.</translation>
     </message>
     <message>
-        <source>{0} gap{1} between the lines closed, the widest {2} % of the drawing's width.</source>
-        <translation>Huecos cerrados entre las líneas: {0}{1}, el mayor del {2} % de la anchura del dibujo.</translation>
+        <source>{0} gap between the lines closed, the widest {1} % of the drawing's width.</source>
+        <translation>{0} hueco cerrado entre las líneas, el mayor del {1} % de la anchura del dibujo.</translation>
+    </message>
+    <message>
+        <source>{0} gaps between the lines closed, the widest {1} % of the drawing's width.</source>
+        <translation>{0} huecos cerrados entre las líneas, el mayor del {1} % de la anchura del dibujo.</translation>
     </message>
     <message>
         <source>{0} has interface {1}, but {2} is needed.</source>
         <translation>{0} tiene la interfaz {1}, pero hace falta {2}.</translation>
+    </message>
+    <message>
+        <source>{0} has no "{1}": it has {2}.</source>
+        <translation>{0} no tiene «{1}»: tiene {2}.</translation>
     </message>
     <message>
         <source>{0} has no pattern: choose a balloon.</source>
@@ -2988,11 +3132,11 @@
     </message>
     <message>
         <source>{0} is not up to date. {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} no está al día. {1}</translation>
     </message>
     <message>
         <source>{0} is not up to date. {1} Repair that and recompute.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} no está al día. {1} Repárelo y recalcule.</translation>
     </message>
     <message>
         <source>{0} is not up to date. {1} Repair that, recompute and export again.</source>
@@ -3005,6 +3149,10 @@
     <message>
         <source>{0} is {1}: write true or false.</source>
         <translation>{0} es {1}: escriba true o false.</translation>
+    </message>
+    <message>
+        <source>{0} left out ({1}).</source>
+        <translation>{0} omitidas ({1}).</translation>
     </message>
     <message>
         <source>{0} loose ends of lines were joined to the drawing.</source>
@@ -3044,11 +3192,11 @@
     </message>
     <message>
         <source>{0} thin line is</source>
-        <translation>{0} línea fina está</translation>
+        <translation>{0} línea fina</translation>
     </message>
     <message>
         <source>{0} thin lines are</source>
-        <translation>{0} líneas finas están</translation>
+        <translation>{0} líneas finas</translation>
     </message>
     <message>
         <source>{0} times</source>
@@ -3067,8 +3215,12 @@
         <translation>Se omitió {0}. {1}</translation>
     </message>
     <message>
-        <source>{0} weld{1} outside the shapes left out.</source>
-        <translation>{0} soldadura fuera de las formas, omitida{1}.</translation>
+        <source>{0} weld outside the shapes left out.</source>
+        <translation>Se omitió {0} soldadura fuera de las formas.</translation>
+    </message>
+    <message>
+        <source>{0} welds outside the shapes left out.</source>
+        <translation>Se omitieron {0} soldaduras fuera de las formas.</translation>
     </message>
     <message>
         <source>{0} {1} cannot be made; {2} size between 1 mm and 100 m.</source>
@@ -3112,11 +3264,11 @@
     </message>
     <message>
         <source>{:.2f} m</source>
-        <translation type="unfinished"></translation>
+        <translation>{:.2f} m</translation>
     </message>
     <message>
         <source>{:.2f} m of a roll of {:.0f} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>{:.2f} m de un rollo de {:.0f} mm</translation>
     </message>
     <message>
         <source>{:.2f} mm, at most {:.2f} mm</source>
@@ -3136,31 +3288,31 @@
     </message>
     <message>
         <source>{:.3g} g: film {:.3g}, weld and neck {:.2g}, valve {:.2g}</source>
-        <translation type="unfinished"></translation>
+        <translation>{:.3g} g: película {:.3g}, soldadura y cuello {:.2g}, válvula {:.2g}</translation>
     </message>
     <message>
         <source>{:.3g} kPa, margin {:g} ({})</source>
-        <translation type="unfinished"></translation>
+        <translation>{:.3g} kPa, margen {:g} ({})</translation>
     </message>
     <message>
         <source>{:.3g} l of {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{:.3g} l de {}</translation>
     </message>
     <message>
         <source>{:.3g} m², wider than the usual roll</source>
-        <translation type="unfinished"></translation>
+        <translation>{:.3g} m², más ancha que el rollo habitual</translation>
     </message>
     <message>
         <source>{} files written to {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} archivos escritos en {}</translation>
     </message>
     <message>
         <source>{} is in the tree</source>
-        <translation type="unfinished"></translation>
+        <translation>{} está en el árbol</translation>
     </message>
     <message>
         <source>{} pieces on {:.0f} x {:.0f} mm, {:.0f} % used</source>
-        <translation type="unfinished"></translation>
+        <translation>{} piezas en {:.0f} x {:.0f} mm, {:.0f} % usado</translation>
     </message>
     <message>
         <source>{} x {}, {} thick, {}</source>
@@ -3197,22 +3349,22 @@
     <name>BalloonWorkbench_Artwork</name>
     <message>
         <source>Artwork</source>
-        <translation type="unfinished"></translation>
+        <translation>Ilustración</translation>
     </message>
     <message>
         <source>Print a picture on the film so that it reads right on the inflated balloon</source>
-        <translation type="unfinished"></translation>
+        <translation>Imprimir una imagen en la película para que se vea bien en el globo inflado</translation>
     </message>
 </context>
 <context>
     <name>BalloonWorkbench_AssemblySheet</name>
     <message>
         <source>Assembly sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>Hoja de montaje</translation>
     </message>
     <message>
         <source>Tell what the balloon takes and whether it floats, and write one page on how to make it</source>
-        <translation type="unfinished"></translation>
+        <translation>Dice qué necesita el globo y si flota, y escribe una página sobre cómo hacerlo</translation>
     </message>
 </context>
 <context>
@@ -3285,11 +3437,11 @@
     <name>BalloonWorkbench_Nest</name>
     <message>
         <source>Lay out on film</source>
-        <translation type="unfinished"></translation>
+        <translation>Colocar en la película</translation>
     </message>
     <message>
         <source>Lay the panels of one or several balloons closely on a roll or on sheets of film</source>
-        <translation type="unfinished"></translation>
+        <translation>Colocar apretados los paneles de uno o varios globos en un rollo o en láminas</translation>
     </message>
 </context>
 <context>

@@ -17,7 +17,7 @@
     </message>
     <message>
         <source>Another picture for the back; empty takes that of the front</source>
-        <translation type="unfinished"></translation>
+        <translation>Une autre image pour le dos ; vide prend celle du devant</translation>
     </message>
     <message>
         <source>Area of film inside the welds, both panels</source>
@@ -81,11 +81,11 @@
     </message>
     <message>
         <source>Dots per inch of the files</source>
-        <translation type="unfinished"></translation>
+        <translation>Points par pouce des fichiers</translation>
     </message>
     <message>
         <source>Film left between pieces, and at the edges</source>
-        <translation type="unfinished"></translation>
+        <translation>Film laissé entre les pièces et aux bords</translation>
     </message>
     <message>
         <source>Film left outside the weld</source>
@@ -121,7 +121,7 @@
     </message>
     <message>
         <source>Height of all that is cut</source>
-        <translation type="unfinished"></translation>
+        <translation>Hauteur de tout ce qui est coupé</translation>
     </message>
     <message>
         <source>Height of its capital letters</source>
@@ -145,11 +145,11 @@
     </message>
     <message>
         <source>Height of the print with its marks</source>
-        <translation type="unfinished"></translation>
+        <translation>Hauteur de l'impression avec ses repères</translation>
     </message>
     <message>
         <source>How far the print goes past the cut</source>
-        <translation type="unfinished"></translation>
+        <translation>De combien l'impression dépasse la coupe</translation>
     </message>
     <message>
         <source>How many balloons are cut from the sheet</source>
@@ -157,7 +157,7 @@
     </message>
     <message>
         <source>How many balloons of each pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre de ballons de chaque patron</translation>
     </message>
     <message>
         <source>How the balloon is filled and closed</source>
@@ -165,7 +165,7 @@
     </message>
     <message>
         <source>How the grain of the pieces lies, relative to the film's length</source>
-        <translation type="unfinished"></translation>
+        <translation>Comment le sens des pièces se place par rapport à la longueur du film</translation>
     </message>
     <message>
         <source>How the intake is made and used</source>
@@ -185,7 +185,7 @@
     </message>
     <message>
         <source>Label of what was laid out</source>
-        <translation type="unfinished"></translation>
+        <translation>Repère de ce qui a été disposé</translation>
     </message>
     <message>
         <source>Larger dimension before repairs, in mm</source>
@@ -217,11 +217,11 @@
     </message>
     <message>
         <source>Length of a sheet; 0 is a roll</source>
-        <translation type="unfinished"></translation>
+        <translation>Longueur d'une feuille ; 0 est un rouleau</translation>
     </message>
     <message>
         <source>Length of all welds on it</source>
-        <translation type="unfinished"></translation>
+        <translation>Longueur de toutes les soudures</translation>
     </message>
     <message>
         <source>Length of the neck from the seam outward, or diameter of the flange; 0 takes the usual one</source>
@@ -229,7 +229,7 @@
     </message>
     <message>
         <source>Length of the roll that is used</source>
-        <translation type="unfinished"></translation>
+        <translation>Longueur de rouleau utilisée</translation>
     </message>
     <message>
         <source>Length of the weld</source>
@@ -265,7 +265,7 @@
     </message>
     <message>
         <source>Number of pieces on what is shown</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre de pièces sur ce qui est montré</translation>
     </message>
     <message>
         <source>Number of seams, then the number of vertices of each seam and weld</source>
@@ -273,11 +273,11 @@
     </message>
     <message>
         <source>Number of sheets</source>
-        <translation type="unfinished"></translation>
+        <translation>Nombre de feuilles</translation>
     </message>
     <message>
         <source>Number of the sheet that is shown and exported</source>
-        <translation type="unfinished"></translation>
+        <translation>Numéro de la feuille montrée et exportée</translation>
     </message>
     <message>
         <source>Of warm air, in degrees Celsius</source>
@@ -285,7 +285,7 @@
     </message>
     <message>
         <source>Part of the film that the pieces take, in per cent</source>
-        <translation type="unfinished"></translation>
+        <translation>Part du film que prennent les pièces, en pour cent</translation>
     </message>
     <message>
         <source>Part of the film's area that is slack</source>
@@ -337,7 +337,7 @@
     </message>
     <message>
         <source>Remarks on the layout</source>
-        <translation type="unfinished"></translation>
+        <translation>Remarques sur la disposition</translation>
     </message>
     <message>
         <source>Result that is shown as colours, with a legend</source>
@@ -405,11 +405,11 @@
     </message>
     <message>
         <source>The pattern that is printed</source>
-        <translation type="unfinished"></translation>
+        <translation>Le patron imprimé</translation>
     </message>
     <message>
         <source>The patterns that are laid out</source>
-        <translation type="unfinished"></translation>
+        <translation>Les patrons disposés</translation>
     </message>
     <message>
         <source>The second panel beside the first, mirrored; else cut twice</source>
@@ -417,7 +417,7 @@
     </message>
     <message>
         <source>The side that is shown and exported for a cutter</source>
-        <translation type="unfinished"></translation>
+        <translation>La face montrée et exportée pour une découpeuse</translation>
     </message>
     <message>
         <source>The silhouette is within the tolerance of the drawing</source>
@@ -493,7 +493,7 @@
     </message>
     <message>
         <source>What is printed; empty takes the picture or painting of the outline</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce qui est imprimé ; vide prend l'image ou la peinture du contour</translation>
     </message>
     <message>
         <source>What it carries with its gas, in grams; below 0 it sinks</source>
@@ -529,7 +529,7 @@
     </message>
     <message>
         <source>Where all pieces lie, as JSON</source>
-        <translation type="unfinished"></translation>
+        <translation>Où sont toutes les pièces, en JSON</translation>
     </message>
     <message>
         <source>Which shape of the drawing it is; 1 is the largest</source>
@@ -541,7 +541,7 @@
     </message>
     <message>
         <source>Width of all that is cut</source>
-        <translation type="unfinished"></translation>
+        <translation>Largeur de tout ce qui est coupé</translation>
     </message>
     <message>
         <source>Width of the drawing; 0 follows from the height</source>
@@ -561,11 +561,11 @@
     </message>
     <message>
         <source>Width of the print with its marks</source>
-        <translation type="unfinished"></translation>
+        <translation>Largeur de l'impression avec ses repères</translation>
     </message>
     <message>
         <source>Width of the roll or sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>Largeur du rouleau ou de la feuille</translation>
     </message>
     <message>
         <source>Width of the weld that this film needs</source>
@@ -668,7 +668,11 @@
     </message>
     <message>
         <source>, about {:.2f} {}</source>
-        <translation type="unfinished"></translation>
+        <translation>, environ {:.2f} {}</translation>
+    </message>
+    <message>
+        <source>, {0} mm so far</source>
+        <translation>, {0} mm jusqu'ici</translation>
     </message>
     <message>
         <source>1 to {0} pieces can be laid out, not {1}.</source>
@@ -724,7 +728,7 @@
     </message>
     <message>
         <source>A new Sketcher sketch of lines and arcs, to go on with in FreeCAD</source>
-        <translation type="unfinished"></translation>
+        <translation>Une nouvelle esquisse de lignes et d'arcs, pour continuer dans FreeCAD</translation>
     </message>
     <message>
         <source>A number of an intake is empty.</source>
@@ -780,7 +784,7 @@
     </message>
     <message>
         <source>Across</source>
-        <translation type="unfinished"></translation>
+        <translation>En travers</translation>
     </message>
     <message>
         <source>Advice</source>
@@ -804,7 +808,7 @@
     </message>
     <message>
         <source>Along</source>
-        <translation type="unfinished"></translation>
+        <translation>En long</translation>
     </message>
     <message>
         <source>Along the seam</source>
@@ -832,7 +836,7 @@
     </message>
     <message>
         <source>Any</source>
-        <translation type="unfinished"></translation>
+        <translation>Quelconque</translation>
     </message>
     <message>
         <source>Any program (DXF)</source>
@@ -856,7 +860,7 @@
     </message>
     <message>
         <source>Artwork</source>
-        <translation type="unfinished"></translation>
+        <translation>Illustration</translation>
     </message>
     <message>
         <source>Artwork as PDF needs Pillow: install it with pip install pillow, or use the PNG files.</source>
@@ -868,11 +872,11 @@
     </message>
     <message>
         <source>Assembly sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>Fiche de montage</translation>
     </message>
     <message>
         <source>Assembly sheet written to {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Fiche de montage écrite dans {}</translation>
     </message>
     <message>
         <source>At {0} dots per inch the sheet would have {1} x {2} pixels: give a lower resolution.</source>
@@ -884,7 +888,7 @@
     </message>
     <message>
         <source>Back</source>
-        <translation type="unfinished"></translation>
+        <translation>Dos</translation>
     </message>
     <message>
         <source>Backend</source>
@@ -900,7 +904,7 @@
     </message>
     <message>
         <source>Balloons of each</source>
-        <translation type="unfinished"></translation>
+        <translation>Ballons de chacun</translation>
     </message>
     <message>
         <source>Bending stiffness</source>
@@ -916,7 +920,7 @@
     </message>
     <message>
         <source>Bleed</source>
-        <translation type="unfinished"></translation>
+        <translation>Fond perdu</translation>
     </message>
     <message>
         <source>Blue</source>
@@ -948,7 +952,7 @@
     </message>
     <message>
         <source>Checking the pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>Vérification du patron</translation>
     </message>
     <message>
         <source>Choose a drawing</source>
@@ -984,11 +988,11 @@
     </message>
     <message>
         <source>Choose the pattern to print on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Choisissez le patron sur lequel imprimer.</translation>
     </message>
     <message>
         <source>Choose the patterns to lay out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Choisissez les patrons à disposer.</translation>
     </message>
     <message>
         <source>Close the open task panel first.</source>
@@ -1048,7 +1052,7 @@
     </message>
     <message>
         <source>Dots per inch</source>
-        <translation type="unfinished"></translation>
+        <translation>Points par pouce</translation>
     </message>
     <message>
         <source>Drag in the view</source>
@@ -1084,7 +1088,7 @@
     </message>
     <message>
         <source>Edit artwork</source>
-        <translation type="unfinished"></translation>
+        <translation>Modifier l'illustration</translation>
     </message>
     <message>
         <source>Edit balloon</source>
@@ -1092,7 +1096,7 @@
     </message>
     <message>
         <source>Edit film</source>
-        <translation type="unfinished"></translation>
+        <translation>Modifier la feuille de film</translation>
     </message>
     <message>
         <source>Elastic materials</source>
@@ -1140,7 +1144,7 @@
     </message>
     <message>
         <source>Film needed</source>
-        <translation type="unfinished"></translation>
+        <translation>Film nécessaire</translation>
     </message>
     <message>
         <source>Film of your own</source>
@@ -1148,7 +1152,7 @@
     </message>
     <message>
         <source>Film width</source>
-        <translation type="unfinished"></translation>
+        <translation>Largeur du film</translation>
     </message>
     <message>
         <source>Film {0} m large is too much: write 500mm.</source>
@@ -1176,7 +1180,7 @@
     </message>
     <message>
         <source>Folder for the artwork</source>
-        <translation type="unfinished"></translation>
+        <translation>Dossier pour l'illustration</translation>
     </message>
     <message>
         <source>Follow every change at once</source>
@@ -1204,11 +1208,11 @@
     </message>
     <message>
         <source>Front</source>
-        <translation type="unfinished"></translation>
+        <translation>Devant</translation>
     </message>
     <message>
         <source>Front and back as PNG and PDF, and as DXF and SVG with the same marks for the cutter</source>
-        <translation type="unfinished"></translation>
+        <translation>Devant et dos en PNG et PDF, et en DXF et SVG avec les mêmes repères pour la découpeuse</translation>
     </message>
     <message>
         <source>Gaps of up to {0} between lines were closed ({1} loops).</source>
@@ -1244,7 +1248,7 @@
     </message>
     <message>
         <source>Grain lies</source>
-        <translation type="unfinished"></translation>
+        <translation>Sens du film</translation>
     </message>
     <message>
         <source>Green</source>
@@ -1288,7 +1292,7 @@
     </message>
     <message>
         <source>Inflate now</source>
-        <translation type="unfinished"></translation>
+        <translation>Gonfler maintenant</translation>
     </message>
     <message>
         <source>Inflate with these values and show the balloon</source>
@@ -1352,11 +1356,11 @@
     </message>
     <message>
         <source>Lay out</source>
-        <translation type="unfinished"></translation>
+        <translation>Disposer</translation>
     </message>
     <message>
         <source>Lay out on film</source>
-        <translation type="unfinished"></translation>
+        <translation>Disposer sur le film</translation>
     </message>
     <message>
         <source>Layers, millimetres and arcs, to go on drawing.</source>
@@ -1364,7 +1368,7 @@
     </message>
     <message>
         <source>Laying out {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Disposition de {0}</translation>
     </message>
     <message>
         <source>Length</source>
@@ -1408,11 +1412,11 @@
     </message>
     <message>
         <source>Look for the closest layout; Esc takes the best one so far</source>
-        <translation type="unfinished"></translation>
+        <translation>Chercher la disposition la plus serrée ; Échap prend la meilleure jusque-là</translation>
     </message>
     <message>
         <source>Looking at the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Examen de l'image</translation>
     </message>
     <message>
         <source>Machine</source>
@@ -1424,7 +1428,7 @@
     </message>
     <message>
         <source>Make a sketch of the cuts</source>
-        <translation type="unfinished"></translation>
+        <translation>Faire une esquisse des coupes</translation>
     </message>
     <message>
         <source>Make it!</source>
@@ -1560,7 +1564,7 @@
     </message>
     <message>
         <source>Nothing is in the way. Paint on, or press Make it!</source>
-        <translation type="unfinished"></translation>
+        <translation>Rien ne s'y oppose. Continuez à peindre, ou pressez « Fabriquer ! ».</translation>
     </message>
     <message>
         <source>Nothing to improve.</source>
@@ -1652,7 +1656,7 @@
     </message>
     <message>
         <source>Paper</source>
-        <translation type="unfinished"></translation>
+        <translation>Papier</translation>
     </message>
     <message>
         <source>Pattern</source>
@@ -1672,7 +1676,7 @@
     </message>
     <message>
         <source>Patterns</source>
-        <translation type="unfinished"></translation>
+        <translation>Patrons</translation>
     </message>
     <message>
         <source>Patterns need shapely: install it with pip install shapely.</source>
@@ -1852,7 +1856,7 @@
     </message>
     <message>
         <source>Safe pressure</source>
-        <translation type="unfinished"></translation>
+        <translation>Pression sûre</translation>
     </message>
     <message>
         <source>Save results</source>
@@ -1896,11 +1900,11 @@
     </message>
     <message>
         <source>Sheet length</source>
-        <translation type="unfinished"></translation>
+        <translation>Longueur de feuille</translation>
     </message>
     <message>
         <source>Sheet {} of {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Feuille {} sur {}</translation>
     </message>
     <message>
         <source>Show the drawing and the silhouette over each other</source>
@@ -1908,15 +1912,15 @@
     </message>
     <message>
         <source>Shown sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>Feuille montrée</translation>
     </message>
     <message>
         <source>Shown side</source>
-        <translation type="unfinished"></translation>
+        <translation>Face montrée</translation>
     </message>
     <message>
         <source>Side</source>
-        <translation type="unfinished"></translation>
+        <translation>Face</translation>
     </message>
     <message>
         <source>Silhouette Studio (vinyl cutter)</source>
@@ -1956,7 +1960,7 @@
     </message>
     <message>
         <source>Spacing</source>
-        <translation type="unfinished"></translation>
+        <translation>Espacement</translation>
     </message>
     <message>
         <source>Stiffer across the web than along it (up to 4.5 against 2.5 GPa): cut both panels in the same direction. Only grades with a sealing layer weld; the gas barrier is poor.</source>
@@ -2012,7 +2016,7 @@
     </message>
     <message>
         <source>Take the picture away</source>
-        <translation type="unfinished"></translation>
+        <translation>Enlever l'image</translation>
     </message>
     <message>
         <source>Tension field</source>
@@ -2020,11 +2024,11 @@
     </message>
     <message>
         <source>That of the front</source>
-        <translation type="unfinished"></translation>
+        <translation>Celle du devant</translation>
     </message>
     <message>
         <source>That of the outline</source>
-        <translation type="unfinished"></translation>
+        <translation>Celle du contour</translation>
     </message>
     <message>
         <source>That wide</source>
@@ -2124,7 +2128,7 @@
     </message>
     <message>
         <source>The drawing cannot be reached everywhere: the silhouette is up to {} off it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le dessin ne peut pas être atteint partout : la silhouette s'en écarte jusqu'à {}.</translation>
     </message>
     <message>
         <source>The drawing has no closed line. Draw one, and turn texts and groups into paths.</source>
@@ -2135,8 +2139,12 @@
         <translation>Le dessin a des points à plus de {0} km de son origine. Ramenez-le là, et donnez-lui une taille de 1 mm à 100 m.</translation>
     </message>
     <message>
-        <source>The drawing has {0} shape{1} and no number {2}: choose another Part, or delete this balloon.</source>
-        <translation>Le dessin a {0} forme{1} et pas de numéro {2} : choisissez une autre « Part », ou supprimez ce ballon.</translation>
+        <source>The drawing has {0} shape and no number {1}: choose another Part, or delete this balloon.</source>
+        <translation>Le dessin a {0} forme et pas de numéro {1} : choisissez une autre « Part », ou supprimez ce ballon.</translation>
+    </message>
+    <message>
+        <source>The drawing has {0} shapes and no number {1}: choose another Part, or delete this balloon.</source>
+        <translation>Le dessin a {0} formes et pas de numéro {1} : choisissez une autre « Part », ou supprimez ce ballon.</translation>
     </message>
     <message>
         <source>The drawing is open: a line starts at {0} and ends {1} away at {2}. Close it.</source>
@@ -2252,7 +2260,7 @@
     </message>
     <message>
         <source>The intake's length must be above 0, up to 100 m: give it about 30 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>La longueur de l'embout doit dépasser 0, jusqu'à 100 m : donnez-lui environ 30 mm.</translation>
     </message>
     <message>
         <source>The intake's place along the seam must be a length.</source>
@@ -2260,7 +2268,7 @@
     </message>
     <message>
         <source>The intake's width must be between 0.01 mm and 10 m: give it about 10 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>La largeur de l'embout doit être entre 0,01 mm et 10 m : donnez-lui environ 10 mm.</translation>
     </message>
     <message>
         <source>The intakes of two chambers run into each other: leave a gap in the weld between them, or choose another place for the first.</source>
@@ -2276,7 +2284,7 @@
     </message>
     <message>
         <source>The layout failed: give the pieces more room.</source>
-        <translation type="unfinished"></translation>
+        <translation>La disposition a échoué : donnez plus de place aux pièces.</translation>
     </message>
     <message>
         <source>The layout was stopped; nothing was changed.</source>
@@ -2448,7 +2456,7 @@
     </message>
     <message>
         <source>The smallest radius is {0} mm, near {1}; {2} follows {3}. It will come out rounder there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le plus petit rayon est {0} mm, près de {1} ; {2} suit {3}. Cela sortira plus rond à cet endroit.</translation>
     </message>
     <message>
         <source>The solver '{0}' needs the Python package scipy. Install it or use the native solver.</source>
@@ -2568,7 +2576,7 @@
     </message>
     <message>
         <source>There is no picture to print: choose one, as the outline has none of its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il n'y a pas d'image à imprimer : choisissez-en une, le contour n'en a pas.</translation>
     </message>
     <message>
         <source>There is no room for a flange of {0} there: choose another place or a smaller one.</source>
@@ -2576,7 +2584,7 @@
     </message>
     <message>
         <source>There is no sheet {0}: give a number from 1 to {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il n'y a pas de feuille {0} : donnez un numéro de 1 à {1}.</translation>
     </message>
     <message>
         <source>There is no solver named '{0}'. Use 'native', 'numpy' or 'newmark'.</source>
@@ -2660,7 +2668,7 @@
     </message>
     <message>
         <source>Used</source>
-        <translation type="unfinished"></translation>
+        <translation>Utilisé</translation>
     </message>
     <message>
         <source>Violet</source>
@@ -2688,7 +2696,7 @@
     </message>
     <message>
         <source>Weld length</source>
-        <translation type="unfinished"></translation>
+        <translation>Longueur de soudure</translation>
     </message>
     <message>
         <source>Welds easily with an impulse sealer or an iron. Yields at about 9 MPa, half its tensile strength, and creeps: keep the pressure low.</source>
@@ -2724,7 +2732,7 @@
     </message>
     <message>
         <source>Will it float?</source>
-        <translation type="unfinished"></translation>
+        <translation>Flottera-t-il ?</translation>
     </message>
     <message>
         <source>Write all results for ParaView (.vtu) or NumPy (.npz), or the shape alone (.stl)</source>
@@ -2732,7 +2740,7 @@
     </message>
     <message>
         <source>Write files…</source>
-        <translation type="unfinished"></translation>
+        <translation>Écrire les fichiers…</translation>
     </message>
     <message>
         <source>Write {"unit": "mm", "outer": [[0, 0], [300, 0], [150, 200]]}.</source>
@@ -2771,8 +2779,16 @@
         <translation>un fichier {0} a sa propre unité : donnez "unit": "mm".</translation>
     </message>
     <message>
+        <source>air</source>
+        <translation>air</translation>
+    </message>
+    <message>
         <source>apart {} in the mean, 95 % below {}, at most {}</source>
         <translation>écart moyen {}, 95 % sous {}, au plus {}</translation>
+    </message>
+    <message>
+        <source>areal density</source>
+        <translation>masse surfacique</translation>
     </message>
     <message>
         <source>at most {:.4g} {}</source>
@@ -2803,8 +2819,36 @@
         <translation>dessin</translation>
     </message>
     <message>
+        <source>empty: </source>
+        <translation>vide : </translation>
+    </message>
+    <message>
         <source>film and valve</source>
         <translation>film et valve</translation>
+    </message>
+    <message>
+        <source>gas</source>
+        <translation>gaz</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>hauteur</translation>
+    </message>
+    <message>
+        <source>helium</source>
+        <translation>hélium</translation>
+    </message>
+    <message>
+        <source>hint</source>
+        <translation>indication</translation>
+    </message>
+    <message>
+        <source>hole</source>
+        <translation>trou</translation>
+    </message>
+    <message>
+        <source>hydrogen</source>
+        <translation>hydrogène</translation>
     </message>
     <message>
         <source>in the mean {}</source>
@@ -2823,6 +2867,38 @@
         <translation>disposition{0}</translation>
     </message>
     <message>
+        <source>left</source>
+        <translation>gauche</translation>
+    </message>
+    <message>
+        <source>length</source>
+        <translation>longueur</translation>
+    </message>
+    <message>
+        <source>less than</source>
+        <translation>moins de</translation>
+    </message>
+    <message>
+        <source>less than its {:.3g} kPa with a margin of {:g} ({})</source>
+        <translation>moins que ses {:.3g} kPa avec une marge de {:g} ({})</translation>
+    </message>
+    <message>
+        <source>lift</source>
+        <translation>portance</translation>
+    </message>
+    <message>
+        <source>lower</source>
+        <translation>bas</translation>
+    </message>
+    <message>
+        <source>mass</source>
+        <translation>masse</translation>
+    </message>
+    <message>
+        <source>more than</source>
+        <translation>plus de</translation>
+    </message>
+    <message>
         <source>names the unit {0}, which is not a usual one</source>
         <translation>nomme l'unité {0}, qui n'est pas courante</translation>
     </message>
@@ -2839,20 +2915,52 @@
         <translation>non convergé : </translation>
     </message>
     <message>
+        <source>opacity</source>
+        <translation>opacité</translation>
+    </message>
+    <message>
+        <source>outline</source>
+        <translation>contour</translation>
+    </message>
+    <message>
         <source>place "{0}" is neither {1} nor {2}.</source>
         <translation>place « {0} » n'est ni {1} ni {2}.</translation>
+    </message>
+    <message>
+        <source>pressure</source>
+        <translation>pression</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>droite</translation>
     </message>
     <message>
         <source>safe to {}, margin {:.2g}</source>
         <translation>sûr jusqu'à {}, marge {:.2g}</translation>
     </message>
     <message>
+        <source>seal width</source>
+        <translation>largeur de soudure</translation>
+    </message>
+    <message>
+        <source>serious</source>
+        <translation>grave</translation>
+    </message>
+    <message>
         <source>slack: {:.0f} %</source>
         <translation>détendu : {:.0f} %</translation>
     </message>
     <message>
+        <source>stale: </source>
+        <translation>périmé : </translation>
+    </message>
+    <message>
         <source>stale: belongs to earlier values</source>
         <translation>périmé : appartient à des valeurs antérieures</translation>
+    </message>
+    <message>
+        <source>strength</source>
+        <translation>résistance</translation>
     </message>
     <message>
         <source>strength of the film not known</source>
@@ -2861,6 +2969,10 @@
     <message>
         <source>taut: {:.0f} %</source>
         <translation>tendu : {:.0f} %</translation>
+    </message>
+    <message>
+        <source>temperature</source>
+        <translation>température</translation>
     </message>
     <message>
         <source>the colour "{0}" is not written like #ff0000.</source>
@@ -2887,12 +2999,36 @@
         <translation>il n'y a pas de telle partie</translation>
     </message>
     <message>
+        <source>thickness</source>
+        <translation>épaisseur</translation>
+    </message>
+    <message>
         <source>unknown: this film has no strength</source>
-        <translation type="unfinished"></translation>
+        <translation>inconnue : ce film n'a pas de résistance</translation>
     </message>
     <message>
         <source>up to date</source>
         <translation>à jour</translation>
+    </message>
+    <message>
+        <source>upper</source>
+        <translation>haut</translation>
+    </message>
+    <message>
+        <source>volume</source>
+        <translation>volume</translation>
+    </message>
+    <message>
+        <source>warm air</source>
+        <translation>air chaud</translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation>avertissement</translation>
+    </message>
+    <message>
+        <source>width</source>
+        <translation>largeur</translation>
     </message>
     <message>
         <source>width_mm must be above 0, and taper from 0.2 to 1.</source>
@@ -2912,7 +3048,7 @@
     </message>
     <message>
         <source>{0} balloons cannot be laid out: give 1 or more.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ballons ne peuvent pas être disposés : donnez-en 1 ou plus.</translation>
     </message>
     <message>
         <source>{0} belongs to no balloon: choose an outline, a balloon or a pattern.</source>
@@ -2935,12 +3071,20 @@
         <translation>{0} points par pouce s'impriment mal : donnez de {1} à {2}.</translation>
     </message>
     <message>
-        <source>{0} gap{1} between the lines closed, the widest {2} % of the drawing's width.</source>
-        <translation>Écarts fermés entre les lignes : {0}{1}, le plus large {2} % de la largeur du dessin.</translation>
+        <source>{0} gap between the lines closed, the widest {1} % of the drawing's width.</source>
+        <translation>{0} écart entre les lignes fermé, le plus large {1} % de la largeur du dessin.</translation>
+    </message>
+    <message>
+        <source>{0} gaps between the lines closed, the widest {1} % of the drawing's width.</source>
+        <translation>{0} écarts entre les lignes fermés, le plus large {1} % de la largeur du dessin.</translation>
     </message>
     <message>
         <source>{0} has interface {1}, but {2} is needed.</source>
         <translation>{0} a l'interface {1}, mais il faut {2}.</translation>
+    </message>
+    <message>
+        <source>{0} has no "{1}": it has {2}.</source>
+        <translation>{0} n'a pas de « {1} » : il a {2}.</translation>
     </message>
     <message>
         <source>{0} has no pattern: choose a balloon.</source>
@@ -2988,11 +3132,11 @@
     </message>
     <message>
         <source>{0} is not up to date. {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} n'est pas à jour. {1}</translation>
     </message>
     <message>
         <source>{0} is not up to date. {1} Repair that and recompute.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} n'est pas à jour. {1} Réparez cela et recalculez.</translation>
     </message>
     <message>
         <source>{0} is not up to date. {1} Repair that, recompute and export again.</source>
@@ -3005,6 +3149,10 @@
     <message>
         <source>{0} is {1}: write true or false.</source>
         <translation>{0} est {1} : écrivez true ou false.</translation>
+    </message>
+    <message>
+        <source>{0} left out ({1}).</source>
+        <translation>{0} omises ({1}).</translation>
     </message>
     <message>
         <source>{0} loose ends of lines were joined to the drawing.</source>
@@ -3044,11 +3192,11 @@
     </message>
     <message>
         <source>{0} thin line is</source>
-        <translation>{0} ligne mince est</translation>
+        <translation>{0} ligne mince</translation>
     </message>
     <message>
         <source>{0} thin lines are</source>
-        <translation>{0} lignes minces sont</translation>
+        <translation>{0} lignes minces</translation>
     </message>
     <message>
         <source>{0} times</source>
@@ -3067,8 +3215,12 @@
         <translation>{0} a été omis. {1}</translation>
     </message>
     <message>
-        <source>{0} weld{1} outside the shapes left out.</source>
-        <translation>{0} soudure hors des formes, omise{1}.</translation>
+        <source>{0} weld outside the shapes left out.</source>
+        <translation>{0} soudure hors des formes omise.</translation>
+    </message>
+    <message>
+        <source>{0} welds outside the shapes left out.</source>
+        <translation>{0} soudures hors des formes omises.</translation>
     </message>
     <message>
         <source>{0} {1} cannot be made; {2} size between 1 mm and 100 m.</source>
@@ -3112,11 +3264,11 @@
     </message>
     <message>
         <source>{:.2f} m</source>
-        <translation type="unfinished"></translation>
+        <translation>{:.2f} m</translation>
     </message>
     <message>
         <source>{:.2f} m of a roll of {:.0f} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>{:.2f} m d'un rouleau de {:.0f} mm</translation>
     </message>
     <message>
         <source>{:.2f} mm, at most {:.2f} mm</source>
@@ -3136,31 +3288,31 @@
     </message>
     <message>
         <source>{:.3g} g: film {:.3g}, weld and neck {:.2g}, valve {:.2g}</source>
-        <translation type="unfinished"></translation>
+        <translation>{:.3g} g : film {:.3g}, soudure et col {:.2g}, valve {:.2g}</translation>
     </message>
     <message>
         <source>{:.3g} kPa, margin {:g} ({})</source>
-        <translation type="unfinished"></translation>
+        <translation>{:.3g} kPa, marge {:g} ({})</translation>
     </message>
     <message>
         <source>{:.3g} l of {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{:.3g} l de {}</translation>
     </message>
     <message>
         <source>{:.3g} m², wider than the usual roll</source>
-        <translation type="unfinished"></translation>
+        <translation>{:.3g} m², plus large que le rouleau habituel</translation>
     </message>
     <message>
         <source>{} files written to {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} fichiers écrits dans {}</translation>
     </message>
     <message>
         <source>{} is in the tree</source>
-        <translation type="unfinished"></translation>
+        <translation>{} est dans l'arborescence</translation>
     </message>
     <message>
         <source>{} pieces on {:.0f} x {:.0f} mm, {:.0f} % used</source>
-        <translation type="unfinished"></translation>
+        <translation>{} pièces sur {:.0f} x {:.0f} mm, {:.0f} % utilisés</translation>
     </message>
     <message>
         <source>{} x {}, {} thick, {}</source>
@@ -3197,22 +3349,22 @@
     <name>BalloonWorkbench_Artwork</name>
     <message>
         <source>Artwork</source>
-        <translation type="unfinished"></translation>
+        <translation>Illustration</translation>
     </message>
     <message>
         <source>Print a picture on the film so that it reads right on the inflated balloon</source>
-        <translation type="unfinished"></translation>
+        <translation>Imprimer une image sur le film pour qu'elle soit juste sur le ballon gonflé</translation>
     </message>
 </context>
 <context>
     <name>BalloonWorkbench_AssemblySheet</name>
     <message>
         <source>Assembly sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>Fiche de montage</translation>
     </message>
     <message>
         <source>Tell what the balloon takes and whether it floats, and write one page on how to make it</source>
-        <translation type="unfinished"></translation>
+        <translation>Dit ce que demande le ballon et s'il flotte, et écrit une page sur sa fabrication</translation>
     </message>
 </context>
 <context>
@@ -3285,11 +3437,11 @@
     <name>BalloonWorkbench_Nest</name>
     <message>
         <source>Lay out on film</source>
-        <translation type="unfinished"></translation>
+        <translation>Disposer sur le film</translation>
     </message>
     <message>
         <source>Lay the panels of one or several balloons closely on a roll or on sheets of film</source>
-        <translation type="unfinished"></translation>
+        <translation>Disposer de près les panneaux d'un ou de plusieurs ballons sur un rouleau ou des feuilles de film</translation>
     </message>
 </context>
 <context>

@@ -17,7 +17,7 @@
     </message>
     <message>
         <source>Another picture for the back; empty takes that of the front</source>
-        <translation type="unfinished"></translation>
+        <translation>裏面用の別の画像（空なら表と同じ）</translation>
     </message>
     <message>
         <source>Area of film inside the welds, both panels</source>
@@ -81,11 +81,11 @@
     </message>
     <message>
         <source>Dots per inch of the files</source>
-        <translation type="unfinished"></translation>
+        <translation>ファイルの解像度（dpi）</translation>
     </message>
     <message>
         <source>Film left between pieces, and at the edges</source>
-        <translation type="unfinished"></translation>
+        <translation>部品の間と縁に残すフィルム</translation>
     </message>
     <message>
         <source>Film left outside the weld</source>
@@ -121,7 +121,7 @@
     </message>
     <message>
         <source>Height of all that is cut</source>
-        <translation type="unfinished"></translation>
+        <translation>切る物全体の高さ</translation>
     </message>
     <message>
         <source>Height of its capital letters</source>
@@ -145,11 +145,11 @@
     </message>
     <message>
         <source>Height of the print with its marks</source>
-        <translation type="unfinished"></translation>
+        <translation>印を含む印刷の高さ</translation>
     </message>
     <message>
         <source>How far the print goes past the cut</source>
-        <translation type="unfinished"></translation>
+        <translation>印刷が切り線の外へはみ出す幅</translation>
     </message>
     <message>
         <source>How many balloons are cut from the sheet</source>
@@ -157,7 +157,7 @@
     </message>
     <message>
         <source>How many balloons of each pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>型紙ごとの風船の数</translation>
     </message>
     <message>
         <source>How the balloon is filled and closed</source>
@@ -165,7 +165,7 @@
     </message>
     <message>
         <source>How the grain of the pieces lies, relative to the film's length</source>
-        <translation type="unfinished"></translation>
+        <translation>フィルムの長さ方向に対する部品の流れ方向</translation>
     </message>
     <message>
         <source>How the intake is made and used</source>
@@ -185,7 +185,7 @@
     </message>
     <message>
         <source>Label of what was laid out</source>
-        <translation type="unfinished"></translation>
+        <translation>並べたものの識別子</translation>
     </message>
     <message>
         <source>Larger dimension before repairs, in mm</source>
@@ -217,11 +217,11 @@
     </message>
     <message>
         <source>Length of a sheet; 0 is a roll</source>
-        <translation type="unfinished"></translation>
+        <translation>シートの長さ（0 はロール）</translation>
     </message>
     <message>
         <source>Length of all welds on it</source>
-        <translation type="unfinished"></translation>
+        <translation>含まれる溶着線の全長</translation>
     </message>
     <message>
         <source>Length of the neck from the seam outward, or diameter of the flange; 0 takes the usual one</source>
@@ -229,7 +229,7 @@
     </message>
     <message>
         <source>Length of the roll that is used</source>
-        <translation type="unfinished"></translation>
+        <translation>使うロールの長さ</translation>
     </message>
     <message>
         <source>Length of the weld</source>
@@ -265,7 +265,7 @@
     </message>
     <message>
         <source>Number of pieces on what is shown</source>
-        <translation type="unfinished"></translation>
+        <translation>表示中のシートの部品数</translation>
     </message>
     <message>
         <source>Number of seams, then the number of vertices of each seam and weld</source>
@@ -273,11 +273,11 @@
     </message>
     <message>
         <source>Number of sheets</source>
-        <translation type="unfinished"></translation>
+        <translation>シートの枚数</translation>
     </message>
     <message>
         <source>Number of the sheet that is shown and exported</source>
-        <translation type="unfinished"></translation>
+        <translation>表示して書き出すシートの番号</translation>
     </message>
     <message>
         <source>Of warm air, in degrees Celsius</source>
@@ -285,7 +285,7 @@
     </message>
     <message>
         <source>Part of the film that the pieces take, in per cent</source>
-        <translation type="unfinished"></translation>
+        <translation>部品が占めるフィルムの割合（%）</translation>
     </message>
     <message>
         <source>Part of the film's area that is slack</source>
@@ -337,7 +337,7 @@
     </message>
     <message>
         <source>Remarks on the layout</source>
-        <translation type="unfinished"></translation>
+        <translation>配置についての注意</translation>
     </message>
     <message>
         <source>Result that is shown as colours, with a legend</source>
@@ -405,11 +405,11 @@
     </message>
     <message>
         <source>The pattern that is printed</source>
-        <translation type="unfinished"></translation>
+        <translation>印刷する型紙</translation>
     </message>
     <message>
         <source>The patterns that are laid out</source>
-        <translation type="unfinished"></translation>
+        <translation>並べる型紙</translation>
     </message>
     <message>
         <source>The second panel beside the first, mirrored; else cut twice</source>
@@ -417,7 +417,7 @@
     </message>
     <message>
         <source>The side that is shown and exported for a cutter</source>
-        <translation type="unfinished"></translation>
+        <translation>表示し、カッター用に書き出す面</translation>
     </message>
     <message>
         <source>The silhouette is within the tolerance of the drawing</source>
@@ -493,7 +493,7 @@
     </message>
     <message>
         <source>What is printed; empty takes the picture or painting of the outline</source>
-        <translation type="unfinished"></translation>
+        <translation>印刷する絵（空なら輪郭の画像や絵）</translation>
     </message>
     <message>
         <source>What it carries with its gas, in grams; below 0 it sinks</source>
@@ -529,7 +529,7 @@
     </message>
     <message>
         <source>Where all pieces lie, as JSON</source>
-        <translation type="unfinished"></translation>
+        <translation>すべての部品の位置（JSON）</translation>
     </message>
     <message>
         <source>Which shape of the drawing it is; 1 is the largest</source>
@@ -541,7 +541,7 @@
     </message>
     <message>
         <source>Width of all that is cut</source>
-        <translation type="unfinished"></translation>
+        <translation>切る物全体の幅</translation>
     </message>
     <message>
         <source>Width of the drawing; 0 follows from the height</source>
@@ -561,11 +561,11 @@
     </message>
     <message>
         <source>Width of the print with its marks</source>
-        <translation type="unfinished"></translation>
+        <translation>印を含む印刷の幅</translation>
     </message>
     <message>
         <source>Width of the roll or sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>ロールまたはシートの幅</translation>
     </message>
     <message>
         <source>Width of the weld that this film needs</source>
@@ -668,7 +668,11 @@
     </message>
     <message>
         <source>, about {:.2f} {}</source>
-        <translation type="unfinished"></translation>
+        <translation>、約 {:.2f} {}</translation>
+    </message>
+    <message>
+        <source>, {0} mm so far</source>
+        <translation>、これまで {0} mm</translation>
     </message>
     <message>
         <source>1 to {0} pieces can be laid out, not {1}.</source>
@@ -724,7 +728,7 @@
     </message>
     <message>
         <source>A new Sketcher sketch of lines and arcs, to go on with in FreeCAD</source>
-        <translation type="unfinished"></translation>
+        <translation>FreeCAD で作業を続けるための、直線と円弧の新しいスケッチ</translation>
     </message>
     <message>
         <source>A number of an intake is empty.</source>
@@ -780,7 +784,7 @@
     </message>
     <message>
         <source>Across</source>
-        <translation type="unfinished"></translation>
+        <translation>直角</translation>
     </message>
     <message>
         <source>Advice</source>
@@ -804,7 +808,7 @@
     </message>
     <message>
         <source>Along</source>
-        <translation type="unfinished"></translation>
+        <translation>平行</translation>
     </message>
     <message>
         <source>Along the seam</source>
@@ -832,7 +836,7 @@
     </message>
     <message>
         <source>Any</source>
-        <translation type="unfinished"></translation>
+        <translation>自由</translation>
     </message>
     <message>
         <source>Any program (DXF)</source>
@@ -856,7 +860,7 @@
     </message>
     <message>
         <source>Artwork</source>
-        <translation type="unfinished"></translation>
+        <translation>絵柄</translation>
     </message>
     <message>
         <source>Artwork as PDF needs Pillow: install it with pip install pillow, or use the PNG files.</source>
@@ -868,11 +872,11 @@
     </message>
     <message>
         <source>Assembly sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>組み立て図</translation>
     </message>
     <message>
         <source>Assembly sheet written to {}</source>
-        <translation type="unfinished"></translation>
+        <translation>組み立て図を {} に書き出しました</translation>
     </message>
     <message>
         <source>At {0} dots per inch the sheet would have {1} x {2} pixels: give a lower resolution.</source>
@@ -884,7 +888,7 @@
     </message>
     <message>
         <source>Back</source>
-        <translation type="unfinished"></translation>
+        <translation>裏</translation>
     </message>
     <message>
         <source>Backend</source>
@@ -900,7 +904,7 @@
     </message>
     <message>
         <source>Balloons of each</source>
-        <translation type="unfinished"></translation>
+        <translation>それぞれの個数</translation>
     </message>
     <message>
         <source>Bending stiffness</source>
@@ -916,7 +920,7 @@
     </message>
     <message>
         <source>Bleed</source>
-        <translation type="unfinished"></translation>
+        <translation>塗り足し</translation>
     </message>
     <message>
         <source>Blue</source>
@@ -948,7 +952,7 @@
     </message>
     <message>
         <source>Checking the pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>型紙を確かめています</translation>
     </message>
     <message>
         <source>Choose a drawing</source>
@@ -984,11 +988,11 @@
     </message>
     <message>
         <source>Choose the pattern to print on.</source>
-        <translation type="unfinished"></translation>
+        <translation>印刷する型紙を選んでください。</translation>
     </message>
     <message>
         <source>Choose the patterns to lay out.</source>
-        <translation type="unfinished"></translation>
+        <translation>並べる型紙を選んでください。</translation>
     </message>
     <message>
         <source>Close the open task panel first.</source>
@@ -1048,7 +1052,7 @@
     </message>
     <message>
         <source>Dots per inch</source>
-        <translation type="unfinished"></translation>
+        <translation>解像度（dpi）</translation>
     </message>
     <message>
         <source>Drag in the view</source>
@@ -1084,7 +1088,7 @@
     </message>
     <message>
         <source>Edit artwork</source>
-        <translation type="unfinished"></translation>
+        <translation>絵柄を編集</translation>
     </message>
     <message>
         <source>Edit balloon</source>
@@ -1092,7 +1096,7 @@
     </message>
     <message>
         <source>Edit film</source>
-        <translation type="unfinished"></translation>
+        <translation>フィルムの配置を編集</translation>
     </message>
     <message>
         <source>Elastic materials</source>
@@ -1140,7 +1144,7 @@
     </message>
     <message>
         <source>Film needed</source>
-        <translation type="unfinished"></translation>
+        <translation>必要なフィルム</translation>
     </message>
     <message>
         <source>Film of your own</source>
@@ -1148,7 +1152,7 @@
     </message>
     <message>
         <source>Film width</source>
-        <translation type="unfinished"></translation>
+        <translation>フィルムの幅</translation>
     </message>
     <message>
         <source>Film {0} m large is too much: write 500mm.</source>
@@ -1176,7 +1180,7 @@
     </message>
     <message>
         <source>Folder for the artwork</source>
-        <translation type="unfinished"></translation>
+        <translation>絵柄を入れるフォルダー</translation>
     </message>
     <message>
         <source>Follow every change at once</source>
@@ -1204,11 +1208,11 @@
     </message>
     <message>
         <source>Front</source>
-        <translation type="unfinished"></translation>
+        <translation>表</translation>
     </message>
     <message>
         <source>Front and back as PNG and PDF, and as DXF and SVG with the same marks for the cutter</source>
-        <translation type="unfinished"></translation>
+        <translation>表と裏を PNG と PDF で、さらに同じ印の付いたカッター用の DXF と SVG で</translation>
     </message>
     <message>
         <source>Gaps of up to {0} between lines were closed ({1} loops).</source>
@@ -1244,7 +1248,7 @@
     </message>
     <message>
         <source>Grain lies</source>
-        <translation type="unfinished"></translation>
+        <translation>流れ方向の置き方</translation>
     </message>
     <message>
         <source>Green</source>
@@ -1288,7 +1292,7 @@
     </message>
     <message>
         <source>Inflate now</source>
-        <translation type="unfinished"></translation>
+        <translation>今すぐふくらませる</translation>
     </message>
     <message>
         <source>Inflate with these values and show the balloon</source>
@@ -1352,11 +1356,11 @@
     </message>
     <message>
         <source>Lay out</source>
-        <translation type="unfinished"></translation>
+        <translation>並べる</translation>
     </message>
     <message>
         <source>Lay out on film</source>
-        <translation type="unfinished"></translation>
+        <translation>フィルムに並べる</translation>
     </message>
     <message>
         <source>Layers, millimetres and arcs, to go on drawing.</source>
@@ -1364,7 +1368,7 @@
     </message>
     <message>
         <source>Laying out {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} を並べています</translation>
     </message>
     <message>
         <source>Length</source>
@@ -1408,11 +1412,11 @@
     </message>
     <message>
         <source>Look for the closest layout; Esc takes the best one so far</source>
-        <translation type="unfinished"></translation>
+        <translation>最も詰まった並べ方を探す（Esc でそれまでの最良を採用）</translation>
     </message>
     <message>
         <source>Looking at the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>画像を調べています</translation>
     </message>
     <message>
         <source>Machine</source>
@@ -1424,7 +1428,7 @@
     </message>
     <message>
         <source>Make a sketch of the cuts</source>
-        <translation type="unfinished"></translation>
+        <translation>切り線のスケッチを作る</translation>
     </message>
     <message>
         <source>Make it!</source>
@@ -1560,7 +1564,7 @@
     </message>
     <message>
         <source>Nothing is in the way. Paint on, or press Make it!</source>
-        <translation type="unfinished"></translation>
+        <translation>問題ありません。続けて描くか「作る！」を押してください。</translation>
     </message>
     <message>
         <source>Nothing to improve.</source>
@@ -1652,7 +1656,7 @@
     </message>
     <message>
         <source>Paper</source>
-        <translation type="unfinished"></translation>
+        <translation>用紙</translation>
     </message>
     <message>
         <source>Pattern</source>
@@ -1672,7 +1676,7 @@
     </message>
     <message>
         <source>Patterns</source>
-        <translation type="unfinished"></translation>
+        <translation>型紙</translation>
     </message>
     <message>
         <source>Patterns need shapely: install it with pip install shapely.</source>
@@ -1852,7 +1856,7 @@
     </message>
     <message>
         <source>Safe pressure</source>
-        <translation type="unfinished"></translation>
+        <translation>安全な圧力</translation>
     </message>
     <message>
         <source>Save results</source>
@@ -1896,11 +1900,11 @@
     </message>
     <message>
         <source>Sheet length</source>
-        <translation type="unfinished"></translation>
+        <translation>シートの長さ</translation>
     </message>
     <message>
         <source>Sheet {} of {}</source>
-        <translation type="unfinished"></translation>
+        <translation>シート {}/{}</translation>
     </message>
     <message>
         <source>Show the drawing and the silhouette over each other</source>
@@ -1908,15 +1912,15 @@
     </message>
     <message>
         <source>Shown sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>表示するシート</translation>
     </message>
     <message>
         <source>Shown side</source>
-        <translation type="unfinished"></translation>
+        <translation>表示する面</translation>
     </message>
     <message>
         <source>Side</source>
-        <translation type="unfinished"></translation>
+        <translation>面</translation>
     </message>
     <message>
         <source>Silhouette Studio (vinyl cutter)</source>
@@ -1956,7 +1960,7 @@
     </message>
     <message>
         <source>Spacing</source>
-        <translation type="unfinished"></translation>
+        <translation>間隔</translation>
     </message>
     <message>
         <source>Stiffer across the web than along it (up to 4.5 against 2.5 GPa): cut both panels in the same direction. Only grades with a sealing layer weld; the gas barrier is poor.</source>
@@ -2012,7 +2016,7 @@
     </message>
     <message>
         <source>Take the picture away</source>
-        <translation type="unfinished"></translation>
+        <translation>画像を外す</translation>
     </message>
     <message>
         <source>Tension field</source>
@@ -2020,11 +2024,11 @@
     </message>
     <message>
         <source>That of the front</source>
-        <translation type="unfinished"></translation>
+        <translation>表と同じ</translation>
     </message>
     <message>
         <source>That of the outline</source>
-        <translation type="unfinished"></translation>
+        <translation>輪郭のもの</translation>
     </message>
     <message>
         <source>That wide</source>
@@ -2124,7 +2128,7 @@
     </message>
     <message>
         <source>The drawing cannot be reached everywhere: the silhouette is up to {} off it.</source>
-        <translation type="unfinished"></translation>
+        <translation>図のすべてには届きません。シルエットは最大 {} ずれます。</translation>
     </message>
     <message>
         <source>The drawing has no closed line. Draw one, and turn texts and groups into paths.</source>
@@ -2135,8 +2139,12 @@
         <translation>図に原点から {0} km 以上離れた点があります。原点へ移し、大きさを 1 mm～100 m にしてください。</translation>
     </message>
     <message>
-        <source>The drawing has {0} shape{1} and no number {2}: choose another Part, or delete this balloon.</source>
-        <translation>図には形が {0} 個{1}で、{2} 番はありません。別の Part を選ぶか、この風船を消してください。</translation>
+        <source>The drawing has {0} shape and no number {1}: choose another Part, or delete this balloon.</source>
+        <translation>図の形は {0} 個で、{1} 番はありません。別の Part を選ぶか、この風船を消してください。</translation>
+    </message>
+    <message>
+        <source>The drawing has {0} shapes and no number {1}: choose another Part, or delete this balloon.</source>
+        <translation>図の形は {0} 個で、{1} 番はありません。別の Part を選ぶか、この風船を消してください。</translation>
     </message>
     <message>
         <source>The drawing is open: a line starts at {0} and ends {1} away at {2}. Close it.</source>
@@ -2252,7 +2260,7 @@
     </message>
     <message>
         <source>The intake's length must be above 0, up to 100 m: give it about 30 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>注入口の長さは 0 より大きく 100 m までです。30 mm ほどにしてください。</translation>
     </message>
     <message>
         <source>The intake's place along the seam must be a length.</source>
@@ -2260,7 +2268,7 @@
     </message>
     <message>
         <source>The intake's width must be between 0.01 mm and 10 m: give it about 10 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>注入口の幅は 0.01 mm～10 m です。10 mm ほどにしてください。</translation>
     </message>
     <message>
         <source>The intakes of two chambers run into each other: leave a gap in the weld between them, or choose another place for the first.</source>
@@ -2276,7 +2284,7 @@
     </message>
     <message>
         <source>The layout failed: give the pieces more room.</source>
-        <translation type="unfinished"></translation>
+        <translation>並べられませんでした。場所を広げてください。</translation>
     </message>
     <message>
         <source>The layout was stopped; nothing was changed.</source>
@@ -2448,7 +2456,7 @@
     </message>
     <message>
         <source>The smallest radius is {0} mm, near {1}; {2} follows {3}. It will come out rounder there.</source>
-        <translation type="unfinished"></translation>
+        <translation>最小の半径は {1} 付近の {0} mm で、{2} が追えるのは {3} までです。そこは丸くなります。</translation>
     </message>
     <message>
         <source>The solver '{0}' needs the Python package scipy. Install it or use the native solver.</source>
@@ -2568,7 +2576,7 @@
     </message>
     <message>
         <source>There is no picture to print: choose one, as the outline has none of its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>印刷する画像がありません。輪郭には画像がないので、選んでください。</translation>
     </message>
     <message>
         <source>There is no room for a flange of {0} there: choose another place or a smaller one.</source>
@@ -2576,7 +2584,7 @@
     </message>
     <message>
         <source>There is no sheet {0}: give a number from 1 to {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>シート {0} はありません。1～{1} の番号にしてください。</translation>
     </message>
     <message>
         <source>There is no solver named '{0}'. Use 'native', 'numpy' or 'newmark'.</source>
@@ -2660,7 +2668,7 @@
     </message>
     <message>
         <source>Used</source>
-        <translation type="unfinished"></translation>
+        <translation>使用率</translation>
     </message>
     <message>
         <source>Violet</source>
@@ -2688,7 +2696,7 @@
     </message>
     <message>
         <source>Weld length</source>
-        <translation type="unfinished"></translation>
+        <translation>溶着線の長さ</translation>
     </message>
     <message>
         <source>Welds easily with an impulse sealer or an iron. Yields at about 9 MPa, half its tensile strength, and creeps: keep the pressure low.</source>
@@ -2724,7 +2732,7 @@
     </message>
     <message>
         <source>Will it float?</source>
-        <translation type="unfinished"></translation>
+        <translation>浮く？</translation>
     </message>
     <message>
         <source>Write all results for ParaView (.vtu) or NumPy (.npz), or the shape alone (.stl)</source>
@@ -2732,7 +2740,7 @@
     </message>
     <message>
         <source>Write files…</source>
-        <translation type="unfinished"></translation>
+        <translation>ファイルを書き出す…</translation>
     </message>
     <message>
         <source>Write {"unit": "mm", "outer": [[0, 0], [300, 0], [150, 200]]}.</source>
@@ -2771,8 +2779,16 @@
         <translation>{0} ファイルには自分の単位があります。"unit": "mm" にしてください。</translation>
     </message>
     <message>
+        <source>air</source>
+        <translation>空気</translation>
+    </message>
+    <message>
         <source>apart {} in the mean, 95 % below {}, at most {}</source>
         <translation>隔たりは平均 {}、95 % が {} 以下、最大 {}</translation>
+    </message>
+    <message>
+        <source>areal density</source>
+        <translation>面密度</translation>
     </message>
     <message>
         <source>at most {:.4g} {}</source>
@@ -2803,8 +2819,36 @@
         <translation>図</translation>
     </message>
     <message>
+        <source>empty: </source>
+        <translation>空：</translation>
+    </message>
+    <message>
         <source>film and valve</source>
         <translation>フィルムと弁</translation>
+    </message>
+    <message>
+        <source>gas</source>
+        <translation>気体</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>高さ</translation>
+    </message>
+    <message>
+        <source>helium</source>
+        <translation>ヘリウム</translation>
+    </message>
+    <message>
+        <source>hint</source>
+        <translation>ヒント</translation>
+    </message>
+    <message>
+        <source>hole</source>
+        <translation>穴</translation>
+    </message>
+    <message>
+        <source>hydrogen</source>
+        <translation>水素</translation>
     </message>
     <message>
         <source>in the mean {}</source>
@@ -2823,6 +2867,38 @@
         <translation>配置中{0}</translation>
     </message>
     <message>
+        <source>left</source>
+        <translation>左</translation>
+    </message>
+    <message>
+        <source>length</source>
+        <translation>長さ</translation>
+    </message>
+    <message>
+        <source>less than</source>
+        <translation>次の値より少なく</translation>
+    </message>
+    <message>
+        <source>less than its {:.3g} kPa with a margin of {:g} ({})</source>
+        <translation>現在の {:.3g} kPa 未満（余裕 {:g} 倍、{}）</translation>
+    </message>
+    <message>
+        <source>lift</source>
+        <translation>浮力</translation>
+    </message>
+    <message>
+        <source>lower</source>
+        <translation>下</translation>
+    </message>
+    <message>
+        <source>mass</source>
+        <translation>質量</translation>
+    </message>
+    <message>
+        <source>more than</source>
+        <translation>次の値より多く</translation>
+    </message>
+    <message>
         <source>names the unit {0}, which is not a usual one</source>
         <translation>単位 {0} は一般的ではありません</translation>
     </message>
@@ -2839,20 +2915,52 @@
         <translation>収束していません：</translation>
     </message>
     <message>
+        <source>opacity</source>
+        <translation>不透明度</translation>
+    </message>
+    <message>
+        <source>outline</source>
+        <translation>輪郭</translation>
+    </message>
+    <message>
         <source>place "{0}" is neither {1} nor {2}.</source>
         <translation>place「{0}」は {1} でも {2} でもありません。</translation>
+    </message>
+    <message>
+        <source>pressure</source>
+        <translation>圧力</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>右</translation>
     </message>
     <message>
         <source>safe to {}, margin {:.2g}</source>
         <translation>{} まで安全、余裕 {:.2g} 倍</translation>
     </message>
     <message>
+        <source>seal width</source>
+        <translation>溶着幅</translation>
+    </message>
+    <message>
+        <source>serious</source>
+        <translation>重大</translation>
+    </message>
+    <message>
         <source>slack: {:.0f} %</source>
         <translation>たるみ：{:.0f} %</translation>
     </message>
     <message>
+        <source>stale: </source>
+        <translation>古い結果：</translation>
+    </message>
+    <message>
         <source>stale: belongs to earlier values</source>
         <translation>古い結果：以前の値のもの</translation>
+    </message>
+    <message>
+        <source>strength</source>
+        <translation>強度</translation>
     </message>
     <message>
         <source>strength of the film not known</source>
@@ -2861,6 +2969,10 @@
     <message>
         <source>taut: {:.0f} %</source>
         <translation>張り：{:.0f} %</translation>
+    </message>
+    <message>
+        <source>temperature</source>
+        <translation>温度</translation>
     </message>
     <message>
         <source>the colour "{0}" is not written like #ff0000.</source>
@@ -2887,12 +2999,36 @@
         <translation>そのような部分がない</translation>
     </message>
     <message>
+        <source>thickness</source>
+        <translation>厚さ</translation>
+    </message>
+    <message>
         <source>unknown: this film has no strength</source>
-        <translation type="unfinished"></translation>
+        <translation>不明：このフィルムには強度の値がありません</translation>
     </message>
     <message>
         <source>up to date</source>
         <translation>最新</translation>
+    </message>
+    <message>
+        <source>upper</source>
+        <translation>上</translation>
+    </message>
+    <message>
+        <source>volume</source>
+        <translation>体積</translation>
+    </message>
+    <message>
+        <source>warm air</source>
+        <translation>熱気</translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation>警告</translation>
+    </message>
+    <message>
+        <source>width</source>
+        <translation>幅</translation>
     </message>
     <message>
         <source>width_mm must be above 0, and taper from 0.2 to 1.</source>
@@ -2912,7 +3048,7 @@
     </message>
     <message>
         <source>{0} balloons cannot be laid out: give 1 or more.</source>
-        <translation type="unfinished"></translation>
+        <translation>風船 {0} 個は並べられません。1 個以上にしてください。</translation>
     </message>
     <message>
         <source>{0} belongs to no balloon: choose an outline, a balloon or a pattern.</source>
@@ -2935,12 +3071,20 @@
         <translation>{0} dpi ではきれいに印刷できません。{1}～{2} にしてください。</translation>
     </message>
     <message>
-        <source>{0} gap{1} between the lines closed, the widest {2} % of the drawing's width.</source>
-        <translation>線の間のすき間を {0} か所閉じました{1}。最大で図の幅の {2} % です。</translation>
+        <source>{0} gap between the lines closed, the widest {1} % of the drawing's width.</source>
+        <translation>線の間のすき間を {0} か所閉じました。最大で図の幅の {1} % です。</translation>
+    </message>
+    <message>
+        <source>{0} gaps between the lines closed, the widest {1} % of the drawing's width.</source>
+        <translation>線の間のすき間を {0} か所閉じました。最大で図の幅の {1} % です。</translation>
     </message>
     <message>
         <source>{0} has interface {1}, but {2} is needed.</source>
         <translation>{0} のインターフェースは {1} ですが、{2} が必要です。</translation>
+    </message>
+    <message>
+        <source>{0} has no "{1}": it has {2}.</source>
+        <translation>{0} に「{1}」はありません。使えるもの：{2}。</translation>
     </message>
     <message>
         <source>{0} has no pattern: choose a balloon.</source>
@@ -2988,11 +3132,11 @@
     </message>
     <message>
         <source>{0} is not up to date. {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} は最新ではありません。{1}</translation>
     </message>
     <message>
         <source>{0} is not up to date. {1} Repair that and recompute.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} は最新ではありません。{1} それを直して再計算してください。</translation>
     </message>
     <message>
         <source>{0} is not up to date. {1} Repair that, recompute and export again.</source>
@@ -3005,6 +3149,10 @@
     <message>
         <source>{0} is {1}: write true or false.</source>
         <translation>{0} が {1} です。true か false にしてください。</translation>
+    </message>
+    <message>
+        <source>{0} left out ({1}).</source>
+        <translation>{0} を除きました（{1}）。</translation>
     </message>
     <message>
         <source>{0} loose ends of lines were joined to the drawing.</source>
@@ -3067,8 +3215,12 @@
         <translation>{0} を省きました。{1}</translation>
     </message>
     <message>
-        <source>{0} weld{1} outside the shapes left out.</source>
-        <translation>形の外の溶着線を {0} 本除きました{1}。</translation>
+        <source>{0} weld outside the shapes left out.</source>
+        <translation>形の外の溶着線を {0} 本除きました。</translation>
+    </message>
+    <message>
+        <source>{0} welds outside the shapes left out.</source>
+        <translation>形の外の溶着線を {0} 本除きました。</translation>
     </message>
     <message>
         <source>{0} {1} cannot be made; {2} size between 1 mm and 100 m.</source>
@@ -3112,11 +3264,11 @@
     </message>
     <message>
         <source>{:.2f} m</source>
-        <translation type="unfinished"></translation>
+        <translation>{:.2f} m</translation>
     </message>
     <message>
         <source>{:.2f} m of a roll of {:.0f} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>{:.2f} m（幅 {:.0f} mm のロール）</translation>
     </message>
     <message>
         <source>{:.2f} mm, at most {:.2f} mm</source>
@@ -3136,31 +3288,31 @@
     </message>
     <message>
         <source>{:.3g} g: film {:.3g}, weld and neck {:.2g}, valve {:.2g}</source>
-        <translation type="unfinished"></translation>
+        <translation>{:.3g} g：フィルム {:.3g}、溶着部と首 {:.2g}、弁 {:.2g}</translation>
     </message>
     <message>
         <source>{:.3g} kPa, margin {:g} ({})</source>
-        <translation type="unfinished"></translation>
+        <translation>{:.3g} kPa、余裕 {:g} 倍（{}）</translation>
     </message>
     <message>
         <source>{:.3g} l of {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{:.3g} l の{}</translation>
     </message>
     <message>
         <source>{:.3g} m², wider than the usual roll</source>
-        <translation type="unfinished"></translation>
+        <translation>{:.3g} m²、通常のロールより広い</translation>
     </message>
     <message>
         <source>{} files written to {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} 個のファイルを {} に書き出しました</translation>
     </message>
     <message>
         <source>{} is in the tree</source>
-        <translation type="unfinished"></translation>
+        <translation>{} がツリーに入りました</translation>
     </message>
     <message>
         <source>{} pieces on {:.0f} x {:.0f} mm, {:.0f} % used</source>
-        <translation type="unfinished"></translation>
+        <translation>{1:.0f} x {2:.0f} mm に {0} 個、使用率 {3:.0f} %</translation>
     </message>
     <message>
         <source>{} x {}, {} thick, {}</source>
@@ -3197,22 +3349,22 @@
     <name>BalloonWorkbench_Artwork</name>
     <message>
         <source>Artwork</source>
-        <translation type="unfinished"></translation>
+        <translation>絵柄</translation>
     </message>
     <message>
         <source>Print a picture on the film so that it reads right on the inflated balloon</source>
-        <translation type="unfinished"></translation>
+        <translation>ふくらませたときに正しく見えるように、絵をフィルムに印刷する</translation>
     </message>
 </context>
 <context>
     <name>BalloonWorkbench_AssemblySheet</name>
     <message>
         <source>Assembly sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>組み立て図</translation>
     </message>
     <message>
         <source>Tell what the balloon takes and whether it floats, and write one page on how to make it</source>
-        <translation type="unfinished"></translation>
+        <translation>風船に必要なものと浮くかどうかを示し、作り方を 1 ページにまとめる</translation>
     </message>
 </context>
 <context>
@@ -3285,11 +3437,11 @@
     <name>BalloonWorkbench_Nest</name>
     <message>
         <source>Lay out on film</source>
-        <translation type="unfinished"></translation>
+        <translation>フィルムに並べる</translation>
     </message>
     <message>
         <source>Lay the panels of one or several balloons closely on a roll or on sheets of film</source>
-        <translation type="unfinished"></translation>
+        <translation>一つまたは複数の風船の部品を、ロールやシートに詰めて並べる</translation>
     </message>
 </context>
 <context>

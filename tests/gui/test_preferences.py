@@ -26,17 +26,27 @@ def usual():
 def in_dialog(act):
     """Open the preferences at our page, act, and return what the action returned."""
     told = []
+    timer = hands.QtCore.QTimer()
 
     def run():
-        dialog = hands.QtWidgets.QApplication.activeModalWidget()
+        dialogs = [
+            widget
+            for widget in hands.QtWidgets.QApplication.topLevelWidgets()
+            if widget.isVisible() and widget.inherits("Gui::Dialog::DlgPreferencesImp")
+        ]
+        if not dialogs:
+            return
+        timer.stop()
+        hands.wait(0.3)
         try:
-            told.append(act(dialog))
+            told.append(act(dialogs[0]))
         finally:
-            dialog.reject()
+            dialogs[0].reject()
 
-    hands.QtCore.QTimer.singleShot(800, run)
+    timer.timeout.connect(run)
+    timer.start(200)
     Gui.showPreferences("Film Balloon", 0)
-    assert told
+    hands.wait_until(lambda: bool(told))
     return told[0]
 
 
