@@ -323,10 +323,10 @@ def test_marks_are_the_same_in_the_cut_file(heart: tuple) -> None:
     for middle in middles:
         at = np.array(middle) - corner + whole.of(Role.CUT)[0].points.min(axis=0) / MM - sheet.origin / MM
         column, row = at[0] / pixel - 0.5, len(dark) - at[1] / pixel - 0.5
-        window = dark[int(row) - 26 : int(row) + 27, int(column) - 26 : int(column) + 27]
+        window = dark[int(row) - 18 : int(row) + 19, int(column) - 18 : int(column) + 19]
         rows, columns = np.nonzero(window)
-        assert abs(rows.mean() + int(row) - 26 - row) < 0.8
-        assert abs(columns.mean() + int(column) - 26 - column) < 0.8
+        assert abs(rows.mean() + int(row) - 18 - row) < 0.8
+        assert abs(columns.mean() + int(column) - 18 - column) < 0.8
 
 
 def test_film_round_a_hole_is_printed_from_its_own_side() -> None:

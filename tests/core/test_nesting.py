@@ -144,7 +144,7 @@ def test_without_the_library_rows_do(
 def test_every_machine_takes_the_sheet(monkeypatch: pytest.MonkeyPatch) -> None:
     """All pieces and their lines are in the file; holes stay with their pieces."""
     monkeypatch.setattr(nesting, "PACKAGE", "no_such_package")
-    holed = build_pattern(NAMED["ring"].map(lambda loop: 0.4 * loop), 0.004)
+    holed = build_pattern(NAMED["ring"].map(lambda loop: 0.4 * loop), 0.004, intake=False)
     pieces = [Piece(holed, 1, 1), Piece(HEART)]
     (layout,), _ = nest(pieces, Stock(0.3))
     sheet = layout.pattern(pieces)
