@@ -151,8 +151,10 @@ def test_a_traced_picture_lies_in_its_place() -> None:
     assert not (found.pixels[..., :3] > 250).all(axis=2).any()
     large = np.repeat(np.repeat(pixels, 4, axis=0), 4, axis=1)  # looked at by blocks of pixels
     assert max(large.shape) > 1700
+    large = large[: len(large) // 2 * 2 - 1]  # the last row makes no whole block
     found = of_drawing(large, *_box(disc.outer))
-    assert np.abs(found.low - wanted.low).max() < 0.1 * MM
+    corner = wanted.low + (0.0, 0.1 * MM)
+    assert np.abs(found.low - corner).max() < 0.06 * MM
     assert found.pixels.shape == large.shape
 
 
