@@ -195,6 +195,8 @@ def _begun_near(curve: Curve, point: Floats) -> Curve:
     """The closed curve begun near a point: at a smooth joint, or there where none is near."""
     away = _norm(curve.joints - point)
     corners = curve.corners
+    if away.min() < STRAIGHT:
+        return curve.begun_at(int(np.argmin(away)))
     room = away[corners].min() if corners.any() else np.inf
     smooth = np.flatnonzero(~corners)
     if len(smooth):

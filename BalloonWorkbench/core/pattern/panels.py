@@ -9,10 +9,12 @@ from dataclasses import replace
 import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.pattern.intake_kinds import Piece, intake_kind, measure, placed
 from BalloonWorkbench.core.pattern.label import lettering
 from BalloonWorkbench.core.pattern.layout import SPACING, in_rows
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
+from BalloonWorkbench.core.pattern.shapes import closed_loop
 from BalloonWorkbench.core.units import from_mm
 
 MOST_COPIES = 100
@@ -72,7 +74,7 @@ def _with_pieces(pattern: Pattern, allowance: float, second: bool) -> Pattern:
 def _drawn(piece: Piece, sizes: Mapping[str, float]) -> list[Contour]:
     """A piece with its label, its axis upward."""
     upward = 0.5 * np.pi
-    lines = [placed(stroke.drawn(sizes), np.zeros(2), upward) for stroke in piece.strokes]
+    lines = [_begun(placed(stroke.drawn(sizes), np.zeros(2), upward)) for stroke in piece.strokes]
     at = np.array([measure(text, sizes) for text in piece.label_at])
     middle = np.array([-at[1], at[0]])
     text = lettering(piece.label, _LETTERS, middle)
@@ -80,6 +82,13 @@ def _drawn(piece: Piece, sizes: Mapping[str, float]) -> list[Contour]:
     if long[1] > 2.0 * long[0]:  # a strip: the text runs along it
         text = tuple(placed(replace(line, points=line.points - middle), middle, upward) for line in text)
     return [*text, *lines]
+
+
+def _begun(line: Contour) -> Contour:
+    """A closed line begun amid an edge, where a machine may begin."""
+    if not line.closed:
+        return line
+    return replace(line, points=closed_loop(shapely().LinearRing(line.points), line.role is Role.CUT))
 
 
 def _mirrored(pattern: Pattern) -> Pattern:
