@@ -50,11 +50,12 @@ def test_every_field_has_a_tooltip(made):
 def test_tab_goes_down_the_page(made):
     open_panel(made.balloon)
     hands.find("Film").setFocus()
+    page = hands.find("Steps").currentWidget().widget()
     seen, places = [], []
     for _ in range(6):
         widget = QtWidgets.QApplication.focusWidget()
         seen.append(widget)
-        places.append(widget.mapToGlobal(QtCore.QPoint(0, 0)).y())
+        places.append(widget.mapTo(page, QtCore.QPoint(0, 0)).y())
         hands.key(widget, QtCore.Qt.Key_Tab, "\t")
         hands.wait(0.02)
     assert len(set(map(id, seen))) >= 5
