@@ -35,6 +35,7 @@ def framed():
 def picture(name):
     """Take a picture of the window as it is now, and return it."""
     FOLDER.mkdir(parents=True, exist_ok=True)
+    Gui.getMainWindow().statusBar().clearMessage()
     hands.wait(0.3)
     taken = hands.QtWidgets.QApplication.primaryScreen().grabWindow(0, 0, 0, *SIZE)
     assert taken.save(str(FOLDER / f"{name}.png"), "PNG", 0)

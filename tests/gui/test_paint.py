@@ -178,6 +178,12 @@ def test_a_click_widens_an_arm_that_is_too_thin(framed_window):
     assert not [told for told in canvas.thin.remarks if told.step is not None]
     press("PaintUndo")
     assert arm_width(window) == before
+    hands.wait_until(lambda: canvas.thin.asked() is not None, 30)
+    hands.wait_until(lambda: not canvas.thin._cross.isEmpty(), 5)
+    mouse_at(canvas, QEvent.MouseButtonPress, canvas.thin._cross.center())
+    mouse_at(canvas, QEvent.MouseButtonRelease, canvas.thin._cross.center(), held=Qt.NoButton)
+    assert canvas.thin.asked() is None  # no, thank you
+    assert arm_width(window) == before
     press("PaintRedo")
     assert (pixels(window.painting.image) == wide).all()
 
@@ -187,6 +193,24 @@ def arm_width(window):
     inked = pixels(window.painting.image)[:, 540, 3] > 127
     rows = [row for row in range(300, 700) if inked[row]]
     return rows[-1] - rows[0] + 1
+
+
+def test_making_is_stopped_and_the_painting_stays(window):
+    press(f"PaintColour{RED}")
+    draw(window.canvas, ellipse(0.5, 0.5, 0.35, 0.2))
+    press("PaintMake")
+    stop = "BalloonStop"
+    hands.wait_until(
+        lambda: any(b.objectName() == stop for b in hands.visible(hands.QtWidgets.QPushButton)), 30
+    )
+    button = next(b for b in hands.visible(hands.QtWidgets.QPushButton) if b.objectName() == stop)
+    hands.click(button)
+    hands.wait_until(lambda: not window.making, 10)
+    assert "Stopped" in window.form.hint.text()
+    assert not is_closed()
+    assert len(window.painting.steps) == 1
+    assert window.doc.Objects == []
+    assert window.form.make_button.isEnabled()
 
 
 def test_a_picture_is_paint_or_backdrop(window):

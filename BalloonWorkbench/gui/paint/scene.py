@@ -16,7 +16,7 @@ _FOIL = (236, 238, 242)  # colour of the film where nothing is painted
 _TILT = -35.0  # degrees that the balloon leans back, so that it is seen to be round
 _BESIDE = 0.12  # gap to the pattern, of the balloon's width
 _CREASE = 0.7  # rad between facets that are shaded as one surface
-_AROUND = 1.15  # of what is seen, for the view
+_AROUND = 1.25  # of what is seen, for the view
 _GROWN = 0.1  # change of the size from which the camera follows
 
 
