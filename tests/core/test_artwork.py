@@ -153,7 +153,7 @@ def test_a_traced_picture_lies_in_its_place() -> None:
     assert max(large.shape) > 1700
     large = large[: len(large) // 2 * 2 - 1]  # the last row makes no whole block
     found = of_drawing(large, *_box(disc.outer))
-    corner = wanted.low + (0.0, 0.1 * MM)
+    corner = np.array([0.0, 0.1 * MM]) + wanted.low
     assert np.abs(found.low - corner).max() < 0.06 * MM
     assert found.pixels.shape == large.shape
 

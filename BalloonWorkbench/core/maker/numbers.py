@@ -109,7 +109,7 @@ def maker_numbers(
     """
     data = making()
     grown = pattern.film_area - seam.area
-    valve = _valve(pattern, pieces, data)
+    valve = valve_weight(pattern, pieces)
     chosen = [filling, *(replace(filling, gas=gas, gas_temperature=None) for gas in gases().values())]
     seen: dict[str, Floating] = {}
     for each in chosen:
@@ -158,13 +158,13 @@ def _floating(
     )
 
 
-def _valve(pattern: Pattern, pieces: Pattern | None, data: Making) -> float:
-    """Weight of the pieces beside the panels [kg]: their cuts are no panel's."""
+def valve_weight(pattern: Pattern, pieces: Pattern | None) -> float:
+    """Weight of the pieces beside the panels [kg], whose cuts are no panel's; see `maker_numbers`."""
     if pieces is None:
         return 0.0
     panel = max(abs(signed_area(cut.points)) for cut in pattern.of(Role.CUT))
     areas = [abs(signed_area(cut.points)) for cut in pieces.of(Role.CUT)]
-    return data.valve_film * sum(area for area in areas if area < 0.5 * panel)
+    return making().valve_film * sum(area for area in areas if area < 0.5 * panel)
 
 
 def _roll(pattern: Pattern, film: Film, width: float) -> tuple[float, float] | None:
