@@ -55,8 +55,8 @@ def numbers_of(inflation: Inflation, outline: Outline, filling: Filling, **optio
 def test_volume_and_lift_of_the_trade(entry: dict) -> None:
     """Volumes and lifts within the 10 % to which the trade's figures hold, lifts also within what rounding to
     a tenth of a cubic foot leaves open; except where they do not fit each other. Flat sizes, sealed to the
-    edge; film of 31.5 g/m2 that hardly stretches, with a film valve. What the trade measures of a heart it does
-    not say (wide gives 12 % too little, high 23 % too much): the mean is taken."""
+    edge; film of 31.5 g/m2 that hardly stretches, with a film valve. What the trade measures of a heart it
+    does not say (wide gives 12 % too little, high 23 % too much): the mean is taken."""
     size = entry["size_in"] * INCH
     foil = replace(film("mylar"), areal_density=0.5 * sum(TRADE["film_kg_m2"]))
     if entry["shape"] == "circle":
