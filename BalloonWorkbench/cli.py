@@ -83,7 +83,9 @@ def _parser() -> argparse.ArgumentParser:
             "--pressure", metavar="PRESSURE", default=str(DEFAULT_PRESSURE), help="such as 2kPa (the default)"
         )
         load.add_argument(
-            "--volume", metavar="VOLUME", help="such as 5l; the pressure is found that fills the balloon so"
+            "--gas-volume",
+            metavar="VOLUME",
+            help="of gas that is filled in, such as 5l, instead of a pressure, which is found",
         )
         command.add_argument(
             "--material", metavar="NAME", help=f"one of {', '.join(films())} (default {DEFAULT_FILM})"
@@ -234,7 +236,7 @@ def _settings(options: argparse.Namespace) -> Settings:
         _length(options.mesh_size),
         options.solver,
         options.command == "design",
-        volume=None if options.volume is None else parse_volume(options.volume),
+        volume=None if options.gas_volume is None else parse_volume(options.gas_volume),
         model=Model(
             not options.plain_shell, not options.no_bending, options.bending_floor, options.two_panels
         ),

@@ -100,7 +100,7 @@ def test_newmark_on_the_command_line(run) -> None:
 
 
 def test_volume_on_the_command_line(run) -> None:
-    report = run("--volume", "1.7 l")
+    report = run("--gas-volume", "1.7 l")
     assert report["load"] == {"kind": "volume", "target_volume_m3": 1.7e-3}
     assert report["inflated"]["volume_m3"] == pytest.approx(1.7e-3, rel=1e-3)
     again = run("--pressure", str(report["pressure_Pa"]))
@@ -122,7 +122,7 @@ def test_grain_on_the_command_line(run) -> None:
 def test_everything_at_once_as_files(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     drawing, out = tmp_path / "square.json", tmp_path / "out"
     drawing.write_text(json.dumps(SQUARE))
-    words = ["inflate", str(drawing), "--out", str(out), "--mesh-size", "25mm", "--volume", "1.7 l"]
+    words = ["inflate", str(drawing), "--out", str(out), "--mesh-size", "25mm", "--gas-volume", "1.7 l"]
     words += ["--no-bending", "--results", "npz", "--frames", "3"]
     assert cli.main(words) == 0
     report = json.loads((out / "report.json").read_text())
@@ -137,10 +137,10 @@ def test_everything_at_once_as_files(tmp_path: Path, capsys: pytest.CaptureFixtu
 @pytest.mark.parametrize(
     ("words", "named"),
     [
-        (("--volume", "much"), "much"),
-        (("--volume", "1 l"), "litres"),
-        (("--volume", "50 l"), "litres"),
-        (("--volume", "2 l", "--pressure", "2kPa"), "--pressure"),
+        (("--gas-volume", "much"), "much"),
+        (("--gas-volume", "1 l"), "litres"),
+        (("--gas-volume", "50 l"), "litres"),
+        (("--gas-volume", "2 l", "--pressure", "2kPa"), "--pressure"),
         (("--solver", "magic"), "magic"),
         (("--solver", "native", "--no-native"), "--no-native"),
         (("--grain", "30"), "--young-across"),

@@ -287,7 +287,7 @@ def test_the_other_shapes_of_a_drawing_follow_the_largest(tmp_path: Path) -> Non
         (["--target-lift", "5", "--gas", "warm-air", "--gas-temperature", "10C"], "never floats"),
         (["--target-lift", "5", "--air-temperature", "20X"], "20X"),
         (["--target-lift", "5", "--altitude", "30000m"], "altitude"),
-        (["--target-volume", "10", "--volume", "10l"], "exclude"),
+        (["--target-volume", "10", "--gas-volume", "10l"], "exclude"),
         (["--width", "300mm", "--symmetry", "perhaps"], "perhaps"),
     ],
 )

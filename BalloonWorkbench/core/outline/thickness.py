@@ -77,7 +77,7 @@ def _at_a_tip(outline: Outline, points: Floats, width: Floats) -> Bools:
     lengths = arc_lengths(loop)
     for tip in tips:
         arms = point_at(loop, lengths, lengths[tip] + np.array([-reach, reach])) - loop[tip]
-        if float(np.cross(arms[1], arms[0])) <= 0:
+        if arms[1, 0] * arms[0, 1] - arms[1, 1] * arms[0, 0] <= 0.0:
             continue  # a sharp notch, not a tip
         away = np.linalg.norm(points - loop[tip], axis=1)
         opening = float(np.linalg.norm(arms[1] - arms[0])) / reach
