@@ -7,6 +7,7 @@ import FreeCAD as App
 import numpy as np
 
 from BalloonWorkbench.app import film_result, status
+from BalloonWorkbench.app.properties import QT_TRANSLATE_NOOP
 from BalloonWorkbench.app.quantities import kilopascals
 from BalloonWorkbench.core.export import colour_map
 from BalloonWorkbench.core.export.results import results
@@ -20,12 +21,12 @@ from BalloonWorkbench.gui.skin import SkinNodes, skin_from
 OFF = "Off"
 CHOICES = [OFF, *colour_map.KINDS]
 _TITLES = {
-    colour_map.TENSION: "Membrane tension",
-    colour_map.WRINKLES: "Width hidden in wrinkles",
-    colour_map.STATE: "Film",
-    colour_map.THICKNESS: "Thickness of the balloon",
-    colour_map.STRAIN: "Largest strain",
-    colour_map.RESIDUAL: "Silhouette off the drawing",
+    colour_map.TENSION: QT_TRANSLATE_NOOP("BalloonWorkbench", "Membrane tension"),
+    colour_map.WRINKLES: QT_TRANSLATE_NOOP("BalloonWorkbench", "Width hidden in wrinkles"),
+    colour_map.STATE: QT_TRANSLATE_NOOP("BalloonWorkbench", "Film"),
+    colour_map.THICKNESS: QT_TRANSLATE_NOOP("BalloonWorkbench", "Thickness of the balloon"),
+    colour_map.STRAIN: QT_TRANSLATE_NOOP("BalloonWorkbench", "Largest strain"),
+    colour_map.RESIDUAL: QT_TRANSLATE_NOOP("BalloonWorkbench", "Silhouette off the drawing"),
 }
 _COLOURS = 256  # of the scale, as a texture
 _LINE = 5.0  # px, of the silhouette

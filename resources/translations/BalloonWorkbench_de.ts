@@ -835,6 +835,10 @@
         <translation>Ein Füllhals von {0} reicht nicht über den Schnitt hinaus: mindestens {1} geben.</translation>
     </message>
     <message>
+        <source>Animate inflation</source>
+        <translation>Aufblasen animieren</translation>
+    </message>
+    <message>
         <source>Any</source>
         <translation>Beliebig</translation>
     </message>
@@ -1151,6 +1155,10 @@
         <translation>Eigene Folie</translation>
     </message>
     <message>
+        <source>Film state</source>
+        <translation>Zustand der Folie</translation>
+    </message>
+    <message>
         <source>Film width</source>
         <translation>Folienbreite</translation>
     </message>
@@ -1355,6 +1363,14 @@
         <translation>In Reihen ausgelegt, was mehr Folie braucht: für dichteres Auslegen das Paket spyrrow installieren (pip install spyrrow).</translation>
     </message>
     <message>
+        <source>Largest strain</source>
+        <translation>Größte Dehnung</translation>
+    </message>
+    <message>
+        <source>Lay a picture under the paper for tracing; press again to take it away</source>
+        <translation>Ein Bild zum Nachzeichnen unter das Papier legen; noch einmal drücken nimmt es weg</translation>
+    </message>
+    <message>
         <source>Lay out</source>
         <translation>Auslegen</translation>
     </message>
@@ -1445,6 +1461,10 @@
     <message>
         <source>Measured on the inflated balloon.</source>
         <translation>Am aufgeblasenen Ballon gemessen.</translation>
+    </message>
+    <message>
+        <source>Membrane tension</source>
+        <translation>Membranspannung</translation>
     </message>
     <message>
         <source>Mesh reuse needs scipy: install it with pip install scipy.</source>
@@ -1541,6 +1561,10 @@
     <message>
         <source>No solver works here: {0} Build it or install the package scipy.</source>
         <translation>Hier arbeitet kein Löser: {0} Ihn bauen oder das Paket scipy installieren.</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
     </message>
     <message>
         <source>Not possible</source>
@@ -1787,6 +1811,10 @@
         <translation>Den Stutzen von innen durch das Loch der vorderen Bahn stecken, den Ring von außen darüberlegen und Flansch, Folie und Ring entlang der Ringlinie verschweißen, bevor die Bahnen verbunden werden.</translation>
     </message>
     <message>
+        <source>Put a picture on the paper, without its background</source>
+        <translation>Ein Bild ohne seinen Hintergrund aufs Papier setzen</translation>
+    </message>
+    <message>
         <source>Put outline, balloon and pattern into the document, and print the pattern</source>
         <translation>Umriss, Ballon und Schnittmuster ins Dokument legen und das Schnittmuster drucken</translation>
     </message>
@@ -1803,12 +1831,20 @@
         <translation>Rot</translation>
     </message>
     <message>
+        <source>Redo (Ctrl+Y)</source>
+        <translation>Wiederherstellen (Strg+Y)</translation>
+    </message>
+    <message>
         <source>Repair</source>
         <translation>Reparieren</translation>
     </message>
     <message>
         <source>Repair {0} cannot be read: delete it from Repairs.</source>
         <translation>Reparatur {0} ist nicht lesbar: sie aus „Repairs“ löschen.</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>Abweichung</translation>
     </message>
     <message>
         <source>Result</source>
@@ -1911,6 +1947,10 @@
         <translation>Zeichnung und Silhouette übereinander zeigen</translation>
     </message>
     <message>
+        <source>Show the whole paper (0)</source>
+        <translation>Das ganze Papier zeigen (0)</translation>
+    </message>
+    <message>
         <source>Shown sheet</source>
         <translation>Gezeigter Bogen</translation>
     </message>
@@ -1925,6 +1965,10 @@
     <message>
         <source>Silhouette Studio (vinyl cutter)</source>
         <translation>Silhouette Studio (Folienschneider)</translation>
+    </message>
+    <message>
+        <source>Silhouette off the drawing</source>
+        <translation>Silhouette neben der Zeichnung</translation>
     </message>
     <message>
         <source>Simulation</source>
@@ -1991,6 +2035,10 @@
         <translation>Wird angehalten ...</translation>
     </message>
     <message>
+        <source>Strain</source>
+        <translation>Dehnung</translation>
+    </message>
+    <message>
         <source>Straw neck</source>
         <translation>Strohhalm-Hals</translation>
     </message>
@@ -2007,6 +2055,10 @@
         <translation>Lasche zum Anbinden</translation>
     </message>
     <message>
+        <source>Take everything off the paper</source>
+        <translation>Alles vom Papier nehmen</translation>
+    </message>
+    <message>
         <source>Take paint off</source>
         <translation>Farbe wegnehmen</translation>
     </message>
@@ -2017,6 +2069,10 @@
     <message>
         <source>Take the picture away</source>
         <translation>Das Bild wegnehmen</translation>
+    </message>
+    <message>
+        <source>Tension</source>
+        <translation>Spannung</translation>
     </message>
     <message>
         <source>Tension field</source>
@@ -2599,6 +2655,10 @@
         <translation>Dicke</translation>
     </message>
     <message>
+        <source>Thickness of the balloon</source>
+        <translation>Dicke des Ballons</translation>
+    </message>
+    <message>
         <source>Thickness of the pen ([ thinner, ] thicker)</source>
         <translation>Strichdicke ([ dünner, ] dicker)</translation>
     </message>
@@ -2661,6 +2721,10 @@
     <message>
         <source>Two shapes meet at {0}; part them, or join them into one.</source>
         <translation>Zwei Formen berühren sich bei {0}; sie trennen oder zu einer verbinden.</translation>
+    </message>
+    <message>
+        <source>Undo (Ctrl+Z)</source>
+        <translation>Rückgängig (Strg+Z)</translation>
     </message>
     <message>
         <source>Upload the SVG as a cut image and compare the control bar: some versions read the size at 72 dpi.</source>
@@ -2727,12 +2791,20 @@
         <translation>Breite</translation>
     </message>
     <message>
+        <source>Width hidden in wrinkles</source>
+        <translation>In Falten verborgene Breite</translation>
+    </message>
+    <message>
         <source>Width of the balloon when it is inflated</source>
         <translation>Breite des aufgeblasenen Ballons</translation>
     </message>
     <message>
         <source>Will it float?</source>
         <translation>Schwebt er?</translation>
+    </message>
+    <message>
+        <source>Wrinkles</source>
+        <translation>Falten</translation>
     </message>
     <message>
         <source>Write all results for ParaView (.vtu) or NumPy (.npz), or the shape alone (.stl)</source>

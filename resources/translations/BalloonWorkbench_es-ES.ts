@@ -835,6 +835,10 @@
         <translation>Una boca de {0} no sobrepasa el corte: dele al menos {1}.</translation>
     </message>
     <message>
+        <source>Animate inflation</source>
+        <translation>Animar el inflado</translation>
+    </message>
+    <message>
         <source>Any</source>
         <translation>Cualquiera</translation>
     </message>
@@ -1151,6 +1155,10 @@
         <translation>Película propia</translation>
     </message>
     <message>
+        <source>Film state</source>
+        <translation>Estado de la película</translation>
+    </message>
+    <message>
         <source>Film width</source>
         <translation>Anchura de la película</translation>
     </message>
@@ -1355,6 +1363,14 @@
         <translation>Colocado en filas, lo que gasta más película: instale el paquete spyrrow (pip install spyrrow) para una colocación más ajustada.</translation>
     </message>
     <message>
+        <source>Largest strain</source>
+        <translation>Mayor deformación</translation>
+    </message>
+    <message>
+        <source>Lay a picture under the paper for tracing; press again to take it away</source>
+        <translation>Poner una imagen bajo el papel para calcarla; pulse otra vez para quitarla</translation>
+    </message>
+    <message>
         <source>Lay out</source>
         <translation>Colocar</translation>
     </message>
@@ -1445,6 +1461,10 @@
     <message>
         <source>Measured on the inflated balloon.</source>
         <translation>Medido en el globo inflado.</translation>
+    </message>
+    <message>
+        <source>Membrane tension</source>
+        <translation>Tensión de membrana</translation>
     </message>
     <message>
         <source>Mesh reuse needs scipy: install it with pip install scipy.</source>
@@ -1541,6 +1561,10 @@
     <message>
         <source>No solver works here: {0} Build it or install the package scipy.</source>
         <translation>Aquí no funciona ningún solucionador: {0} Compílelo o instale el paquete scipy.</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Ninguno</translation>
     </message>
     <message>
         <source>Not possible</source>
@@ -1787,6 +1811,10 @@
         <translation>Meta la boquilla desde dentro por el agujero del panel delantero, ponga el anillo encima por fuera y suelde brida, película y anillo por la línea del anillo antes de unir los paneles.</translation>
     </message>
     <message>
+        <source>Put a picture on the paper, without its background</source>
+        <translation>Poner una imagen en el papel, sin su fondo</translation>
+    </message>
+    <message>
         <source>Put outline, balloon and pattern into the document, and print the pattern</source>
         <translation>Poner contorno, globo y patrón en el documento e imprimir el patrón</translation>
     </message>
@@ -1803,12 +1831,20 @@
         <translation>Rojo</translation>
     </message>
     <message>
+        <source>Redo (Ctrl+Y)</source>
+        <translation>Rehacer (Ctrl+Y)</translation>
+    </message>
+    <message>
         <source>Repair</source>
         <translation>Reparar</translation>
     </message>
     <message>
         <source>Repair {0} cannot be read: delete it from Repairs.</source>
         <translation>La reparación {0} no se puede leer: bórrela de «Repairs».</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>Desvío</translation>
     </message>
     <message>
         <source>Result</source>
@@ -1911,6 +1947,10 @@
         <translation>Mostrar dibujo y silueta superpuestos</translation>
     </message>
     <message>
+        <source>Show the whole paper (0)</source>
+        <translation>Mostrar todo el papel (0)</translation>
+    </message>
+    <message>
         <source>Shown sheet</source>
         <translation>Lámina mostrada</translation>
     </message>
@@ -1925,6 +1965,10 @@
     <message>
         <source>Silhouette Studio (vinyl cutter)</source>
         <translation>Silhouette Studio (cortador de vinilo)</translation>
+    </message>
+    <message>
+        <source>Silhouette off the drawing</source>
+        <translation>Desvío de la silueta del dibujo</translation>
     </message>
     <message>
         <source>Simulation</source>
@@ -1991,6 +2035,10 @@
         <translation>Deteniendo ...</translation>
     </message>
     <message>
+        <source>Strain</source>
+        <translation>Deformación</translation>
+    </message>
+    <message>
         <source>Straw neck</source>
         <translation>Cuello para pajita</translation>
     </message>
@@ -2007,6 +2055,10 @@
         <translation>Lengüeta para atar</translation>
     </message>
     <message>
+        <source>Take everything off the paper</source>
+        <translation>Quitar todo del papel</translation>
+    </message>
+    <message>
         <source>Take paint off</source>
         <translation>Quitar pintura</translation>
     </message>
@@ -2017,6 +2069,10 @@
     <message>
         <source>Take the picture away</source>
         <translation>Quitar la imagen</translation>
+    </message>
+    <message>
+        <source>Tension</source>
+        <translation>Tensión</translation>
     </message>
     <message>
         <source>Tension field</source>
@@ -2599,6 +2655,10 @@
         <translation>Grosor</translation>
     </message>
     <message>
+        <source>Thickness of the balloon</source>
+        <translation>Grosor del globo</translation>
+    </message>
+    <message>
         <source>Thickness of the pen ([ thinner, ] thicker)</source>
         <translation>Grosor del trazo ([ más fino, ] más grueso)</translation>
     </message>
@@ -2661,6 +2721,10 @@
     <message>
         <source>Two shapes meet at {0}; part them, or join them into one.</source>
         <translation>Dos formas se tocan en {0}; sepárelas o únalas en una.</translation>
+    </message>
+    <message>
+        <source>Undo (Ctrl+Z)</source>
+        <translation>Deshacer (Ctrl+Z)</translation>
     </message>
     <message>
         <source>Upload the SVG as a cut image and compare the control bar: some versions read the size at 72 dpi.</source>
@@ -2727,12 +2791,20 @@
         <translation>Anchura</translation>
     </message>
     <message>
+        <source>Width hidden in wrinkles</source>
+        <translation>Anchura oculta en arrugas</translation>
+    </message>
+    <message>
         <source>Width of the balloon when it is inflated</source>
         <translation>Anchura del globo una vez inflado</translation>
     </message>
     <message>
         <source>Will it float?</source>
         <translation>¿Flotará?</translation>
+    </message>
+    <message>
+        <source>Wrinkles</source>
+        <translation>Arrugas</translation>
     </message>
     <message>
         <source>Write all results for ParaView (.vtu) or NumPy (.npz), or the shape alone (.stl)</source>

@@ -835,6 +835,10 @@
         <translation>Un embout de {0} ne dépasse pas la coupe : donnez-lui au moins {1}.</translation>
     </message>
     <message>
+        <source>Animate inflation</source>
+        <translation>Animer le gonflage</translation>
+    </message>
+    <message>
         <source>Any</source>
         <translation>Quelconque</translation>
     </message>
@@ -1151,6 +1155,10 @@
         <translation>Votre propre film</translation>
     </message>
     <message>
+        <source>Film state</source>
+        <translation>État du film</translation>
+    </message>
+    <message>
         <source>Film width</source>
         <translation>Largeur du film</translation>
     </message>
@@ -1355,6 +1363,14 @@
         <translation>Disposé en rangées, ce qui prend plus de film : installez le paquet spyrrow (pip install spyrrow) pour une disposition plus serrée.</translation>
     </message>
     <message>
+        <source>Largest strain</source>
+        <translation>Plus grande déformation</translation>
+    </message>
+    <message>
+        <source>Lay a picture under the paper for tracing; press again to take it away</source>
+        <translation>Glisser une image sous la feuille pour la décalquer ; presser encore pour l'enlever</translation>
+    </message>
+    <message>
         <source>Lay out</source>
         <translation>Disposer</translation>
     </message>
@@ -1445,6 +1461,10 @@
     <message>
         <source>Measured on the inflated balloon.</source>
         <translation>Mesuré sur le ballon gonflé.</translation>
+    </message>
+    <message>
+        <source>Membrane tension</source>
+        <translation>Tension de membrane</translation>
     </message>
     <message>
         <source>Mesh reuse needs scipy: install it with pip install scipy.</source>
@@ -1541,6 +1561,10 @@
     <message>
         <source>No solver works here: {0} Build it or install the package scipy.</source>
         <translation>Aucun solveur ne marche ici : {0} Compilez-le ou installez le paquet scipy.</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Aucune</translation>
     </message>
     <message>
         <source>Not possible</source>
@@ -1787,6 +1811,10 @@
         <translation>Passez la buse de l'intérieur par le trou du panneau de devant, posez l'anneau par-dessus à l'extérieur, et soudez collerette, film et anneau le long de la ligne de l'anneau avant d'assembler les panneaux.</translation>
     </message>
     <message>
+        <source>Put a picture on the paper, without its background</source>
+        <translation>Poser une image sur la feuille, sans son fond</translation>
+    </message>
+    <message>
         <source>Put outline, balloon and pattern into the document, and print the pattern</source>
         <translation>Placer contour, ballon et patron dans le document, et imprimer le patron</translation>
     </message>
@@ -1803,12 +1831,20 @@
         <translation>Rouge</translation>
     </message>
     <message>
+        <source>Redo (Ctrl+Y)</source>
+        <translation>Rétablir (Ctrl+Y)</translation>
+    </message>
+    <message>
         <source>Repair</source>
         <translation>Réparer</translation>
     </message>
     <message>
         <source>Repair {0} cannot be read: delete it from Repairs.</source>
         <translation>La réparation {0} est illisible : effacez-la de « Repairs ».</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>Écart</translation>
     </message>
     <message>
         <source>Result</source>
@@ -1911,6 +1947,10 @@
         <translation>Montrer le dessin et la silhouette superposés</translation>
     </message>
     <message>
+        <source>Show the whole paper (0)</source>
+        <translation>Montrer toute la feuille (0)</translation>
+    </message>
+    <message>
         <source>Shown sheet</source>
         <translation>Feuille montrée</translation>
     </message>
@@ -1925,6 +1965,10 @@
     <message>
         <source>Silhouette Studio (vinyl cutter)</source>
         <translation>Silhouette Studio (plotter de découpe)</translation>
+    </message>
+    <message>
+        <source>Silhouette off the drawing</source>
+        <translation>Écart de la silhouette au dessin</translation>
     </message>
     <message>
         <source>Simulation</source>
@@ -1991,6 +2035,10 @@
         <translation>Arrêt en cours ...</translation>
     </message>
     <message>
+        <source>Strain</source>
+        <translation>Déformation</translation>
+    </message>
+    <message>
         <source>Straw neck</source>
         <translation>Col à paille</translation>
     </message>
@@ -2007,6 +2055,10 @@
         <translation>Languette d'attache</translation>
     </message>
     <message>
+        <source>Take everything off the paper</source>
+        <translation>Tout enlever de la feuille</translation>
+    </message>
+    <message>
         <source>Take paint off</source>
         <translation>Enlever la peinture</translation>
     </message>
@@ -2017,6 +2069,10 @@
     <message>
         <source>Take the picture away</source>
         <translation>Enlever l'image</translation>
+    </message>
+    <message>
+        <source>Tension</source>
+        <translation>Tension</translation>
     </message>
     <message>
         <source>Tension field</source>
@@ -2599,6 +2655,10 @@
         <translation>Épaisseur</translation>
     </message>
     <message>
+        <source>Thickness of the balloon</source>
+        <translation>Épaisseur du ballon</translation>
+    </message>
+    <message>
         <source>Thickness of the pen ([ thinner, ] thicker)</source>
         <translation>Épaisseur du trait ([ plus fin, ] plus épais)</translation>
     </message>
@@ -2661,6 +2721,10 @@
     <message>
         <source>Two shapes meet at {0}; part them, or join them into one.</source>
         <translation>Deux formes se touchent en {0} ; séparez-les, ou joignez-les en une.</translation>
+    </message>
+    <message>
+        <source>Undo (Ctrl+Z)</source>
+        <translation>Annuler (Ctrl+Z)</translation>
     </message>
     <message>
         <source>Upload the SVG as a cut image and compare the control bar: some versions read the size at 72 dpi.</source>
@@ -2727,12 +2791,20 @@
         <translation>Largeur</translation>
     </message>
     <message>
+        <source>Width hidden in wrinkles</source>
+        <translation>Largeur cachée dans les plis</translation>
+    </message>
+    <message>
         <source>Width of the balloon when it is inflated</source>
         <translation>Largeur du ballon une fois gonflé</translation>
     </message>
     <message>
         <source>Will it float?</source>
         <translation>Flottera-t-il ?</translation>
+    </message>
+    <message>
+        <source>Wrinkles</source>
+        <translation>Plis</translation>
     </message>
     <message>
         <source>Write all results for ParaView (.vtu) or NumPy (.npz), or the shape alone (.stl)</source>

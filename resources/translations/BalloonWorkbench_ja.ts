@@ -835,6 +835,10 @@
         <translation>{0} の注入口は切り線の外まで届きません。{1} 以上にしてください。</translation>
     </message>
     <message>
+        <source>Animate inflation</source>
+        <translation>膨張のアニメーション</translation>
+    </message>
+    <message>
         <source>Any</source>
         <translation>自由</translation>
     </message>
@@ -1151,6 +1155,10 @@
         <translation>自分のフィルム</translation>
     </message>
     <message>
+        <source>Film state</source>
+        <translation>フィルムの状態</translation>
+    </message>
+    <message>
         <source>Film width</source>
         <translation>フィルムの幅</translation>
     </message>
@@ -1355,6 +1363,14 @@
         <translation>列に並べたのでフィルムが余分に必要です。詰めて並べるにはパッケージ spyrrow を入れてください（pip install spyrrow）。</translation>
     </message>
     <message>
+        <source>Largest strain</source>
+        <translation>最大ひずみ</translation>
+    </message>
+    <message>
+        <source>Lay a picture under the paper for tracing; press again to take it away</source>
+        <translation>なぞるための画像を紙の下に敷く（もう一度押すと外す）</translation>
+    </message>
+    <message>
         <source>Lay out</source>
         <translation>並べる</translation>
     </message>
@@ -1445,6 +1461,10 @@
     <message>
         <source>Measured on the inflated balloon.</source>
         <translation>ふくらんだ風船で測定しました。</translation>
+    </message>
+    <message>
+        <source>Membrane tension</source>
+        <translation>膜張力</translation>
     </message>
     <message>
         <source>Mesh reuse needs scipy: install it with pip install scipy.</source>
@@ -1541,6 +1561,10 @@
     <message>
         <source>No solver works here: {0} Build it or install the package scipy.</source>
         <translation>使えるソルバーがありません：{0} ソルバーをビルドするか、パッケージ scipy を入れてください。</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>なし</translation>
     </message>
     <message>
         <source>Not possible</source>
@@ -1787,6 +1811,10 @@
         <translation>ノズルを表側フィルムの穴に内側から通し、外側から輪をかぶせ、表裏を合わせる前に、フランジ、フィルム、輪を輪の線に沿って溶着します。</translation>
     </message>
     <message>
+        <source>Put a picture on the paper, without its background</source>
+        <translation>背景を除いた画像を紙に置く</translation>
+    </message>
+    <message>
         <source>Put outline, balloon and pattern into the document, and print the pattern</source>
         <translation>輪郭、風船、型紙を文書に入れ、型紙を印刷する</translation>
     </message>
@@ -1803,12 +1831,20 @@
         <translation>赤</translation>
     </message>
     <message>
+        <source>Redo (Ctrl+Y)</source>
+        <translation>やり直し（Ctrl+Y）</translation>
+    </message>
+    <message>
         <source>Repair</source>
         <translation>直す</translation>
     </message>
     <message>
         <source>Repair {0} cannot be read: delete it from Repairs.</source>
         <translation>修正 {0} を読めません。Repairs から消してください。</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>ずれ</translation>
     </message>
     <message>
         <source>Result</source>
@@ -1911,6 +1947,10 @@
         <translation>図とシルエットを重ねて表示する</translation>
     </message>
     <message>
+        <source>Show the whole paper (0)</source>
+        <translation>紙全体を表示（0）</translation>
+    </message>
+    <message>
         <source>Shown sheet</source>
         <translation>表示するシート</translation>
     </message>
@@ -1925,6 +1965,10 @@
     <message>
         <source>Silhouette Studio (vinyl cutter)</source>
         <translation>Silhouette Studio（カッティングマシン）</translation>
+    </message>
+    <message>
+        <source>Silhouette off the drawing</source>
+        <translation>シルエットと図のずれ</translation>
     </message>
     <message>
         <source>Simulation</source>
@@ -1991,6 +2035,10 @@
         <translation>停止しています…</translation>
     </message>
     <message>
+        <source>Strain</source>
+        <translation>ひずみ</translation>
+    </message>
+    <message>
         <source>Straw neck</source>
         <translation>ストロー用の首</translation>
     </message>
@@ -2007,6 +2055,10 @@
         <translation>結ぶための耳</translation>
     </message>
     <message>
+        <source>Take everything off the paper</source>
+        <translation>紙の上をすべて消す</translation>
+    </message>
+    <message>
         <source>Take paint off</source>
         <translation>絵の具を消す</translation>
     </message>
@@ -2017,6 +2069,10 @@
     <message>
         <source>Take the picture away</source>
         <translation>画像を外す</translation>
+    </message>
+    <message>
+        <source>Tension</source>
+        <translation>張力</translation>
     </message>
     <message>
         <source>Tension field</source>
@@ -2599,6 +2655,10 @@
         <translation>厚み</translation>
     </message>
     <message>
+        <source>Thickness of the balloon</source>
+        <translation>風船の厚み</translation>
+    </message>
+    <message>
         <source>Thickness of the pen ([ thinner, ] thicker)</source>
         <translation>ペンの太さ（[ 細く、] 太く）</translation>
     </message>
@@ -2661,6 +2721,10 @@
     <message>
         <source>Two shapes meet at {0}; part them, or join them into one.</source>
         <translation>二つの形が {0} で触れています。離すか、一つにしてください。</translation>
+    </message>
+    <message>
+        <source>Undo (Ctrl+Z)</source>
+        <translation>元に戻す（Ctrl+Z）</translation>
     </message>
     <message>
         <source>Upload the SVG as a cut image and compare the control bar: some versions read the size at 72 dpi.</source>
@@ -2727,12 +2791,20 @@
         <translation>幅</translation>
     </message>
     <message>
+        <source>Width hidden in wrinkles</source>
+        <translation>しわに隠れた幅</translation>
+    </message>
+    <message>
         <source>Width of the balloon when it is inflated</source>
         <translation>ふくらんだときの風船の幅</translation>
     </message>
     <message>
         <source>Will it float?</source>
         <translation>浮く？</translation>
+    </message>
+    <message>
+        <source>Wrinkles</source>
+        <translation>しわ</translation>
     </message>
     <message>
         <source>Write all results for ParaView (.vtu) or NumPy (.npz), or the shape alone (.stl)</source>

@@ -153,8 +153,7 @@ def test_export(doc, macro, tmp_path):
     create.balloon_from_sketch(doc, sketches.rectangle(doc, 90, 60), mesh_size=15, correct=False)
     Gui.runCommand("BalloonWorkbench_ExportPattern")
     hands.wait_until(hands.panel_is_open)
-    hands.type_into(hands.find("File"), str(tmp_path / "plate.dxf"), confirm=False)
-    hands.press("Ok")
+    hands.type_into(hands.find("File"), str(tmp_path / "plate.dxf"))  # Return is OK
     hands.wait_until(hands.panel_is_closed)
     written = next(tmp_path.glob("plate*"))
     content = written.read_bytes()
@@ -183,4 +182,4 @@ def test_repair(doc, macro):
     doc.recompute()
     exec("\n".join(macro), {"App": App})
     assert list(made.outline.Repairs) == repaired
-    hands.press("Close")
+    Gui.Control.closeDialog()

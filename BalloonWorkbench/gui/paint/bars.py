@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from BalloonWorkbench.app.properties import QT_TRANSLATE_NOOP
 from BalloonWorkbench.gui.paint.tools import COLOURS, THICKEST, THINNEST, TOOLS, USUAL
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, drawn_icon, translate
 
@@ -69,12 +70,20 @@ class ActionBar(Buttons):
     acted = QtCore.Signal(str)
 
     _ACTIONS = (
-        ("undo", "Undo (Ctrl+Z)"),
-        ("redo", "Redo (Ctrl+Y)"),
-        ("clear", "Take everything off the paper"),
-        ("picture", "Put a picture on the paper, without its background"),
-        ("backdrop", "Lay a picture under the paper for tracing; press again to take it away"),
-        ("fit", "Show the whole paper (0)"),
+        ("undo", QT_TRANSLATE_NOOP("BalloonWorkbench", "Undo (Ctrl+Z)")),
+        ("redo", QT_TRANSLATE_NOOP("BalloonWorkbench", "Redo (Ctrl+Y)")),
+        ("clear", QT_TRANSLATE_NOOP("BalloonWorkbench", "Take everything off the paper")),
+        (
+            "picture",
+            QT_TRANSLATE_NOOP("BalloonWorkbench", "Put a picture on the paper, without its background"),
+        ),
+        (
+            "backdrop",
+            QT_TRANSLATE_NOOP(
+                "BalloonWorkbench", "Lay a picture under the paper for tracing; press again to take it away"
+            ),
+        ),
+        ("fit", QT_TRANSLATE_NOOP("BalloonWorkbench", "Show the whole paper (0)")),
     )
 
     def __init__(self, parent=None):
