@@ -62,7 +62,8 @@ pictures: native ## Take the pictures of the tutorial anew, in docs/images
 	@cp build/pictures/tutorial-*.png docs/images
 
 fuzz: native ## Inflate 2 000 random outlines
-	@BALLOON_OUTLINES=2000 $(PYTHON) -m pytest -q -o faulthandler_timeout=0 tests/core/test_random_outlines.py
+	@BALLOON_OUTLINES=2000 $(PYTHON) -m pytest -q -o faulthandler_timeout=0 --log-cli-level=INFO \
+	    tests/core/test_random_outlines.py
 
 build/release-tools/made-from: tools/requirements-release.txt | setup
 	@.venv/bin/pip install --quiet --disable-pip-version-check --upgrade --target build/release-tools -r $<

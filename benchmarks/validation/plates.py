@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import numpy as np
+from plate_tables import EIGENVALUES, PLATES
 from solver_cases import flat_state, full_grid, grid, held, nearest, panel, quarter_grid, vertex_areas
 from validation.report import Row, Section, section
 
@@ -15,16 +16,6 @@ from BalloonWorkbench.core.solver.problem import FilmProblem, NewtonSettings
 from BalloonWorkbench.core.solver.shell import Shell, tangent_frames
 from BalloonWorkbench.core.solver.start import vertex_normals
 from BalloonWorkbench.core.types import Bools, Floats, Ints
-
-#: Cells of a quarter plate: deflection of the centre, simply supported and clamped under an even load q
-#: [q L^4 / D], then under a load P at the centre [P L^2 / D].
-PLATES = {
-    2: (0.00405587, 0.00154738, 0.0116879, 0.00585546),
-    4: (0.00406485, 0.00134741, 0.0116343, 0.00570755),
-    8: (0.00406367, 0.00128653, 0.0116139, 0.00564105),
-    16: (0.00406277, 0.00127068, 0.0116053, 0.00562040),
-}
-EIGENVALUES = (0.3285165, 0.3765674, 0.5926962, 1.4688844, 8.0682365, 17.0900991)
 
 
 def hencky() -> Section:

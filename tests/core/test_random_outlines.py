@@ -6,6 +6,7 @@ BALLOON_OUTLINES sets how many outlines are tried (`make fuzz`: 2 000).
 
 from __future__ import annotations
 
+import logging
 import os
 
 import numpy as np
@@ -45,5 +46,9 @@ def test_random_outlines_inflate() -> None:
     assert len(at_rest) > 0.99 * len(solved), sorted(set(solved) - set(at_rest))
     work = {seed: balloon.report.factorisations for seed, balloon in solved.items()}
     typical = float(np.median(list(work.values())))
+    logging.getLogger(__name__).info(
+        "%d outlines, %d inflated, %d at rest; factorisations: median %g, most %d",
+        *(COUNT, len(solved), len(at_rest), typical, max(work.values())),
+    )
     slow = {seed: count for seed, count in work.items() if count > 10.0 * typical}
     assert not slow, (typical, slow)

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
@@ -26,11 +25,6 @@ int cut(int height, int columns, int part, int parts) {
 }
 
 } // namespace
-
-Numbers::Numbers(size_t count) : bytes_(count * sizeof(double) + 63), memory_(new char[bytes_]) {
-    const auto address = reinterpret_cast<std::uintptr_t>(memory_.get());
-    data_ = reinterpret_cast<double*>(memory_.get() + (64 - address % 64) % 64);
-}
 
 struct Cholesky::Team {
     int index, count; // this thread among them

@@ -3,26 +3,13 @@
 
 #include <chrono>
 #include <functional>
-#include <memory>
 
 #include "cholesky_plan.h"
+#include "numbers.h"
 #include "schedule.h"
 #include "workers.h"
 
 namespace film {
-
-// Numbers on cache lines of their own, not initialised.
-class Numbers {
-public:
-    explicit Numbers(size_t count);
-    double* data() { return data_; }
-    size_t bytes() const { return bytes_; }
-
-private:
-    size_t bytes_;
-    std::unique_ptr<char[]> memory_;
-    double* data_;
-};
 
 // Sparse Cholesky factorisation of matrices that share a pattern; factorisations and solves allocate nothing.
 // The result does not depend on the number of threads, to the last bit. For one caller at a time.

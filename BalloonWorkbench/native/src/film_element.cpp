@@ -4,101 +4,12 @@
 // Hessian is formed in these six numbers and the directors and then spread over the corners.
 #include "film_element.h"
 
+#include "dkt.h"
+#include "film_kinematics.h"
 #include "processor.h"
-
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic ignored "-Wpsabi" // all that pass Vec4 are inlined
-#endif
 
 namespace film {
 namespace {
-
-FILM_INLINE Vec4 dot(const Vec4 (&a)[3], const Vec4 (&b)[3]) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-FILM_INLINE void cross(const Vec4 (&a)[3], const Vec4 (&b)[3], Vec4 (&result)[3]) {
-    for (int i = 0; i < 3; ++i)
-        result[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
-}
-
-// What both kinds of evaluation begin with.
-struct Kinematics {
-    Vec4 area;
-    Vec4 shape[3][2]; // gradients of the area coordinates
-    Vec4 f[2][3];
-    Vec4 strain[3];      // E11, E22, 2 E12
-    Vec4 rotation[3][2]; // of the directors against the triangle, at each corner
-};
-
-FILM_INLINE void measure(const FourTriangles& film, Kinematics& k) {
-    Vec4 edge[3][2]; // opposite to each corner
-    for (int a = 0; a < 3; ++a) {
-        for (int i = 0; i < 2; ++i)
-            edge[a][i] = film.rest[(a + 2) % 3][i] - film.rest[(a + 1) % 3][i];
-    }
-    const Vec4 double_area = edge[1][0] * edge[2][1] - edge[1][1] * edge[2][0];
-    const Vec4 inverse = 1.0 / double_area;
-    k.area = 0.5 * double_area;
-    for (int a = 0; a < 3; ++a) {
-        k.shape[a][0] = -edge[a][1] * inverse;
-        k.shape[a][1] = edge[a][0] * inverse;
-    }
-    for (int i = 0; i < 3; ++i) {
-        const Vec4 first = film.position[1][i] - film.position[0][i];
-        const Vec4 second = film.position[2][i] - film.position[0][i];
-        for (int c = 0; c < 2; ++c)
-            k.f[c][i] = k.shape[1][c] * first + k.shape[2][c] * second;
-    }
-    k.strain[0] = 0.5 * (dot(k.f[0], k.f[0]) - 1.0);
-    k.strain[1] = 0.5 * (dot(k.f[1], k.f[1]) - 1.0);
-    k.strain[2] = dot(k.f[0], k.f[1]);
-    for (int a = 0; a < 3; ++a) {
-        for (int c = 0; c < 2; ++c)
-            k.rotation[a][c] = dot(film.director[a], k.f[c]);
-    }
-}
-
-// Curvatures (b_x,x; b_y,y; b_x,y + b_y,x) in the middle of each side from the rotations at the corners: the
-// discrete Kirchhoff triangle of Batoz, Bathe and Ho (1980) with w = 0. There the rotation in the middle of a
-// side is (3 n n^T - 1) / 4 times the sum of those at its ends, n being the normal of the side.
-struct Curvatures {
-    Vec4 from[3][3][3][2]; // side opposite to a corner, curvature, corner, rotation
-};
-
-FILM_INLINE void bend(const Kinematics& k, Curvatures& curvatures) {
-    Vec4 normal[3][3]; // 1.5 n n^T of each side: xx, yy, xy
-    for (int a = 0; a < 3; ++a) {
-        const Vec4 x = k.shape[a][0], y = k.shape[a][1], scale = 1.5 / (x * x + y * y);
-        normal[a][0] = scale * x * x;
-        normal[a][1] = scale * y * y;
-        normal[a][2] = scale * x * y;
-    }
-    for (int m = 0; m < 3; ++m) {
-        const Vec4(&g)[2] = k.shape[m];
-        for (int corner = 0; corner < 3; ++corner) {
-            const int other = 3 - m - corner; // for a corner at the side: its other end
-            Vec4 through[3];                  // what the middles of the sides pass on, as above
-            for (int i = 0; i < 3; ++i)
-                through[i] = corner == m ? normal[(m + 1) % 3][i] + normal[(m + 2) % 3][i]
-                                         : normal[other][i] - normal[m][i];
-            Vec4 own[2] = {};
-            if (corner == m) {
-                through[0] = through[0] - 2.0;
-                through[1] = through[1] - 2.0;
-            } else {
-                own[0] = k.shape[corner][0];
-                own[1] = k.shape[corner][1];
-            }
-            curvatures.from[m][0][corner][0] = through[0] * g[0] + own[0];
-            curvatures.from[m][0][corner][1] = through[2] * g[0];
-            curvatures.from[m][1][corner][0] = through[2] * g[1];
-            curvatures.from[m][1][corner][1] = through[1] * g[1] + own[1];
-            curvatures.from[m][2][corner][0] = through[0] * g[1] + through[2] * g[0] + own[1];
-            curvatures.from[m][2][corner][1] = through[2] * g[1] + through[1] * g[0] + own[0];
-        }
-    }
-}
 
 FILM_INLINE void energies_body(const FourTriangles& film, const FilmLaw& law, double nu,
                                FourEnergies& energies) {
@@ -126,31 +37,6 @@ FILM_INLINE void energies_body(const FourTriangles& film, const FilmLaw& law, do
     Vec4 normal[3];
     cross(film.position[1], film.position[2], normal);
     energies.volume = dot(film.position[0], normal) * (1.0 / 6.0);
-}
-
-// Bending stiffness in the rotations at the corners.
-FILM_INLINE void bending_stiffness(const Kinematics& k, const FilmScales& scales, Vec4 (&stiffness)[6][6]) {
-    Curvatures curvatures;
-    bend(k, curvatures);
-    const Vec4 scale = k.area * (scales.flexural_rigidity / 3.0);
-    const double nu = scales.poisson_ratio;
-    for (int i = 0; i < 6; ++i) {
-        Vec4 moment[3][3]; // at the middle of each side
-        for (int m = 0; m < 3; ++m) {
-            const Vec4 x = curvatures.from[m][0][i / 2][i % 2], y = curvatures.from[m][1][i / 2][i % 2];
-            moment[m][0] = scale * (x + nu * y);
-            moment[m][1] = scale * (y + nu * x);
-            moment[m][2] = scale * (0.5 * (1.0 - nu)) * curvatures.from[m][2][i / 2][i % 2];
-        }
-        for (int j = 0; j <= i; ++j) {
-            Vec4 sum{};
-            for (int m = 0; m < 3; ++m) {
-                for (int c = 0; c < 3; ++c)
-                    sum = sum + moment[m][c] * curvatures.from[m][c][j / 2][j % 2];
-            }
-            stiffness[i][j] = stiffness[j][i] = sum;
-        }
-    }
 }
 
 // The Hessian in F and the turns of the directors, and what the gradient is made of.
