@@ -11,8 +11,8 @@ from BalloonWorkbench.gui.panels import is_free
 
 def offer(parts) -> None:
     """Open the export panel on the pattern, in real size on A4 (or Letter): OK writes the file."""
+    from BalloonWorkbench.app.parts import patterns
     from BalloonWorkbench.gui.panels.export import ExportPanel
-    from BalloonWorkbench.gui.parts import patterns
 
     if is_free():
         panel = ExportPanel(patterns(parts.pattern.Document), parts.pattern)
