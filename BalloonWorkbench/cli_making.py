@@ -77,12 +77,13 @@ def checked(options: argparse.Namespace, reader: Callable[[Path], Any] | None) -
         lines: list[str] = []
         if artwork is not None:
             progress(1.0, "printing")
-            files, front, back = print_files(balloon, artwork)
+            files, remarks, front, back = print_files(balloon, artwork)
             contents |= files
+            lines += [f"Note: {remark}" for remark in remarks]
             for side, sheet in (("front", front), ("back", back)):
-                made, remarks = checked_files(sheet.pattern, machines)
+                made, doubts = checked_files(sheet.pattern, machines)
                 contents |= {f"print-{side}-{name}": content for name, content in made.items()}
-                lines += [f"Check, {side}: {remark}" for remark in remarks]
+                lines += [f"Check, {side}: {doubt}" for doubt in doubts]
             width, height = front.size
             lines.append(
                 f"Print {to_mm(width):.0f} x {to_mm(height):.0f} mm at {front.dpi:g} dpi, front and back"

@@ -152,7 +152,8 @@ def sheets(obj, dpi: float | None = None):
 def write(obj, folder, machine_names=("any-dxf", "any-svg")) -> list[Path]:
     """Write both sides as PNG and PDF, and what cutters read, with the same marks; returns the files.
 
-    Raises ExportError, and writes nothing, when something is not up to date or cannot be made.
+    Without reportlab there is no PDF. Raises ExportError, and writes nothing, when something is not up to
+    date or cannot be made.
     """
     from BalloonWorkbench.core.artwork.files import artwork_files
     from BalloonWorkbench.core.export.fabricate import checked_files
@@ -160,7 +161,7 @@ def write(obj, folder, machine_names=("any-dxf", "any-svg")) -> list[Path]:
     from BalloonWorkbench.core.export.machine import machine
 
     front, back = sheets(obj)
-    contents = artwork_files(front, back)
+    contents, _ = artwork_files(front, back)
     for side, sheet in (("front", front), ("back", back)):
         made, _ = checked_files(sheet.pattern, [machine(name) for name in machine_names])
         contents |= {f"print-{side}-{name}": content for name, content in made.items()}

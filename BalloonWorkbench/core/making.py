@@ -71,12 +71,12 @@ def printed(
     return artwork_sheets(prints, marked(whole), artwork.dpi)
 
 
-def print_files(balloon: Balloon, artwork: Artwork) -> tuple[dict[str, bytes], Sheet, Sheet]:
-    """Contents of the files to print by name, and both sheets: their patterns are what is cut."""
+def print_files(balloon: Balloon, artwork: Artwork) -> tuple[dict[str, bytes], tuple[str, ...], Sheet, Sheet]:
+    """Contents of the files to print by name, remarks, and both sheets: their patterns are what is cut."""
     points = np.concatenate([part.outer for part in balloon.drawing.parts])
     low, high = points.min(axis=0), points.max(axis=0)
     front, back = printed(balloon.designs, balloon.patterns, (low, high - low), artwork)
-    return artwork_files(front, back), front, back
+    return (*artwork_files(front, back), front, back)
 
 
 def pieces_of(panel: Pattern, one_balloon: Pattern, copies: int, grain: float) -> list[Piece]:

@@ -6,6 +6,7 @@ from __future__ import annotations
 import io
 import shutil
 import subprocess
+import sys
 from dataclasses import replace
 from pathlib import Path
 
@@ -257,8 +258,9 @@ def test_back_may_have_its_own_picture(heart: tuple) -> None:
 def test_files(heart: tuple, tmp_path: Path) -> None:
     """PNG with its resolution, PDF in real size with both sides; the same bytes again."""
     *_, sheet, behind, _ = heart
-    files = artwork_files(sheet, behind)
-    assert files == artwork_files(sheet, behind)
+    files, remarks = artwork_files(sheet, behind)
+    assert not remarks
+    assert artwork_files(sheet, behind) == (files, ())
     for name, content in files.items():
         (tmp_path / name).write_bytes(content)
     read = imread(io.BytesIO(files["artwork-front.png"]))
@@ -296,6 +298,14 @@ def test_files(heart: tuple, tmp_path: Path) -> None:
     solid = sheet.pixels[:rows, :columns, 3] == 255
     off = np.abs(page_read[:rows, :columns][solid] - sheet.pixels[:rows, :columns][solid][:, :3] / 255.0)
     assert (off.max(axis=1) < 0.1).mean() > 0.97
+
+
+def test_without_reportlab_there_is_no_pdf(heart: tuple, monkeypatch: pytest.MonkeyPatch) -> None:
+    *_, sheet, behind, _ = heart
+    monkeypatch.setitem(sys.modules, "reportlab.pdfgen.canvas", None)
+    files, (remark,) = artwork_files(sheet, behind)
+    assert set(files) == {"artwork-front.png", "artwork-back.png"}
+    assert "pip install reportlab" in remark
 
 
 def test_marks_are_the_same_in_the_cut_file(heart: tuple) -> None:

@@ -22,13 +22,16 @@ _POINT = INCH / 72.0  # m
 _LINE = from_mm(0.25)
 
 
-def artwork_files(front: Sheet, back: Sheet) -> dict[str, bytes]:
-    """Contents of the files of both sides, by name."""
-    return {
+def artwork_files(front: Sheet, back: Sheet) -> tuple[dict[str, bytes], tuple[str, ...]]:
+    """Contents of the files of both sides by name, and why one was left out: a package that is missing."""
+    files = {
         "artwork-front.png": png_bytes(front.pixels, front.dpi),
         "artwork-back.png": png_bytes(back.pixels, back.dpi),
-        "artwork.pdf": artwork_pdf((front, back)),
     }
+    try:
+        return files | {"artwork.pdf": artwork_pdf((front, back))}, ()
+    except MissingPackageError as error:
+        return files, (f"artwork.pdf was left out. {error}",)
 
 
 def png_bytes(pixels: Pixels, dpi: float) -> bytes:
