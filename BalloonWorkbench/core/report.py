@@ -16,6 +16,7 @@ from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.mesh.quality import min_angles, signed_areas
 from BalloonWorkbench.core.outline.drawing import Drawing
 from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.pattern.intake_kinds import intake_kind
 from BalloonWorkbench.core.pattern.pattern import Intake, Pattern
 from BalloonWorkbench.core.solver.film_state import film_state, thickness
 from BalloonWorkbench.core.solver.model import Model
@@ -60,7 +61,9 @@ def together(parts: Sequence[dict[str, Any]], drawing: Drawing, sheet: Pattern) 
             "height_mm": to_mm(sheet_height),
             "seam_length_mm": to_mm(sheet.seam_length),
         },
-        "warnings": list(dict.fromkeys(text for part in parts for text in part["warnings"])),
+        "warnings": list(
+            dict.fromkeys([*(text for part in parts for text in part["warnings"]), *sheet.warnings])
+        ),
         "parts": [
             {
                 "outline": {
@@ -215,6 +218,7 @@ def _stretch(stretch: Stretch) -> dict[str, Any]:
 def _intake(intake: Intake) -> dict[str, Any]:
     return {
         "kind": intake.kind,
+        "how_to_fill": intake_kind(intake.kind).note,
         "width_mm": to_mm(intake.width),
         "length_mm": to_mm(intake.length),
         "angle_deg": float(np.degrees(intake.angle)),

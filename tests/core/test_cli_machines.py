@@ -48,3 +48,45 @@ def test_too_large_for_the_bed(square: Path, capsys: pytest.CaptureFixture[str])
 def test_unknown_machine_is_told_before_the_work(square: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert run(square, "--machine", "axe") == 2
     assert "lightburn" in capsys.readouterr().err
+
+
+def test_the_pattern_is_made_as_it_is_told(square: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Every option of the pattern reaches files and report; the document has the same values."""
+    options = {
+        "--seal-width": "4mm", "--allowance": "3mm", "--corner-relief": "2mm", "--intake": "film-valve",
+        "--intake-along": "250mm", "--notches": "12", "--notch-depth": "2mm", "--tie-tab": "0",
+        "--label": "B1", "--label-height": "8mm", "--copies": "2",
+    }  # fmt: skip
+    assert run(square, *(word for pair in options.items() for word in pair), "--mirror") == 0
+    told = json.loads((square.parent / "out" / "report.json").read_text())
+    intake = told["pattern"]["intake"]
+    assert (intake["kind"], intake["width_mm"]) == ("film-valve", pytest.approx(24.0))
+    assert intake["along_mm"] == pytest.approx(250.0, abs=0.5)
+    assert "strips" in intake["how_to_fill"]
+    text = (square.parent / "out" / "pattern.svg").read_text()
+    layers = {layer: part.count("<path") for layer, part in
+              ((part.split('"')[0], part) for part in text.split('<g id="')[1:])}  # fmt: skip
+    assert layers["CUT"] == 2 * 2 * 2
+    assert layers["CUT_INNER"] == 2 * 2
+    assert layers["MARK"] >= 2 * 2 * (8 + 1 + 1)
+    # the box of 200 mm, both welds and allowances, the tab beside it
+    assert told["pattern"]["width_mm"] > 200 + 2 * (4 + 3)
+    assert "Wrote" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("options", "text"),
+    [
+        (("--intake", "funnel"), "film-valve"),
+        (("--copies", "0"), "copies"),
+        (("--corner-relief", "60mm"), "relief"),
+        (("--intake-angle", "0", "--intake-along", "3mm"), "not allowed"),
+        (("--notches", "4", "--notch-depth", "5mm"), "weld"),
+    ],
+)
+def test_senseless_patterns_are_told(
+    square: Path, options: tuple[str, ...], text: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(square, *options) == 2
+    assert text in capsys.readouterr().err
+    assert not (square.parent / "out").exists()

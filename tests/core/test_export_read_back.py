@@ -264,6 +264,25 @@ def test_tiles_glued_together_are_the_pattern(paper: str, tmp_path: Path) -> Non
     assert shapely.hausdorff_distance(one, glued) < 3 * 25.4 / dpi
 
 
+def test_crop_marks_are_an_overlap_apart(tmp_path: Path) -> None:
+    """Four crosses on each page; the right and the upper ones are where the neighbour's left and lower ones are."""
+    made_for, dpi = machine("paper"), 300
+    file = tmp_path / "tiles.pdf"
+    file.write_bytes(machine_file(PATTERNS["heart"], made_for, "A4"))
+    size = [
+        float(v) * 25.4 / 72.0 for v in re.search(r"([\d.]+) x ([\d.]+) pts", run("pdfinfo", file)).groups()
+    ]
+    for page in (2, 3):
+        colour = page_pixels(file, page, tmp_path, dpi)
+        dark = np.argwhere(colour.max(axis=2) < 0.6)
+        at = np.stack([dark[:, 1] + 0.5, colour.shape[0] - dark[:, 0] - 0.5], axis=1) * 25.4 / dpi
+        for x in (12.0, size[0] - 12.0 - 10.0):
+            for y in (12.0, size[1] - 12.0 - 10.0):
+                arms = at[(np.abs(at - [x, y]) < 5.5).all(axis=1) & (np.abs(at - [x, y]).min(axis=1) < 0.3)]
+                assert arms.min(axis=0) == pytest.approx([x - 5.0, y - 5.0], abs=0.2)
+                assert arms.max(axis=0) == pytest.approx([x + 5.0, y + 5.0], abs=0.2)
+
+
 def page_pixels(file: Path, page: int, folder: Path, dpi: int) -> np.ndarray:
     page_ink(file, page, folder, dpi)
     return imread(str(folder / "page.png"))[..., :3]

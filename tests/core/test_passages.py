@@ -122,6 +122,17 @@ def test_chambers_apart_have_an_intake_each(outline: Outline) -> None:
     assert sorted(reached) == list(range(len(rooms)))
 
 
+def test_welds_at_the_rim_join_the_weld_round_it() -> None:
+    """No slit is left between them, and none where a passage is."""
+    for outline, ends in ((upright(0.1), 2), (linked(upright(0.1)), 2)):
+        pattern = build_pattern(outline, SEAL)
+        round_it = shapely.union_all(open_seals(pattern))
+        points = [end for weld in pattern.of(Role.WELD) for end in weld.points[[0, -1]]]
+        away = [round_it.distance(shapely.Point(point)) for point in points]
+        assert sum(distance < 1e-5 for distance in away) == ends
+        assert sorted(away)[ends:] == pytest.approx([0.0975] * (len(away) - ends), abs=1e-3)
+
+
 def test_an_intake_that_is_placed_serves_its_chamber() -> None:
     pattern = build_pattern(upright(0.1), SEAL, intake_angle=np.pi)
     assert pattern.intake is not None

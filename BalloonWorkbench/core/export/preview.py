@@ -28,6 +28,7 @@ _DRAWING, _BALLOON, _UNREACHED = "#39424f", "#d81e3f", "#f2b705"
 # Cards in pixels from the lower left: x, y, width, height.
 _MARGIN, _GAP = 26, 20
 _LEFT, _MIDDLE = 480, 540
+_IN_A_ROW = 3
 _NAMES = {
     Role.CUT: "cut",
     Role.CUT_INNER: "cut inside",
@@ -182,10 +183,12 @@ def _pattern(axes: Any, patterns: Sequence[Pattern]) -> None:
     _dimension(axes, (low[0], low[1] - 26), (high[0], low[1] - 26), f"{sheet.width:.0f} mm")
     _dimension(axes, (low[0] - 26, low[1]), (low[0] - 26, high[1]), f"{sheet.height:.0f} mm", rotation=90)
     _scale_bar(axes, frame.scale)
-    left = 24
-    for role in pattern.roles:
-        axes.plot([left, left + 24], [62, 62], color=LAYERS[role].rgb, lw=2.0)
-        axes.text(left + 32, 62, _NAMES[role], color=_SOFT, fontsize=11, va="center")
+    left, height = 24, 62
+    for number, role in enumerate(reversed(pattern.roles)):
+        if number and number % _IN_A_ROW == 0:  # beside the scale bar there is room for so many
+            left, height = 24, height + 24
+        axes.plot([left, left + 24], [height, height], color=LAYERS[role].rgb, lw=2.0)
+        axes.text(left + 32, height, _NAMES[role], color=_SOFT, fontsize=11, va="center")
         left += 60 + 8 * len(_NAMES[role])
     widths = [part.intake.width for part in patterns if part.intake is not None]
     neck = f"intake {to_mm(max(widths)):.0f} mm wide inside" if widths else "no intake"

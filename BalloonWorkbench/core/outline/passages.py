@@ -33,7 +33,7 @@ def chambers(outline: Outline) -> list[Any]:
         return [film]
     size = max(outline.size)
     rim = film.boundary
-    walls = [package.LineString(_to_rim(weld, rim, _AT_RIM * size)) for weld in outline.welds]
+    walls = [package.LineString(to_rim(weld, rim, _AT_RIM * size, _HAIR * size)) for weld in outline.welds]
     parts = package.get_parts(film.difference(package.union_all(walls).buffer(_HAIR * size)))
     rooms = [part for part in parts if part.area > _CHAMBER * film.area]
     return sorted(rooms, key=lambda room: -room.area)
@@ -121,14 +121,21 @@ def _part(weld: Floats, lengths: Floats, start: float, end: float) -> Floats:
     return np.concatenate([ends[:1], inner, ends[1:]])
 
 
-def _to_rim(weld: Floats, rim: Any, reach: float) -> Floats:
-    """The weld with ends near to the rim drawn on to a little past it."""
+def joined_welds(outline: Outline, past: float) -> list[Floats]:
+    """The welds, those that begin at a loop drawn on past it by a length [m], as far as the weld round it."""
+    rim = shapely().Polygon(outline.outer, [*outline.holes, *outline.spots]).boundary
+    return [to_rim(weld, rim, _AT_RIM * max(outline.size), past) for weld in outline.welds]
+
+
+def to_rim(weld: Floats, rim: Any, reach: float, past: float) -> Floats:
+    """A weld with ends within `reach` of the rim drawn on to `past` it [m]."""
     package = shapely()
     line = weld
     for end in (0, -1):
         point = package.Point(line[end])
         if rim.distance(point) < reach:
             foot = np.asarray(package.shortest_line(rim, point).coords[0])
-            past = foot + 0.01 * (foot - line[end])
-            line = np.concatenate([past[None], line]) if end == 0 else np.concatenate([line, past[None]])
+            ahead = foot - line[end]
+            on = foot + past * ahead / max(float(np.hypot(*ahead)), 1e-12)
+            line = np.concatenate([on[None], line]) if end == 0 else np.concatenate([line, on[None]])
     return line

@@ -18,7 +18,7 @@ import numpy as np
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.outline.outline import Outline
-from BalloonWorkbench.core.outline.passages import chambers
+from BalloonWorkbench.core.outline.passages import chambers, joined_welds
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.pattern.cuttable import closed_gaps, opened_hole
 from BalloonWorkbench.core.pattern.fairing import faired
@@ -79,7 +79,8 @@ def build_pattern(
         necks = _necks(seam, film, wish, seal_width, allowance)
         whole = shapely().unary_union([whole, *(neck.area for neck in necks if neck.area is not None)])
         warnings += [_advice(neck) for neck in necks if neck.way is not None]
-    contours = [Contour(Role.WELD, open_line(shapely().LineString(weld)), False) for weld in seam.welds] + [
+    inside = joined_welds(seam, 0.5 * seal_width)  # welds at the rim end in the middle of the one round it
+    contours = [Contour(Role.WELD, open_line(shapely().LineString(weld)), False) for weld in inside] + [
         Contour(Role.WELD, closed_loop(polygon(spot).exterior, False), True) for spot in seam.spots
     ]
     contours += [line for neck in necks for line in neck.lines]
