@@ -5,7 +5,7 @@ SHELL := /bin/bash
 .DEFAULT_GOAL := help
 PYTHON := .venv/bin/python
 
-.PHONY: help setup native demo test test-core test-app test-gui matrix lint format validation bench fuzz examples pictures release release-check translations freecad clean
+.PHONY: help setup native demo test test-core test-app test-gui matrix lint format validation bench fuzz pythons coverage tidy docs examples pictures release release-check translations freecad clean
 
 help: ## List these targets
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' $(MAKEFILE_LIST) | expand -t 12
@@ -61,9 +61,31 @@ pictures: native ## Take the pictures of the tutorial anew, in docs/images
 	@BALLOON_TESTS="tests/gui/test_paint.py tests/gui/test_paint_fish.py tests/gui/test_examples.py" tools/test.sh gui
 	@cp build/pictures/tutorial-*.png docs/images
 
-fuzz: native ## Inflate 2 000 random outlines
-	@BALLOON_OUTLINES=2000 $(PYTHON) -m pytest -q -o faulthandler_timeout=0 --log-cli-level=INFO \
-	    tests/core/test_random_outlines.py
+fuzz: native ## Inflate 2 000 random outlines, read 10 000 broken files
+	@BALLOON_OUTLINES=2000 BALLOON_FILES=10000 $(PYTHON) -m pytest -q -o faulthandler_timeout=0 \
+	    --log-cli-level=INFO tests/core/test_random_outlines.py tests/core/test_broken_files.py
+
+pythons: native ## Run the engine's tests with Python 3.10 and 3.12, where they are
+	@tools/pythons.sh
+
+coverage: native ## Tell which lines of core and app the tests run
+	@tools/coverage.sh
+
+tidy: setup ## Look for mistakes in the C++ with clang-tidy
+	@tools/install-debian-packages.sh debian-packages-tidy.txt
+	@cd BalloonWorkbench/native && for file in src/*.cpp; do \
+	    clang-tidy --quiet $$file -- -std=c++17 -Iinclude -isystem /usr/include/eigen3 2>/dev/null || exit 1; done
+
+build/docs-tools/made-from: tools/requirements-docs.txt | setup
+	@.venv/bin/pip install --quiet --disable-pip-version-check --upgrade --target build/docs-tools -r $<
+	@cp $< $@
+
+docs: export PYTHONPATH := $(CURDIR)/build/docs-tools
+docs: build/docs-tools/made-from ## Write the user guide and the reference of the engine to build/docs
+	@$(PYTHON) -m mkdocs build --quiet
+	@# pdoc does not see in which module the types of a NamedTuple were named
+	@$(PYTHON) -W error::UserWarning -W "ignore:Error parsing type annotation ForwardRef('Floats')" \
+	    -m pdoc -o build/docs/api BalloonWorkbench.core
 
 build/release-tools/made-from: tools/requirements-release.txt | setup
 	@.venv/bin/pip install --quiet --disable-pip-version-check --upgrade --target build/release-tools -r $<

@@ -28,8 +28,17 @@ def run() -> None:
     try:
         import pytest
 
+        measure = None
+        if os.environ.get("BALLOON_COVERAGE"):
+            import coverage
+
+            measure = coverage.Coverage(data_suffix=True)
+            measure.start()
         # tee-sys: what FreeCAD and its Python print while a test runs also reaches the log
         code = int(pytest.main(["--capture=tee-sys", *shlex.split(os.environ.get("BALLOON_TESTS", folder))]))
+        if measure is not None:
+            measure.stop()
+            measure.save()
     finally:
         if code == 99:
             traceback.print_exc()

@@ -14,6 +14,7 @@ lint() {
     .venv/bin/ruff check . || failed=1
     .venv/bin/ruff format --check --quiet . || { echo "Not formatted: run 'make format'." && failed=1; }
     .venv/bin/mypy || failed=1
+    .venv/bin/codespell || failed=1
     find BalloonWorkbench/native \( -name '*.cpp' -o -name '*.h' \) -print0 |
         xargs -0r .venv/bin/clang-format --dry-run --Werror || failed=1
     return "$failed"

@@ -1,0 +1,47 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# pythons.sh [VERSION...]   the engine with other versions of Python (3.10, 3.12), each with packages of its own
+# A Python is looked for on PATH and among those of pyenv; one that is not there is told. 3.11 is that of .venv,
+# matrix.sh has 3.13 and 3.14. Each leaves build/logs/core-VERSION.log.
+set -euo pipefail
+cd "$(dirname "$(realpath "$0")")/.."
+
+packages=(numpy scipy opencv-python-headless matplotlib reportlab pytest)
+mapfile -t pinned < <(grep -oE '^(ezdxf|pythoncdt|svgelements|shapely)==[0-9.]+' requirements.txt)
+# what reads, meshes, inflates, draws and writes; the rest of the tests would tell the same
+tests=(tests/core/test_{absence,cli,native_library,house,outline_read,outline_vector,mesh_triangulate}.py
+    tests/core/test_{solver_agreement,solver_hencky,pattern_build,export_read_back,export_svg,units}.py)
+versions=("$@")
+[ ${#versions[@]} -gt 0 ] || versions=(3.10 3.12)
+
+python_of() {
+    local found
+    for found in "$(command -v "python$1" || true)" "${PYENV_ROOT:-$HOME/.pyenv}/versions/$1".*/bin/python; do
+        if [ -x "$found" ] && "$found" -c 'import venv' 2>/dev/null; then
+            echo "$found"
+            return
+        fi
+    done
+    return 1
+}
+
+result=0
+mkdir -p build/logs
+for version in "${versions[@]}"; do
+    if ! python=$(python_of "$version"); then
+        echo "== core with Python $version: there is none here, nothing was tried"
+        continue
+    fi
+    echo "== core with $("$python" --version)"
+    home=build/python/$version
+    wanted="$("$python" --version) ${packages[*]} ${pinned[*]}"
+    if [ "$(cat "$home/made-from" 2>/dev/null)" != "$wanted" ]; then
+        "$python" -m venv --clear "$home"
+        "$home/bin/python" -m pip install --quiet --disable-pip-version-check --only-binary=:all: \
+            "${packages[@]}" "${pinned[@]}"
+        echo "$wanted" >"$home/made-from"
+    fi
+    "$home/bin/python" -m pytest -q -o cache_dir=build/pytest ${BALLOON_TESTS:-"${tests[@]}"} </dev/null 2>&1 |
+        tee "build/logs/core-$version.log" | tail -n 12 || result=1
+done
+exit $result
