@@ -57,6 +57,7 @@ class Form(QtWidgets.QWidget):
         column.addWidget(self.bar)
         column.addWidget(self.hint)
         column.addLayout(below)
+        self.tell("")
 
     def show_width(self, width: float) -> None:
         """Show a width in mm that came from elsewhere."""

@@ -5,13 +5,13 @@ from __future__ import annotations
 
 import FreeCADGui as Gui
 
+from BalloonWorkbench.app.parts import patterns
 from BalloonWorkbench.gui.paint.lengths import is_imperial
 from BalloonWorkbench.gui.panels import is_free
 
 
 def offer(parts) -> None:
     """Open the export panel on the pattern, in real size on A4 (or Letter): OK writes the file."""
-    from BalloonWorkbench.app.parts import patterns
     from BalloonWorkbench.gui.panels.export import ExportPanel
 
     if is_free():

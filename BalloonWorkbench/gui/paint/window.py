@@ -51,12 +51,9 @@ class PaintWindow(PaintDock):
     def __init__(self, doc, parts=None):
         super().__init__(translate("Paint a balloon"))
         self.doc, self.parts = doc, parts
-        self.making = False
+        self.making = self._is_refused = False  # refused: the last words say why there is no balloon
         self._is_sized = parts is not None  # the width was asked for
-        self._is_refused, self._hidden = (
-            False,
-            (),
-        )  # the last words say why there is no balloon; what is hidden
+        self._hidden: tuple[str, ...] = ()
         self._waiting: StatusProgress | None = None
         self.painting = Painting(self)
         self.canvas = Canvas(self.painting)
@@ -295,9 +292,6 @@ class PaintWindow(PaintDock):
 
     def refresh(self) -> None:
         """Buttons that would do nothing are off."""
-        buttons = self.actions.buttons
-        buttons["undo"].setEnabled(self.painting.can_undo())
-        buttons["redo"].setEnabled(self.painting.can_redo())
+        self.actions.buttons["undo"].setEnabled(self.painting.can_undo())
+        self.actions.buttons["redo"].setEnabled(self.painting.can_redo())
         self.form.make_button.setEnabled(not self.making)
-        if not self.form.hint.text():
-            self.form.tell("")
