@@ -196,3 +196,97 @@ def test_weld_inside_reaches_the_file(doc, tmp_path):
     doc.recompute()
     assert welded.balloon.Status == status.READY
     assert welded.balloon.Volume.Value > 1.05 * before
+
+
+def test_all_values_reach_the_pattern_and_come_back(pattern):
+    """What the command line sets is what the object says, and the other way round."""
+    from BalloonWorkbench.app.pattern import set_values, usual_values, values
+    from BalloonWorkbench.core.pattern.make import Wanted
+
+    wanted = Wanted(
+        seal_width=0.004, allowance=0.003, intake_kind="one-way-tail", intake_width=0.011, intake_length=0.09,
+        intake_along=0.2, corner_radius=0.002, notches=7, notch_depth=0.001, tie_tab=True, tie_tab_angle=1.0,
+        label="A", label_height=0.005, mirror=True, copies=3,
+    )  # fmt: skip
+    set_values(pattern, wanted)
+    found = values(pattern)
+    for name, value in vars(wanted).items():
+        told = getattr(found, name)
+        assert told == (pytest.approx(value) if isinstance(value, float) else value), name
+    set_values(pattern, usual_values())
+    plain = values(pattern)
+    assert plain.intake_width == pytest.approx(0.010)
+    assert (plain.intake_kind, plain.intake_along, plain.copies, plain.mirror) == ("straw", None, 1, False)
+
+
+def test_values_follow_expressions(pattern):
+    pattern.Intake = True
+    formulas = {
+        "CornerRadius": "Allowance / 2",
+        "Copies": "1 + 1",
+        "IntakeLength": "4 * IntakeWidth",
+        "Notches": "Copies * 4",
+    }
+    for name, formula in formulas.items():
+        pattern.setExpression(name, formula)
+    pattern.Document.recompute()
+    assert pattern.Status == status.READY
+    assert pattern.CornerRadius.Value == pytest.approx(1.0)
+    assert pattern.Roles.count("CUT") == 2
+    assert build(pattern).intake.length == pytest.approx(0.040)
+    assert 2 * 6 <= pattern.Roles.count("MARK") <= 2 * 8
+    for name in formulas:
+        pattern.setExpression(name, None)
+
+
+def test_second_panel_and_pieces_are_faces(pattern):
+    from BalloonWorkbench.app.pattern import choose_kind
+
+    pattern.Intake, pattern.Mirror = True, True
+    choose_kind(pattern, "Self-sealing film valve")
+    pattern.Document.recompute()
+    assert pattern.Status == status.READY
+    assert "strips" in pattern.HowToFill
+    faces = sorted(pattern.Shape.Faces, key=lambda face: face.Area)
+    assert len(faces) == 4
+    assert faces[0].Area == pytest.approx(100 * 34, rel=1e-6)
+    assert faces[2].Area == pytest.approx(faces[3].Area, rel=1e-3)
+    assert [len(face.Wires) for face in faces] == [1, 1, 2, 2]
+    assert all(face.isValid() for face in faces)
+    assert pattern.Roles.count("CUT") == 4
+    roles = zip(pattern.Shape.Wires, pattern.Roles, strict=True)
+    assert all(wire.isClosed() for wire, role in roles if role == "CUT_INNER")
+    choose_kind(pattern, "Nozzle with flange")
+    pattern.Mirror = False
+    pattern.IntakeLength, pattern.IntakeWidth = 14, 5
+    pattern.Document.recompute()
+    assert pattern.Status == status.READY
+    assert "Cut it once" in pattern.Warnings[-1]
+    assert pattern.Roles.count("CUT_INNER") == 2 + 1 + 1  # of both rings, the nozzle, the piece beside them
+
+
+def test_place_on_the_seam(pattern):
+    pattern.Intake, pattern.IntakeAuto = True, False
+    pattern.IntakeBy, pattern.IntakeAlong = "Place on the seam", 0
+    pattern.Document.recompute()
+    assert math.cos(math.radians(pattern.IntakeAngle.Value)) == pytest.approx(1.0, abs=2e-3)
+    assert pattern.getEditorMode("IntakeAngle") == ["ReadOnly"]
+    assert pattern.getEditorMode("IntakeAlong") == []
+    pattern.IntakeAlong = 0.5 * math.pi * 1000 * build(pattern).intake.at[0]
+    pattern.Document.recompute()
+    assert pattern.IntakeAngle.Value == pytest.approx(90, abs=4)
+
+
+def test_chambers_of_a_sketch(doc):
+    """A weld from edge to edge: a passage, or two intakes."""
+    box = sketches.polygon((0, 0), (120, 0), (120, 80), (0, 80))
+    sketch = sketches.sketch(doc, *box, sketches.line((50, 0), (50, 80)))
+    parts = create.balloon_from_sketch(doc, sketch, mesh_size=10, correct=False)
+    assert parts.pattern.Status == status.READY
+    assert parts.pattern.Roles.count("WELD") == 2
+    assert any("passage of 10 mm" in note for note in parts.outline.Notes)
+    parts.outline.Passage = 0
+    doc.recompute()
+    assert parts.pattern.Status == status.READY
+    assert parts.pattern.Roles.count("WELD") == 1
+    assert len(build(parts.pattern).intakes) == 2

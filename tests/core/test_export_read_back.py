@@ -265,7 +265,7 @@ def test_tiles_glued_together_are_the_pattern(paper: str, tmp_path: Path) -> Non
 
 
 def test_crop_marks_are_an_overlap_apart(tmp_path: Path) -> None:
-    """Four crosses on each page; the right and the upper ones are where the neighbour's left and lower ones are."""
+    """Four crosses on each page; the right and the upper ones are the neighbours' left and lower ones."""
     made_for, dpi = machine("paper"), 300
     file = tmp_path / "tiles.pdf"
     file.write_bytes(machine_file(PATTERNS["heart"], made_for, "A4"))
