@@ -7,6 +7,7 @@ The engine works in a thread; the document is touched in the main thread alone.
 
 from __future__ import annotations
 
+from contextlib import contextmanager
 from functools import partial
 from pathlib import Path
 
@@ -32,6 +33,7 @@ from BalloonWorkbench.gui.record import Edit
 from BalloonWorkbench.gui.worker import Worker
 
 _REST = 400  # ms without an edit, then a live balloon follows
+_AGAIN = 50  # ms until a result is offered once more to a document that was busy
 
 
 class BalloonPanel:
@@ -60,6 +62,7 @@ class BalloonPanel:
         self.worker: Worker | None = None
         self.closing = False
         self.again = False  # values have changed while the worker was at it
+        self.busy = 0  # the document follows, and the window lives on meanwhile: timers and workers wait
         self.then = ""
         outline = leader(parts.outline)
         self.drawing = (SketchBox if sketch or outline.Source else FileBox)(outline)
@@ -145,8 +148,9 @@ class BalloonPanel:
         """Find the outline anew; True when there is one."""
         if self.is_new and self.parts.outline.Drawing:
             self.parts.balloon.getParentGroup().Label = Path(self.parts.outline.Drawing).stem
-        leader(self.parts.outline).recompute()
-        self.parts.outline.recompute()
+        with self._doing():
+            leader(self.parts.outline).recompute()
+            self.parts.outline.recompute()
         self.show_state()
         return status.is_ready(self.parts.outline)
 
@@ -165,7 +169,9 @@ class BalloonPanel:
 
     def follow(self):
         """Inflate with the values as they are, those half typed left alone."""
-        if self.worker is None:
+        if self.busy:
+            self.soon.start()
+        elif self.worker is None:
             self.bring_up_to_date()
         elif not self._is_current(self.worker.request):
             self.again = True
@@ -179,7 +185,8 @@ class BalloonPanel:
 
     def pattern_changed(self):
         if status.is_ready(self.parts.balloon):
-            self.parts.pattern.recompute()
+            with self._doing():
+                self.parts.pattern.recompute()
         self.show_state()
 
     def apply(self) -> bool:
@@ -220,6 +227,11 @@ class BalloonPanel:
 
     def work_done(self):
         """The worker is finished: take over its design or tell why there is none."""
+        if self.busy:
+            QtCore.QTimer.singleShot(_AGAIN, self.work_done)
+            return
+        if self.worker is None:  # the panel was closed meanwhile
+            return
         worker, self.worker = self.worker, None
         self.result.finish()
         if self.again:
@@ -242,6 +254,14 @@ class BalloonPanel:
 
     def settle(self) -> bool:
         """Let the document follow the new values; True when the pattern is there."""
+        with self._doing():
+            self._follow_document()
+        self.show_state()
+        done = status.is_ready(self.parts.pattern)
+        self.closing = self.closing and done
+        return done
+
+    def _follow_document(self):
         if self.was_new and not self.parts.outline.Leader:
             create.match_companions(self.parts)  # the other shapes of the drawing
         self.doc.recompute()
@@ -251,10 +271,15 @@ class BalloonPanel:
             self.doc.recompute()
             self.is_new = False
             Gui.SendMsgToActiveView("ViewFit")
-        self.show_state()
-        done = status.is_ready(self.parts.pattern)
-        self.closing = self.closing and done
-        return done
+
+    @contextmanager
+    def _doing(self):
+        """The document is being changed or recomputed."""
+        self.busy += 1
+        try:
+            yield
+        finally:
+            self.busy -= 1
 
     def fail(self, error: BalloonError):
         self.closing = False
