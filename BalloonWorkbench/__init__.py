@@ -5,8 +5,10 @@ In FreeCAD the functions of the Python API are here: BalloonWorkbench.from_pictu
 """
 
 _MANIFEST = ("__version__", "__date__")  # of package.xml, the one place for them
-_API = ("from_picture", "from_sketch", "parts", "change", "findings", "repair", "export")
-_API += ("artwork", "nest", "assembly_sheet")
+_API = (
+    *("from_picture", "from_sketch", "parts", "change", "findings", "repair"),
+    *("export", "artwork", "nest", "assembly_sheet"),
+)
 
 
 def __getattr__(name: str) -> object:

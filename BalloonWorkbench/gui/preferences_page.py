@@ -18,7 +18,6 @@ class PreferencesPage:
         self.form = QtWidgets.QWidget()
         self.form.setObjectName("BalloonPreferences")
         self.form.setWindowTitle(translate("Balloons"))
-        self._fields: dict[str, QtWidgets.QWidget] = {}
         column = QtWidgets.QVBoxLayout(self.form)
         for title, rows in self._rows().items():
             group = QtWidgets.QGroupBox(title)
@@ -31,7 +30,7 @@ class PreferencesPage:
 
     def loadSettings(self) -> None:
         """Show what is kept."""
-        for key, field in self._fields.items():
+        for key, field in self._fields():
             value = preferences.get(key)
             if isinstance(field, QtWidgets.QComboBox):
                 field.setCurrentIndex(field.findData(value))
@@ -44,7 +43,7 @@ class PreferencesPage:
 
     def saveSettings(self) -> None:
         """Keep what is shown."""
-        for key, field in self._fields.items():
+        for key, field in self._fields():
             if isinstance(field, QtWidgets.QComboBox):
                 preferences.put(key, field.currentData())
             elif isinstance(field, QtWidgets.QCheckBox):
@@ -53,6 +52,11 @@ class PreferencesPage:
                 preferences.put(key, field.text().strip())
             else:
                 preferences.put(key, float(field.property("rawValue")))
+
+    def _fields(self):
+        """Keys and fields; they are not held, see new_box."""
+        for key in preferences.items():
+            yield key, self.form.findChild(QtWidgets.QWidget, f"Preferred{key}")
 
     def _rows(self) -> dict[str, list[tuple[str, str]]]:
         return {
@@ -92,7 +96,6 @@ class PreferencesPage:
         field.setObjectName(f"Preferred{key}")
         if item.tooltip:
             field.setToolTip(translate(item.tooltip, "App::Property"))
-        self._fields[key] = field
         return field
 
     def _row(self, key: str, field):
