@@ -2863,6 +2863,10 @@
         <translation>Flächengewicht</translation>
     </message>
     <message>
+        <source>artwork.pdf was left out. {0}</source>
+        <translation>artwork.pdf wurde weggelassen. {0}</translation>
+    </message>
+    <message>
         <source>at most {:.4g} {}</source>
         <translation>höchstens {:.4g} {}</translation>
     </message>

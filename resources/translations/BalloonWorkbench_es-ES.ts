@@ -2863,6 +2863,10 @@
         <translation>densidad superficial</translation>
     </message>
     <message>
+        <source>artwork.pdf was left out. {0}</source>
+        <translation>Se omitió artwork.pdf. {0}</translation>
+    </message>
+    <message>
         <source>at most {:.4g} {}</source>
         <translation>como mucho {:.4g} {}</translation>
     </message>

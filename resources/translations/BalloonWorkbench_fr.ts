@@ -2863,6 +2863,10 @@
         <translation>masse surfacique</translation>
     </message>
     <message>
+        <source>artwork.pdf was left out. {0}</source>
+        <translation>artwork.pdf a été omis. {0}</translation>
+    </message>
+    <message>
         <source>at most {:.4g} {}</source>
         <translation>au plus {:.4g} {}</translation>
     </message>

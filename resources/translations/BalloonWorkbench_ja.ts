@@ -2863,6 +2863,10 @@
         <translation>面密度</translation>
     </message>
     <message>
+        <source>artwork.pdf was left out. {0}</source>
+        <translation>artwork.pdf は省きました。{0}</translation>
+    </message>
+    <message>
         <source>at most {:.4g} {}</source>
         <translation>最大 {:.4g} {}</translation>
     </message>
