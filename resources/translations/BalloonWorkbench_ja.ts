@@ -2864,7 +2864,7 @@
     </message>
     <message>
         <source>artwork.pdf was left out. {0}</source>
-        <translation>artwork.pdf は省きました。{0}</translation>
+        <translation>artwork.pdf を省きました。{0}</translation>
     </message>
     <message>
         <source>at most {:.4g} {}</source>
