@@ -32,8 +32,16 @@ def run() -> None:
         if os.environ.get("BALLOON_COVERAGE"):
             import coverage
 
-            measure = coverage.Coverage(data_suffix=True)
+            # our folder is reached through a link
+            own = [f"*/BalloonWorkbench/{layer}/*" for layer in ("app", "core")]
+            measure = coverage.Coverage(data_suffix=True, source=[], include=own)
             measure.start()
+            for name in [name for name in sys.modules if name.partition(".")[0] == "BalloonWorkbench"]:
+                del sys.modules[name]  # FreeCAD has loaded them unmeasured
+            import BalloonWorkbench.app.balloon
+            import BalloonWorkbench.app.group
+            import BalloonWorkbench.app.outline
+            import BalloonWorkbench.app.pattern  # noqa: F401
         # tee-sys: what FreeCAD and its Python print while a test runs also reaches the log
         code = int(pytest.main(["--capture=tee-sys", *shlex.split(os.environ.get("BALLOON_TESTS", folder))]))
         if measure is not None:

@@ -11,7 +11,6 @@ import json
 from dataclasses import asdict, replace
 
 import FreeCAD as App
-import numpy as np
 
 from BalloonWorkbench.app.properties import Property
 
@@ -55,6 +54,8 @@ PROPERTIES = (
 
 def store(obj, inflation, film, values: dict) -> None:
     """Write a result into the object; values: those of its own properties, by name, that led to it."""
+    import numpy as np
+
     panel = inflation.panel
     lines = (*panel.seams, *panel.welds)
     lower = inflation.lower if inflation.lower is not None else np.empty((0, 3))
@@ -80,6 +81,8 @@ def is_known(obj) -> bool:
 
 def stored(obj):
     """The Inflation kept by `store` and its Film. Raises InputError where there is none, see `is_known`."""
+    import numpy as np
+
     from BalloonWorkbench.core.errors import InputError
     from BalloonWorkbench.core.film.film import Film, Look
     from BalloonWorkbench.core.mesh.panel import Panel
@@ -133,12 +136,16 @@ def drawing(obj):
 
 
 def _vectors(points) -> list:
+    import numpy as np
+
     from BalloonWorkbench.core.units import to_mm
 
     return [App.Vector(*point) for point in to_mm(np.asarray(points, dtype=float)).tolist()]
 
 
-def _metres(vectors) -> np.ndarray:
+def _metres(vectors):
+    import numpy as np
+
     from BalloonWorkbench.core.units import from_mm
 
     return from_mm(np.array([tuple(vector) for vector in vectors], dtype=float).reshape(-1, 3))

@@ -131,7 +131,9 @@ for module in pkgutil.walk_packages(BalloonWorkbench.core.__path__, "BalloonWork
     assert ended.returncode == 0, ended.stderr
 
 
-@pytest.mark.parametrize("path", sources(".py", ".cpp", ".h", ".hpp", ".sh", ".toml"), ids=named)
+@pytest.mark.parametrize(
+    "path", sources(".py", ".cpp", ".c", ".h", ".hpp", ".sh", ".toml", ".yaml", ".yml"), ids=named
+)
 def test_file_names_its_licence(path: Path) -> None:
     head = path.read_text(encoding="utf-8").splitlines()[:3]
     assert any("SPDX-License-Identifier: LGPL-2.1-or-later" in line for line in head)
