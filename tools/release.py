@@ -32,6 +32,8 @@ PARTS = (
         "LICENSE-THIRD-PARTY",
         "README.md",
         "CHANGELOG.md",
+        "docs/api.md",
+        "docs/help",
         "docs/images/fish.png",
     ),
 )
