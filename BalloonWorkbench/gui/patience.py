@@ -59,7 +59,7 @@ def work(title: str, job):
     application.installEventFilter(guard)
     application.installEventFilter(worker.shown)  # the last one is asked first: Esc and its button
     try:
-        (loop.exec_ if hasattr(loop, "exec_") else loop.exec)()
+        (loop.exec if hasattr(loop, "exec") else loop.exec_)()
     finally:
         application.removeEventFilter(guard)
         worker.wait()
