@@ -12,6 +12,7 @@ help: ## List these targets
 
 setup: ## Install missing Debian packages, make the Python environment in .venv
 	@tools/install-debian-packages.sh
+	@tools/install-debian-packages.sh debian-packages-readers.txt
 	@tools/make-python-environment.sh
 
 native: setup ## Build the native solver
@@ -62,8 +63,9 @@ pictures: native ## Take the pictures of the tutorial anew, in docs/images
 	@cp build/pictures/tutorial-*.png docs/images
 
 fuzz: native ## Inflate 2 000 random outlines, read 10 000 broken files
-	@BALLOON_OUTLINES=2000 BALLOON_FILES=10000 $(PYTHON) -m pytest -q -o faulthandler_timeout=0 \
-	    --log-cli-level=INFO tests/core/test_random_outlines.py tests/core/test_broken_files.py
+	@BALLOON_OUTLINES=2000 BALLOON_FILES=10000 BALLOON_VALUES=1000 $(PYTHON) -m pytest -q -o faulthandler_timeout=0 \
+	    --log-cli-level=INFO tests/core/test_random_outlines.py \
+	    tests/core/test_broken_files.py tests/core/test_value_limits.py
 
 pythons: native ## Run the engine's tests with Python 3.10 and 3.12, where they are
 	@tools/pythons.sh

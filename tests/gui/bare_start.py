@@ -15,13 +15,15 @@ import FreeCAD as App
 import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
+from BalloonWorkbench.core.packages import ABSENCES
+
 try:
     from PySide import QtWidgets
 except ImportError:  # FreeCAD 0.20 keeps the widgets in QtGui
     QtWidgets = QtGui
 
-HEAVY = {"scipy", "cv2", "ezdxf", "shapely", "matplotlib", "pythoncdt", "svgelements", "reportlab"}
-seen = {"loaded at start": sorted({"numpy", *HEAVY} & set(sys.modules))}
+HEAVY = set(ABSENCES) - {"numpy"}
+seen = {"loaded at start": sorted(set(ABSENCES) & set(sys.modules))}
 
 
 def hide(*names):
