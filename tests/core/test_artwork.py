@@ -16,6 +16,7 @@ import pytest
 from drawn_shapes import NAMED
 from inflated import designed
 from matplotlib.image import imread
+from printed import COLOURS, DPI, FILM, MM, VIEW, box_of, dots_of, dotted, exactly, inflated_view, printed
 from scipy.integrate import quad
 from solver_cases import circle
 
@@ -24,98 +25,19 @@ from BalloonWorkbench.core.artwork import sample
 from BalloonWorkbench.core.artwork.carry import front, seen_from
 from BalloonWorkbench.core.artwork.files import artwork_files
 from BalloonWorkbench.core.artwork.marks import bordered, marked
-from BalloonWorkbench.core.artwork.picture import Picture, carried_on, covering, of_drawing
-from BalloonWorkbench.core.artwork.sheet import Print, Sheet, artwork_sheets
+from BalloonWorkbench.core.artwork.picture import covering, of_drawing
+from BalloonWorkbench.core.artwork.sheet import Print, artwork_sheets
 from BalloonWorkbench.core.design.fit import fit
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.export.fabricate import machine_file
 from BalloonWorkbench.core.export.machine import machine
-from BalloonWorkbench.core.export.render import _rasterised
 from BalloonWorkbench.core.film.library import custom_film, film
 from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.mesh.triangulate import triangulate
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.pattern.build import build_pattern
-from BalloonWorkbench.core.pattern.pattern import Pattern, Role
+from BalloonWorkbench.core.pattern.pattern import Role
 from BalloonWorkbench.core.solver.inflate import inflate
-from BalloonWorkbench.core.solver.inflation import Inflation
-
-WHITE, FILM = (255, 255, 255, 255), (240, 200, 40, 255)
-COLOURS = [(200, 30, 40, 255), (20, 120, 60, 255), (30, 60, 200, 255), (0, 0, 0, 255)]
-DPI = 80.0
-VIEW = 0.4e-3  # m, pixel of the views of the balloon
-MM = 1e-3
-
-
-def dotted(
-    outline: Outline, pixel: float = 0.4 * MM, pitch: float = 32 * MM
-) -> tuple[np.ndarray, np.ndarray]:
-    """A picture of an outline on white paper, 20 pixels round it, with coloured dots inside, and their places
-    (k, 2) m from the lower left corner of the outline."""
-    from BalloonWorkbench.core.packages import shapely
-
-    low, high = outline.outer.min(axis=0), outline.outer.max(axis=0)
-    width, height = np.ceil((high - low) / pixel).astype(int) + 40
-    x, y = np.meshgrid((np.arange(width) - 19.5) * pixel, (height - 20.5 - np.arange(height)) * pixel)
-    package = shapely()
-    area = package.Polygon(outline.outer - low, [hole - low for hole in outline.holes])
-    pixels = np.where(package.contains_xy(area, x, y)[..., None], FILM, WHITE).astype(np.uint8)
-    room = area.buffer(-12 * MM)
-    places = [
-        (a, b)
-        for a in np.arange(0.0, high[0] - low[0], pitch)
-        for b in np.arange(0.0, high[1] - low[1], pitch)
-        if package.contains_xy(room, a, b)
-    ]
-    for k, (a, b) in enumerate(places):
-        pixels[np.hypot(x - a, y - b) < 5 * MM] = COLOURS[k % 4]
-    return pixels, np.array(places)
-
-
-def exactly(pixels: np.ndarray, outline: Outline, pixel: float = 0.4 * MM) -> Picture:
-    """A picture by `dotted` in its place, without looking for the shape in it."""
-    low = outline.outer.min(axis=0) - 20.0 * pixel
-    return Picture(carried_on(pixels, (pixels != WHITE).any(axis=2)), low, np.array([pixel, pixel]))
-
-
-def inflated_view(
-    sheet: Sheet, inflation: Inflation, low: np.ndarray, size: np.ndarray, pixel: float
-) -> np.ndarray:
-    """The printed balloon from the front, the nearest film in each pixel: by the renderer of the preview."""
-    shape = (int(size[1] / pixel), int(size[0] / pixel))
-    seen = (inflation.positions[:, :2] - low) / pixel
-    seen[:, 1] = shape[0] - seen[:, 1]
-    flat = inflation.panel.rest_positions
-    attributes = np.column_stack([flat, np.ones(len(flat))])
-    drawn = _rasterised(seen, inflation.positions[:, 2], inflation.panel.triangles, attributes, shape)
-    at = (drawn[..., :2] - sheet.origin) * sheet.dpi / 25.4e-3
-    rows = np.clip(np.rint(len(sheet.pixels) - at[..., 1] - 0.5), 0, len(sheet.pixels) - 1).astype(int)
-    columns = np.clip(np.rint(at[..., 0] - 0.5), 0, sheet.pixels.shape[1] - 1).astype(int)
-    view = sheet.pixels[rows, columns]
-    view[drawn[..., 2] < 0.5] = 0
-    return view
-
-
-def dots_of(pixels: np.ndarray, pixel: float, near: np.ndarray) -> np.ndarray:
-    """Middles (k, 2) m of the dots of a picture near places from its lower left corner."""
-    x = (np.arange(pixels.shape[1]) + 0.5) * pixel
-    y = (len(pixels) - np.arange(len(pixels)) - 0.5) * pixel
-    found = []
-    for k, (a, b) in enumerate(near):
-        alike = np.abs(pixels[..., :3].astype(int) - COLOURS[k % 4][:3]).max(axis=2) < 40
-        rows, columns = np.nonzero(alike & (np.hypot(x[None] - a, y[:, None] - b) < 10 * MM))
-        assert len(rows), f"dot {k} is gone"
-        found.append((x[columns].mean(), y[rows].mean()))
-    return np.array(found)
-
-
-def printed(
-    inflation: Inflation, seam: Outline, picture: Picture, **options: object
-) -> tuple[Sheet, Sheet, Pattern]:
-    own = bordered(build_pattern(seam, 0.005))
-    whole = marked(own)
-    one = Print(inflation, own, np.zeros(2), picture, **options)
-    return (*artwork_sheets([one], whole, DPI), whole)
 
 
 @pytest.fixture(scope="module")
@@ -146,14 +68,14 @@ def test_round_trip(heart: tuple) -> None:
 def test_a_traced_picture_lies_in_its_place() -> None:
     disc = Outline(circle(0.1) + 0.3)
     pixels, _ = dotted(disc)
-    wanted, found = exactly(pixels, disc), of_drawing(pixels, *_box(disc.outer))
+    wanted, found = exactly(pixels, disc), of_drawing(pixels, *box_of(disc.outer))
     assert np.abs(found.low - wanted.low).max() < 0.1 * MM
     assert np.abs(found.pixel / wanted.pixel - 1.0).max() < 2e-3
     assert not (found.pixels[..., :3] > 250).all(axis=2).any()
     large = np.repeat(np.repeat(pixels, 4, axis=0), 4, axis=1)  # looked at by blocks of pixels
     assert max(large.shape) > 1700
     large = large[: len(large) // 2 * 2 - 1]  # the last row makes no whole block
-    found = of_drawing(large, *_box(disc.outer))
+    found = of_drawing(large, *box_of(disc.outer))
     corner = np.array([0.0, 0.1 * MM]) + wanted.low
     assert np.abs(found.low - corner).max() < 0.06 * MM
     assert found.pixels.shape == large.shape
@@ -168,7 +90,7 @@ def test_an_unbent_picture_would_not_read_right(heart: tuple) -> None:
             [design.inflation.panel.rest_positions, np.zeros(len(design.inflation.positions))]
         ),
     )
-    plain, _, _ = printed(flat, design.pattern, of_drawing(pixels, *_box(design.pattern.outer)))
+    plain, _, _ = printed(flat, design.pattern, of_drawing(pixels, *box_of(design.pattern.outer)))
     view = inflated_view(plain, design.inflation, low, size, VIEW)
     middle = np.argsort(np.hypot(*(places - 0.5 * size).T))[:6]
     alike = [
@@ -176,10 +98,6 @@ def test_an_unbent_picture_would_not_read_right(heart: tuple) -> None:
         for k, (x, y) in enumerate(places)
     ]
     assert max(np.delete(alike, middle)) > 60
-
-
-def _box(loop: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    return loop.min(axis=0), np.ptp(loop, axis=0)
 
 
 def test_disc_follows_the_mylar_balloon() -> None:
@@ -206,7 +124,7 @@ def test_another_simulation_agrees() -> None:
     )
     shown = Outline(circle(0.092))
     pixels, places = dotted(shown, pitch=25 * MM)
-    low, size = _box(shown.outer)
+    low, size = box_of(shown.outer)
     sheet, _, _ = printed(coarse, disc, exactly(pixels, shown))
     view = inflated_view(sheet, fine, low, size, VIEW)
     assert np.hypot(*(dots_of(view, VIEW, places) - places).T).max() < 1.0 * MM
@@ -345,7 +263,7 @@ def test_film_round_a_hole_is_printed_from_its_own_side() -> None:
     outline = NAMED["ring"]
     design = designed(outline, 600)
     pixels, _ = dotted(outline)
-    sheet, _, whole = printed(design.inflation, design.pattern, of_drawing(pixels, *_box(outline.outer)))
+    sheet, _, whole = printed(design.inflation, design.pattern, of_drawing(pixels, *box_of(outline.outer)))
     (hole,) = whole.of(Role.CUT_INNER)
     middle = hole.points.mean(axis=0)
     column, row = ((middle - sheet.origin) / (25.4e-3 / DPI) - 0.5).astype(int)
@@ -394,7 +312,7 @@ def test_senseless_values_are_refused() -> None:
     own = build_pattern(design.pattern, 0.005)
     with pytest.raises(InputError, match="bleed"):
         bordered(own, -1.0 * MM)
-    picture = covering(np.full((9, 9, 4), 200, np.uint8), *_box(NAMED["disc"].outer))
+    picture = covering(np.full((9, 9, 4), 200, np.uint8), *box_of(NAMED["disc"].outer))
     one = Print(design.inflation, bordered(own), np.zeros(2), picture)
     for dpi in (5.0, 5000.0, 2400.0):
         with pytest.raises(InputError, match=r"resolution|dots per inch"):
