@@ -170,8 +170,9 @@ def inflate_now(obj) -> None:
 
     with status.reported(obj, bool(obj.SolvedFor)):
         wanted = request(obj)
-        design, told = hooks.work(f"Inflating {obj.Label}", lambda progress: solve(wanted, progress))
-        show(obj, wanted, design, told)
+        if wanted.key() != obj.SolvedFor:
+            design, told = hooks.work(f"Inflating {obj.Label}", lambda progress: solve(wanted, progress))
+            show(obj, wanted, design, told)
         obj.touch()
         obj.Document.recompute()
 

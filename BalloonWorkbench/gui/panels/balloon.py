@@ -264,6 +264,10 @@ class BalloonPanel:
     def _follow_document(self):
         if self.was_new and not self.parts.outline.Leader:
             create.match_companions(self.parts)  # the other shapes of the drawing
+        for other in create.companions(self.parts):  # Apply is meant for all of them
+            other.outline.recompute()
+            if not other.balloon.Live and status.is_ready(other.outline):
+                balloon_object.inflate_now(other.balloon)
         self.doc.recompute()
         if self.is_new and status.is_ready(self.parts.pattern):
             ready = [other for other in create.companions(self.parts) if status.is_ready(other.pattern)]
