@@ -23,10 +23,6 @@ def speak():
     change("English")
 
 
-def texts_of(kind):
-    return {widget.text() for widget in hands.visible(kind)}
-
-
 MENUS = {
     "German": ("Folienballon", "Neuer Ballon aus Bild"),
     "Japanese": ("フィルム風船(B)", "画像から新しい風船"),
@@ -61,8 +57,10 @@ def test_panel(speak, doc, language):
     label, choice, tab = PANELS[language]
     Gui.runCommand("BalloonWorkbench_FromPicture")
     hands.wait_until(hands.panel_is_open)
-    hands.show_tab(hands.find("Thickness"))
-    assert {label, tab} <= texts_of(hands.QtWidgets.QLabel)
+    steps, thickness = hands.find("Steps"), hands.find("Thickness")
+    hands.show_tab(thickness)
+    assert steps.tabText(steps.currentIndex()) == tab
+    assert thickness.parentWidget().layout().labelForField(thickness).text() == label
     backend = hands.find("Backend")
     assert choice in [backend.itemText(index) for index in range(backend.count())]
     assert backend.currentData() == "Automatic", "what is kept in the document stays English"

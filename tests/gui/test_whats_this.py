@@ -13,7 +13,8 @@ import hands
 import pytest
 
 OURS = [name for name in Gui.listCommands() if name.startswith("BalloonWorkbench_")]
-ROOT = Path(__file__).resolve().parents[2]
+#: What Draft and BIM take; loading them here would leave widgets behind.
+TAKEN = ("B, P", "B, S", "B, U", "B, Z")
 
 
 def page_of(text):
@@ -49,13 +50,11 @@ def test_page_is_whole(name):
 
 
 def test_keys_belong_to_one_command():
-    Gui.activateWorkbench("DraftWorkbench")
-    Gui.activateWorkbench("SketcherWorkbench")
-    Gui.activateWorkbench("BalloonWorkbench")
     shortcuts = {name: Gui.Command.get(name).getShortcut() for name in Gui.listCommands()}
     for name in OURS:
         mine = shortcuts[name]
         assert not mine or [other for other, keys in shortcuts.items() if keys == mine] == [name]
+        assert mine not in TAKEN
 
 
 @pytest.fixture
@@ -71,7 +70,7 @@ def help_module(monkeypatch):
 def test_whats_this_opens_the_page(help_module):
     """As Shift+F1 and a click on the button do."""
     action = Gui.Command.get("BalloonWorkbench_FromPicture").getAction()[0]
-    bars = [bar for bar in hands.visible(hands.QtWidgets.QToolBar) if bar.windowTitle() == "Film Balloon"]
+    bars = [bar for bar in action.associatedWidgets() if isinstance(bar, hands.QtWidgets.QToolBar)]
     button = bars[0].widgetForAction(action)
     Gui.runCommand("Std_WhatsThis")
     hands.wait(0.1)
