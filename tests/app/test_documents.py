@@ -108,7 +108,7 @@ def test_view_providers_are_asked_for(saved, monkeypatch):
     monkeypatch.setattr(hooks, "dress", lambda obj: dressed.append(obj.Name))
     document = App.openDocument(str(saved[0]))
     App.closeDocument(document.Name)
-    assert sorted(dressed) == sorted(PROXIES)
+    assert sorted(dressed) == sorted([*PROXIES, "BalloonGroup"])
 
 
 def test_missing_properties_are_added(reopened):
