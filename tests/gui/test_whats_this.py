@@ -70,7 +70,9 @@ def help_module(monkeypatch):
 def test_whats_this_opens_the_page(help_module):
     """As Shift+F1 and a click on the button do."""
     action = Gui.Command.get("BalloonWorkbench_FromPicture").getAction()[0]
-    bars = [bar for bar in action.associatedWidgets() if isinstance(bar, hands.QtWidgets.QToolBar)]
+    # Qt 5 and 6 have different names for it
+    owners = getattr(action, "associatedObjects", None) or action.associatedWidgets
+    bars = [bar for bar in owners() if isinstance(bar, hands.QtWidgets.QToolBar)]
     button = bars[0].widgetForAction(action)
     Gui.runCommand("Std_WhatsThis")
     hands.wait(0.1)
