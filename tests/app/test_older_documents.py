@@ -64,7 +64,9 @@ document = App.openDocument({str(path.resolve())!r})
 document.recompute()
 held = [document.Outline.Shape.Area, document.Balloon.Mesh.CountFacets, len(document.Pattern.Shape.Edges)]
 document.saveAs({str(tmp_path / "again.FCStd")!r})
-print("HELD", json.dumps([held, document.Balloon.SolvedFor != "", document.Outline.Proxy is None]))
+told = [held, document.Balloon.SolvedFor != "", document.Outline.Proxy is None]
+print("HELD", json.dumps(told), flush=True)
+App.closeDocument(document.Name)  # FreeCAD 1.1 crashes when it closes a mesh at its own end
 """
     ended = subprocess.run(
         ["freecadcmd", "-c", program],
@@ -76,7 +78,9 @@ print("HELD", json.dumps([held, document.Balloon.SolvedFor != "", document.Outli
         stdin=subprocess.DEVNULL,
         cwd=tmp_path,
     )
-    (line,) = [line for line in ended.stdout.splitlines() if "HELD" in line]
+    lines = [line for line in ended.stdout.splitlines() if "HELD" in line]
+    assert lines, ended.stdout + ended.stderr
+    line = lines[0]
     (area, facets, edges), solved, without = json.loads(line.partition("HELD ")[2])
     assert without
     assert solved
