@@ -49,12 +49,13 @@ def test_report_holds_what_schema_2_promises(heart: Path) -> None:
         "solve": "newton_steps factorisations seconds converged stiffness_k",
         "design": "passes seconds silhouette_error_mm relative_error reached",
         "inflated": "volume_m3 thickness_mm width_mm height_mm film_area_m2 max_tension_N_per_m",
-        "pattern": "width_mm height_mm seam_length_mm intake",
+        "pattern": "width_mm height_mm seam_length_mm intake more_intakes",
     }
     for group, names in wanted.items():
         assert set(report[group]) >= set(names.split()), group
     assert set(report["design"]["silhouette_error_mm"]) == {"mean", "p95", "max"}
-    assert set(report["pattern"]["intake"]) == {"width_mm", "length_mm", "angle_deg", "at_mm"}
+    intake = {"kind", "how_to_fill", "width_mm", "length_mm", "angle_deg", "at_mm", "along_mm"}
+    assert set(report["pattern"]["intake"]) == intake
     assert report["schema"] == 2
     assert report["pressure_Pa"] == 2000.0
     assert report["backend"] == "native"
