@@ -5,14 +5,13 @@ SHELL := /bin/bash
 .DEFAULT_GOAL := help
 PYTHON := .venv/bin/python
 
-.PHONY: help setup native demo test test-core test-app test-gui matrix lint format validation bench fuzz pythons coverage tidy docs examples pictures release release-check translations freecad clean
+.PHONY: help setup native readers demo test test-core test-app test-gui matrix lint format validation bench fuzz pythons coverage tidy docs examples pictures release release-check translations freecad clean
 
 help: ## List these targets
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' $(MAKEFILE_LIST) | expand -t 12
 
 setup: ## Install missing Debian packages, make the Python environment in .venv
 	@tools/install-debian-packages.sh
-	@tools/install-debian-packages.sh debian-packages-readers.txt
 	@tools/make-python-environment.sh
 
 native: setup ## Build the native solver
@@ -23,12 +22,15 @@ demo: native ## Design a balloon from an example picture
 	@$(PYTHON) -m BalloonWorkbench design resources/examples/pictures/fish.png --width 300mm --out out/demo
 	@echo "The files are in $(CURDIR)/out/demo:" && ls -lh out/demo | tail -n +2
 
-test: native ## Check the code, run all tests; logs go to build/logs
+readers: setup
+	@tools/install-debian-packages.sh debian-packages-readers.txt
+
+test: native readers ## Check the code, run all tests; logs go to build/logs
 	@tools/test.sh lint core app gui
 
 # One part of the tests. BALLOON_TESTS replaces its folder by other arguments of pytest:
 # BALLOON_TESTS="tests/gui/test_window_starts.py -x" make test-gui
-test-core test-app test-gui: test-%: native
+test-core test-app test-gui: test-%: native readers
 	@tools/test.sh $*
 
 matrix: native ## Run the tests of app and gui with FreeCAD 1.0 and 1.1, in roots of their Debian; as root
@@ -67,10 +69,10 @@ fuzz: native ## Inflate 2 000 random outlines, read 10 000 broken files
 	    --log-cli-level=INFO tests/core/test_random_outlines.py \
 	    tests/core/test_broken_files.py tests/core/test_value_limits.py
 
-pythons: native ## Run the engine's tests with Python 3.10 and 3.12, where they are
+pythons: native readers ## Run the engine's tests with Python 3.10 and 3.12, where they are
 	@tools/pythons.sh
 
-coverage: native ## Tell which lines of core and app the tests run
+coverage: native readers ## Tell which lines of core and app the tests run
 	@tools/coverage.sh
 
 tidy: setup ## Look for mistakes in the C++ with clang-tidy
