@@ -89,9 +89,11 @@ def _bomb(draw: random.Random) -> tuple[str, bytes]:
             + _chunk(b"IDAT", zlib.compress(b"\0" * 3_000_000)) + _chunk(b"IEND", b"")),
         ("svg", b"<svg>" + b"<g>" * deep + b"</g>" * deep + b"</svg>"),
         ("svg", b'<!DOCTYPE s [<!ENTITY a "aaaaaaaaaa">' + b"".join(
-            b'<!ENTITY %c "%s">' % (98 + k, b"&%c;" % (97 + k) * 10) for k in range(9)) + b"]><svg>&j;</svg>"),
+            b'<!ENTITY %c "%s">' % (98 + k, b"&%c;" % (97 + k) * 10) for k in range(9))
+            + b"]><svg>&j;</svg>"),
         ("svg", b"<svg>" + b"".join(
-            b'<g id="g%d">%s</g>' % (k, b'<use href="#g%d"/>' % (k - 1) * 10) for k in range(12)) + b"</svg>"),
+            b'<g id="g%d">%s</g>' % (k, b'<use href="#g%d"/>' % (k - 1) * 10) for k in range(12))
+            + b"</svg>"),
         ("svg", b'<svg><g id="a"><use href="#b"/></g><g id="b"><use href="#a"/></g></svg>'),
         ("svg", b'<svg><path d="M0 0' + b" L 1 1 5 9" * 20_000 + b'"/></svg>'),
         ("json", b"[" * deep),
@@ -100,7 +102,8 @@ def _bomb(draw: random.Random) -> tuple[str, bytes]:
         ("json", b'{"outer": [[0, 0], [1' + b"0" * 5000 + b", 0], [0, 1]]}"),
         ("dxf", _dxf("LWPOLYLINE", [(90, "99999999"), *[(10, "1"), (20, "2")] * 3000])),
         ("dxf", _dxf("SPLINE", [(71, "3"), (72, "99999999"), (73, "99999999"), (74, "0"), (40, "1")])),
-        ("dxf", b"  0\nSECTION\n  2\nBLOCKS\n  0\nBLOCK\n  2\nA\n 10\n0\n 20\n0\n  0\nINSERT\n  2\nA\n 10\n0\n 20\n0\n"
+        ("dxf", b"  0\nSECTION\n  2\nBLOCKS\n  0\nBLOCK\n  2\nA\n 10\n0\n 20\n0\n"
+            b"  0\nINSERT\n  2\nA\n 10\n0\n 20\n0\n"
             b"  0\nENDBLK\n  0\nENDSEC\n  0\nSECTION\n  2\nENTITIES\n  0\nINSERT\n  2\nA\n 10\n0\n 20\n0\n"
             b" 70\n9999\n 71\n9999\n  0\nENDSEC\n  0\nEOF\n"),
     )  # fmt: skip
@@ -131,7 +134,7 @@ def _svg(draw: random.Random) -> tuple[str, bytes]:
             (
                 f'<path d="{path()}" {style}/>',
                 f'<polygon points="{numbers(draw.randrange(12))}" {style}/>',
-                f'<rect x="{numbers(1)}" y="0" width="{numbers(1)}" height="{numbers(1)}" rx="{numbers(1)}" {style}/>',
+                f'<rect x="{numbers(1)}" width="{numbers(1)}" height="9" rx="{numbers(1)}" {style}/>',
                 f'<circle cx="{numbers(1)}" cy="{numbers(1)}" r="{numbers(1)}" {style}/>',
                 f'<ellipse rx="{numbers(1)}" ry="{numbers(1)}" {style}/>',
                 f'<line x1="{numbers(1)}" x2="5" {style}/>',

@@ -27,7 +27,7 @@ MEGABYTES = 1500
 
 _ADVICE = re.compile(
     r"\b(Save|Choose|Use|Write|Check|Make|Simplify|Leave|Give|Draw|Close|Part|Join|Remove|Install|Enlarge|"
-    r"keep|part|join|close|separate|remove|enlarge|leave|choose|draw|give|make|use|move)\b"
+    r"bring|keep|part|join|close|separate|remove|enlarge|leave|choose|draw|give|make|use|move)\b"
 )
 
 

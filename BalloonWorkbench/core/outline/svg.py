@@ -70,7 +70,7 @@ def read_svg(data: bytes, tolerance: float) -> tuple[list[Floats], list[Floats],
                 (welds if weld else lines).append(line)
                 if not weld and fills and not closed and len(line) > 2:
                     filled.append(line)
-    except (ValueError, TypeError, ZeroDivisionError, AttributeError, LookupError) as error:
+    except (ValueError, TypeError, ArithmeticError, AttributeError, LookupError) as error:
         raise InputError(f"The SVG file cannot be read ({error}). Save it as plain SVG once more.") from error
     return lines, filled, welds
 
