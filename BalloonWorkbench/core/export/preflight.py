@@ -25,8 +25,8 @@ _WAY_ROUND = 3.0
 #: Share of the tolerance with which a radius that is too small is measured once more.
 _FINE = 0.25
 _CUTS = (Role.CUT_INNER, Role.CUT)
-#: Lines whose bends matter; letters and marks have their own.
-_LONG = (*_CUTS, Role.SEAL, Role.WELD)
+#: Lines whose bends matter to a machine that only welds; to one that cuts they are marks.
+_WELDS = (Role.SEAL, Role.WELD)
 
 
 @dataclass(frozen=True)
@@ -43,7 +43,8 @@ def preflight(pattern: Pattern, machine: Machine) -> tuple[Finding, ...]:
     taken = [contour for contour in pattern.contours if contour.role in machine.layers]
     findings = [*_closed(taken), *_simple(taken)]
     if not any(finding.severity == ERROR for finding in findings):
-        findings += _radius([contour for contour in taken if contour.role in _LONG], machine)
+        cuts = [contour for contour in taken if contour.role in _CUTS]
+        findings += _radius(cuts or [contour for contour in taken if contour.role in _WELDS], machine)
         findings += _gap(taken, machine)
     findings += _size(pattern, machine)
     return tuple(sorted(findings, key=lambda finding: finding.severity != ERROR))
