@@ -53,7 +53,16 @@ def test_polylines_where_they_are_wanted(pattern):
     assert any(isinstance(edge.Curve, Part.Circle) for edge in pattern.Shape.Edges)
 
 
-@pytest.mark.parametrize("name", ["lightburn", "cutting-shop"])
+#: FreeCAD 1.0 leaves out the closing segment of a POLYLINE; 0.20 and 1.1 read it, as all other readers do.
+R12 = pytest.param(
+    "cutting-shop",
+    marks=pytest.mark.xfail(
+        App.Version()[:2] == ["1", "0"], reason="the importer of FreeCAD 1.0", strict=True
+    ),
+)
+
+
+@pytest.mark.parametrize("name", ["lightburn", R12])
 def test_freecads_importer_reads_the_dxf(pattern, tmp_path, name):
     """The C++ importer: same bounds as the sheet, arcs as arcs."""
     import Import
