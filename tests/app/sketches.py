@@ -93,3 +93,9 @@ def letter_s(doc, radius=40.0, width=30.0):
     ]
     # the S: the upper half-ring ends where the lower one begins
     return sketch(doc, *parts, name="LetterS")
+
+
+def move_point(sketch, geometry, position, target):
+    """Pull a point of a sketch to a place; FreeCAD 1.1 has another name for it."""
+    move = sketch.movePoint if hasattr(sketch, "movePoint") else sketch.moveGeometry
+    move(geometry, position, target, 0)

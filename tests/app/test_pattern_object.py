@@ -192,7 +192,7 @@ def test_weld_inside_reaches_the_file(doc, tmp_path):
     assert np.linalg.norm(points[-1] - points[0]) == pytest.approx(60, rel=0.3)
     # moving it makes another balloon of the same objects
     before = welded.balloon.Volume.Value
-    sketch.movePoint(4, 1, sketches.vector(80, 40), 0)
+    sketches.move_point(sketch, 4, 1, sketches.vector(80, 40))
     doc.recompute()
     assert welded.balloon.Status == status.READY
     assert welded.balloon.Volume.Value > 1.05 * before

@@ -70,7 +70,7 @@ def test_sketch_can_be_pulled_and_holds_together(pattern):
     try:
         arc = next(k for k, line in enumerate(sketch.Geometry) if isinstance(line, Part.ArcOfCircle))
         start = sketch.getPoint(arc, 1)
-        sketch.movePoint(arc, 1, start + App.Vector(0.5, 0.5, 0.0), 0)
+        sketches.move_point(sketch, arc, 1, start + App.Vector(0.5, 0.5, 0.0))
         pattern.Document.recompute()
         assert (sketch.getPoint(arc, 1) - start).Length > 0.1
         assert all(wire.isClosed() for wire in sketch.Shape.Wires)
