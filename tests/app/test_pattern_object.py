@@ -175,7 +175,6 @@ def test_stale_pattern_is_not_exported(pattern, tmp_path):
 def test_weld_inside_reaches_the_file(doc, tmp_path):
     """A sketch with an inner open line, and what is cut from it."""
     import ezdxf
-    import sketches
 
     from BalloonWorkbench.app import create
 
