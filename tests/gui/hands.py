@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What a user does: look, wait, click and type; with real events, in the real window."""
 
+import gc
 import time
 from pathlib import Path
 
@@ -35,12 +36,14 @@ def visible(kind):
     """The widgets of a kind that can be seen.
 
     Not by findChildren of the main window: it would keep the Python shells of widgets that are deleted later.
+    Python's collector has to wait: it deletes widgets that Qt has just listed.
     """
-    return [
-        widget
-        for widget in QtWidgets.QApplication.allWidgets()
-        if isinstance(widget, kind) and widget.isVisible()
-    ]
+    gc.disable()
+    try:
+        widgets = QtWidgets.QApplication.allWidgets()
+    finally:
+        gc.enable()
+    return [widget for widget in widgets if isinstance(widget, kind) and widget.isVisible()]
 
 
 def find(name):
