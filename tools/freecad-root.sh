@@ -9,7 +9,7 @@ suite=$1
 # what the workbench needs anywhere, and what .venv holds on Debian 12
 packages=$(sed 's/#.*//; /^[[:space:]]*$/d' tools/debian-packages.txt | paste -sd,)
 packages+=,python3-pytest,python3-fonttools,python3-pyparsing,python3-typing-extensions
-wheels=$(grep -oE '^(ezdxf|pythoncdt|svgelements|shapely)==[0-9.]+' requirements.txt)
+wheels=$(grep -oE '^(ezdxf|pythoncdt|svgelements|shapely|spyrrow)==[0-9.]+' requirements.txt)
 base=${FREECAD_ROOTS:-/var/cache/freecad-roots}
 root=$base/$suite-$({ echo "$suite $packages $wheels" && cat "$0"; } | sha256sum | cut -c1-10)
 
