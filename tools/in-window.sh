@@ -5,6 +5,6 @@
 set -euo pipefail
 
 exec env -u WAYLAND_DISPLAY QT_QPA_PLATFORM=xcb LIBGL_ALWAYS_SOFTWARE=1 XDG_RUNTIME_DIR= \
-    timeout --kill-after=30 1200 \
+    timeout --kill-after=30 2400 \
     xvfb-run --auto-servernum --server-args="-screen 0 1920x1080x24 -noreset" \
     "$(dirname "$(realpath "$0")")/in-freecad.sh" "$1" freecad "$2"
