@@ -7,7 +7,7 @@ cd "$(dirname "$(realpath "$0")")/.." || exit 1
 logs=build/logs
 mkdir -p "$logs"
 scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
+trap 'jobs -p | xargs -r kill 2>/dev/null; rm -rf "$scratch"' EXIT
 
 lint() {
     local failed=0
@@ -47,21 +47,38 @@ freecad_log_is_clean() {
     fi
 }
 
-result=0
-summary=()
-for step in "$@"; do
-    echo "== $step"
-    started=$SECONDS
-    log=$logs/$step${SUITE:-}.log
+# Run one step: its log, and its line of the summary.
+check() {
+    local step=$1 log=$logs/$1${SUITE:-}.log started=$SECONDS status counts word=ok
     "$step" </dev/null 2>&1 | tee "$log"
     status=${PIPESTATUS[0]}
     [ "$step" = lint ] || [ "$status" -ne 0 ] || pytest_has_ended "$log" || status=1
     case $step in app | gui) freecad_log_is_clean "$log" || status=1 ;; esac
     counts=$(grep -aoE '[0-9]+ (passed|failed|skipped|errors?)\b.* in [0-9.]+s' "$log" | tail -n 1)
-    if [ "$status" -eq 0 ]; then word=ok; else word="FAILED ($status)" result=1; fi
-    summary+=("$(printf '%-5s %-12s %4d s  %s' "$step" "$word" $((SECONDS - started)) "$counts")")
+    [ "$status" -eq 0 ] || word="FAILED ($status)"
+    printf '%-5s %-12s %4d s  %s\n' "$step" "$word" $((SECONDS - started)) "$counts" >"$scratch/$step.summary"
+    return "$status"
+}
+
+result=0
+beside=
+for step in "$@"; do
+    if [ "$step" = core ] && [ "$step" != "${!#}" ]; then
+        # beside the steps after it, which keep one processor busy
+        echo "== core, beside the next: see $logs/core${SUITE:-}.log"
+        check core >/dev/null &
+        beside=$!
+    else
+        echo "== $step"
+        check "$step" || result=1
+    fi
 done
+if [ -n "$beside" ]; then
+    wait "$beside" || result=1
+    echo "== core"
+    tail -n 60 "$logs/core${SUITE:-}.log"
+fi
 
 echo "== summary (logs in $logs)"
-printf '%s\n' "${summary[@]}"
+for step in "$@"; do cat "$scratch/$step.summary"; done
 exit $result
