@@ -36,7 +36,9 @@ STEP = 1e-4  # of the size, for differences
 def instead_of_mixing(film: Film, pressure: float) -> Iterator[None]:
     """Within it `fit` takes Gauss-Newton steps; for drawings of one loop."""
 
-    def corrected(current: Any, mixing: Any, hopes: Any, edge: float, size: float, room: float) -> Course:
+    def corrected(
+        current: Any, mixing: Any, hopes: Any, edge: float, width: float, size: float, room: float
+    ) -> Course:
         course = current.course
         field = _step(current, film, pressure, edge)
         length = np.linalg.norm(field, axis=1, keepdims=True)
