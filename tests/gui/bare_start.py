@@ -107,10 +107,9 @@ def look():
 def run():
     try:
         look()
-    except BaseException:
-        seen["failed"] = traceback.format_exc()
-        raise
     finally:
+        if sys.exc_info()[0] is not None:
+            seen["failed"] = traceback.format_exc()
         Path(os.environ["BALLOON_SEEN"]).write_text(json.dumps(seen), encoding="utf-8")
         sys.stdout.flush()
         os._exit(0)
