@@ -6,9 +6,9 @@ from __future__ import annotations
 from functools import lru_cache
 from pathlib import Path
 
-from BalloonWorkbench.app import migrate, status
-from BalloonWorkbench.app.properties import Property, add_missing, offer_choices
-from BalloonWorkbench.app.stateless import Stateless
+from BalloonWorkbench.app import status
+from BalloonWorkbench.app.properties import Property
+from BalloonWorkbench.app.stateless import DocumentProxy
 from BalloonWorkbench.core.errors import ExportError, InputError
 
 FRONT, BACK = "Front", "Back"
@@ -39,20 +39,13 @@ PROPERTIES = (
 )
 
 
-class ArtworkProxy(Stateless):
+class ArtworkProxy(DocumentProxy):
     """Behaviour of the Artwork object (Part::Part2DObjectPython)."""
 
-    def __init__(self, obj):
-        add_missing(obj, (migrate.VERSION, *PROPERTIES))
-        offer_choices(obj, CHOICES)
-        obj.Proxy = self
+    properties = PROPERTIES
 
-    def onDocumentRestored(self, obj):
-        from BalloonWorkbench.app import hooks
-
-        if migrate.bring_up_to_date(obj, PROPERTIES):
-            offer_choices(obj, CHOICES)
-        hooks.dress(obj)
+    def choices(self):
+        return CHOICES
 
     def execute(self, obj):
         if status.waits_for(obj, obj.Pattern, bool(obj.Roles), "Choose the pattern to print on."):

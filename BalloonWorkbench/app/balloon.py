@@ -3,9 +3,9 @@
 
 from __future__ import annotations
 
-from BalloonWorkbench.app import advice, film, film_result, migrate, size_goal, status
-from BalloonWorkbench.app.properties import Property, add_missing, offer_choices, show_in_editor
-from BalloonWorkbench.app.stateless import Stateless
+from BalloonWorkbench.app import advice, film, film_result, size_goal, status
+from BalloonWorkbench.app.properties import Property, show_in_editor
+from BalloonWorkbench.app.stateless import DocumentProxy
 
 FIT, INFLATE = "Fit to drawing", "Inflate as drawn"
 PRESSURE, VOLUME = "Pressure", "Volume"
@@ -106,26 +106,24 @@ PROPERTIES = (
 )
 
 
-class BalloonProxy(Stateless):
+class BalloonProxy(DocumentProxy):
     """Behaviour of the Balloon object (Mesh::FeaturePython)."""
 
+    properties = PROPERTIES
+
     def __init__(self, obj):
-        add_missing(obj, (migrate.VERSION, *PROPERTIES))
-        offer_choices(obj, CHOICES)
-        obj.Proxy = self
+        super().__init__(obj)
         film.set_choices(obj)
         follow_load(obj)
         size_goal.follow(obj)
 
-    def onDocumentRestored(self, obj):
-        from BalloonWorkbench.app import hooks
+    def choices(self):
+        return CHOICES
 
-        if migrate.bring_up_to_date(obj, PROPERTIES):
-            offer_choices(obj, CHOICES)
+    def opened(self, obj):
         film.protect(obj)
         follow_load(obj)
         size_goal.follow(obj)
-        hooks.dress(obj)
 
     def onChanged(self, obj, name):
         from BalloonWorkbench.app.host import is_replaying

@@ -6,9 +6,9 @@ from __future__ import annotations
 import hashlib
 import json
 
-from BalloonWorkbench.app import migrate, status
-from BalloonWorkbench.app.properties import Property, add_missing, offer_choices
-from BalloonWorkbench.app.stateless import Stateless
+from BalloonWorkbench.app import status
+from BalloonWorkbench.app.properties import Property
+from BalloonWorkbench.app.stateless import DocumentProxy
 from BalloonWorkbench.core.errors import InputError
 
 GRAINS = {"Along": "along", "Across": "across", "Any": "any"}
@@ -39,20 +39,13 @@ PROPERTIES = (
 )
 
 
-class FilmSheetProxy(Stateless):
+class FilmSheetProxy(DocumentProxy):
     """Behaviour of the FilmSheet object (Part::Part2DObjectPython)."""
 
-    def __init__(self, obj):
-        add_missing(obj, (migrate.VERSION, *PROPERTIES))
-        offer_choices(obj, CHOICES)
-        obj.Proxy = self
+    properties = PROPERTIES
 
-    def onDocumentRestored(self, obj):
-        from BalloonWorkbench.app import hooks
-
-        if migrate.bring_up_to_date(obj, PROPERTIES):
-            offer_choices(obj, CHOICES)
-        hooks.dress(obj)
+    def choices(self):
+        return CHOICES
 
     def execute(self, obj):
         from BalloonWorkbench.app import hooks

@@ -5,9 +5,9 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from BalloonWorkbench.app import advice, migrate, status
-from BalloonWorkbench.app.properties import Property, add_missing, offer_choices, show_in_editor
-from BalloonWorkbench.app.stateless import Stateless
+from BalloonWorkbench.app import advice, status
+from BalloonWorkbench.app.properties import Property, show_in_editor
+from BalloonWorkbench.app.stateless import DocumentProxy
 
 SYMMETRY = {"Automatic": "auto", "Off": "off", "Forced": "force"}
 
@@ -62,21 +62,17 @@ PROPERTIES = (
 CHOICES = {"Symmetry": list(SYMMETRY)}
 
 
-class OutlineProxy(Stateless):
+class OutlineProxy(DocumentProxy):
     """Behaviour of the Outline object (Part::Part2DObjectPython)."""
 
+    properties = PROPERTIES
+
     def __init__(self, obj):
-        add_missing(obj, (migrate.VERSION, *PROPERTIES))
-        offer_choices(obj, CHOICES)
-        obj.Proxy = self
+        super().__init__(obj)
         self.follow_source(obj)
 
-    def onDocumentRestored(self, obj):
-        from BalloonWorkbench.app import hooks
-
-        if migrate.bring_up_to_date(obj, PROPERTIES):
-            offer_choices(obj, CHOICES)
-        hooks.dress(obj)
+    def choices(self):
+        return CHOICES
 
     def onChanged(self, obj, name):
         if name in ("Source", "Leader") and "Status" in obj.PropertiesList:

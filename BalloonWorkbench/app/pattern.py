@@ -3,9 +3,9 @@
 
 from __future__ import annotations
 
-from BalloonWorkbench.app import migrate, status
-from BalloonWorkbench.app.properties import Property, add_missing, offer_choices, show_in_editor
-from BalloonWorkbench.app.stateless import Stateless
+from BalloonWorkbench.app import status
+from BalloonWorkbench.app.properties import Property, show_in_editor
+from BalloonWorkbench.app.stateless import DocumentProxy
 
 DIRECTION, PLACE = "Direction", "Place on the seam"
 _MOST_MADE = 8
@@ -64,21 +64,17 @@ PROPERTIES = (
 )
 
 
-class PatternProxy(Stateless):
+class PatternProxy(DocumentProxy):
     """Behaviour of the Pattern object (Part::Part2DObjectPython)."""
 
+    properties = PROPERTIES
+
     def __init__(self, obj):
-        add_missing(obj, (migrate.VERSION, *PROPERTIES))
-        offer_choices(obj, _choices())
-        obj.Proxy = self
+        super().__init__(obj)
         self.follow_intake(obj)
 
-    def onDocumentRestored(self, obj):
-        from BalloonWorkbench.app import hooks
-
-        if migrate.bring_up_to_date(obj, PROPERTIES):
-            offer_choices(obj, _choices())
-        hooks.dress(obj)
+    def choices(self):
+        return _choices()
 
     def onChanged(self, obj, name):
         followed = (

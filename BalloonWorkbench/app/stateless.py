@@ -3,6 +3,9 @@
 
 from __future__ import annotations
 
+from BalloonWorkbench.app import migrate
+from BalloonWorkbench.app.properties import add_missing, offer_choices
+
 
 class Stateless:
     """Base of all proxies; FreeCAD asks these methods what to save beside the properties."""
@@ -16,3 +19,29 @@ class Stateless:
     # FreeCAD 0.20 asks for these names
     __getstate__ = dumps
     __setstate__ = loads
+
+
+class DocumentProxy(Stateless):
+    """Base of our document objects: gives them their properties, brings older ones up to date."""
+
+    properties = ()
+
+    def __init__(self, obj):
+        add_missing(obj, (migrate.VERSION, *self.properties))
+        offer_choices(obj, self.choices())
+        obj.Proxy = self
+
+    def choices(self):
+        """The entries of each enumeration."""
+        return {}
+
+    def onDocumentRestored(self, obj):
+        from BalloonWorkbench.app import hooks
+
+        if migrate.bring_up_to_date(obj, self.properties):
+            offer_choices(obj, self.choices())
+        self.opened(obj)
+        hooks.dress(obj)
+
+    def opened(self, obj):
+        """What an object of an opened document needs besides."""
