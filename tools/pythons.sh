@@ -8,9 +8,7 @@ cd "$(dirname "$(realpath "$0")")/.."
 
 packages=(numpy scipy opencv-python-headless matplotlib reportlab pytest)
 mapfile -t pinned < <(grep -oE '^(ezdxf|pythoncdt|svgelements|shapely|spyrrow)==[0-9.]+' requirements.txt)
-# what reads, meshes, inflates, draws and writes; the rest of the tests would tell the same
-tests=(tests/core/test_{absence,cli,native_library,house,outline_read,outline_vector,mesh_triangulate}.py
-    tests/core/test_{solver_agreement,solver_hencky,pattern_build,export_read_back,export_svg,units}.py)
+mapfile -t tests < <(grep -v '^#' tools/engine-tests.txt)
 versions=("$@")
 [ ${#versions[@]} -gt 0 ] || versions=(3.10 3.12)
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# test.sh STEP...   steps: lint core app gui
+# test.sh STEP...   steps: lint core app gui; engine: the part of core that other versions are tried with
 # Runs every step, also after one has failed. Each leaves build/logs/STEP.log, with SUITE after its name if set.
 set -uo pipefail
 cd "$(dirname "$(realpath "$0")")/.." || exit 1
@@ -25,6 +25,11 @@ core() {
     mkdir -p "$scratch/core"
     # shellcheck disable=SC2086  # several arguments
     FREECAD_USER_HOME=$scratch/core .venv/bin/python -m pytest ${BALLOON_TESTS:-}
+}
+
+engine() {
+    # shellcheck disable=SC2046  # several arguments
+    BALLOON_TESTS=${BALLOON_TESTS:-$(grep -v '^#' tools/engine-tests.txt | paste -sd' ')} core
 }
 
 app() {
