@@ -4,6 +4,7 @@ import BalloonWorkbench.app.balloon
 import BalloonWorkbench.app.group
 import BalloonWorkbench.app.outline
 import BalloonWorkbench.app.pattern  # noqa: F401
-from BalloonWorkbench.app import material
+from BalloonWorkbench.app import material, revive
 
 material.register()
+revive.watch()

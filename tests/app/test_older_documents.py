@@ -55,8 +55,8 @@ def test_older_document_can_be_edited(older):
 
 
 @pytest.mark.parametrize("path", KEPT[-2:], ids=lambda path: path.stem)
-def test_shapes_are_kept_where_the_workbench_is_not_installed(path, tmp_path):
-    """A FreeCAD without it opens the document, and saves it."""
+def test_nothing_is_lost_where_the_workbench_is_not_installed(path, tmp_path):
+    """A FreeCAD without it opens the document, and saves it; with it the balloon follows its sketch again."""
     (tmp_path / "user").mkdir()
     program = f"""
 import json, FreeCAD as App
@@ -87,4 +87,15 @@ App.closeDocument(document.Name)  # FreeCAD 1.1 crashes when it closes a mesh at
     assert area == pytest.approx(120 * 80)
     assert facets > 100
     assert edges > 8
-    assert (tmp_path / "again.FCStd").is_file()
+    document = App.openDocument(str(tmp_path / "again.FCStd"))
+    try:
+        parts = [document.getObject(name) for name in ("BalloonGroup", *PARTS)]
+        assert [type(obj.Proxy).__name__ for obj in parts] == [f"{name}Proxy" for name in ("Group", *PARTS)]
+        document.Rectangle.setDatum("Width", App.Units.Quantity("100 mm"))
+        document.Pattern.Notches = 2
+        document.recompute()
+        assert [obj.Status for obj in parts[1:]] == [status.READY] * 3
+        assert document.Outline.Shape.Area == pytest.approx(100 * 80)
+        assert document.Balloon.InflatedWidth.Value == pytest.approx(100, rel=0.03)
+    finally:
+        App.closeDocument(document.Name)
