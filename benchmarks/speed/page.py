@@ -10,6 +10,7 @@ from speed import cases, evolver
 
 #: What is aimed at.
 COLD, COLD_WORST, GROWTH, WARM, NATIVE, MEMORY = 30.0, 60.0, 1.4, 6.0, 5.0, 1500.0
+START = 50.0
 AGAINST_EVOLVER = {2000: 25.0, 10000: 50.0}
 
 _HEAD = """\
@@ -177,6 +178,9 @@ def _aims(measured: dict[str, Any]) -> list[tuple[str, str, str]]:
                 ", ".join(f"1/{ratio:.0f}" for ratio in ratios) + " (both at rest)",
                 min(ratios) >= aim,
             )
+    if measured["start_ms"] is not None:
+        start = measured["start_ms"]
+        row(f"start of FreeCAD: below {START:g} ms for the workbench", f"{start:.0f} ms", start < START)
     return rows
 
 

@@ -13,7 +13,7 @@ from datetime import date
 from pathlib import Path
 from typing import Any, TextIO
 
-from speed import cases, evolver, machine
+from speed import cases, evolver, machine, startup
 
 SHAPES = ("disc", "square", "star")
 EVOLVER_SHAPES = ("disc", "square", "heart")
@@ -35,6 +35,7 @@ def measure(folder: Path, sizes: list[int], evolver_sizes: list[int], log: TextI
         "date": date.today().isoformat(),
         "machine": machine.description(),
         "load_before": machine.load(),
+        "start_ms": startup.milliseconds(folder),
         "solves": [],
         "numpy": [],
         "evolver": [],
@@ -68,7 +69,8 @@ def measure(folder: Path, sizes: list[int], evolver_sizes: list[int], log: TextI
     measured["load_after"] = machine.load()
     (folder / "machine.json").write_text(
         json.dumps(
-            {key: measured[key] for key in ("date", "machine", "load_before", "load_after")}, indent=1
+            {key: measured[key] for key in ("date", "machine", "load_before", "load_after", "start_ms")},
+            indent=1,
         ),
         encoding="utf-8",
     )
