@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 import shapely
 from drawn_shapes import NAMED
-from test_export_read_back import compare, line, run
+from read_back import compare, line, run
 
 from BalloonWorkbench.core.export.drawing import draw
 from BalloonWorkbench.core.export.fabricate import machine_file

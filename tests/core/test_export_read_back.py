@@ -4,10 +4,7 @@
 from __future__ import annotations
 
 import io
-import os
 import re
-import shutil
-import subprocess
 from pathlib import Path
 
 import ezdxf
@@ -16,72 +13,17 @@ import numpy as np
 import pytest
 import shapely
 from drawn_shapes import NAMED
-from matplotlib.image import imread
+from read_back import NEAR, POINT, Lines, apart, compare, line, page_lines, run, same, svg_lines, wanted
 
 from BalloonWorkbench.core.export.drawing import BAR, draw
 from BalloonWorkbench.core.export.fabricate import drawing_file, machine_file
-from BalloonWorkbench.core.export.machine import Machine, machine
-from BalloonWorkbench.core.export.machine_pdf import PAPERS
+from BalloonWorkbench.core.export.machine import machine
 from BalloonWorkbench.core.pattern.build import build_pattern
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
 
-NEAR = 0.05  # mm
-DPI = 300
 PATTERNS = {name: build_pattern(NAMED[name], 0.005) for name in ("heart", "holes")}
 SMALL = build_pattern(NAMED["heart"].map(lambda loop: 0.5 * loop), 0.005)  # fits on A3 with the control bar
 DXF = ["lightburn", "rdworks", "silhouette", "cutting-shop", "cutting-shop-inch", "heat-sealer"]
-
-
-def run(*command: str | Path, **values: str) -> str:
-    """What a program prints; the test is skipped where it is not installed."""
-    if shutil.which(str(command[0])) is None:
-        pytest.skip(f"{command[0]} is not installed")
-    done = subprocess.run(
-        command, capture_output=True, text=True, timeout=120, check=False, env={**os.environ, **values}
-    )
-    assert done.returncode == 0, done.stdout + done.stderr
-    return done.stdout + done.stderr
-
-
-def wanted(pattern: Pattern, made_for: Machine) -> list[tuple[str, shapely.Geometry]]:
-    """The contours in mm with their layer, moved as the drawing is: straight from the pattern's points."""
-    roles = [role for role in Role if role in made_for.layers]
-    contours = [contour for role in roles for contour in pattern.of(role)]
-    low = np.min([contour.points.min(axis=0) for contour in contours], axis=0) * 1000.0
-    if made_for.control_bar:
-        low = low - [0.0, 10.0]
-    return [
-        (made_for.layers[contour.role].name, line(contour.points * 1000.0 - low, contour.closed))
-        for contour in contours
-    ]
-
-
-def line(points: np.ndarray, closed: bool) -> shapely.Geometry:
-    return (shapely.LinearRing if closed else shapely.LineString)(points)
-
-
-def same(read: shapely.Geometry, contour: shapely.Geometry) -> bool:
-    """Close all along, both ways; and of the same length."""
-    return (
-        shapely.hausdorff_distance(read.segmentize(0.5), contour.segmentize(0.5)) < NEAR
-        and abs(read.length / contour.length - 1.0) < 2e-3
-    )
-
-
-def compare(read: list[tuple[str, shapely.Geometry]], pattern: Pattern, made_for: Machine) -> None:
-    """Each contour is there once, on its layer; besides only the control bar."""
-    rest = list(read)
-    for layer, contour in wanted(pattern, made_for):
-        if layer == "SEAL" and contour.is_ring and made_for.overrun:
-            found = [one for one in rest if one[0] == layer and one[1].length > contour.length + 5.0]
-            found = [one for one in found if contour.buffer(NEAR).covers(one[1])]
-        else:
-            found = [one for one in rest if one[0] == layer and same(one[1], contour)]
-        assert len(found) == 1, f"{layer}: {len(found)}"
-        rest.remove(found[0])
-    assert len(rest) == (3 if made_for.control_bar else 0)
-    if rest:
-        assert max(one.length for _, one in rest) == pytest.approx(BAR, abs=1e-3)
 
 
 @pytest.fixture(scope="module", params=PATTERNS)
@@ -170,128 +112,52 @@ def test_dxf_by_dime(pattern: Pattern, name: str, bytes_of: dict, tmp_path: Path
     assert len(points) >= len(pattern.contours)
 
 
-@pytest.mark.parametrize(
-    ("name", "dpi"), [("lightburn", 150), ("cutting-shop", 150), ("cutting-shop-inch", 15)]
-)
-def test_dxf_by_librecad(name: str, dpi: int, tmp_path: Path) -> None:
-    """LibreCAD prints it at 1:1, the size is the pattern's. An inch drawing gets a page of many inches."""
+def bar(there: bool) -> Lines:
+    """The control bar where the drawing begins."""
+    lines = [[(0, 2), (BAR, 2)], [(0, 0), (0, 4)], [(BAR, 0), (BAR, 4)]] if there else []
+    return [("REGISTRATION", shapely.LineString(points)) for points in lines]
+
+
+def same_together(read: Lines, given: Lines) -> None:
+    """All lines together are the same ones, in pieces perhaps and somewhere else."""
+    both = []
+    for lines in (read, given):
+        together = shapely.union_all([each for _, each in lines])
+        middle = shapely.box(*together.bounds).centroid.coords[0]
+        both.append(shapely.transform(together, lambda at, middle=middle: at - middle))
+    assert apart(*both) < NEAR
+
+
+@pytest.mark.parametrize("name", ["lightburn", "cutting-shop", "cutting-shop-inch"])
+def test_dxf_by_librecad(name: str, tmp_path: Path) -> None:
+    """LibreCAD's converter prints it at 1:1; the lines of its page are the pattern's. It knows the inches."""
     (tmp_path / "run").mkdir(mode=0o700)
-    file = tmp_path / "pattern.dxf"
-    drawing = draw(SMALL, machine(name))
-    file.write_bytes(drawing_file(drawing, machine(name)))
+    file, made_for = tmp_path / "pattern.dxf", machine(name)
+    file.write_bytes(machine_file(SMALL, made_for))
     run(
-        "librecad", "dxf2pdf", "-c", "-m", "-s", "1", file,
+        "librecad", "dxf2pdf", "-c", "-s", "1", file,
         QT_QPA_PLATFORM="offscreen", HOME=str(tmp_path), XDG_RUNTIME_DIR=str(tmp_path / "run"),
     )  # fmt: skip
-    ink = page_ink(tmp_path / "pattern.pdf", 1, tmp_path, dpi)
-    for axis, size in ((1, drawing.width), (0, drawing.height)):
-        assert extent(ink, axis, dpi) == pytest.approx(size, abs=0.5 + 2 * 25.4 / dpi)
+    page = file.with_suffix(".pdf")
+    read, _ = page_lines(page, 1, tmp_path)
+    # it stretches the page, and all that is on it, to whole points
+    width = float(re.search(r"Page size:\s+([\d.]+) x", run("pdfinfo", page))[1]) * POINT
+    read = [(rgb, shapely.transform(each, lambda at: at * round(width) / width)) for rgb, each in read]
+    same_together(read, wanted(SMALL, made_for) + bar(made_for.control_bar))
 
 
-def page_ink(file: Path, page: int, folder: Path, dpi: int = DPI) -> np.ndarray:
-    """Where a page is not white, by poppler: rows from the top."""
-    run(
-        "pdftoppm",
-        "-r",
-        str(dpi),
-        "-f",
-        str(page),
-        "-l",
-        str(page),
-        "-singlefile",
-        "-png",
-        file,
-        folder / "page",
-    )
-    return imread(str(folder / "page.png"))[..., :3].min(axis=2) < 0.9
-
-
-def extent(ink: np.ndarray, axis: int, dpi: int = DPI) -> float:
-    """From the first to the last inked column (axis 1) or row (axis 0) [mm]."""
-    at = np.flatnonzero(ink.any(axis=1 - axis))
-    return (at[-1] - at[0]) * 25.4 / dpi
-
-
-def test_pdf_has_the_real_size(tmp_path: Path) -> None:
-    pattern = SMALL
-    drawing = draw(pattern, machine("paper"))
-    file = tmp_path / "pattern.pdf"
-    file.write_bytes(drawing_file(drawing, machine("paper")))
-    size = re.search(r"Page size:\s+([\d.]+) x ([\d.]+) pts", run("pdfinfo", file))
-    assert [float(value) * 25.4 / 72.0 for value in size.groups()] == pytest.approx(
-        [drawing.width + 24.0, drawing.height + 24.0], abs=0.01
-    )
-    ink = page_ink(file, 1, tmp_path)
-    pixel = 25.4 / DPI
-    assert extent(ink, 1) == pytest.approx(drawing.width, abs=0.25 + 2 * pixel)
-    assert extent(ink, 0) == pytest.approx(drawing.height, abs=0.25 + 2 * pixel)
-    colour = imread(str(tmp_path / "page.png"))[..., :3]
-    cyan = (colour[..., 0] < 0.5) & (colour[..., 1] > 0.9) & (colour[..., 2] > 0.9)
-    assert extent(cyan, 1) == pytest.approx(BAR, abs=0.25 + 2 * pixel)
-    red = (colour[..., 0] > 0.9) & (colour[..., 1] < 0.4) & (colour[..., 2] < 0.4)
-    (cut,) = pattern.of(Role.CUT)
-    width, height = np.ptp(cut.points, axis=0) * 1000.0
-    assert extent(red, 1) == pytest.approx(width, abs=0.25 + 2 * pixel)
-    assert extent(red, 0) == pytest.approx(height, abs=0.25 + 2 * pixel)
-
-
-@pytest.mark.parametrize("paper", ["A4", "Letter"])
-def test_tiles_glued_together_are_the_pattern(paper: str, tmp_path: Path) -> None:
-    """Pages laid out by their overlap show what the large page shows."""
-    pattern, dpi = PATTERNS["heart"], 100
-    made_for = machine("paper")
-    drawing = draw(pattern, made_for)
-    file, whole = tmp_path / "tiles.pdf", tmp_path / "whole.pdf"
-    file.write_bytes(drawing_file(drawing, made_for, paper))
-    whole.write_bytes(drawing_file(drawing, made_for))
-    text = run("pdfinfo", file)
-    count = int(re.search(r"Pages:\s+(\d+)", text)[1])
-    size = [float(value) * 25.4 / 72.0 for value in re.search(r"([\d.]+) x ([\d.]+) pts", text).groups()]
-    assert sorted(size) == pytest.approx(sorted(PAPERS[paper.upper()]), abs=0.05)
-    usable = np.array(size) - 24.0
-    step = usable - 10.0
-    red = red_places(page_pixels(whole, 1, tmp_path, dpi), dpi)
-    red = red - [12.0, 12.0]  # the large page's margin
-    found = []
-    for page in range(2, count + 1):
-        words = run("pdftotext", "-f", str(page), "-l", str(page), file, "-")
-        column, row = (int(value) for value in re.search(r"column (\d+), row (\d+)", words).groups())
-        rows = int(np.ceil((drawing.height - 10.0) / step[1]))
-        places = red_places(page_pixels(file, page, tmp_path, dpi), dpi) - [12.0, 12.0]
-        found.append(places + step * [column - 1, rows - row])
-    glued = shapely.MultiPoint(np.concatenate(found))
-    one = shapely.MultiPoint(red)
-    assert shapely.hausdorff_distance(one, glued) < 3 * 25.4 / dpi
-
-
-def test_crop_marks_are_an_overlap_apart(tmp_path: Path) -> None:
-    """Four crosses on each page; the right and the upper ones are the neighbours' left and lower ones."""
-    made_for, dpi = machine("paper"), 300
-    file = tmp_path / "tiles.pdf"
-    file.write_bytes(machine_file(PATTERNS["heart"], made_for, "A4"))
-    size = [
-        float(v) * 25.4 / 72.0 for v in re.search(r"([\d.]+) x ([\d.]+) pts", run("pdfinfo", file)).groups()
-    ]
-    for page in (2, 3):
-        colour = page_pixels(file, page, tmp_path, dpi)
-        dark = np.argwhere(colour.max(axis=2) < 0.6)
-        at = np.stack([dark[:, 1] + 0.5, colour.shape[0] - dark[:, 0] - 0.5], axis=1) * 25.4 / dpi
-        for x in (12.0, size[0] - 12.0 - 10.0):
-            for y in (12.0, size[1] - 12.0 - 10.0):
-                arms = at[(np.abs(at - [x, y]) < 5.5).all(axis=1) & (np.abs(at - [x, y]).min(axis=1) < 0.3)]
-                assert arms.min(axis=0) == pytest.approx([x - 5.0, y - 5.0], abs=0.2)
-                assert arms.max(axis=0) == pytest.approx([x + 5.0, y + 5.0], abs=0.2)
-
-
-def page_pixels(file: Path, page: int, folder: Path, dpi: int) -> np.ndarray:
-    page_ink(file, page, folder, dpi)
-    return imread(str(folder / "page.png"))[..., :3]
-
-
-def red_places(colour: np.ndarray, dpi: int) -> np.ndarray:
-    """Places of red ink from the lower left of the page [mm]."""
-    rows, columns = np.nonzero((colour[..., 0] > 0.9) & (colour[..., 1] < 0.6) & (colour[..., 2] < 0.6))
-    return np.stack([columns + 0.5, colour.shape[0] - rows - 0.5], axis=1) * 25.4 / dpi
+@pytest.mark.parametrize("name", ["lightburn", "cutting-shop", "silhouette"])
+def test_dxf_by_inkscape(name: str, tmp_path: Path) -> None:
+    """Inkscape's importer, which makes an SVG of it: each line on its layer's colour, arcs as arcs."""
+    file, made_for = tmp_path / "pattern.dxf", machine(name)
+    file.write_bytes(machine_file(SMALL, made_for))
+    importer = Path("/usr/share/inkscape/extensions/dxf_input.py")
+    if not importer.exists():
+        pytest.skip("Inkscape is not installed")
+    run("/usr/bin/python3", importer, f"--output={tmp_path / 'read.svg'}", file)
+    read, _ = svg_lines((tmp_path / "read.svg").read_text(encoding="utf-8"))
+    layers = {look.rgb: look.name for look in made_for.layers.values()}
+    compare([(layers[rgb], each) for rgb, each in read], SMALL, made_for)
 
 
 @pytest.mark.parametrize("name", ["inkscape", "glowforge", "cricut"])

@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""PDF files of patterns, read and drawn by poppler: lines within 0.05 mm, sizes, pages that fit together."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+import shapely
+from drawn_shapes import NAMED
+from read_back import NEAR, POINT, apart, compare, page_lines, run, wanted
+
+from BalloonWorkbench.core.export.drawing import BAR, draw
+from BalloonWorkbench.core.export.fabricate import drawing_file, machine_file
+from BalloonWorkbench.core.export.machine import machine
+from BalloonWorkbench.core.export.machine_pdf import PAPERS
+from BalloonWorkbench.core.pattern.build import build_pattern
+
+PAPER = machine("paper")
+PATTERNS = {name: build_pattern(NAMED[name], 0.005) for name in ("heart", "holes")}
+SMALL = build_pattern(NAMED["heart"].map(lambda loop: 0.4 * loop), 0.005)
+MARGIN, OVERLAP, STROKE = 12.0, 10.0, 0.25  # mm
+DPI = 1200
+LAYERS = {look.rgb: look.name for look in PAPER.layers.values()}
+
+
+def page_size(file: Path) -> np.ndarray:
+    """Width and height [mm]."""
+    found = re.search(r"Page size:\s+([\d.]+) x ([\d.]+) pts", run("pdfinfo", file))
+    return np.array([float(value) for value in found.groups()]) * POINT
+
+
+def ink(file: Path, page: int, folder: Path) -> np.ndarray:
+    """How bright a page is, drawn by poppler: rows from the top."""
+    name, number = folder / "page", str(page)
+    run("pdftoppm", "-r", str(DPI), "-f", number, "-l", number, "-singlefile", "-gray", file, name)
+    content = name.with_suffix(".pgm").read_bytes()
+    header = re.match(rb"P5\s(\d+) (\d+)\s255\s", content)
+    width, height = int(header[1]), int(header[2])
+    return np.frombuffer(content, np.uint8, offset=header.end()).reshape(height, width)
+
+
+@pytest.mark.parametrize("name", PATTERNS)
+def test_the_lines_of_the_page(name: str, tmp_path: Path) -> None:
+    pattern = PATTERNS[name]
+    file = tmp_path / "pattern.pdf"
+    file.write_bytes(machine_file(pattern, PAPER))
+    found, _ = page_lines(file, 1, tmp_path)
+    moved = [(LAYERS[rgb], shapely.transform(each, lambda at: at - MARGIN)) for rgb, each in found]
+    compare(moved, pattern, PAPER)
+
+
+def test_the_ink_has_the_real_size(tmp_path: Path) -> None:
+    drawing = draw(SMALL, PAPER)
+    file = tmp_path / "pattern.pdf"
+    file.write_bytes(drawing_file(drawing, PAPER))
+    size = np.array([drawing.width, drawing.height])
+    assert page_size(file) == pytest.approx(size + 2.0 * MARGIN, abs=0.01)
+    dark = ink(file, 1, tmp_path) < 240
+    # half a stroke beyond the lines, but not below: there the ticks of the control bar end
+    for axis, more in ((0, STROKE), (1, 0.5 * STROKE)):
+        at = np.flatnonzero(dark.any(axis=axis))
+        assert (at[-1] + 1 - at[0]) * 25.4 / DPI == pytest.approx(size[axis] + more, abs=NEAR)
+    # the control bar is the lowest line
+    low = np.flatnonzero(dark.any(axis=1))[-1] - round(2.0 * DPI / 25.4)
+    bar = np.flatnonzero(dark[low])
+    assert (bar[-1] + 1 - bar[0]) * 25.4 / DPI == pytest.approx(BAR + STROKE, abs=NEAR)
+
+
+@pytest.mark.parametrize("paper", ["A4", "Letter"])
+def test_tiles_glued_together_are_the_pattern(paper: str, tmp_path: Path) -> None:
+    """Pages laid on each other by their overlap show all lines, each in its place, and no others."""
+    pattern = PATTERNS["heart"]
+    drawing = draw(pattern, PAPER)
+    file = tmp_path / "tiles.pdf"
+    file.write_bytes(drawing_file(drawing, PAPER, paper))
+    size = page_size(file)
+    assert sorted(size) == pytest.approx(sorted(PAPERS[paper.upper()]), abs=0.05)
+    step = size - 2.0 * MARGIN - OVERLAP
+    rows = int(np.ceil((drawing.height - OVERLAP) / step[1]))
+    glued: dict[str, list[shapely.Geometry]] = {}
+    count = int(re.search(r"Pages:\s+(\d+)", run("pdfinfo", file))[1])
+    for page in range(2, count + 1):
+        words = run("pdftotext", "-f", str(page), "-l", str(page), file, "-")
+        column, row = (int(value) for value in re.search(r"column (\d+), row (\d+)", words).groups())
+        place = step * [column - 1, rows - row] - MARGIN
+        found, window = page_lines(file, page, tmp_path)
+        assert shapely.box(*(MARGIN + np.zeros(2)), *(size - MARGIN)).buffer(0.01).covers(window)
+        for rgb, each in found:
+            if rgb in LAYERS and LAYERS[rgb] != "ENGRAVE":  # black are the crop marks
+                seen = shapely.transform(each.intersection(window), lambda at, place=place: at + place)
+                glued.setdefault(LAYERS[rgb], []).append(seen)
+    for layer in ("CUT", "SEAL"):
+        whole = shapely.union_all([each for name, each in wanted(pattern, PAPER) if name == layer])
+        assert apart(shapely.union_all(glued[layer]), whole) < NEAR
+    bar = shapely.union_all(glued["REGISTRATION"])
+    assert bar.bounds[2] - bar.bounds[0] == pytest.approx(BAR, abs=0.01)
+
+
+def test_crop_marks_are_an_overlap_apart(tmp_path: Path) -> None:
+    """Four crosses on each page; the right and the upper ones are the neighbours' left and lower ones."""
+    file = tmp_path / "tiles.pdf"
+    file.write_bytes(machine_file(PATTERNS["heart"], PAPER, "A4"))
+    size = page_size(file)
+    for page in (2, 3):
+        found, _ = page_lines(file, page, tmp_path)
+        arms = [each for rgb, each in found if rgb == "#000000"]
+        assert len(arms) == 8
+        for x in (MARGIN, size[0] - MARGIN - OVERLAP):
+            for y in (MARGIN, size[1] - MARGIN - OVERLAP):
+                for arm in ([(x - 5.0, y), (x + 5.0, y)], [(x, y - 5.0), (x, y + 5.0)]):
+                    assert min(apart(each, shapely.LineString(arm)) for each in arms) < NEAR
