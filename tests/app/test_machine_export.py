@@ -7,13 +7,14 @@ import FreeCAD as App
 import numpy as np
 import Part
 import pytest
+import shapely
 import sketches
 
 from BalloonWorkbench.app import create
 from BalloonWorkbench.app.export import check_for, export_for
 from BalloonWorkbench.app.pattern import build
 from BalloonWorkbench.core.errors import ExportError
-from BalloonWorkbench.core.export.machine import FOLDER
+from BalloonWorkbench.core.export.machine import FOLDER, machine
 from BalloonWorkbench.core.pattern.pattern import Role
 
 
@@ -64,26 +65,28 @@ R12 = pytest.param(
 
 @pytest.mark.parametrize("name", ["lightburn", R12])
 def test_freecads_importer_reads_the_dxf(pattern, tmp_path, name):
-    """The C++ importer: same bounds as the sheet, arcs as arcs."""
+    """The C++ importer: every line within 0.05 mm of the pattern's points, and they of it; arcs as arcs."""
     import Import
 
+    made_for = machine(name)
     file = export_for(pattern, name, tmp_path)
     document = App.newDocument("Imported")
     try:
         Import.readDXF(str(file), document.Name, False)
         document.recompute()
-        shapes = [obj.Shape for obj in document.Objects if hasattr(obj, "Shape") and obj.Shape.Edges]
-        box = App.BoundBox()
-        for shape in shapes:
-            box.add(shape.BoundBox)
-        low, high = build(pattern).bounds
-        width, height = 1000.0 * (high - low)
-        assert box.XLength == pytest.approx(max(width, 100.0 if name == "lightburn" else 0.0), abs=0.05)
-        assert box.YLength == pytest.approx(height + (10.0 if name == "lightburn" else 0.0), abs=0.05)
-        kinds = {type(edge.Curve) for shape in shapes for edge in shape.Edges}
-        assert Part.Circle in kinds
+        edges = [edge for obj in document.Objects if hasattr(obj, "Shape") for edge in obj.Shape.Edges]
+        assert Part.Circle in {type(edge.Curve) for edge in edges}
+        drawn = [[(point.x, point.y) for point in edge.discretize(Deflection=0.001)] for edge in edges]
     finally:
         App.closeDocument(document.Name)
+    contours = [each for each in build(pattern).contours if each.role in made_for.layers]
+    lines = [np.concatenate([each.points, each.points[: each.closed]]) * 1000.0 for each in contours]
+    low = np.min([line.min(axis=0) for line in lines], axis=0) - [0.0, 10.0 * made_for.control_bar]
+    lines = [line - low for line in lines]
+    if made_for.control_bar:
+        lines += [[(0, 2), (100, 2)], [(0, 0), (0, 4)], [(100, 0), (100, 4)]]
+    read, wanted = shapely.MultiLineString(drawn), shapely.MultiLineString(lines)
+    assert shapely.hausdorff_distance(read.segmentize(0.5), wanted.segmentize(0.5)) < 0.05
 
 
 def test_every_machine_writes(pattern, tmp_path):
