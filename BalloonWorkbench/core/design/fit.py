@@ -43,6 +43,7 @@ from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.mesh.triangulate import triangulate
 from BalloonWorkbench.core.outline.loops import check
 from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.outline.sampling import arc_lengths
 from BalloonWorkbench.core.outline.symmetry import exact_mirror, mirrored
 from BalloonWorkbench.core.solver.model import Model
 from BalloonWorkbench.core.solver.problem import NewtonSettings
@@ -56,7 +57,8 @@ GAIN = 1.3  # a pattern of a disc must grow by 1.311 for a silhouette that grows
 CLAMP = 0.05  # of the larger dimension, for one pass
 SMOOTHING, UNSEALED = 1.0, 4.0  # mesh sizes; a rim without a sealed band crumples, and no pattern undoes that
 TURNING = 16.0  # mesh sizes over which the film's turning is averaged: of arms, not of folds
-DRIFT = 2.0  # mesh sizes that seam vertices may slide along the drawing
+DRIFT = 2.0  # mesh sizes that seam vertices may slide along the drawing,
+DRIFT_ROUND = 1.0 / 12.0  # but no more of the way round a small hole, which else closes
 TIP = 2.0  # mesh sizes from a tip to where its sides are film and not mesh
 ENOUGH = 5e-4  # mean error, of the breadth, at which nothing more is gained
 GOOD = 1e-3  # and at which a pass that brings nothing is the last one
@@ -208,16 +210,18 @@ def _first(course: Course, target: Outline, mesh_size: float | None, room: float
     panel = _meshed(target, edge)
     shift = grown(panel)
     shift -= shift[np.concatenate(panel.seams)].mean(axis=0)
-    fields = tuple(
+    fields = [
         node.field(shift[seam], drawing, SMOOTHING * edge)
         for node, seam, drawing in zip(seam_nodes(course, panel), panel.seams, course.drawing, strict=True)
-    )
+    ]
+    # film is taut round a hole, whose rim neither grows nor shrinks: it moves as a whole
+    fields[1:] = [np.broadcast_to(field.mean(axis=0), field.shape) for field in fields[1:]]
     flat = panel.rest_positions
     lines = [
         line.corrected(flat[weld], flat[weld] - shift[weld], edge, max(target.size))
         for line, weld in zip(course.lines, panel.welds, strict=True)
     ]
-    return replace(course, lines=tuple(lines)).moved(fields, TIP * edge, room)
+    return replace(course, lines=tuple(lines)).moved(tuple(fields), TIP * edge, room)
 
 
 def _meshed(outline: Outline, edge: float) -> Panel:
@@ -244,7 +248,7 @@ def _corrected(
     differences = []
     for drawing, node, seam in zip(course.drawing, current.nodes, current.panel.seams, strict=True):
         points = current.inflation.positions[seam, :2]
-        reach = np.full(len(points), DRIFT * edge)
+        reach = np.full(len(points), min(DRIFT * edge, DRIFT_ROUND * float(arc_lengths(drawing)[-1])))
         places = seen(points, current.shown, OVERHANG * size)
         places[node.corner_nodes] = points[node.corner_nodes]
         v = goals(drawing, places, node.lengths, node.corner_nodes, node.corners, reach) - places
