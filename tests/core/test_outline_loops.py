@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Loops: validity with the place of the fault, size limits, sampling that keeps corners, thin places."""
+"""Loops: validity with the place of the fault, size limits, sampling that keeps corners."""
 
 import math
 
@@ -181,38 +181,3 @@ def test_smoothing_removes_ripples_and_keeps_corners_and_size():
         assert np.abs(smoothed - corner).sum(axis=1).min() < 1e-9
     ring = loops.smooth(circle(50.0, 1000), 2.0, np.zeros(0, dtype=int))
     assert np.linalg.norm(ring, axis=1) == pytest.approx(50 - 2.0**2 / (2 * 50), abs=2e-3)
-
-
-@pytest.mark.parametrize(
-    ("outline", "width"),
-    [
-        (Outline(rectangle(1, 3)), 1.0),
-        (Outline(circle(1.0)), 2.0),
-        (Outline(circle(1.0), (circle(0.5)[::-1],)), 0.5),
-        (Outline(np.array([[0, 0], [3, 0], [3, 1], [1, 1], [1, 3], [0, 3]], dtype=float)), 1.0),
-        (Outline(rectangle(1, 1), (rectangle(0.03, 0.4, 0.2, 0.2)[::-1],)), 0.2),
-        (Outline(np.array([[0, 0], [4, 0], [4, 0.3], [0, 0.3]])), 0.3),
-        (Outline(rectangle(1, 1), (circle(0.2, x=0.25, y=0.5)[::-1],)), 0.05),
-    ],
-)
-def test_width_of_the_thinnest_place(outline, width):
-    assert loops.min_width(outline) == pytest.approx(width, rel=0.06)
-
-
-def test_a_neck_is_thin_and_a_sharp_tip_is_not():
-    neck = [
-        [0, 0],
-        [1, 0],
-        [1, 0.45],
-        [2, 0.45],
-        [2, 0],
-        [3, 0],
-        [3, 1],
-        [2, 1],
-        [2, 0.55],
-        [1, 0.55],
-        [1, 1],
-        [0, 1],
-    ]
-    assert loops.min_width(Outline(np.array(neck))) == pytest.approx(0.1, rel=0.06)
-    assert loops.min_width(Outline(np.array([[0, 0], [4, 0], [0, 1.0]]))) > 0.5

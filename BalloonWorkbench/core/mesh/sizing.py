@@ -8,10 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from BalloonWorkbench.core.errors import MeshError
-from BalloonWorkbench.core.mesh.thickness import kd_tree, sampled, thickness
+from BalloonWorkbench.core.mesh.thickness import fine_spacing, kd_tree, sampled, thickness
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.outline.sampling import arc_lengths, line_lengths, point_on
-from BalloonWorkbench.core.outline.thickness import min_width
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import mm_text, to_mm
 
@@ -111,9 +110,9 @@ def size_for(outline: Outline, vertices: int) -> float:
 
 
 def _sample_spacing(outline: Outline, size: float) -> float:
-    """Fine enough for the mesh and the thinnest part: walls nearer than their samples are not seen."""
+    """Fine enough for the mesh and the thinnest part."""
     around = sum(float(arc_lengths(loop)[-1]) for loop in outline.loops)
-    return max(min(size / _SAMPLES_PER_SIZE, 0.5 * min_width(outline)), around / _MOST_SAMPLES)
+    return fine_spacing(outline, size / _SAMPLES_PER_SIZE, around / _MOST_SAMPLES)
 
 
 def _even_size(outline: Outline, vertices: int) -> float:

@@ -19,6 +19,9 @@ _FACING = np.radians(150.0)
 _CORNER = np.radians(30.0)
 #: Seen under a smaller angle, a wall is a bump beside the sample and not the other side [rad].
 _BUMP = np.radians(60.0)
+#: Walls face each other where the straight line between them goes so much along both normals (cosine), and
+#: where the way round the rim is so much longer.
+_AHEAD, _DETOUR = 0.5, 3.0
 
 
 @dataclass(frozen=True)
@@ -56,6 +59,39 @@ def sampled(loop: Floats, spacing: float) -> Floats:
     lengths = arc_lengths(loop)
     count = max(12, int(np.ceil(lengths[-1] / spacing)))
     return point_at(loop, lengths, np.arange(count) * (lengths[-1] / count))
+
+
+def fine_spacing(outline: Outline, spacing: float, finest: float) -> float:
+    """The spacing [m], halved until it shows facing walls however near they are, but not below the finest.
+
+    Walls nearer than half of the distance between their samples would not be seen as such.
+    """
+    while spacing > finest:
+        loops = [sampled(loop, spacing) for loop in outline.loops]
+        points = np.concatenate(loops)
+        one, other = kd_tree(points).query_pairs(2.0 * spacing, output_type="ndarray").T
+        normals = np.concatenate([_inward(loop)[0] for loop in loops])
+        across = points[other] - points[one]
+        distance = np.linalg.norm(across, axis=1)
+        ahead = (across * normals[one]).sum(axis=1) > _AHEAD * distance
+        back = (across * normals[other]).sum(axis=1) < -_AHEAD * distance
+        far = _way_round(loops, one, other) > _DETOUR * distance
+        facing = np.flatnonzero(ahead & back & far)
+        if _tapers(loops, one[facing], other[facing], distance[facing]).all():
+            return spacing
+        spacing *= 0.5
+    return max(spacing, finest)
+
+
+def _way_round(loops: list[Floats], first: Ints, second: Ints) -> Floats:
+    """Length (n,) of rim between two samples, infinite on two loops [m]."""
+    starts = np.cumsum([0, *(len(loop) for loop in loops)])
+    around = [arc_lengths(loop) for loop in loops]
+    along, whole = np.concatenate([one[:-1] for one in around]), np.array([one[-1] for one in around])
+    owner = np.searchsorted(starts, first, side="right") - 1
+    arc = np.abs(along[first] - along[second])
+    same = owner == np.searchsorted(starts, second, side="right") - 1
+    return np.where(same, np.minimum(arc, whole[owner] - arc), np.inf)
 
 
 def thickness(outline: Outline, reach: float, spacing: float) -> Thickness:

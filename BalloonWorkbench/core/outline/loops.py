@@ -12,7 +12,6 @@ from BalloonWorkbench.core.errors import InputError, OutlineError
 from BalloonWorkbench.core.outline.crossings import contains, first_crossing
 from BalloonWorkbench.core.outline.outline import Outline, signed_area
 from BalloonWorkbench.core.outline.sampling import CORNER_ANGLE, corners, resample, simplify, smooth
-from BalloonWorkbench.core.outline.thickness import min_width
 from BalloonWorkbench.core.outline.welds import valid_welds
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import mm_text, place_text
@@ -29,7 +28,6 @@ __all__ = [
     "check",
     "clean",
     "corners",
-    "min_width",
     "resample",
     "scale_to",
     "simplify",
