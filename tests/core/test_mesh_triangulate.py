@@ -100,7 +100,7 @@ def assert_sound(panel: Panel, outline: Outline, size: float) -> None:
 
 
 @pytest.mark.parametrize("name", NAMED)
-@pytest.mark.parametrize("vertices", [300, 1500])
+@pytest.mark.parametrize("vertices", [300, 900])
 def test_named_outlines(name: str, vertices: int, library: str) -> None:
     outline = NAMED[name]
     size = size_for(outline, vertices)
@@ -112,7 +112,7 @@ def test_named_outlines(name: str, vertices: int, library: str) -> None:
 @pytest.mark.parametrize("seed", range(40))
 def test_generated_outlines(seed: int, library: str) -> None:
     outline = generated(seed)
-    size = size_for(outline, 700)
+    size = size_for(outline, 500)
     assert_sound(triangulate(outline, size), outline, size)
 
 
