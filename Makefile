@@ -33,8 +33,8 @@ test: native readers ## Check the code, run all tests; logs go to build/logs
 test-core test-app test-gui: test-%: native readers
 	@tools/test.sh $*
 
-matrix: native ## Run the tests of app and gui with FreeCAD 1.0 and 1.1, in roots of their Debian; as root
-	@tools/matrix.sh app gui
+matrix: native ## Run the tests with FreeCAD 1.0 and 1.1 (Python 3.13, 3.14), in roots of their Debian; as root
+	@tools/matrix.sh app gui engine
 
 lint: setup ## Check style, types and formatting
 	@tools/test.sh lint
@@ -69,7 +69,7 @@ fuzz: native ## Inflate 2 000 random outlines, read 10 000 broken files
 	    --log-cli-level=INFO tests/core/test_random_outlines.py \
 	    tests/core/test_broken_files.py tests/core/test_value_limits.py
 
-pythons: native readers ## Run the engine's tests with Python 3.10 and 3.12, where they are
+pythons: native readers ## Try the engine with Python 3.10 and 3.12, where they are
 	@tools/pythons.sh
 
 coverage: native readers ## Tell which lines of core and app the tests run
@@ -77,8 +77,9 @@ coverage: native readers ## Tell which lines of core and app the tests run
 
 tidy: setup ## Look for mistakes in the C++ with clang-tidy
 	@tools/install-debian-packages.sh debian-packages-tidy.txt
-	@cd BalloonWorkbench/native && for file in src/*.cpp; do \
-	    clang-tidy --quiet $$file -- -std=c++17 -Iinclude -isystem /usr/include/eigen3 2>/dev/null || exit 1; done
+	@cd BalloonWorkbench/native && failed=0 && for file in src/*.cpp; do \
+	    clang-tidy --quiet $$file -- -std=c++17 -Iinclude -isystem /usr/include/eigen3 2>/dev/null || failed=1; \
+	    done && exit $$failed
 
 build/docs-tools/made-from: tools/requirements-docs.txt | setup
 	@.venv/bin/pip install --quiet --disable-pip-version-check --upgrade --target build/docs-tools -r $<

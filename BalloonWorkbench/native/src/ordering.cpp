@@ -98,6 +98,7 @@ private:
         const double angle = 0.5 * std::atan2(sine, cosine);
         const Point axis{std::cos(angle), std::sin(angle)};
         std::vector<std::pair<double, int>> sorted;
+        sorted.reserve(vertices.size());
         for (int v : vertices)
             sorted.emplace_back(axis[0] * points_[v][0] + axis[1] * points_[v][1], v);
         std::sort(sorted.begin(), sorted.end());
