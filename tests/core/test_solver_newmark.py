@@ -55,7 +55,7 @@ def stiffness_of_a_balloon() -> csc_matrix:
     """Tangent of a taut star with the masses of a step of 0.5."""
     star = drawn("star")
     size = float(np.ptp(star.rest_positions, axis=0).max())
-    balloon = inflate(star, MYLAR, 2000.0, backend="numpy")
+    balloon = inflate(star, MYLAR, 2000.0)
     shell = Shell(film_problem(star, MYLAR, 2000.0))
     frames = tangent_frames(balloon.directors)
     _, tangent = shell.derivatives(balloon.positions / size, balloon.directors, frames)
@@ -262,7 +262,7 @@ def test_a_step_too_long_is_refused() -> None:
 @pytest.mark.parametrize("name", ["square", "heart", "star"])
 def test_same_rest_as_the_quasi_static_method(name: str) -> None:
     outline = drawn(name)
-    quasi_static = inflate(outline, MYLAR, 2000.0, backend="numpy")
+    quasi_static = inflate(outline, MYLAR, 2000.0)
     blown = inflate(outline, MYLAR, 2000.0, backend="newmark")
     assert blown.report.backend == "newmark"
     assert blown.report.converged
