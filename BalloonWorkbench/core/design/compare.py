@@ -9,12 +9,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from BalloonWorkbench.core.design.design import Residual
+from BalloonWorkbench.core.mesh.thickness import kd_tree
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.outline.sampling import arc_lengths, point_at
-from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.types import Bools, Floats, Ints
 
 _SAMPLES = 1000  # along the longest loop
+_CANDIDATES = 4  # points of a curve beside which its nearest one may be
 
 
 @dataclass(frozen=True)
@@ -43,27 +44,51 @@ def residual(drawing: Outline, shown: Outline) -> Residual:
 
 def misfit(drawing: Outline, shown: Outline) -> Misfit:
     """Distances from each outline to the other one, at points evenly spaced along both, place by place."""
-    package = shapely()
     spacing = max(float(arc_lengths(loop)[-1]) for loop in drawing.loops) / _SAMPLES
     here = [evenly(loop, spacing) for loop in drawing.loops]
-    there = package.points(np.concatenate([evenly(loop, spacing) for loop in shown.loops]))
-    rings = [package.LineString(np.vstack([loop, loop[:1]])) for loop in drawing.loops]
-    other = package.MultiLineString([np.vstack([loop, loop[:1]]) for loop in shown.loops])
-    for curve in (*rings, other):
-        package.prepare(curve)
-    away = np.array([package.distance(there, ring) for ring in rings])
-    nearest = np.argmin(away, axis=0)
-    share = np.empty(len(there))
-    for number, ring in enumerate(rings):
-        mine = nearest == number
-        share[mine] = package.line_locate_point(ring, there[mine], normalized=True)
+    there = np.concatenate([evenly(loop, spacing) for loop in shown.loops])
+    forth = _nearest(shown.loops, np.concatenate(here), spacing)[0]
+    back, nearest, share = _nearest(drawing.loops, there, spacing)
     return Misfit(
-        np.concatenate([package.distance(package.points(np.concatenate(here)), other), away.min(axis=0)]),
+        np.concatenate([forth, back]),
         np.concatenate([np.repeat(np.arange(len(here)), [len(points) for points in here]), nearest]).astype(
             np.int32
         ),
         np.concatenate([*(np.arange(len(points)) / len(points) for points in here), share]),
     )
+
+
+def _nearest(loops: Sequence[Floats], points: Floats, spacing: float) -> tuple[Floats, Ints, Floats]:
+    """Distances (k,) m from points (k, 2) to closed loops, the nearest loop and how far round it, 0 to 1.
+
+    Looked for among the segments beside the nearest points of the loops, `spacing` [m] apart or less.
+    """
+    starts, ahead, share, owner, before = [], [], [], [], []
+    first = 0
+    for number, loop in enumerate(loops):
+        steps = np.linalg.norm(np.roll(loop, -1, axis=0) - loop, axis=1)
+        pieces = np.maximum(np.ceil(steps / spacing), 1.0).astype(np.int64)
+        part = np.concatenate([np.arange(count) / count for count in pieces])
+        index = np.repeat(np.arange(len(loop)), pieces)
+        dense = loop[index] + part[:, None] * (np.roll(loop, -1, axis=0) - loop)[index]
+        starts.append(dense)
+        ahead.append(np.roll(dense, -1, axis=0) - dense)
+        lengths = arc_lengths(dense)
+        share.append(np.column_stack([lengths[:-1], lengths[1:]]) / lengths[-1])
+        owner.append(np.full(len(dense), number))
+        before.append(first + np.roll(np.arange(len(dense)), 1))
+        first += len(dense)
+    start, way, ends, mine = (np.concatenate(parts) for parts in (starts, ahead, share, owner))
+    near = kd_tree(start).query(points, k=_CANDIDATES)[1]
+    segment = np.concatenate([near, np.concatenate(before)[near]], axis=1)
+    offset = points[:, None] - start[segment]
+    squared = np.maximum(np.einsum("ij,ij->i", way, way), 1e-300)
+    along = np.clip(np.einsum("kij,kij->ki", offset, way[segment]) / squared[segment], 0.0, 1.0)
+    away = np.linalg.norm(offset - along[:, :, None] * way[segment], axis=2)
+    row, best = np.arange(len(points)), np.argmin(away, axis=1)
+    chosen, part = segment[row, best], along[row, best]
+    begin, end = ends[chosen].T
+    return away[row, best], mine[chosen].astype(np.int32), np.asarray(begin + part * (end - begin))
 
 
 def evenly(loop: Floats, spacing: float) -> Floats:

@@ -50,7 +50,7 @@ from BalloonWorkbench.core.solver.problem import NewtonSettings
 from BalloonWorkbench.core.types import Progress, no_progress
 
 VERTICES = 1500  # of an automatic mesh
-MOST_PASSES = 10
+MOST_PASSES = 12
 GUESS_VERTICES = 300  # of the mesh for the first pattern
 SAMPLES = 400  # of the drawing and the pattern along the larger dimension
 GAIN = 1.3  # a pattern of a disc must grow by 1.311 for a silhouette that grows by 1
@@ -69,7 +69,8 @@ COARSENING = 1.8  # of the mesh for the first passes
 WORTHWHILE = 700.0  # squares of the mesh size in the area, from which a coarser mesh saves time
 CLOSE = 3e-3  # mean error, of the larger dimension, at which the wanted mesh takes over
 STALLED = 0.9  # a pass that leaves more than this part of the best error brings nothing
-PATIENCE, PATIENCE_AT_REST = 2, 1  # such passes in a row
+PATIENCE = 2  # such passes in a row
+MOST_STEPS = 180  # of Newton on the wanted mesh, about ten times a cold inflation: then the best is shown
 SHORTER = 0.5  # gain after such a pass
 MOST_HALVINGS = 8  # of a step that leads to a pattern without a mesh
 
@@ -116,7 +117,7 @@ def fit(
     previous: Pass | None = None  # whose mesh may still serve
     exact = AT_REST if target.holes else None  # round holes film may fold this way or that
     settings = exact if edge == fine else None
-    stalled = passes = meshes = halvings = 0
+    stalled = passes = meshes = halvings = steps = 0
     while True:
         shown = _part(progress, passes)
         work = Work(target, film, pressure, edge, backend, model, shown, hopes.lost, settings)
@@ -137,6 +138,7 @@ def fit(
             continue
         halvings = 0
         passes += 1
+        steps += current.inflation.report.newton_steps * (edge == fine)
         meshes += previous is None or current.panel.triangles is not previous.panel.triangles
         found, least = (hopes.mean(one.misfit) if one else np.inf for one in (current, best))
         stalled = stalled + 1 if found > STALLED * least else 0
@@ -145,7 +147,7 @@ def fit(
             best = current
         else:  # the step went too far: a shorter one from where it began
             mixing, last = AndersonMixing(GAIN * SHORTER**stalled), best
-        over = passes >= MOST_PASSES or stalled > (PATIENCE if settings is None else PATIENCE_AT_REST)
+        over = passes >= MOST_PASSES or steps >= MOST_STEPS or stalled > PATIENCE
         if over or (edge == fine and _good(best, hopes.mean(best.misfit) / breadth, stalled)):
             if settings is not None:
                 break
