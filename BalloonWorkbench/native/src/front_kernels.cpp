@@ -197,6 +197,7 @@ FILM_INLINE void add_body(const double* source, int source_height, int rows, int
 
 // The same functions compiled for one instruction set. WIDE groups of rows times four columns of sums stay in
 // its registers.
+// NOLINTBEGIN(bugprone-macro-parentheses): an attribute cannot stand in parentheses
 #define FILM_KERNELS(NAME, TARGET, WIDE)                                                                     \
     TARGET bool factor_block_##NAME(const FrontShape& shape, Groups block, const double* panel,              \
                                     double* factor) {                                                        \
@@ -224,6 +225,7 @@ FILM_INLINE void add_body(const double* source, int source_height, int rows, int
     }                                                                                                        \
     constexpr FrontKernels NAME{factor_block_##NAME, solve_rows_##NAME, multiply_##NAME,                     \
                                 add_##NAME,          forward_##NAME,    backward_##NAME};
+// NOLINTEND(bugprone-macro-parentheses)
 
 #if defined(__aarch64__) || defined(_M_ARM64)
 FILM_KERNELS(portable, , 2)

@@ -124,6 +124,7 @@ FrontTree front_tree(const Graph& graph, const std::vector<int>& order, const st
     const int count = static_cast<int>(nodes.size());
     // a node follows its children by its last column only
     std::vector<std::pair<int, int>> by_last_column;
+    by_last_column.reserve(nodes.size());
     for (int i = 0; i < count; ++i)
         by_last_column.emplace_back(nodes[i].columns.back(), i);
     std::sort(by_last_column.begin(), by_last_column.end());
