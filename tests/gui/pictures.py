@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Pictures of the window for the tutorial: `make pictures` copies them to docs/images."""
 
+import os
 from contextlib import contextmanager
 from pathlib import Path
 
 import FreeCADGui as Gui
 import hands
 
-FOLDER = Path("build/pictures")
+FOLDER = Path(f"build/pictures{os.environ.get('SUITE', '')}")
 SIZE = 1400, 900  # px
 _PANEL = 270  # px, width of tree and task panels
 

@@ -187,6 +187,7 @@ FILM_INLINE void derivatives_body(const FourTriangles& film, const FilmLaw& law,
 }
 
 // The same functions compiled for one instruction set.
+// NOLINTBEGIN(bugprone-macro-parentheses): an attribute cannot stand in parentheses
 #define FILM_ELEMENT_KERNELS(NAME, TARGET)                                                                   \
     TARGET void energies_##NAME(const FourTriangles& film, const FilmLaw& law, double nu,                    \
                                 FourEnergies& energies) {                                                    \
@@ -197,6 +198,7 @@ FILM_INLINE void derivatives_body(const FourTriangles& film, const FilmLaw& law,
         derivatives_body(film, law, scales, elements);                                                       \
     }                                                                                                        \
     constexpr FilmKernels NAME{energies_##NAME, derivatives_##NAME};
+// NOLINTEND(bugprone-macro-parentheses)
 
 FILM_ELEMENT_KERNELS(portable, )
 #ifdef FILM_HAS_AVX2
