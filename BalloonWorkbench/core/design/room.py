@@ -19,7 +19,6 @@ CUT_ROOM = 0.005
 _DETOUR = 3.0
 _FACING = 0.5  # cosine between the normals and the line across
 _TRIALS = 30
-_NEAREST = 4  # power of the nearness with which pushes are blended
 _SLACK = 0.02  # of the room
 
 
@@ -87,7 +86,7 @@ def _spread(loop: Floats, push: Floats, room: float) -> Floats:
     pushed = np.flatnonzero(push.any(axis=1))
     gap = np.abs(lengths[:-1, None] - lengths[pushed])
     weight = np.exp(-0.5 * (np.minimum(gap, lengths[-1] - gap) / (room / 3.0)) ** 2)
-    # of several pushes the nearest and strongest count most; they may well be opposite, so they are blended
-    share = weight**_NEAREST * np.linalg.norm(push[pushed], axis=1)
+    # pushes side by side may well be opposite: they are blended, the nearest and strongest count most
+    share = weight * np.linalg.norm(push[pushed], axis=1)
     blend = share @ push[pushed] / np.maximum(share.sum(axis=1), 1e-300)[:, None]
     return np.asarray(blend * weight.max(axis=1)[:, None])
