@@ -20,11 +20,13 @@ class BalloonWorkbench(Gui.Workbench):
     def Initialize(self):
         from BalloonWorkbench.app.properties import QT_TRANSLATE_NOOP
         from BalloonWorkbench.gui import commands, equipment
+        from BalloonWorkbench.gui.paint import ready
 
         toolbar, menu = commands.register()
         self.appendToolbar(QT_TRANSLATE_NOOP("Workbench", "Film Balloon"), toolbar)
         self.appendMenu(QT_TRANSLATE_NOOP("Workbench", "Film &Balloon"), menu)
         equipment.tell_missing()
+        ready.begin()
 
     def GetClassName(self):
         return "Gui::PythonWorkbench"

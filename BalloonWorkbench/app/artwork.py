@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
+from functools import lru_cache, partial
 from pathlib import Path
 
 from BalloonWorkbench.app import status
@@ -124,6 +124,11 @@ def sheets(obj, dpi: float | None = None):
 
     Raises ExportError when the object is not up to date, else what the core's artwork raises.
     """
+    return _printing(obj, obj.Resolution if dpi is None else dpi)()
+
+
+def _printing(obj, dpi: float):
+    """A function that makes the sheets and does not touch the document: any thread may call it."""
     from BalloonWorkbench.app import film_result
     from BalloonWorkbench.core.artwork.sheet import Print, artwork_sheets
 
@@ -139,7 +144,7 @@ def sheets(obj, dpi: float | None = None):
     front, behind = _pictures(obj)
     own = bordered(build(obj.Pattern), metres(obj.Bleed))
     one = Print(inflation, own, np.zeros(2), front, behind)
-    return artwork_sheets([one], _marked(obj), obj.Resolution if dpi is None else dpi)
+    return partial(artwork_sheets, [one], _marked(obj), dpi)
 
 
 def write(obj, folder, machine_names=("any-dxf", "any-svg")) -> list[Path]:
@@ -148,17 +153,23 @@ def write(obj, folder, machine_names=("any-dxf", "any-svg")) -> list[Path]:
     Without reportlab there is no PDF. Raises ExportError, and writes nothing, when something is not up to
     date or cannot be made.
     """
+    from BalloonWorkbench.app import hooks
     from BalloonWorkbench.core.artwork.files import artwork_files
     from BalloonWorkbench.core.export.fabricate import checked_files
     from BalloonWorkbench.core.export.files import write_files
     from BalloonWorkbench.core.export.machine import machine
 
-    front, back = sheets(obj)
-    contents, _ = artwork_files(front, back)
-    for side, sheet in (("front", front), ("back", back)):
-        made, _ = checked_files(sheet.pattern, [machine(name) for name in machine_names])
-        contents |= {f"print-{side}-{name}": content for name, content in made.items()}
-    return list(write_files(folder, contents))
+    printing = _printing(obj, obj.Resolution)
+
+    def made(_progress) -> dict[str, bytes]:
+        front, back = printing()
+        contents, _ = artwork_files(front, back)
+        for side, sheet in (("front", front), ("back", back)):
+            cut, _ = checked_files(sheet.pattern, [machine(name) for name in machine_names])
+            contents |= {f"print-{side}-{name}": content for name, content in cut.items()}
+        return contents
+
+    return list(write_files(folder, hooks.work(f"Writing {obj.Label}", made)))
 
 
 def show(obj, pattern) -> None:

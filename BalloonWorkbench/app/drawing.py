@@ -10,6 +10,7 @@ from BalloonWorkbench.app.quantities import metres
 
 _LONGEST_SIDE = 1600  # px; as fine as the engine looks
 _MOST_READ = 8
+_places: dict = {}  # where the shapes are in those
 _read: dict = {}  # shapes of the last pictures by their content: tracing takes a good part of a second
 
 
@@ -77,7 +78,12 @@ def place_in_picture(path: str) -> tuple[float, float, float, float] | None:
     """
     from BalloonWorkbench.app import hooks
 
-    return hooks.work("Looking at the picture", lambda progress: _found_in(path))
+    key = _key(Path(path), None, "")
+    if key not in _places:
+        _places[key] = hooks.work("Looking at the picture", lambda progress: _found_in(path))
+        for old in list(_places)[:-_MOST_READ]:
+            _places.pop(old, None)
+    return _places[key]
 
 
 def _found_in(path: str) -> tuple[float, float, float, float] | None:

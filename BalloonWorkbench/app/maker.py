@@ -4,11 +4,14 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import lru_cache
+from functools import partial
 from pathlib import Path
 
 from BalloonWorkbench.app import film_result, size_goal, status
 from BalloonWorkbench.core.errors import ExportError
+
+_MOST_COUNTED = 8
+_counted: dict = {}  # numbers of the last balloons by all that they come from
 
 
 def numbers(parts, exact: bool = True):
@@ -17,39 +20,25 @@ def numbers(parts, exact: bool = True):
     exact  a balloon that bears less than its pressure is inflated anew at lower ones, which takes a second;
            else its safe pressure is a little too high
     """
-    from BalloonWorkbench.app import film
+    return counting(parts, exact)()
+
+
+def counting(parts, exact: bool = True):
+    """A function that gives these numbers and does not touch the document: any thread may call it."""
+    from BalloonWorkbench.app import film, shapes
     from BalloonWorkbench.app.pattern import build, values
 
+    balloon = parts.balloon
     panel, wanted = build(parts.pattern), values(parts.pattern)
-    own, filling = film.read(parts.balloon), size_goal.filling(parts.balloon)
-    return _numbers(_Known(parts.balloon), panel_key(panel), _Panel(panel, wanted), own, filling, exact)
-
-
-class _Known:
-    """A balloon with its result: the same as another one of the same result."""
-
-    def __init__(self, balloon):
-        self.balloon = balloon
-        self._key = balloon.Document.Name, balloon.Name, balloon.SolvedFor, balloon.SolvedWith
-
-    def __eq__(self, other):
-        return isinstance(other, _Known) and self._key == other._key
-
-    def __hash__(self):
-        return hash(self._key)
-
-
-class _Panel:
-    """A pattern that goes along with its key."""
-
-    def __init__(self, pattern, wanted):
-        self.pattern, self.wanted = pattern, wanted
-
-    def __eq__(self, other):
-        return isinstance(other, _Panel)
-
-    def __hash__(self):
-        return 0
+    own, filling = film.read(balloon), size_goal.filling(balloon)
+    result = balloon.Document.Name, balloon.Name, balloon.SolvedFor, balloon.SolvedWith
+    key = result, panel_key(panel), own, filling, exact
+    if key in _counted:
+        return partial(_counted.__getitem__, key)
+    seam, width = shapes.stored(balloon, "Seam"), film_result.drawing(balloon).size[0]
+    return partial(
+        _count, key, film_result.stored(balloon)[0], own, seam, panel, wanted, width, filling, exact
+    )
 
 
 def panel_key(pattern) -> bytes:
@@ -62,29 +51,28 @@ def panel_key(pattern) -> bytes:
     return digest.digest()
 
 
-@lru_cache(maxsize=8)
-def _numbers(known: _Known, _key: bytes, panel: _Panel, own, filling, exact: bool):
-    from BalloonWorkbench.app import shapes
+def _count(key, inflation, own, seam, panel, wanted, width: float, filling, exact: bool):
     from BalloonWorkbench.core.maker.numbers import maker_numbers
     from BalloonWorkbench.core.pattern.make import sheet_of
     from BalloonWorkbench.core.solver.inflate import inflate
 
-    balloon = known.balloon
-    inflation, _ = film_result.stored(balloon)
-
     def again(pressure: float):
         return inflate(inflation.panel, own, pressure, start=inflation, model=inflation.report.model)
 
-    return maker_numbers(
+    found = maker_numbers(
         inflation,
         own,
-        shapes.stored(balloon, "Seam"),
-        panel.pattern,
-        film_result.drawing(balloon).size[0],
+        seam,
+        panel,
+        width,
         filling,
-        pieces=sheet_of(panel.pattern, replace(panel.wanted, mirror=True, copies=1)),
+        pieces=sheet_of(panel, replace(wanted, mirror=True, copies=1)),
         at_pressure=again if exact else None,
     )
+    _counted[key] = found
+    for old in list(_counted)[:-_MOST_COUNTED]:
+        _counted.pop(old, None)
+    return found
 
 
 def write_assembly(parts, target, paper: str = "A4") -> Path:
@@ -92,7 +80,7 @@ def write_assembly(parts, target, paper: str = "A4") -> Path:
 
     Raises ExportError when something is not up to date or cannot be written.
     """
-    from BalloonWorkbench.app import film
+    from BalloonWorkbench.app import film, hooks
     from BalloonWorkbench.app.pattern import build
     from BalloonWorkbench.core.assembly.page import Subject, assembly_pdf
     from BalloonWorkbench.core.export.files import write_files
@@ -107,12 +95,15 @@ def write_assembly(parts, target, paper: str = "A4") -> Path:
         path = path / "assembly.pdf"
     group = parts.balloon.getParentGroup()
     inflation, _ = film_result.stored(parts.balloon)
-    subject = Subject(
+    name, own, pattern = (
         group.Label if group else parts.balloon.Label,
         film.read(parts.balloon),
-        inflation,
         build(parts.pattern),
-        numbers(parts),
     )
-    write_files(path.parent, {path.name: assembly_pdf(subject, paper)})
+    count = counting(parts)
+
+    def page(_progress) -> bytes:
+        return assembly_pdf(Subject(name, own, inflation, pattern, count()), paper)
+
+    write_files(path.parent, {path.name: hooks.work(f"Writing {path.name}", page)})
     return path

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from BalloonWorkbench.app import balloon, create, pattern, size_goal, status
+from BalloonWorkbench.app import balloon, create, pattern, status
 from BalloonWorkbench.app.create import Parts
 from BalloonWorkbench.app.outline import set_drawing
 from BalloonWorkbench.app.solve import Request
@@ -147,7 +147,6 @@ def _prepare(seam, settings: Settings) -> None:
         width = from_mm(to_mm(intake_kind(wanted.intake_kind).width))
         wanted = replace(wanted, intake_width=width)
     kept = seam.map(lambda line: from_mm(to_mm(line)))
-    size_goal.usual_area(kept, settings.film)
     try:
         pattern.work_out(kept, from_mm(to_mm(settings.film.seal_width)), wanted)
     except InputError:  # the pattern object will say what is wrong

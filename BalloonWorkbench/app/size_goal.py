@@ -113,6 +113,17 @@ def usual_area(seam, film) -> float:
     return _areas[key]
 
 
+def prepare(seam, film) -> None:
+    """Find in a thread what `show_lift` will ask for: the object keeps its seam in mm."""
+    from BalloonWorkbench.core.errors import InputError
+    from BalloonWorkbench.core.units import from_mm, to_mm
+
+    try:
+        usual_area(seam.map(lambda line: from_mm(to_mm(line))), film)
+    except InputError:  # `show_lift` will say what is wrong
+        return
+
+
 def show_lift(obj) -> None:
     """Weight and lift of the balloon that is shown, for the film and the gas as they are now."""
     from BalloonWorkbench.app import shapes

@@ -17,6 +17,7 @@ from BalloonWorkbench.core.export.colour_map import TENSION
 from BalloonWorkbench.gui.curves import curve_nodes
 from BalloonWorkbench.gui.film_display import FILM, MAP, FilmDisplay, look_of
 from BalloonWorkbench.gui.film_map import CHOICES, OFF
+from BalloonWorkbench.gui.legend_row import arrange
 from BalloonWorkbench.gui.paint.display import MODE as PAINTED
 from BalloonWorkbench.gui.paint.display import PaintedFilm
 from BalloonWorkbench.gui.qt import QtCore, translate
@@ -105,6 +106,7 @@ class BalloonDisplay:
         else:
             self._film.follow(self.vobj, mode)
         self._show_curves()
+        arrange(self._document)
 
     def _show_curves(self) -> None:
         from pivy import coin

@@ -8,9 +8,11 @@ import numpy as np
 from BalloonWorkbench.app import film_result
 from BalloonWorkbench.core.export.colour_map import distances
 from BalloonWorkbench.core.units import to_mm
-from BalloonWorkbench.gui.film_map import lengths_text, warnings_of
-from BalloonWorkbench.gui.legend import BOTTOM, Legend, corner_node, label_node
+from BalloonWorkbench.gui.film_map import warnings_of
+from BalloonWorkbench.gui.legend import BOTTOM, Legend, label_node
+from BalloonWorkbench.gui.legend_row import legend_node, title
 from BalloonWorkbench.gui.qt import translate
+from BalloonWorkbench.gui.user_units import lengths_text
 
 # two colours that stay apart for eyes that confuse red with green (Okabe and Ito)
 DRAWING, SILHOUETTE = (0, 114, 178), (230, 159, 0)
@@ -29,7 +31,7 @@ def curve_nodes(obj) -> list:
     place, _, largest = found.largest
     told = lengths_text(obj.ResidualMean.Value, obj.ResidualP95.Value, obj.ResidualMax.Value)
     legend = Legend(
-        translate("Drawing and silhouette"),
+        title(obj, translate("Drawing and silhouette")),
         entries=((DRAWING, translate("drawing")), (SILHOUETTE, translate("inflated"))),
         notes=(translate("apart {} in the mean, 95 % below {}, at most {}").format(*told),),
         warnings=warnings_of(obj),
@@ -38,7 +40,7 @@ def curve_nodes(obj) -> list:
         _curves([to_mm(loop) for loop in drawing.loops], DRAWING, _UNDER, closed=True),
         _curves([to_mm(loop) for loop in found.loops], SILHOUETTE, _OVER, closed=True),
         _curves(_hairs(found, largest), SILHOUETTE, _HAIR, closed=False),
-        corner_node(legend, BOTTOM),
+        legend_node(obj, legend, BOTTOM),
         label_node((*to_mm(place), 0.0), lengths_text(largest)[0]),
     ]
 

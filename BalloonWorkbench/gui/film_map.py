@@ -3,20 +3,20 @@
 
 from __future__ import annotations
 
-import FreeCAD as App
 import numpy as np
 
 from BalloonWorkbench.app import film_result, status
 from BalloonWorkbench.app.properties import QT_TRANSLATE_NOOP
-from BalloonWorkbench.app.quantities import kilopascals
 from BalloonWorkbench.core.export import colour_map
 from BalloonWorkbench.core.export.results import results
 from BalloonWorkbench.core.solver.film_state import FilmState, State, film_state
 from BalloonWorkbench.core.solver.strength import strength
 from BalloonWorkbench.core.units import to_mm
-from BalloonWorkbench.gui.legend import TOP, Legend, corner_node, label_node
+from BalloonWorkbench.gui.legend import TOP, Legend, label_node
+from BalloonWorkbench.gui.legend_row import legend_node, title
 from BalloonWorkbench.gui.qt import translate
 from BalloonWorkbench.gui.skin import SkinNodes, skin_from
+from BalloonWorkbench.gui.user_units import lengths_text, pressure_text, user_unit
 
 OFF = "Off"
 CHOICES = [OFF, *colour_map.KINDS]
@@ -45,15 +45,15 @@ def map_nodes(obj, kind: str) -> list:
     if kind == colour_map.RESIDUAL:
         return _residual_nodes(obj, inflation, skin)
     shown = colour_map.film_map(found, kind)
-    factor, unit = _user_unit(shown.unit, shown.top)
+    factor, unit = user_unit(shown.unit, shown.top)
     legend = Legend(
-        _title(kind, unit),
+        _title(obj, kind, unit),
         () if kind == colour_map.STATE else _ticks(shown.top * factor),
         _states(film_state(inflation, film)) if kind == colour_map.STATE else (),
         _notes(kind, inflation, film, shown, factor, unit),
         warnings_of(obj),
     )
-    nodes = [_film(SkinNodes(skin, shown.shares), _scale_nodes()), corner_node(legend, TOP)]
+    nodes = [_film(SkinNodes(skin, shown.shares), _scale_nodes()), legend_node(obj, legend, TOP)]
     if shown.place is not None:
         nodes.append(label_node(shown.place, f"{shown.largest * factor:.4g} {unit}"))
     return nodes
@@ -118,27 +118,19 @@ def _residual_nodes(obj, inflation, skin) -> list:
         line.numVertices.setValue(len(corners))
         for child in (colours, points, line):
             front.addChild(child)
-    factor, unit = _user_unit("mm", top)
+    factor, unit = user_unit("mm", top)
     notes = (translate("in the mean {}").format(*lengths_text(obj.ResidualMean.Value)),)
     legend = Legend(
-        _title(colour_map.RESIDUAL, unit), _ticks(top * factor), notes=notes, warnings=warnings_of(obj)
+        _title(obj, colour_map.RESIDUAL, unit), _ticks(top * factor), notes=notes, warnings=warnings_of(obj)
     )
     place, _, largest = found.largest
     label = label_node((*to_mm(place), 0.0), lengths_text(largest)[0])
-    return [_film(SkinNodes(skin), [_matt(coin, _GREY)]), front, corner_node(legend, TOP), label]
+    return [_film(SkinNodes(skin), [_matt(coin, _GREY)]), front, legend_node(obj, legend, TOP), label]
 
 
-def _title(kind: str, unit: str) -> str:
-    title = translate(_TITLES[kind])
-    return f"{title} [{unit}]" if unit else title
-
-
-def _user_unit(unit: str, largest: float) -> tuple[float, str]:
-    """The unit in which the user reads lengths, and how many of it there are in a mm; others as they are."""
-    if unit != "mm":
-        return 1.0, unit
-    _, factor, preferred = App.Units.Quantity(largest, App.Units.Length).getUserPreferred()
-    return 1.0 / factor, preferred
+def _title(obj, kind: str, unit: str) -> str:
+    text = translate(_TITLES[kind])
+    return title(obj, f"{text} [{unit}]" if unit else text)
 
 
 def _ticks(top: float) -> tuple[tuple[float, str], ...]:
@@ -169,27 +161,10 @@ def _notes(kind: str, inflation, film, shown, factor: float, unit: str) -> tuple
         else:
             told.append(
                 translate("safe to {}, margin {:.2g}").format(
-                    _pressure_text(weakest.safe_pressure), weakest.margin
+                    pressure_text(weakest.safe_pressure), weakest.margin
                 )
             )
     return tuple(told)
-
-
-def _pressure_text(pressure: float) -> str:
-    """A pressure [Pa] in the user's unit; FreeCAD itself writes thousands of Pa."""
-    _, factor, unit = App.Units.Quantity(kilopascals(pressure), App.Units.Pressure).getUserPreferred()
-    if unit == "Pa":
-        factor, unit = 1.0, "kPa"
-    return f"{kilopascals(pressure) / factor:.3g} {unit}"
-
-
-def lengths_text(*lengths: float) -> list[str]:
-    """Lengths in mm as texts in the user's unit, with three digits."""
-    found = []
-    for length in lengths:
-        factor, unit = _user_unit("mm", length)
-        found.append(f"{length * factor:.3g} {unit}")
-    return found
 
 
 def warnings_of(obj) -> tuple[str, ...]:

@@ -38,7 +38,8 @@ class Legend:
 
 
 def corner_node(legend: Legend, place: float = TOP):
-    """A node that shows a legend at the left of the view, at TOP or BOTTOM, however the view turns."""
+    """A node that shows a legend at the left of the view, at TOP or BOTTOM, however the view turns; and the
+    image in it."""
     from pivy import coin
 
     camera, shift, image = coin.SoOrthographicCamera(), coin.SoTranslation(), coin.SoImage()
@@ -46,8 +47,8 @@ def corner_node(legend: Legend, place: float = TOP):
     shift.translation.setValue(_LEFT, place, 0.0)
     image.vertAlignment.setValue(coin.SoImage.TOP if place > 0.0 else coin.SoImage.BOTTOM)
     image.horAlignment.setValue(coin.SoImage.LEFT)
-    _fill(coin, image, drawn(legend))
-    return _on_top(coin, coin.SoResetTransform(), camera, shift, image)
+    fill(image, drawn(legend))
+    return _on_top(coin, coin.SoResetTransform(), camera, shift, image), image
 
 
 def label_node(place, text: str):
@@ -58,7 +59,7 @@ def label_node(place, text: str):
     shift.translation.setValue(*(float(value) for value in place))
     image.vertAlignment.setValue(coin.SoImage.HALF)
     image.horAlignment.setValue(coin.SoImage.CENTER)
-    _fill(coin, image, _label(text))
+    fill(image, _label(text))
     return _on_top(coin, shift, image)
 
 
@@ -157,7 +158,10 @@ def _ratio() -> float:
     return float(Gui.getMainWindow().devicePixelRatioF())
 
 
-def _fill(coin, node, image) -> None:
+def fill(node, image) -> None:
+    """Let a node show an image."""
+    from pivy import coin
+
     rgba = np.ascontiguousarray(pixels(image)[::-1])
     node.image.setValue(coin.SbVec2s(image.width(), image.height()), 4, rgba.tobytes())
 

@@ -2,6 +2,7 @@
 """The hand that paints in the tests: mouse, tablet and keys on the canvas, and what they leave there."""
 
 import math
+import time
 
 import FreeCADGui as Gui
 import hands
@@ -98,6 +99,24 @@ def draw(canvas, places, let_live=True):
         if let_live:
             hands.wait(0.008)
     mouse(canvas, QEvent.MouseButtonRelease, places[-1], held=Qt.NoButton)
+
+
+def draw_for_real(pointer, canvas, places):
+    """One stroke with the X server's own mouse."""
+    steps, ratio = len(canvas.painting.steps), canvas.devicePixelRatioF()
+    for number, place in enumerate(places):
+        at = canvas.paper.to_screen(hands.QtCore.QPointF(place[0] * SIDE, place[1] * SIDE))
+        there = canvas.mapToGlobal(at.toPoint())
+        pointer.move(there.x() * ratio, there.y() * ratio)
+        end = time.monotonic() + 5.0
+        while canvas._pointer is None or (canvas._pointer - at).manhattanLength() > 4:
+            assert time.monotonic() < end, "the pointer never came"
+            hands.wait(0.004)
+        if number == 0:
+            pointer.press()
+            hands.wait(0.02)
+    pointer.release()
+    hands.wait_until(lambda: len(canvas.painting.steps) > steps, 10)
 
 
 def click(canvas, place):

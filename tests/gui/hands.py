@@ -2,6 +2,7 @@
 """What a user does: look, wait, click and type; with real events, in the real window."""
 
 import gc
+import os
 import time
 from pathlib import Path
 
@@ -9,10 +10,11 @@ import FreeCADGui as Gui
 
 from BalloonWorkbench.app.host import qt
 from BalloonWorkbench.gui.panels.fields import Fields
+from BalloonWorkbench.gui.panels.pages import Pages
 
 QtCore, QtGui, QtWidgets = qt()
 
-SCREENSHOTS = Path("build/screenshots")
+SCREENSHOTS = Path(f"build/screenshots{os.environ.get('SUITE', '')}")
 
 
 def wait(seconds=0.1):
@@ -47,14 +49,24 @@ def visible(kind):
 
 
 def find(name):
-    """The widget of this name in the open panel, in front or behind a tab."""
+    """The widget of this name in the open panel; its page is turned to when it is not there yet."""
+    widget = _there(name)
+    for pages in visible(Pages) if widget is None else ():
+        for index in range(pages.count()):
+            if widget is None:
+                pages.setCurrentIndex(index)
+                widget = _there(name)
+    assert widget is not None, f"no widget {name}"
+    return widget
+
+
+def _there(name):
     window = Gui.getMainWindow()
     for fields in window.findChildren(Fields):
         if fields.has(name):
             return fields.widget(name)
     found = window.findChildren(QtWidgets.QWidget, name)
-    assert found, f"no widget {name}"
-    return found[-1]
+    return found[-1] if found else None
 
 
 def show_tab(widget):

@@ -6,17 +6,25 @@ import time
 
 import hands
 
+LIMIT = 0.1  # s within which the window answers
+_SUM = 4000  # numbers that are added up to see how fast the processor is just now
+_SLOWEST = 3.0
+
 
 class Heartbeat:
     """Beats every few milliseconds.
 
     longest  s by the clock between two beats: other programs of a busy machine are in it
-    gui      s of the processor that the window's own thread worked between two beats; `most` at the worst
+    work     s of the processor that the window's own thread worked between two beats, at most but for one
+    most     that one: the first picture of a new 3D view takes longer where no graphics card draws it
     own      s between two beats, or what this process with all its threads can account for: a window that
-             waits for a thread of ours is deaf by our doing
+             waits for a thread of ours is deaf by our doing. All beats but one in a hundred
 
-    gui and own are of all beats but one in a hundred: without a graphics card the 3D view is slow at times.
+    A processor that others use as well does less in a second: work and own are what it takes while a small
+    sum takes as long as when it was quickest.
     """
+
+    _quickest = 1.0
 
     def __init__(self):
         self._timer = hands.QtCore.QTimer()
@@ -26,8 +34,8 @@ class Heartbeat:
 
     def reset(self):
         self.longest = 0.0
-        self._works, self._owns = [0.0], [0.0]
-        self._last = self._now()
+        self._works, self._owns = [0.0, 0.0], [0.0]
+        self.skip()
 
     def skip(self):
         """What the test itself did since the last beat, such as saving a picture, does not count."""
@@ -37,29 +45,37 @@ class Heartbeat:
         self._timer.stop()
 
     @property
-    def gui(self):
-        return _nearly_all(self._works)
-
-    @property
-    def own(self):
-        return _nearly_all(self._owns)
+    def work(self):
+        return sorted(self._works)[-2]
 
     @property
     def most(self):
         return max(self._works)
+
+    def answers(self):
+        """The window has answered all the time."""
+        return max(self.work, self.own, 0.5 * self.most) < LIMIT
+
+    @property
+    def own(self):
+        return sorted(self._owns)[int(0.99 * (len(self._owns) - 1))]
 
     @staticmethod
     def _now():
         return time.perf_counter(), time.thread_time(), time.process_time()
 
     def _beat(self):
-        now = self._now()
-        clock, mine, everybody = (b - a for a, b in zip(self._last, now, strict=True))
+        clock, mine, everybody = (b - a for a, b in zip(self._last, self._now(), strict=True))
+        slowness = self._slowness()
         self.longest = max(self.longest, clock)
-        self._works.append(mine)
-        self._owns.append(min(clock, everybody / (os.cpu_count() or 1)))
-        self._last = now
+        self._works.append(mine / slowness)
+        self._owns.append(min(clock, everybody / (os.cpu_count() or 1)) / slowness)
+        self._last = self._now()
 
-
-def _nearly_all(values):
-    return sorted(values)[int(0.99 * (len(values) - 1))]
+    @classmethod
+    def _slowness(cls):
+        begun = time.thread_time()
+        sum(range(_SUM))
+        taken = time.thread_time() - begun
+        cls._quickest = min(cls._quickest, taken)
+        return min(taken / cls._quickest, _SLOWEST)

@@ -26,7 +26,7 @@ def panel(made):
 
 def test_size_is_shown_in_millimetres(panel):
     text = hands.find("Size").text()
-    assert f"{panel.pattern.PatternWidth.Value:.1f} x {panel.pattern.PatternHeight.Value:.1f} mm" in text
+    assert f"{panel.pattern.PatternWidth.Value:.4g} x {panel.pattern.PatternHeight.Value:.4g} mm" in text
     hands.screenshot("export")
 
 

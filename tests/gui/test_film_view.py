@@ -6,8 +6,9 @@ import FreeCADGui as Gui
 import hands
 import numpy as np
 import pytest
+import sketches
 
-from BalloonWorkbench.app import status
+from BalloonWorkbench.app import create, status
 from BalloonWorkbench.app.qt_picture import pixels
 from BalloonWorkbench.core.export import colour_map
 
@@ -275,3 +276,22 @@ def test_animation_ends_with_its_balloon(made):
     hands.wait_until(lambda: hands.panel_is_open() and hands.find("Frame").isVisible())
     made.balloon.Document.removeObject("Pattern")
     hands.wait_until(hands.panel_is_closed, 5)
+
+
+def test_legends_of_two_balloons_stand_beside_each_other(made, tmp_path):
+    doc = made.balloon.Document
+    other = create.balloon_from_sketch(doc, sketches.rectangle(doc, 60, 40), mesh_size=10, correct=False)
+    for parts in (made, other):
+        parts.balloon.ViewObject.ColourMap = colour_map.STATE
+    hands.wait(0.2)
+    assert papers(picture(tmp_path, "Black")) == 2
+    hands.screenshot("two-legends")
+    made.balloon.ViewObject.Visibility = False
+    hands.wait(0.2)
+    assert papers(picture(tmp_path, "Black")) == 1
+
+
+def papers(image):
+    """Sheets of paper along the upper edge of a dark view."""
+    bright = image[12:16].mean(axis=(0, 2)) > 150
+    return int((np.diff(bright.astype(int)) > 0).sum())

@@ -62,7 +62,7 @@ def test_apply_shows_the_result_before_ok(panel):
     assert hands.panel_is_open()
     assert panel.Balloon.Status == status.READY
     labels = [label.text() for label in hands.find("Result").findChildren(hands.QtWidgets.QLabel)]
-    assert f"{panel.Balloon.InflatedThickness.Value:.1f} mm" in labels
+    assert f"{panel.Balloon.InflatedThickness.Value:.4g} mm" in labels
     assert panel.Balloon.ActiveBackend in labels
     image = hands.screenshot("from-picture-applied")
     assert len({image.pixel(x, 450) for x in range(300, image.width(), 5)}) > 30  # shaded, not flat

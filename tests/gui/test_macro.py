@@ -2,9 +2,11 @@
 """What the user does is written into the macro, and the macro does it again, without a window."""
 
 import json
+import shutil
 import subprocess
 from pathlib import Path
 
+import brush
 import FreeCAD as App
 import FreeCADGui as Gui
 import hands
@@ -13,6 +15,7 @@ import sketches
 
 from BalloonWorkbench.app import create
 from BalloonWorkbench.app.parts import patterns
+from BalloonWorkbench.core.export.colour_map import WRINKLES
 from BalloonWorkbench.gui import record
 
 HEART = Path("resources/examples/pictures/heart.png").resolve()
@@ -58,6 +61,7 @@ App.newDocument("Replay")
 {chr(10).join(lines)}
 sys.path.append({str(Path(__file__).parent)!r})
 from BalloonWorkbench.app.parts import patterns
+from BalloonWorkbench.core.export.colour_map import WRINKLES
 found = {{}}
 for pattern in patterns(App.ActiveDocument):
     balloon = pattern.Balloon
@@ -183,3 +187,76 @@ def test_repair(doc, macro):
     exec("\n".join(macro), {"App": App})
     assert list(made.outline.Repairs) == repaired
     Gui.Control.closeDialog()
+
+
+def replay(lines):
+    """Run a macro in the document that is open."""
+    exec("\n".join(lines), {"App": App, "Gui": Gui})
+
+
+def test_paint(doc, macro):
+    window = brush.open_window()
+    brush.press(f"PaintColour{brush.RED}")
+    brush.draw(window.canvas, brush.ellipse(0.5, 0.5, 0.3, 0.2))
+    hands.type_into(window.form.width_field, "90 mm")
+    brush.press("PaintMake")
+    hands.wait_until(brush.is_closed, 60)
+    hands.wait_until(hands.panel_is_open)
+    hands.leave()
+    made = [line for line in macro if "from_picture" in line]
+    assert len(made) == 1
+    assert 'width="90 mm"' in made[0]
+    expected = measures(doc)
+    again = App.newDocument("Replay")
+    replay(macro)
+    for name, found in measures(again).items():
+        assert found == pytest.approx(expected[name], rel=1e-6)
+
+
+def test_artwork_layout_assembly_and_map(made, rectangle_file, macro, tmp_path):
+    """Four commands of one balloon; their lines do the same to a balloon that has seen none of them."""
+    picture, page = tmp_path / "blue.png", tmp_path / "sheet.pdf"
+    blue = hands.QtGui.QImage(40, 30, hands.QtGui.QImage.Format_RGB32)
+    blue.fill(hands.QtGui.QColor(20, 60, 220))
+    blue.save(str(picture))
+    Gui.Selection.addSelection(made.balloon)
+    for command, field, text in (
+        ("Artwork", "Picture", str(picture)),
+        ("Nest", "FilmWidth", "300 mm"),
+        ("AssemblySheet", "AssemblyFile", str(page)),
+        ("ColourMap", "", ""),
+    ):
+        Gui.runCommand(f"BalloonWorkbench_{command}")
+        hands.wait_until(hands.panel_is_open)
+        if field:
+            hands.type_into(hands.find(field), text, confirm=False)
+        else:
+            combo = hands.find("ColourMap")
+            combo.setCurrentIndex(combo.findData(WRINKLES))
+        if field == "Picture":
+            hands.find(field).editingFinished.emit()
+        hands.press("Ok")
+        hands.wait_until(hands.panel_is_closed)
+    for function in ("artwork", "nest", "assembly_sheet"):
+        assert sum(f"BalloonWorkbench.{function}(" in line for line in macro) == 1
+    expected, written = made_of(made.balloon.Document), page.read_bytes()
+    page.unlink()
+    App.closeDocument(made.balloon.Document.Name)
+    again = App.openDocument(str(shutil.copy(rectangle_file, tmp_path / "again.FCStd")))
+    replay(macro)
+    assert made_of(again) == expected
+    assert page.read_bytes() == written
+
+
+def made_of(doc):
+    """What the documents must agree in."""
+    art, sheet = doc.Artwork, doc.FilmSheet
+    return (
+        art.Status,
+        Path(art.Picture).read_bytes(),
+        art.PatternWidth.Value,
+        sheet.Status,
+        sheet.FilmWidth.Value,
+        sheet.Layouts,
+        doc.Balloon.ViewObject.ColourMap,
+    )

@@ -34,7 +34,18 @@ def test_double_click_on_the_group(made):
     assert hands.find("Steps").isVisible()
 
 
-def test_every_field_has_a_tooltip(made):
+def kept(parts):
+    """What the properties say, as text."""
+    return {
+        (obj.Name, name): str(getattr(obj, name))
+        for obj in parts
+        for name in obj.PropertiesList
+        if name != "Shape"
+    }
+
+
+def test_every_field_has_a_tooltip_and_changes_nothing_by_itself(made):
+    before = kept(made)
     open_panel(made.balloon)
     tabs = hands.find("Steps")
     kinds = QtWidgets.QAbstractSpinBox, QtWidgets.QComboBox, QtWidgets.QCheckBox, QtWidgets.QPushButton
@@ -45,6 +56,10 @@ def test_every_field_has_a_tooltip(made):
         fields = [widget for widget in fields if tabs.isAncestorOf(widget)]
         assert fields
         assert [widget.objectName() for widget in fields if len(widget.toolTip()) < 10] in ([], [""])
+    hands.press("Ok")
+    hands.wait_until(hands.panel_is_closed)
+    assert kept(made) == before
+    assert made.balloon.Document.UndoNames in ([], ["Edit balloon"])
 
 
 def test_tab_goes_down_the_page(made):

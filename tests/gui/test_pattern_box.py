@@ -105,3 +105,39 @@ def test_kinds_and_values_in_the_panel(opened):
     assert sketch.Shape.Wires[0].isClosed()
     hands.type_into(hands.find("CornerRadius"), "40 mm")
     assert "relief" in hands.message()
+
+
+def express(field, text):
+    """Type = into a field and an expression into the line that opens; returns the line while it is there."""
+    hands.key(field, QtCore.Qt.Key_Equal, "=")
+    line = field.findChild(QtWidgets.QLineEdit, "Expression")
+    line.selectAll()
+    hands.key(line, QtCore.Qt.Key_Delete)
+    hands.type_into(line, text)
+    return line if line.isVisible() else None
+
+
+def test_whole_number_takes_an_expression(opened):
+    pattern, doc = opened.pattern, opened.pattern.Document
+    sheet = doc.addObject("Spreadsheet::Sheet", "Sheet")
+    sheet.set("A1", "=2")
+    doc.recompute()
+    field = hands.find("Copies")
+    hands.show_tab(field)
+    refused = express(field, "Sheet.Nothing")
+    assert "whole number" in refused.toolTip()
+    hands.key(refused, QtCore.Qt.Key_Escape)
+    assert hands.panel_is_open()
+    assert express(field, "Sheet.A1 + 1") is None
+    assert (pattern.Copies, field.value(), field.isReadOnly()) == (3, 3, True)
+    hands.press("Ok")
+    hands.wait_until(hands.panel_is_closed)
+    sheet.set("A1", "=4")
+    doc.recompute()
+    assert pattern.Copies == 5
+    pattern.ViewObject.Proxy.doubleClicked(pattern.ViewObject)
+    hands.wait_until(hands.panel_is_open)
+    field = hands.find("Copies")
+    assert express(field, "") is None
+    hands.type_into(field, "2")
+    assert (pattern.Copies, pattern.ExpressionEngine) == (2, [])

@@ -31,9 +31,10 @@ class Advice:
 
     def Activated(self):
         from BalloonWorkbench.app.parts import parts_of, patterns
+        from BalloonWorkbench.gui.panels import show
         from BalloonWorkbench.gui.panels.advice import AdvicePanel
 
         chosen = [parts for parts in map(parts_of, Gui.Selection.getSelection()) if parts]
         known = [parts for parts in map(parts_of, patterns(App.ActiveDocument)) if parts]
         if chosen or known:
-            Gui.Control.showDialog(AdvicePanel((chosen or known)[0]))
+            show(AdvicePanel((chosen or known)[0]))

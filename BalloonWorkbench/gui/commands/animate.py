@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-import FreeCADGui as Gui
-
 from BalloonWorkbench.app.properties import QT_TRANSLATE_NOOP
 from BalloonWorkbench.gui.commands import solved
 from BalloonWorkbench.gui.qt import icon
@@ -27,6 +25,7 @@ class Animate:
         return solved.is_offered()
 
     def Activated(self):
+        from BalloonWorkbench.gui.panels import show
         from BalloonWorkbench.gui.panels.animation import AnimationPanel
 
-        Gui.Control.showDialog(AnimationPanel(solved.chosen()))
+        show(AnimationPanel(solved.chosen()))

@@ -27,12 +27,12 @@ class Artwork:
         return solved.is_offered()
 
     def Activated(self):
-        import FreeCADGui as Gui
 
         from BalloonWorkbench.app import artwork
+        from BalloonWorkbench.gui.panels import show
         from BalloonWorkbench.gui.panels.artwork import ArtworkPanel
 
         parts = solved.chosen()
         App.ActiveDocument.openTransaction(translate("Artwork"))
         obj = artwork.of_balloon(parts.balloon) or artwork.make(parts.pattern)
-        Gui.Control.showDialog(ArtworkPanel(obj))
+        show(ArtworkPanel(obj))

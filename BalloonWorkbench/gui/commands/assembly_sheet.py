@@ -25,8 +25,8 @@ class AssemblySheet:
         return solved.is_offered()
 
     def Activated(self):
-        import FreeCADGui as Gui
 
+        from BalloonWorkbench.gui.panels import show
         from BalloonWorkbench.gui.panels.assembly import AssemblyPanel
 
-        Gui.Control.showDialog(AssemblyPanel(solved.chosen()))
+        show(AssemblyPanel(solved.chosen()))

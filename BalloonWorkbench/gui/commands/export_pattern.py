@@ -31,6 +31,7 @@ class ExportPattern:
 
     def Activated(self):
         from BalloonWorkbench.app.parts import parts_of, patterns
+        from BalloonWorkbench.gui.panels import show
         from BalloonWorkbench.gui.panels.export import ExportPanel
 
         doc = App.ActiveDocument
@@ -38,4 +39,4 @@ class ExportPattern:
         others = [obj for obj in doc.Objects if hasattr(getattr(obj, "Proxy", None), "cut_pattern")]
         chosen = [obj for obj in selected if obj in others]
         chosen += [parts.pattern for parts in map(parts_of, selected) if parts]
-        Gui.Control.showDialog(ExportPanel([*patterns(doc), *others], chosen[0] if chosen else None))
+        show(ExportPanel([*patterns(doc), *others], chosen[0] if chosen else None))

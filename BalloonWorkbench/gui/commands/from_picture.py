@@ -28,6 +28,7 @@ class FromPicture:
 
     def Activated(self):
         from BalloonWorkbench.gui import record
+        from BalloonWorkbench.gui.panels import show
         from BalloonWorkbench.gui.panels.balloon import BalloonPanel
 
         doc = App.ActiveDocument
@@ -36,4 +37,4 @@ class FromPicture:
             doc = App.newDocument("Balloon")
         doc.openTransaction(translate("New balloon from picture"))
         parts, edit = record.begin(doc)
-        Gui.Control.showDialog(BalloonPanel(parts, new_document=fresh, edit=edit))
+        show(BalloonPanel(parts, new_document=fresh, edit=edit))

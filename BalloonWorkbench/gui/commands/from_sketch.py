@@ -28,6 +28,7 @@ class FromSketch:
 
     def Activated(self):
         from BalloonWorkbench.gui import record
+        from BalloonWorkbench.gui.panels import show
         from BalloonWorkbench.gui.panels.balloon import BalloonPanel
         from BalloonWorkbench.gui.selection import selected_source
 
@@ -40,4 +41,4 @@ class FromSketch:
             parts.balloon.getParentGroup().Label = f"{source[0].Label} balloon"
             if source[0].isDerivedFrom("Sketcher::SketchObject"):
                 source[0].ViewObject.Visibility = False  # the outline shows it
-        Gui.Control.showDialog(BalloonPanel(parts, sketch=True, edit=edit))
+        show(BalloonPanel(parts, sketch=True, edit=edit))

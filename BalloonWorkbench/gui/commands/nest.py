@@ -32,6 +32,7 @@ class Nest:
     def Activated(self):
         from BalloonWorkbench.app import film_sheet
         from BalloonWorkbench.app.parts import parts_of, patterns
+        from BalloonWorkbench.gui.panels import show
         from BalloonWorkbench.gui.panels.nest import NestPanel
 
         doc = App.ActiveDocument
@@ -40,4 +41,4 @@ class Nest:
         chosen = [parts.pattern for parts in map(parts_of, selected) if parts]
         doc.openTransaction(translate("Lay out on film"))
         known = list(dict.fromkeys(chosen)) or patterns(doc)
-        Gui.Control.showDialog(NestPanel(sheets[0] if sheets else film_sheet.make(doc, known)))
+        show(NestPanel(sheets[0] if sheets else film_sheet.make(doc, known)))

@@ -190,6 +190,7 @@ class Canvas(QtWidgets.QWidget):
         for layer in (self.scale, self.overlay, self.thin):
             layer.paint(painter, self)
         self._paint_pointer(painter)
+        painter.end()  # now, not when Python forgets it
 
     def _paint_paper(self, painter, paper) -> None:
         painter.fillRect(paper, QtCore.Qt.white)

@@ -3,11 +3,9 @@
 
 from __future__ import annotations
 
-import FreeCADGui as Gui
-
 from BalloonWorkbench.app.parts import patterns
 from BalloonWorkbench.gui.paint.lengths import is_imperial
-from BalloonWorkbench.gui.panels import is_free
+from BalloonWorkbench.gui.panels import is_free, show
 
 
 def offer(parts) -> None:
@@ -17,4 +15,4 @@ def offer(parts) -> None:
     if is_free():
         panel = ExportPanel(patterns(parts.pattern.Document), parts.pattern)
         panel.machine.choose("paper", "Letter" if is_imperial() else "A4")
-        Gui.Control.showDialog(panel)
+        show(panel)

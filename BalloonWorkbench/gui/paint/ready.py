@@ -1,31 +1,70 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Brings in what takes a while to load and stops everything meanwhile: not during the first stroke."""
+"""Brings in what takes a while to load and stops everything meanwhile: piece by piece once the workbench is
+there, not during the first stroke or while a panel opens."""
 
 from __future__ import annotations
 
-from BalloonWorkbench.core.job import Settings
-from BalloonWorkbench.core.outline.raster import opencv
-from BalloonWorkbench.core.types import no_progress
-from BalloonWorkbench.gui.paint.painting import SIDE, Painting
-from BalloonWorkbench.gui.paint.requests import Counsel, Glance
-from BalloonWorkbench.gui.paint.strokes import PEN, Stroke
+from contextlib import suppress
+from importlib import import_module
+
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets
-from BalloonWorkbench.gui.sentences import tell
+
+_PAUSE = 50  # ms, in which the window answers
+_PACKAGE = "BalloonWorkbench"
+_MODULES = (
+    "pivy.coin",
+    "MeshGui",
+    "PartGui",
+    f"{_PACKAGE}.core.job",
+    f"{_PACKAGE}.gui.balloon_view",
+    f"{_PACKAGE}.gui.panels.balloon",
+    f"{_PACKAGE}.gui.panels.export",
+    f"{_PACKAGE}.gui.paint.window",
+)
+_missing: list = []  # what is still to be done
+
+
+def begin() -> None:
+    """Load when the window has nothing else to do."""
+    if not _missing:
+        _missing.extend([*(lambda name=name: import_module(name) for name in _MODULES), _opencv, _look])
+        QtCore.QTimer.singleShot(_PAUSE, _go_on)
 
 
 def load() -> None:
-    """Look at a dot once, from the picture to the coach."""
-    QtWidgets.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)
-    opencv()
-    import MeshGui  # noqa: F401
-    import PartGui  # noqa: F401
-    from pivy import coin  # noqa: F401
+    """Load now what is not there yet."""
+    if _missing:
+        QtWidgets.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)
+        while _missing:
+            _missing.pop(0)()
+        QtWidgets.QApplication.restoreOverrideCursor()
 
-    from BalloonWorkbench.gui import balloon_view  # noqa: F401
+
+def _go_on() -> None:
+    if _missing:
+        _missing.pop(0)()
+        QtCore.QTimer.singleShot(_PAUSE, _go_on)
+
+
+def _opencv() -> None:
+    from BalloonWorkbench.core.outline.raster import opencv
+
+    opencv()
+
+
+def _look() -> None:
+    """Look at a dot once, from the picture to the coach."""
+    from BalloonWorkbench.core.errors import BalloonError
+    from BalloonWorkbench.core.job import Settings
+    from BalloonWorkbench.core.types import no_progress
+    from BalloonWorkbench.gui.paint.painting import SIDE, Painting
+    from BalloonWorkbench.gui.paint.requests import Counsel, Glance
+    from BalloonWorkbench.gui.paint.strokes import PEN, Stroke
+    from BalloonWorkbench.gui.sentences import tell
 
     dot = Painting()
     dot.do(Stroke(PEN, "#000000", points=[(SIDE / 2, SIDE / 2, SIDE / 2)]))
-    look = Glance(dot.image, 0, 100.0, Settings()).solve(no_progress)
-    Counsel(look, Settings()).solve(no_progress)
+    with suppress(BalloonError):  # what is missing is told when it is needed
+        look = Glance(dot.image, 0, 100.0, Settings()).solve(no_progress)
+        Counsel(look, Settings()).solve(no_progress)
     tell("")
-    QtWidgets.QApplication.restoreOverrideCursor()

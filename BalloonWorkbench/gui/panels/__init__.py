@@ -17,7 +17,15 @@ def edit(obj) -> None:
     if parts is None or not is_free():
         return
     obj.Document.openTransaction(translate("Edit balloon"))
-    Gui.Control.showDialog(BalloonPanel(parts, start=obj))
+    show(BalloonPanel(parts, start=obj))
+
+
+def show(panel) -> None:
+    """Show a panel that was just made: both take a moment, and the window answers between them."""
+    from BalloonWorkbench.gui.patience import breathe
+
+    breathe()
+    Gui.Control.showDialog(panel)
 
 
 def paint_again(outline) -> bool:

@@ -18,6 +18,7 @@ from BalloonWorkbench.gui.marks import COLOURS, Overlay
 from BalloonWorkbench.gui.panels.watch import Watch
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, drawn_icon, number_of, translate
 from BalloonWorkbench.gui.sentences import tell
+from BalloonWorkbench.gui.user_units import length_text
 
 _DOT = 12  # px
 
@@ -138,8 +139,8 @@ class AdvicePanel:
             self.legend.setText(tell(str(error)))
             return
         self.legend.setText(
-            translate("Blue 0 mm, green {:.0f} mm, red {:.0f} mm").format(
-                *(to_mm(share * float(found.thickness.max())) for share in (0.5, 1.0))
+            translate("Blue 0, green {}, red {}").format(
+                *(length_text(to_mm(share * float(found.thickness.max())), 3) for share in (0.5, 1.0))
             )
         )
         self.overlay.map(found, self.parts.outline.Placement, self._height())

@@ -5,16 +5,15 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import FreeCADGui as Gui
-
 from BalloonWorkbench.app import artwork, status, values
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.gui import record
 from BalloonWorkbench.gui.paint.display import MODE
-from BalloonWorkbench.gui.panels.fields import Fields
-from BalloonWorkbench.gui.panels.watch import Watch
-from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, icon, translate
+from BalloonWorkbench.gui.panels import show
+from BalloonWorkbench.gui.panels.object_panel import ObjectPanel
+from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.sentences import tell
+from BalloonWorkbench.gui.user_units import size_text
 
 _ENDINGS = "*.png *.jpg *.jpeg *.bmp"
 
@@ -22,21 +21,15 @@ _ENDINGS = "*.png *.jpg *.jpeg *.bmp"
 def show_panel(obj) -> None:
     """Open the panel on an artwork, in one undo step."""
     obj.Document.openTransaction(translate("Edit artwork"))
-    Gui.Control.showDialog(ArtworkPanel(obj))
+    show(ArtworkPanel(obj))
 
 
-class ArtworkPanel:
-    """Edits an artwork inside an undo step that is open: OK keeps it, Cancel takes it back."""
+class ArtworkPanel(ObjectPanel):
+    """Edits an artwork."""
 
     def __init__(self, obj):
-        self.obj = obj
-        self.doc = obj.Document
+        super().__init__(obj, "ArtworkPanel", translate("Artwork"), "artwork")
         self.files: dict[str, str] = {}  # pictures that were chosen, as Python text
-        self.form = QtWidgets.QWidget()
-        self.form.setObjectName("ArtworkPanel")
-        self.form.setWindowTitle(translate("Artwork"))
-        self.form.setWindowIcon(QtGui.QIcon(icon("artwork")))
-        self.fields = Fields(obj, self.form)
         self.front = PictureRow("Picture", translate("That of the outline"))
         self.back = PictureRow("BackPicture", translate("That of the front"))
         self.write = QtWidgets.QPushButton(translate("Write files…"))
@@ -63,7 +56,6 @@ class ArtworkPanel:
             row.chosen.connect(self.choose)
         self.fields.changed.connect(lambda _name: self.update())
         self.write.clicked.connect(lambda _checked=False: self.write_files())
-        self.watch = Watch([obj], self.abandon)
         self.update()
 
     def choose(self, name: str, path: str) -> None:
@@ -90,7 +82,7 @@ class ArtworkPanel:
         self.write.setEnabled(ready)
         self.message.setText(tell(status.problem(self.obj)))
         width, height = self.obj.PatternWidth.Value, self.obj.PatternHeight.Value
-        self.size.setText(f"{width:.0f} x {height:.0f} mm" if ready else "")
+        self.size.setText(size_text(width, height) if ready else "")
 
     def write_files(self, folder: str = "") -> None:
         """Ask for a folder and write the files."""
@@ -103,7 +95,6 @@ class ArtworkPanel:
         if not folder:
             return
         self.fields.finish_typing()
-        QtWidgets.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)
         try:
             written = artwork.write(self.obj, folder)
         except BalloonError as error:
@@ -112,30 +103,15 @@ class ArtworkPanel:
             record.call("export", record.obj(self.obj), record.text(folder))
             told = translate("{} files written to {}").format(len(written), folder)
             self.message.setText(told)
-        finally:
-            QtWidgets.QApplication.restoreOverrideCursor()
 
     def accept(self):
         self.fields.finish_typing()
         self.update()
-        self.abandon()
-        self.doc.commitTransaction()
+        self.keep()
         self.doc.recompute()
         told = values.texts_of(self.obj, artwork.PROPERTIES) | self.files
         record.call("artwork", record.obj(self.obj.Pattern), result=self.obj, name="artwork", **told)
         return True
-
-    def reject(self):
-        self.abandon()
-        self.doc.abortTransaction()
-        self.doc.recompute()
-        return True
-
-    def abandon(self) -> None:
-        """Close without touching the document."""
-        self.watch.remove()
-        self.fields.release()
-        Gui.Control.closeDialog()
 
 
 class PictureRow(QtWidgets.QWidget):

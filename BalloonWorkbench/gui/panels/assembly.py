@@ -11,9 +11,9 @@ from BalloonWorkbench.app import maker
 from BalloonWorkbench.core.assembly.page import PAGES
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.gui import record
-from BalloonWorkbench.gui.panels.maker_rows import rows
+from BalloonWorkbench.gui.panels.maker_rows import MakerRows
 from BalloonWorkbench.gui.panels.watch import Watch
-from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, icon, translate
+from BalloonWorkbench.gui.qt import QtGui, QtWidgets, icon, translate
 from BalloonWorkbench.gui.sentences import tell
 
 
@@ -42,11 +42,11 @@ class AssemblyPanel:
         self.message.setWordWrap(True)
         form = QtWidgets.QFormLayout(self.form)
         form.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)
-        for name, text in rows(parts):
-            value = QtWidgets.QLabel(text)
-            value.setWordWrap(True)
-            value.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
-            form.addRow(name, value)
+        numbers = QtWidgets.QFormLayout()
+        numbers.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)
+        self.numbers = MakerRows(numbers)
+        self.numbers.show(parts)
+        form.addRow(numbers)
         form.addRow(translate("Paper"), self.paper)
         form.addRow(translate("File"), line)
         form.addRow(self.message)
@@ -71,14 +71,11 @@ class AssemblyPanel:
         path = Path(self.path.text().strip() or self.suggestion())
         if path.suffix.lower() != ".pdf":
             path = path.with_name(path.name + ".pdf")
-        QtWidgets.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)
         try:
             written = maker.write_assembly(self.parts, path, self.paper.currentText())
         except BalloonError as error:
             self.message.setText(tell(str(error)))
             return False
-        finally:
-            QtWidgets.QApplication.restoreOverrideCursor()
         balloon = f"BalloonWorkbench.parts({record.obj(self.parts.balloon)})"
         record.call("assembly_sheet", balloon, record.text(written), record.text(self.paper.currentText()))
         self.close()
@@ -92,4 +89,5 @@ class AssemblyPanel:
 
     def close(self) -> None:
         self.watch.remove()
+        self.numbers.release()
         Gui.Control.closeDialog()

@@ -28,6 +28,7 @@ from BalloonWorkbench.gui.panels.result_box import ResultBox
 from BalloonWorkbench.gui.panels.simulation_box import SimulationBox
 from BalloonWorkbench.gui.panels.sketch_box import SketchBox
 from BalloonWorkbench.gui.panels.watch import Watch
+from BalloonWorkbench.gui.patience import breathe
 from BalloonWorkbench.gui.qt import QtCore, drawn_icon, translate
 from BalloonWorkbench.gui.record import Edit
 from BalloonWorkbench.gui.worker import Worker
@@ -65,36 +66,42 @@ class BalloonPanel:
         self.busy = 0  # the document follows, and the window lives on meanwhile: timers and workers wait
         self.then = ""
         outline = leader(parts.outline)
-        self.drawing = (SketchBox if sketch or outline.Source else FileBox)(outline)
-        self.film = FilmBox(parts.balloon)
-        self.simulation = SimulationBox(parts.balloon)
-        self.pattern = PatternBox(parts.pattern)
+        drawing = SketchBox if sketch or outline.Source else FileBox
         self.result = ResultBox(parts.balloon)
-        self.boxes = (self.drawing, self.film, self.pattern, self.simulation)
-        self.pages = Pages(self.boxes)
+        self.pages = Pages(
+            (
+                (translate("Outline"), partial(self._box, drawing, outline, self.drawing_changed)),
+                (translate("Film"), partial(self._box, FilmBox, parts.balloon, self.values_changed)),
+                (translate("Pattern"), partial(self._box, PatternBox, parts.pattern, self.pattern_changed)),
+                # four tabs in a narrow panel: a short word
+                (translate("Solver"), partial(self._box, SimulationBox, parts.balloon, self.values_changed)),
+            )
+        )
         self.pages.setWindowTitle(translate("Balloon"))
         self.pages.setWindowIcon(drawn_icon("balloon"))
-        if start in parts:
-            self.pages.show_box((self.drawing, self.film, self.pattern)[parts.index(start)])
         self.form = [self.pages, self.result]
         self.soon = QtCore.QTimer(self.result)
         self.soon.setSingleShot(True)
         self.soon.setInterval(_REST)
         self.soon.timeout.connect(self.follow)
-        self.drawing.changed.connect(self.drawing_changed)
-        for box in (self.drawing, self.film):
-            box.refused.connect(lambda text: self.result.show_message(text, warning=True))
-        self.film.changed.connect(self.values_changed)
-        self.simulation.changed.connect(self.values_changed)
-        self.pattern.changed.connect(self.pattern_changed)
         self.result.wanted.connect(self.apply)
         self.result.stopped.connect(self.stop)
         self.result.live_changed.connect(self.values_changed)
         self.result.asked_for.connect(self.accept_and_go)
         self.watch = Watch(parts, self.abandon)
+        self.pages.begin(parts.index(start) if start in parts else 0)
         self.show_state()
         if parts.outline.Source and self.is_new:
             QtCore.QTimer.singleShot(0, self.apply)
+
+    def _box(self, kind, obj, changed):
+        """The box of a page, with its values: a field that is shown without writes what it has."""
+        box = kind(obj)
+        box.refresh()
+        box.changed.connect(changed)
+        if hasattr(box, "refused"):
+            box.refused.connect(lambda text: self.result.show_message(text, warning=True))
+        return box
 
     # the dialog
 
@@ -138,19 +145,20 @@ class BalloonPanel:
             self.worker.stop()
             self.worker.wait()
             self.worker = None
-        for box in (*self.boxes, self.result):
+        for box in (*self.pages.boxes, self.result):
             box.release()
         Gui.Control.closeDialog()
 
     # the work
 
     def trace(self) -> bool:
-        """Find the outline anew; True when there is one."""
+        """Find the outline anew where something changed; True when there is one."""
         if self.is_new and self.parts.outline.Drawing:
             self.parts.balloon.getParentGroup().Label = Path(self.parts.outline.Drawing).stem
         with self._doing():
-            leader(self.parts.outline).recompute()
-            self.parts.outline.recompute()
+            for outline in (leader(self.parts.outline), self.parts.outline):
+                if "Touched" in outline.State or not status.is_ready(outline):
+                    self.doc.recompute([outline])
         self.show_state()
         return status.is_ready(self.parts.outline)
 
@@ -193,7 +201,7 @@ class BalloonPanel:
         """Bring everything up to date; True when that is done, False when it takes a while or fails."""
         if self.worker is not None:
             return False
-        for box in self.boxes:
+        for box in self.pages.boxes:
             box.finish_typing()
         self.soon.stop()
         return self.bring_up_to_date()
@@ -268,6 +276,9 @@ class BalloonPanel:
             other.outline.recompute()
             if not other.balloon.Live and status.is_ready(other.outline):
                 balloon_object.inflate_now(other.balloon)
+        breathe()
+        self.doc.recompute([self.parts.balloon])
+        breathe()
         self.doc.recompute()
         if self.is_new and status.is_ready(self.parts.pattern):
             ready = [other for other in create.companions(self.parts) if status.is_ready(other.pattern)]
@@ -292,7 +303,7 @@ class BalloonPanel:
 
     def show_state(self):
         """Show what the objects say."""
-        for box in self.boxes:
+        for box in self.pages.boxes:
             box.refresh()
         self.pages.fit()
         self.result.show_result(self.parts)

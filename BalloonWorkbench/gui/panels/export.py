@@ -15,6 +15,7 @@ from BalloonWorkbench.gui.panels.machine_box import MachineBox
 from BalloonWorkbench.gui.panels.watch import Watch
 from BalloonWorkbench.gui.qt import QtGui, QtWidgets, icon, translate
 from BalloonWorkbench.gui.sentences import tell
+from BalloonWorkbench.gui.user_units import length_text, size_text
 
 
 class ExportPanel:
@@ -77,8 +78,9 @@ class ExportPanel:
     def show_pattern(self, _index: int = 0) -> None:
         pattern = self.pattern()
         self.size.setText(
-            translate("{:.1f} x {:.1f} mm, weld {:.0f} mm").format(
-                pattern.PatternWidth.Value, pattern.PatternHeight.Value, pattern.SeamLength.Value
+            translate("{}, weld {}").format(
+                size_text(pattern.PatternWidth.Value, pattern.PatternHeight.Value),
+                length_text(pattern.SeamLength.Value),
             )
         )
 

@@ -3,8 +3,10 @@
 
 from __future__ import annotations
 
+import FreeCAD as App
 import FreeCADGui as Gui
 
+from BalloonWorkbench.gui.panels.whole_box import WholeBox
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, translate
 from BalloonWorkbench.gui.sentences import tell
 
@@ -63,9 +65,10 @@ class Fields(QtCore.QObject):
 
     def whole(self, name: str, least: int, most: int):
         """A spin box for a whole number."""
-        widget = QtWidgets.QSpinBox()
+        widget = WholeBox(lambda expression: self._express(name, expression))
         widget.setRange(least, most)
         widget.setKeyboardTracking(False)
+        self._bound.add(name)
         self._add(name, widget, widget.setValue)
         widget.valueChanged.connect(lambda value: self._write(name, value))
         return widget
@@ -104,11 +107,13 @@ class Fields(QtCore.QObject):
 
     def refresh(self) -> None:
         """Show the present values, and which of them can be edited."""
-        driven = {path for path, _ in self.obj.ExpressionEngine}
+        driven = dict(self.obj.ExpressionEngine)
         for name, (widget, show) in self._widgets.items():
             blocked = widget.blockSignals(True)
             show(getattr(self.obj, name))
             widget.blockSignals(blocked)
+            if isinstance(widget, WholeBox):
+                widget.show_expression(driven.get(name, ""))
             # a field with an expression shows it by its sign f(x), behind which it can be changed
             free = name not in driven or name in self._bound
             widget.setEnabled("ReadOnly" not in self.obj.getEditorMode(name) and free)
@@ -144,6 +149,21 @@ class Fields(QtCore.QObject):
         """The object may be gone from now on: a field that loses the focus writes once more."""
         self.obj = None
         self._widgets.clear()  # see new_quantity_box
+
+    def _express(self, name: str, expression: str) -> None:
+        """Let an expression give a whole number; ValueError when it gives none."""
+        if not expression:
+            self.obj.setExpression(name, None)
+            self.refresh()
+            return
+        try:
+            value = round(float(self.obj.evalExpression(expression)))
+            self.obj.setExpression(name, expression)
+        except (App.Base.FreeCADError, ArithmeticError, RuntimeError, TypeError, ValueError) as error:
+            raise ValueError(translate("This gives no whole number: {}").format(error)) from error
+        setattr(self.obj, name, value)
+        self.refresh()
+        self.changed.emit(name)
 
     def _write(self, name: str, value) -> None:
         if self.obj is None:

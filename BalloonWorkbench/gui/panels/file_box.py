@@ -26,7 +26,6 @@ class FileBox(QtWidgets.QWidget):
         self.outline = outline
         self._placed = ""  # the drawing for which _place holds
         self._place = None
-        self.setWindowTitle(translate("Outline"))
         self.path = QtWidgets.QLineEdit(os.path.basename(outline.Drawing))
         self.path.setObjectName("Drawing")
         self.path.setMinimumWidth(60)

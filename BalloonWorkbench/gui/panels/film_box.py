@@ -21,7 +21,6 @@ class FilmBox(QtWidgets.QWidget):
 
     def __init__(self, balloon):
         super().__init__()
-        self.setWindowTitle(translate("Film"))
         self.balloon = balloon
         self.fields = Fields(balloon, self)
         film_values.offer(balloon)

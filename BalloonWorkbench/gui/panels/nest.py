@@ -8,30 +8,27 @@ import FreeCADGui as Gui
 from BalloonWorkbench.app import film_sheet, status, values
 from BalloonWorkbench.app.parts import patterns
 from BalloonWorkbench.gui import record
-from BalloonWorkbench.gui.panels.fields import Fields
-from BalloonWorkbench.gui.panels.watch import Watch
-from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, icon, translate
+from BalloonWorkbench.gui.panels import show
+from BalloonWorkbench.gui.panels.object_panel import ObjectPanel
+from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.sentences import tell
+from BalloonWorkbench.gui.user_units import size_text
+
+_MOST = 100  # balloons of each kind, and sheets
 
 
 def show_panel(obj) -> None:
     """Open the panel on a sheet of film, in one undo step."""
     obj.Document.openTransaction(translate("Edit film"))
-    Gui.Control.showDialog(NestPanel(obj))
+    show(NestPanel(obj))
 
 
-class NestPanel:
-    """Edits a sheet of film inside an undo step that is open: OK keeps it, Cancel takes it back."""
+class NestPanel(ObjectPanel):
+    """Edits a sheet of film."""
 
     def __init__(self, obj):
-        self.obj = obj
-        self.doc = obj.Document
+        super().__init__(obj, "NestPanel", translate("Lay out on film"), "nest")
         self.is_new = not obj.LaidOutFor
-        self.form = QtWidgets.QWidget()
-        self.form.setObjectName("NestPanel")
-        self.form.setWindowTitle(translate("Lay out on film"))
-        self.form.setWindowIcon(QtGui.QIcon(icon("nest")))
-        self.fields = Fields(obj, self.form)
         self.choice = QtWidgets.QListWidget()
         self.choice.setObjectName("NestPatterns")
         self.choice.setMaximumHeight(90)
@@ -41,8 +38,7 @@ class NestPanel:
             taken = pattern in obj.Patterns
             entry.setCheckState(QtCore.Qt.Checked if taken else QtCore.Qt.Unchecked)
             self.choice.addItem(entry)
-        self.balloons = self._count("Balloons", 100)
-        self.shown = self._count("Shown", 100)
+        self.shown = self.fields.whole("Shown", 1, _MOST)
         self.apply = QtWidgets.QPushButton(translate("Lay out"))
         self.apply.setObjectName("LayOut")
         self.apply.setToolTip(translate("Look for the closest layout; Esc takes the best one so far"))
@@ -55,7 +51,7 @@ class NestPanel:
         form = QtWidgets.QFormLayout(self.form)
         form.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)
         form.addRow(translate("Patterns"), self.choice)
-        form.addRow(translate("Balloons of each"), self.balloons)
+        form.addRow(translate("Balloons of each"), self.fields.whole("Balloons", 1, _MOST))
         form.addRow(translate("Film width"), self.fields.quantity("FilmWidth", "mm", 10.0))
         form.addRow(translate("Sheet length"), self.fields.quantity("FilmLength", "mm", 10.0))
         form.addRow(translate("Spacing"), self.fields.quantity("Spacing", "mm"))
@@ -66,18 +62,7 @@ class NestPanel:
         form.addRow(self.message)
         self.shown.valueChanged.connect(lambda _value: self.lay_out() if obj.LaidOutFor else None)
         self.apply.clicked.connect(lambda _checked=False: self.lay_out())
-        self.watch = Watch([obj], self.abandon)
         self.show_state()
-
-    def _count(self, name: str, most: int):
-        """A spin box for a whole number."""
-        box = QtWidgets.QSpinBox()
-        box.setObjectName(name)
-        box.setRange(1, most)
-        box.setKeyboardTracking(False)
-        box.setToolTip(translate(self.obj.getDocumentationOfProperty(name), "App::Property"))
-        box.setValue(getattr(self.obj, name))
-        return box
 
     def take(self) -> None:
         """The values of the panel, into the object."""
@@ -88,14 +73,13 @@ class NestPanel:
             if self.choice.item(row).checkState() == QtCore.Qt.Checked
         ]
         self.obj.Patterns = [self.doc.getObject(name) for name in names]
-        self.obj.Balloons, self.obj.Shown = self.balloons.value(), self.shown.value()
 
     def lay_out(self) -> None:
         """Bring the layout up to date."""
         self.take()
         self.apply.setEnabled(False)
         self.obj.recompute()
-        if self.obj is None:  # the panel was closed meanwhile
+        if not self.is_open:  # the panel was closed meanwhile
             return
         self.apply.setEnabled(True)
         self.show_state()
@@ -106,8 +90,8 @@ class NestPanel:
         self.fields.refresh()
         obj, told = self.obj, ""
         if obj.LaidOutFor:
-            told = translate("{} pieces on {:.0f} x {:.0f} mm, {:.0f} % used").format(
-                obj.Pieces, obj.UsedLength.Value, obj.FilmWidth.Value, obj.Used
+            told = translate("{} pieces on {}, {:.0f} % used").format(
+                obj.Pieces, size_text(obj.UsedLength.Value, obj.FilmWidth.Value), obj.Used
             )
             if obj.Sheets > 1:
                 told += "\n" + translate("Sheet {} of {}").format(obj.Shown, obj.Sheets)
@@ -121,26 +105,13 @@ class NestPanel:
         if not status.is_ready(self.obj):
             self.show_state()
             return False
-        self.abandon()
-        self.doc.commitTransaction()
+        self.keep()
         told = values.texts_of(self.obj, film_sheet.PROPERTIES)
         if not self.is_new:
             told["sheet"] = record.obj(self.obj)
         names = ", ".join(map(record.obj, self.obj.Patterns))
         record.call("nest", f"[{names}]", result=self.obj, name="sheet", **told)
         return True
-
-    def reject(self):
-        self.abandon()
-        self.doc.abortTransaction()
-        self.doc.recompute()
-        return True
-
-    def abandon(self) -> None:
-        """Close without touching the document."""
-        self.watch.remove()
-        self.fields.release()
-        Gui.Control.closeDialog()
 
 
 def _name(pattern) -> str:

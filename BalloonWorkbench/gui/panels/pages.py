@@ -9,29 +9,45 @@ _HIGHEST = 320  # px; a longer page scrolls
 
 
 class Pages(QtWidgets.QTabWidget):
-    """A tab for each box, named by its window title."""
+    """A tab for each (title, function that makes its box).
 
-    def __init__(self, boxes):
+    A box is made when its page is looked at: all at once would keep the window busy.
+    """
+
+    def __init__(self, kinds):
         super().__init__()
         self.setObjectName("Steps")
-        self._boxes = list(boxes)
+        self._makers = [make for _, make in kinds]
+        self._boxes: dict[int, QtWidgets.QWidget] = {}
         self._soon = QtCore.QTimer(self)
         self._soon.setSingleShot(True)
         self._soon.timeout.connect(self.fit)
-        for box in boxes:
-            box.installEventFilter(self)
+        for title, _ in kinds:
             page = QtWidgets.QScrollArea()
             page.setFrameShape(QtWidgets.QFrame.NoFrame)
             page.setWidgetResizable(True)
             page.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarAlwaysOff)
+            self.addTab(page, title)
+        self.currentChanged.connect(self._turned)
+
+    @property
+    def boxes(self) -> tuple:
+        """Those that there are."""
+        return tuple(self._boxes.values())
+
+    def begin(self, index: int) -> None:
+        """Show this page first."""
+        self.setCurrentIndex(index)
+        self._turned(index)
+
+    def _turned(self, index: int) -> None:
+        if index not in self._boxes:
+            box, page = self._makers[index](), self.widget(index)
+            self._boxes[index] = box
+            box.installEventFilter(self)
             page.setWidget(box)
             page.setMinimumWidth(box.minimumSizeHint().width())
-            self.addTab(page, box.windowTitle())
-        self.currentChanged.connect(lambda _index: self.fit())
-
-    def show_box(self, box) -> None:
-        """Bring a box to the front."""
-        self.setCurrentIndex(self._boxes.index(box))
+        self.fit()
 
     def fit(self) -> None:
         """Take the height of the page in front."""
@@ -49,5 +65,5 @@ class Pages(QtWidgets.QTabWidget):
 
     def resizeEvent(self, event):
         super().resizeEvent(event)
-        if event.size().width() != event.oldSize().width():
+        if self._boxes and event.size().width() != event.oldSize().width():
             self.fit()

@@ -24,7 +24,6 @@ class PatternBox(QtWidgets.QWidget):
         super().__init__()
         self.pattern = pattern
         self.handle: IntakeHandle | None = None
-        self.setWindowTitle(translate("Pattern"))
         self.fields = fields = Fields(pattern, self)
         self.form = QtWidgets.QFormLayout(self)
         self.form.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)

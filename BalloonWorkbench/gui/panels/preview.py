@@ -9,6 +9,7 @@ from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, translate
 from BalloonWorkbench.gui.sentences import tell
 
 _MARGIN = 6
+_SIDE = 640  # px that a picture is shown with at most
 _LEAST, _MOST, _FORM = 150, 280, 0.62  # px, px, height over width: a wide panel has a larger picture
 
 
@@ -31,7 +32,7 @@ class Preview(QtWidgets.QWidget):
         super().__init__(parent)
         self.setObjectName("Preview")
         self.setMinimumHeight(_LEAST)
-        self._picture = QtGui.QPixmap()
+        self._picture, self._shown = QtGui.QPixmap(), ""
         self._picture_box = QtCore.QRectF()
         self._path = QtGui.QPainterPath()
         self._welds = QtGui.QPainterPath()
@@ -53,7 +54,7 @@ class Preview(QtWidgets.QWidget):
                     QtGui.QPolygonF([QtCore.QPointF(x, -y) for x, y in to_mm(loop).tolist()])
                 )
                 self._path.closeSubpath()
-        self._picture = QtGui.QPixmap(outline.Drawing) if place else QtGui.QPixmap()
+        self._show_picture(outline.Drawing if place else "")
         self._picture_box = self._path.boundingRect()
         if place and not self._picture_box.isEmpty():
             left, bottom, right, top = place
@@ -64,12 +65,28 @@ class Preview(QtWidgets.QWidget):
             )
         self.update()
 
+    def _show_picture(self, path: str) -> None:
+        """Read it once, and no larger than it can be seen."""
+        if path == self._shown:
+            return
+        self._shown, self._picture = path, QtGui.QPixmap()
+        if path:
+            reader = QtGui.QImageReader(path)
+            size = reader.size()
+            if max(size.width(), size.height()) > _SIDE:
+                reader.setScaledSize(size.scaled(_SIDE, _SIDE, QtCore.Qt.KeepAspectRatio))
+            self._picture = QtGui.QPixmap.fromImageReader(reader)
+
     def resizeEvent(self, event):
         super().resizeEvent(event)
         self.setMinimumHeight(int(min(max(_FORM * self.width(), _LEAST), _MOST)))
 
     def paintEvent(self, event):
         painter = QtGui.QPainter(self)
+        self._paint(painter)
+        painter.end()  # now, not when Python forgets it
+
+    def _paint(self, painter) -> None:
         painter.setRenderHint(QtGui.QPainter.Antialiasing)
         painter.setRenderHint(QtGui.QPainter.SmoothPixmapTransform)
         painter.fillRect(self.rect(), self.palette().base())

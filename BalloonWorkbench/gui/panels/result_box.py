@@ -7,10 +7,12 @@ import FreeCADGui as Gui
 
 from BalloonWorkbench.app import status
 from BalloonWorkbench.app.balloon import VOLUME
+from BalloonWorkbench.app.quantities import pascals
 from BalloonWorkbench.gui.panels.fields import Fields
-from BalloonWorkbench.gui.panels.maker_rows import short_rows
+from BalloonWorkbench.gui.panels.maker_rows import MakerRows, value_label
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, drawn_icon, translate
 from BalloonWorkbench.gui.sentences import tell
+from BalloonWorkbench.gui.user_units import length_text, lengths_text, pressure_text, size_text, volume_text
 
 _ICON = 16
 #: Commands for a finished balloon, with their icons.
@@ -68,6 +70,7 @@ class ResultBox(QtWidgets.QWidget):
         told.addWidget(self._sign)
         told.addWidget(self._message, 1)
         self._measures = QtWidgets.QFormLayout()
+        self._maker = MakerRows(self._measures, short=True)
         column = QtWidgets.QVBoxLayout(self)
         start = QtWidgets.QHBoxLayout()
         start.addWidget(self._apply, 1)
@@ -96,6 +99,7 @@ class ResultBox(QtWidgets.QWidget):
 
     def release(self) -> None:
         """The panel closes."""
+        self._maker.release()
         self._fields.release()
 
     def start(self) -> None:
@@ -150,10 +154,8 @@ class ResultBox(QtWidgets.QWidget):
         if not balloon.SolvedFor:
             return
         for name, text in measures(balloon, pattern):
-            value = QtWidgets.QLabel(text)
-            value.setWordWrap(True)
-            value.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
-            self._measures.addRow(name, value)
+            self._measures.addRow(name, value_label(text))
+        self._maker.show(parts)
 
 
 def _menu_text(command: str) -> str:
@@ -166,21 +168,20 @@ def _has_source(outline) -> bool:
 
 def measures(balloon, pattern) -> list[tuple[str, str]]:
     """Names and values of what a user wants to know about a balloon."""
-    width, height = balloon.InflatedWidth.Value, balloon.InflatedHeight.Value
-    mean, largest = balloon.ResidualMean.Value, balloon.ResidualMax.Value
+    mean, largest = lengths_text(balloon.ResidualMean.Value, balloon.ResidualMax.Value)
     told = [
-        (translate("Size"), f"{width:.1f} x {height:.1f} mm"),
-        (translate("Thickness"), f"{balloon.InflatedThickness.Value:.1f} mm"),
-        (translate("Volume"), f"{balloon.Volume.Value * 1e-6:.3g} l"),
-        (translate("Off the drawing"), translate("{:.2f} mm, at most {:.2f} mm").format(mean, largest)),
-        (translate("Pattern"), f"{pattern.PatternWidth.Value:.1f} x {pattern.PatternHeight.Value:.1f} mm"),
+        (translate("Size"), size_text(balloon.InflatedWidth.Value, balloon.InflatedHeight.Value)),
+        (translate("Thickness"), length_text(balloon.InflatedThickness.Value)),
+        (translate("Volume"), volume_text(balloon.Volume.Value)),
+        (translate("Off the drawing"), translate("{}, at most {}").format(mean, largest)),
+        (translate("Pattern"), size_text(pattern.PatternWidth.Value, pattern.PatternHeight.Value)),
         (translate("Weight"), _weight(balloon)),
         (translate("Film"), _state(balloon)),
         (translate("Solver"), balloon.ActiveBackend),
     ]
     if balloon.Load == VOLUME:
-        told.append((translate("Pressure"), f"{balloon.ActivePressure.Value:.3g} kPa"))
-    return told + short_rows(balloon, pattern)
+        told.append((translate("Pressure"), pressure_text(pascals(balloon.ActivePressure))))
+    return told
 
 
 def _weight(balloon) -> str:
@@ -189,8 +190,8 @@ def _weight(balloon) -> str:
         return told.format(balloon.Weight, balloon.Lift, tell(balloon.Gas.lower()))
     if not balloon.FloatsFrom:
         return translate("{:.3g} g, never floats with {}").format(balloon.Weight, tell(balloon.Gas.lower()))
-    told = translate("{:.3g} g, floats from {:.0f} mm width on with {}")
-    return told.format(balloon.Weight, balloon.FloatsFrom.Value, tell(balloon.Gas.lower()))
+    told = translate("{:.3g} g, floats from {} width on with {}")
+    return told.format(balloon.Weight, length_text(balloon.FloatsFrom.Value, 3), tell(balloon.Gas.lower()))
 
 
 def _state(balloon) -> str:

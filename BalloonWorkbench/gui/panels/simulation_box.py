@@ -16,7 +16,6 @@ class SimulationBox(QtWidgets.QWidget):
     def __init__(self, balloon):
         super().__init__()
         self.balloon = balloon
-        self.setWindowTitle(translate("Solver"))  # four tabs in a narrow panel: a short word
         self.fields = Fields(balloon, self)
         form = QtWidgets.QFormLayout(self)
         form.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)

@@ -18,7 +18,6 @@ class SketchBox(QtWidgets.QWidget):
     def __init__(self, outline):
         super().__init__()
         self.outline = outline
-        self.setWindowTitle(translate("Outline"))
         self.source = QtWidgets.QLabel()
         self.source.setObjectName("Source")
         self.source.setWordWrap(True)
