@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Native and NumPy: the same model, the same steps, the same balloon."""
+"""Native and NumPy: the same model, the same steps, the same balloon.
+
+What one of them finds the other finds too: closed forms are compared with the native solver, which is quick.
+"""
 
 import numpy as np
 import pytest
@@ -32,14 +35,16 @@ def same(one: Inflation, other: Inflation) -> None:
     [("disc", 100, 0.0), ("square", 1000, 0.0), ("rectangle", 10000, 0.0), ("ring", 1000, 0.1)],
 )
 def test_reference_shapes(shape: str, k: int, seal_width: float) -> None:
-    one, other = (inflated(shape, k, backend, seal_width=seal_width) for backend in ("native", "numpy"))
+    one, other = (
+        inflated(shape, k, backend, seal_width=seal_width, vertices=500) for backend in ("native", "numpy")
+    )
     same(one, other)
 
 
 @pytest.mark.parametrize("name", ["heart", "star", "S", "L", "holes"])
 def test_real_shapes_and_film(name: str) -> None:
     outline = NAMED[name]
-    mesh = triangulate(outline, size_for(outline, 500))
+    mesh = triangulate(outline, size_for(outline, 400))
     one, other = (inflate(mesh, films()["mylar"], 2000.0, backend=name) for name in ("native", "numpy"))
     same(one, other)
 

@@ -91,7 +91,7 @@ def test_same_input_same_bytes(backend: str) -> None:
 @pytest.mark.parametrize("k", [1, 7, 100, 1e4, 1e5])
 @both_backends
 def test_from_very_soft_to_very_stiff(backend: str, k: float) -> None:
-    result = inflate(panel("disc", 400), film(k, seal_width=0.02), PRESSURE, backend=backend)
+    result = inflate(panel("disc", 250), film(k, seal_width=0.02), PRESSURE, backend=backend)
     assert result.report.converged
     assert result.report.newton_steps <= 30
     assert result.volume > 1.2
@@ -125,14 +125,14 @@ def test_every_shape(name: str) -> None:
     assert (now / before).max() < 1.03  # mylar hardly stretches
 
 
-@both_backends
-def test_thin_strip_is_a_tube(backend: str) -> None:
+@needs_native
+def test_thin_strip_is_a_tube() -> None:
     """40 mm by 1 m: volume w^2 / pi a length less 0.0595 w^3 at each end, thickness 2 w / pi.
 
     The thickness is that of the vertices of a polygon with four chords across.
     """
     strip = panel("strip", 600)
-    result = inflate(strip, film(1000, seal_width=0.005), PRESSURE, backend=backend)
+    result = inflate(strip, film(1000, seal_width=0.005), PRESSURE, backend="native")
     assert result.report.converged
     w = 0.04
     assert result.volume == pytest.approx(w**2 / np.pi - 2.0 * 0.0595 * w**3, rel=0.01)
@@ -140,9 +140,9 @@ def test_thin_strip_is_a_tube(backend: str) -> None:
 
 
 @pytest.mark.parametrize("name", ["ring", "holes"])
-@both_backends
-def test_holes_stay_open(backend: str, name: str) -> None:
-    result = inflate(drawn(name, 600), films()["nylon-foil"], 2000.0, backend=backend)
+@needs_native
+def test_holes_stay_open(name: str) -> None:
+    result = inflate(drawn(name, 600), films()["nylon-foil"], 2000.0, backend="native")
     assert result.report.converged
     for seam in result.panel.seams[1:]:
         loops = result.panel.rest_positions[seam], result.positions[seam, :2]
@@ -151,16 +151,16 @@ def test_holes_stay_open(backend: str, name: str) -> None:
         assert signed_area(loops[1]) == pytest.approx(signed_area(loops[0]), rel=0.1)
 
 
-@both_backends
-def test_warm_start(backend: str) -> None:
+@needs_native
+def test_warm_start() -> None:
     """A rim moved by one per cent: fewer steps than from a dome, and the same balloon."""
     mylar = films()["mylar"]
     first = drawn("heart", 600)
-    before = inflate(first, mylar, 2000.0, backend=backend)
+    before = inflate(first, mylar, 2000.0, backend="native")
     moved = move_rim(first, [first.rest_positions[seam] * (1.01, 1.0) for seam in first.seams])
     assert moved is not None
-    cold = inflate(moved, mylar, 2000.0, backend=backend)
-    warm = inflate(moved, mylar, 2000.0, backend=backend, start=before)
+    cold = inflate(moved, mylar, 2000.0, backend="native")
+    warm = inflate(moved, mylar, 2000.0, backend="native", start=before)
     assert warm.report.converged
     assert warm.report.newton_steps < cold.report.newton_steps
     assert warm.report.newton_steps <= 12
@@ -168,16 +168,16 @@ def test_warm_start(backend: str) -> None:
     assert warm.volume > before.volume
 
 
-@both_backends
-def test_small_edits_need_few_steps(backend: str) -> None:
+@needs_native
+def test_small_edits_need_few_steps() -> None:
     """As in the last passes of a correction: a rim moved by a thousandth, and no edit at all."""
     mylar = films()["mylar"]
     first = drawn("heart", 600)
-    before = inflate(first, mylar, 2000.0, backend=backend)
+    before = inflate(first, mylar, 2000.0, backend="native")
     moved = move_rim(first, [first.rest_positions[seam] * (1.001, 1.0) for seam in first.seams])
     assert moved is not None
-    warm = inflate(moved, mylar, 2000.0, backend=backend, start=before)
-    again = inflate(first, mylar, 2000.0, backend=backend, start=before)
+    warm = inflate(moved, mylar, 2000.0, backend="native", start=before)
+    again = inflate(first, mylar, 2000.0, backend="native", start=before)
     assert warm.report.converged
     assert max(warm.report.newton_steps, again.report.newton_steps) <= 6
     assert again.volume == pytest.approx(before.volume, rel=1e-4)
