@@ -931,8 +931,8 @@
         <translation>Blau</translation>
     </message>
     <message>
-        <source>Blue 0 mm, green {:.0f} mm, red {:.0f} mm</source>
-        <translation>Blau 0 mm, grün {:.0f} mm, rot {:.0f} mm</translation>
+        <source>Blue 0, green {}, red {}</source>
+        <translation>Blau 0, grün {}, rot {}</translation>
     </message>
     <message>
         <source>Both panels</source>
@@ -1125,6 +1125,10 @@
     <message>
         <source>Export pattern</source>
         <translation>Schnittmuster ausgeben</translation>
+    </message>
+    <message>
+        <source>Expression</source>
+        <translation>Ausdruck</translation>
     </message>
     <message>
         <source>File</source>
@@ -2679,6 +2683,10 @@
         <translation>Dieses Gas ist nicht leichter als die Luft ringsum, der Ballon schwebt also nie: ein anderes Gas oder eine höhere Temperatur des Gases wählen.</translation>
     </message>
     <message>
+        <source>This gives no whole number: {}</source>
+        <translation>Das ergibt keine ganze Zahl: {}</translation>
+    </message>
+    <message>
         <source>This is shape {0} of the {1} in the drawing.</source>
         <translation>Dies ist Form {0} von {1} in der Zeichnung.</translation>
     </message>
@@ -2721,6 +2729,10 @@
     <message>
         <source>Two shapes meet at {0}; part them, or join them into one.</source>
         <translation>Zwei Formen berühren sich bei {0}; sie trennen oder zu einer verbinden.</translation>
+    </message>
+    <message>
+        <source>Type = for an expression</source>
+        <translation>Mit = einen Ausdruck eingeben</translation>
     </message>
     <message>
         <source>Undo (Ctrl+Z)</source>
@@ -2955,8 +2967,8 @@
         <translation>weniger als</translation>
     </message>
     <message>
-        <source>less than its {:.3g} kPa with a margin of {:g} ({})</source>
-        <translation>weniger als seine {:.3g} kPa mit Reserve {:g} ({})</translation>
+        <source>less than its {} with a margin of {:g} ({})</source>
+        <translation>weniger als seine {} mit Reserve {:g} ({})</translation>
     </message>
     <message>
         <source>lift</source>
@@ -3335,28 +3347,12 @@
         <translation>{:.0f} ms, {:.0f} Pa, Bild {} von {}</translation>
     </message>
     <message>
-        <source>{:.1f} x {:.1f} mm, weld {:.0f} mm</source>
-        <translation>{:.1f} x {:.1f} mm, Naht {:.0f} mm</translation>
-    </message>
-    <message>
-        <source>{:.2f} m</source>
-        <translation>{:.2f} m</translation>
-    </message>
-    <message>
-        <source>{:.2f} m of a roll of {:.0f} mm</source>
-        <translation>{:.2f} m einer Rolle von {:.0f} mm</translation>
-    </message>
-    <message>
-        <source>{:.2f} mm, at most {:.2f} mm</source>
-        <translation>{:.2f} mm, höchstens {:.2f} mm</translation>
-    </message>
-    <message>
         <source>{:.3g} g, carries {:.3g} g with {}</source>
         <translation>{0:.3g} g, trägt mit {2} {1:.3g} g</translation>
     </message>
     <message>
-        <source>{:.3g} g, floats from {:.0f} mm width on with {}</source>
-        <translation>{0:.3g} g, schwebt mit {2} ab {1:.0f} mm Breite</translation>
+        <source>{:.3g} g, floats from {} width on with {}</source>
+        <translation>{0:.3g} g, schwebt mit {2} ab {1} Breite</translation>
     </message>
     <message>
         <source>{:.3g} g, never floats with {}</source>
@@ -3365,14 +3361,6 @@
     <message>
         <source>{:.3g} g: film {:.3g}, weld and neck {:.2g}, valve {:.2g}</source>
         <translation>{:.3g} g: Folie {:.3g}, Naht und Hals {:.2g}, Ventil {:.2g}</translation>
-    </message>
-    <message>
-        <source>{:.3g} kPa, margin {:g} ({})</source>
-        <translation>{:.3g} kPa, Reserve {:g} ({})</translation>
-    </message>
-    <message>
-        <source>{:.3g} l of {}</source>
-        <translation>{:.3g} l {}</translation>
     </message>
     <message>
         <source>{:.3g} m², wider than the usual roll</source>
@@ -3387,12 +3375,32 @@
         <translation>{} steht im Baum</translation>
     </message>
     <message>
-        <source>{} pieces on {:.0f} x {:.0f} mm, {:.0f} % used</source>
-        <translation>{} Stücke auf {:.0f} x {:.0f} mm, {:.0f} % genutzt</translation>
+        <source>{} of a roll of {}</source>
+        <translation>{} einer Rolle von {}</translation>
+    </message>
+    <message>
+        <source>{} of {}</source>
+        <translation>{} {}</translation>
+    </message>
+    <message>
+        <source>{} pieces on {}, {:.0f} % used</source>
+        <translation>{} Stücke auf {}, {:.0f} % genutzt</translation>
     </message>
     <message>
         <source>{} x {}, {} thick, {}</source>
         <translation>{} x {}, {} dick, {}</translation>
+    </message>
+    <message>
+        <source>{}, at most {}</source>
+        <translation>{}, höchstens {}</translation>
+    </message>
+    <message>
+        <source>{}, margin {:g} ({})</source>
+        <translation>{}, Reserve {:g} ({})</translation>
+    </message>
+    <message>
+        <source>{}, weld {}</source>
+        <translation>{}, Naht {}</translation>
     </message>
     <message>
         <source>{}: {}</source>

@@ -931,8 +931,8 @@
         <translation>Azul</translation>
     </message>
     <message>
-        <source>Blue 0 mm, green {:.0f} mm, red {:.0f} mm</source>
-        <translation>Azul 0 mm, verde {:.0f} mm, rojo {:.0f} mm</translation>
+        <source>Blue 0, green {}, red {}</source>
+        <translation>Azul 0, verde {}, rojo {}</translation>
     </message>
     <message>
         <source>Both panels</source>
@@ -1125,6 +1125,10 @@
     <message>
         <source>Export pattern</source>
         <translation>Exportar patrón</translation>
+    </message>
+    <message>
+        <source>Expression</source>
+        <translation>Expresión</translation>
     </message>
     <message>
         <source>File</source>
@@ -2679,6 +2683,10 @@
         <translation>Este gas no es más ligero que el aire de alrededor, así que el globo nunca flota: elija otro gas o una temperatura del gas mayor.</translation>
     </message>
     <message>
+        <source>This gives no whole number: {}</source>
+        <translation>Esto no da un número entero: {}</translation>
+    </message>
+    <message>
         <source>This is shape {0} of the {1} in the drawing.</source>
         <translation>Esta es la forma {0} de las {1} del dibujo.</translation>
     </message>
@@ -2721,6 +2729,10 @@
     <message>
         <source>Two shapes meet at {0}; part them, or join them into one.</source>
         <translation>Dos formas se tocan en {0}; sepárelas o únalas en una.</translation>
+    </message>
+    <message>
+        <source>Type = for an expression</source>
+        <translation>Escriba = para una expresión</translation>
     </message>
     <message>
         <source>Undo (Ctrl+Z)</source>
@@ -2955,8 +2967,8 @@
         <translation>menos de</translation>
     </message>
     <message>
-        <source>less than its {:.3g} kPa with a margin of {:g} ({})</source>
-        <translation>menos que sus {:.3g} kPa con margen {:g} ({})</translation>
+        <source>less than its {} with a margin of {:g} ({})</source>
+        <translation>menos que sus {} con margen {:g} ({})</translation>
     </message>
     <message>
         <source>lift</source>
@@ -3335,28 +3347,12 @@
         <translation>{:.0f} ms, {:.0f} Pa, fotograma {} de {}</translation>
     </message>
     <message>
-        <source>{:.1f} x {:.1f} mm, weld {:.0f} mm</source>
-        <translation>{:.1f} x {:.1f} mm, soldadura {:.0f} mm</translation>
-    </message>
-    <message>
-        <source>{:.2f} m</source>
-        <translation>{:.2f} m</translation>
-    </message>
-    <message>
-        <source>{:.2f} m of a roll of {:.0f} mm</source>
-        <translation>{:.2f} m de un rollo de {:.0f} mm</translation>
-    </message>
-    <message>
-        <source>{:.2f} mm, at most {:.2f} mm</source>
-        <translation>{:.2f} mm, como mucho {:.2f} mm</translation>
-    </message>
-    <message>
         <source>{:.3g} g, carries {:.3g} g with {}</source>
         <translation>{:.3g} g, levanta {:.3g} g con {}</translation>
     </message>
     <message>
-        <source>{:.3g} g, floats from {:.0f} mm width on with {}</source>
-        <translation>{:.3g} g, flota desde {:.0f} mm de anchura con {}</translation>
+        <source>{:.3g} g, floats from {} width on with {}</source>
+        <translation>{:.3g} g, flota desde {} de anchura con {}</translation>
     </message>
     <message>
         <source>{:.3g} g, never floats with {}</source>
@@ -3365,14 +3361,6 @@
     <message>
         <source>{:.3g} g: film {:.3g}, weld and neck {:.2g}, valve {:.2g}</source>
         <translation>{:.3g} g: película {:.3g}, soldadura y cuello {:.2g}, válvula {:.2g}</translation>
-    </message>
-    <message>
-        <source>{:.3g} kPa, margin {:g} ({})</source>
-        <translation>{:.3g} kPa, margen {:g} ({})</translation>
-    </message>
-    <message>
-        <source>{:.3g} l of {}</source>
-        <translation>{:.3g} l de {}</translation>
     </message>
     <message>
         <source>{:.3g} m², wider than the usual roll</source>
@@ -3387,12 +3375,32 @@
         <translation>{} está en el árbol</translation>
     </message>
     <message>
-        <source>{} pieces on {:.0f} x {:.0f} mm, {:.0f} % used</source>
-        <translation>{} piezas en {:.0f} x {:.0f} mm, {:.0f} % usado</translation>
+        <source>{} of a roll of {}</source>
+        <translation>{} de un rollo de {}</translation>
+    </message>
+    <message>
+        <source>{} of {}</source>
+        <translation>{} de {}</translation>
+    </message>
+    <message>
+        <source>{} pieces on {}, {:.0f} % used</source>
+        <translation>{} piezas en {}, {:.0f} % usado</translation>
     </message>
     <message>
         <source>{} x {}, {} thick, {}</source>
         <translation>{} x {}, {} de grueso, {}</translation>
+    </message>
+    <message>
+        <source>{}, at most {}</source>
+        <translation>{}, como mucho {}</translation>
+    </message>
+    <message>
+        <source>{}, margin {:g} ({})</source>
+        <translation>{}, margen {:g} ({})</translation>
+    </message>
+    <message>
+        <source>{}, weld {}</source>
+        <translation>{}, soldadura {}</translation>
     </message>
     <message>
         <source>{}: {}</source>

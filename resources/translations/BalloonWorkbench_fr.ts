@@ -931,8 +931,8 @@
         <translation>Bleu</translation>
     </message>
     <message>
-        <source>Blue 0 mm, green {:.0f} mm, red {:.0f} mm</source>
-        <translation>Bleu 0 mm, vert {:.0f} mm, rouge {:.0f} mm</translation>
+        <source>Blue 0, green {}, red {}</source>
+        <translation>Bleu 0, vert {}, rouge {}</translation>
     </message>
     <message>
         <source>Both panels</source>
@@ -1125,6 +1125,10 @@
     <message>
         <source>Export pattern</source>
         <translation>Exporter le patron</translation>
+    </message>
+    <message>
+        <source>Expression</source>
+        <translation>Expression</translation>
     </message>
     <message>
         <source>File</source>
@@ -2679,6 +2683,10 @@
         <translation>Ce gaz n'est pas plus léger que l'air autour, le ballon ne flotte donc jamais : choisissez un autre gaz ou une température du gaz plus élevée.</translation>
     </message>
     <message>
+        <source>This gives no whole number: {}</source>
+        <translation>Cela ne donne pas de nombre entier : {}</translation>
+    </message>
+    <message>
         <source>This is shape {0} of the {1} in the drawing.</source>
         <translation>C'est la forme {0} des {1} du dessin.</translation>
     </message>
@@ -2721,6 +2729,10 @@
     <message>
         <source>Two shapes meet at {0}; part them, or join them into one.</source>
         <translation>Deux formes se touchent en {0} ; séparez-les, ou joignez-les en une.</translation>
+    </message>
+    <message>
+        <source>Type = for an expression</source>
+        <translation>Tapez = pour une expression</translation>
     </message>
     <message>
         <source>Undo (Ctrl+Z)</source>
@@ -2955,8 +2967,8 @@
         <translation>moins de</translation>
     </message>
     <message>
-        <source>less than its {:.3g} kPa with a margin of {:g} ({})</source>
-        <translation>moins que ses {:.3g} kPa avec une marge de {:g} ({})</translation>
+        <source>less than its {} with a margin of {:g} ({})</source>
+        <translation>moins que ses {} avec une marge de {:g} ({})</translation>
     </message>
     <message>
         <source>lift</source>
@@ -3335,28 +3347,12 @@
         <translation>{:.0f} ms, {:.0f} Pa, image {} sur {}</translation>
     </message>
     <message>
-        <source>{:.1f} x {:.1f} mm, weld {:.0f} mm</source>
-        <translation>{:.1f} x {:.1f} mm, soudure {:.0f} mm</translation>
-    </message>
-    <message>
-        <source>{:.2f} m</source>
-        <translation>{:.2f} m</translation>
-    </message>
-    <message>
-        <source>{:.2f} m of a roll of {:.0f} mm</source>
-        <translation>{:.2f} m d'un rouleau de {:.0f} mm</translation>
-    </message>
-    <message>
-        <source>{:.2f} mm, at most {:.2f} mm</source>
-        <translation>{:.2f} mm, au plus {:.2f} mm</translation>
-    </message>
-    <message>
         <source>{:.3g} g, carries {:.3g} g with {}</source>
         <translation>{:.3g} g, porte {:.3g} g avec {}</translation>
     </message>
     <message>
-        <source>{:.3g} g, floats from {:.0f} mm width on with {}</source>
-        <translation>{:.3g} g, flotte dès {:.0f} mm de large avec {}</translation>
+        <source>{:.3g} g, floats from {} width on with {}</source>
+        <translation>{:.3g} g, flotte dès {} de large avec {}</translation>
     </message>
     <message>
         <source>{:.3g} g, never floats with {}</source>
@@ -3365,14 +3361,6 @@
     <message>
         <source>{:.3g} g: film {:.3g}, weld and neck {:.2g}, valve {:.2g}</source>
         <translation>{:.3g} g : film {:.3g}, soudure et col {:.2g}, valve {:.2g}</translation>
-    </message>
-    <message>
-        <source>{:.3g} kPa, margin {:g} ({})</source>
-        <translation>{:.3g} kPa, marge {:g} ({})</translation>
-    </message>
-    <message>
-        <source>{:.3g} l of {}</source>
-        <translation>{:.3g} l de {}</translation>
     </message>
     <message>
         <source>{:.3g} m², wider than the usual roll</source>
@@ -3387,12 +3375,32 @@
         <translation>{} est dans l'arborescence</translation>
     </message>
     <message>
-        <source>{} pieces on {:.0f} x {:.0f} mm, {:.0f} % used</source>
-        <translation>{} pièces sur {:.0f} x {:.0f} mm, {:.0f} % utilisés</translation>
+        <source>{} of a roll of {}</source>
+        <translation>{} d'un rouleau de {}</translation>
+    </message>
+    <message>
+        <source>{} of {}</source>
+        <translation>{} de {}</translation>
+    </message>
+    <message>
+        <source>{} pieces on {}, {:.0f} % used</source>
+        <translation>{} pièces sur {}, {:.0f} % utilisés</translation>
     </message>
     <message>
         <source>{} x {}, {} thick, {}</source>
         <translation>{} x {}, épais de {}, {}</translation>
+    </message>
+    <message>
+        <source>{}, at most {}</source>
+        <translation>{}, au plus {}</translation>
+    </message>
+    <message>
+        <source>{}, margin {:g} ({})</source>
+        <translation>{}, marge {:g} ({})</translation>
+    </message>
+    <message>
+        <source>{}, weld {}</source>
+        <translation>{}, soudure {}</translation>
     </message>
     <message>
         <source>{}: {}</source>

@@ -931,8 +931,8 @@
         <translation>青</translation>
     </message>
     <message>
-        <source>Blue 0 mm, green {:.0f} mm, red {:.0f} mm</source>
-        <translation>青 0 mm、緑 {:.0f} mm、赤 {:.0f} mm</translation>
+        <source>Blue 0, green {}, red {}</source>
+        <translation>青 0、緑 {}、赤 {}</translation>
     </message>
     <message>
         <source>Both panels</source>
@@ -1125,6 +1125,10 @@
     <message>
         <source>Export pattern</source>
         <translation>型紙を書き出す</translation>
+    </message>
+    <message>
+        <source>Expression</source>
+        <translation>式</translation>
     </message>
     <message>
         <source>File</source>
@@ -2679,6 +2683,10 @@
         <translation>この気体はまわりの空気より軽くないので、風船は浮きません。別の気体か、高い温度にしてください。</translation>
     </message>
     <message>
+        <source>This gives no whole number: {}</source>
+        <translation>整数になりません：{}</translation>
+    </message>
+    <message>
         <source>This is shape {0} of the {1} in the drawing.</source>
         <translation>これは図の {1} 個の形のうち {0} 番目です。</translation>
     </message>
@@ -2721,6 +2729,10 @@
     <message>
         <source>Two shapes meet at {0}; part them, or join them into one.</source>
         <translation>二つの形が {0} で触れています。離すか、一つにしてください。</translation>
+    </message>
+    <message>
+        <source>Type = for an expression</source>
+        <translation>= で式を入力</translation>
     </message>
     <message>
         <source>Undo (Ctrl+Z)</source>
@@ -2955,8 +2967,8 @@
         <translation>次の値より少なく</translation>
     </message>
     <message>
-        <source>less than its {:.3g} kPa with a margin of {:g} ({})</source>
-        <translation>現在の {:.3g} kPa 未満（余裕 {:g} 倍、{}）</translation>
+        <source>less than its {} with a margin of {:g} ({})</source>
+        <translation>現在の {} 未満（余裕 {:g} 倍、{}）</translation>
     </message>
     <message>
         <source>lift</source>
@@ -3335,28 +3347,12 @@
         <translation>{:.0f} ms、{:.0f} Pa、コマ {}/{}</translation>
     </message>
     <message>
-        <source>{:.1f} x {:.1f} mm, weld {:.0f} mm</source>
-        <translation>{:.1f} x {:.1f} mm、溶着線 {:.0f} mm</translation>
-    </message>
-    <message>
-        <source>{:.2f} m</source>
-        <translation>{:.2f} m</translation>
-    </message>
-    <message>
-        <source>{:.2f} m of a roll of {:.0f} mm</source>
-        <translation>{:.2f} m（幅 {:.0f} mm のロール）</translation>
-    </message>
-    <message>
-        <source>{:.2f} mm, at most {:.2f} mm</source>
-        <translation>{:.2f} mm、最大 {:.2f} mm</translation>
-    </message>
-    <message>
         <source>{:.3g} g, carries {:.3g} g with {}</source>
         <translation>{0:.3g} g、{2}で {1:.3g} g を持ち上げる</translation>
     </message>
     <message>
-        <source>{:.3g} g, floats from {:.0f} mm width on with {}</source>
-        <translation>{0:.3g} g、{2}なら幅 {1:.0f} mm 以上で浮く</translation>
+        <source>{:.3g} g, floats from {} width on with {}</source>
+        <translation>{0:.3g} g、{2}なら幅 {1} 以上で浮く</translation>
     </message>
     <message>
         <source>{:.3g} g, never floats with {}</source>
@@ -3365,14 +3361,6 @@
     <message>
         <source>{:.3g} g: film {:.3g}, weld and neck {:.2g}, valve {:.2g}</source>
         <translation>{:.3g} g：フィルム {:.3g}、溶着部と首 {:.2g}、弁 {:.2g}</translation>
-    </message>
-    <message>
-        <source>{:.3g} kPa, margin {:g} ({})</source>
-        <translation>{:.3g} kPa、余裕 {:g} 倍（{}）</translation>
-    </message>
-    <message>
-        <source>{:.3g} l of {}</source>
-        <translation>{:.3g} l の{}</translation>
     </message>
     <message>
         <source>{:.3g} m², wider than the usual roll</source>
@@ -3387,12 +3375,32 @@
         <translation>{} がツリーに入りました</translation>
     </message>
     <message>
-        <source>{} pieces on {:.0f} x {:.0f} mm, {:.0f} % used</source>
-        <translation>{1:.0f} x {2:.0f} mm に {0} 個、使用率 {3:.0f} %</translation>
+        <source>{} of a roll of {}</source>
+        <translation>{}（幅 {} のロール）</translation>
+    </message>
+    <message>
+        <source>{} of {}</source>
+        <translation>{} の{}</translation>
+    </message>
+    <message>
+        <source>{} pieces on {}, {:.0f} % used</source>
+        <translation>{1} に {0} 個、使用率 {2:.0f} %</translation>
     </message>
     <message>
         <source>{} x {}, {} thick, {}</source>
         <translation>{} x {}、厚み {}、{}</translation>
+    </message>
+    <message>
+        <source>{}, at most {}</source>
+        <translation>{}、最大 {}</translation>
+    </message>
+    <message>
+        <source>{}, margin {:g} ({})</source>
+        <translation>{}、余裕 {:g} 倍（{}）</translation>
+    </message>
+    <message>
+        <source>{}, weld {}</source>
+        <translation>{}、溶着線 {}</translation>
     </message>
     <message>
         <source>{}: {}</source>
