@@ -191,10 +191,9 @@ def print_on_a4(path):
 
 def reopened(doc, path, beat):
     doc.saveAs(path)
-    hands.wait(0.05)
     App.closeDocument(doc.Name)
     again = App.openDocument(path)
-    beat.skip()  # FreeCAD reads a file in one go
+    beat.skip()  # FreeCAD writes and reads a file in one go
     hands.wait(0.2)
     return again
 
