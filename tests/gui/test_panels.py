@@ -40,7 +40,7 @@ def kept(parts):
         (obj.Name, name): str(getattr(obj, name))
         for obj in parts
         for name in obj.PropertiesList
-        if name != "Shape"
+        if not name.startswith("Shape")
     }
 
 
