@@ -8,7 +8,7 @@ Several shapes: {"unit": "mm", "parts": [{"outer": ..., "holes": ...}, ...]}. Be
 from __future__ import annotations
 
 import json
-import math
+import sys
 from dataclasses import replace
 from typing import Any, NoReturn
 
@@ -74,4 +74,7 @@ def _loop(points: Any, what: str, fewest: int = 3) -> Floats:
 
 
 def _is_number(value: Any) -> bool:
-    return isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value)
+    """Whether it is one that an array can hold; a whole number of JSON may have any length."""
+    return (
+        isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) <= sys.float_info.max
+    )

@@ -63,7 +63,8 @@ def read_svg(data: bytes, tolerance: float) -> tuple[list[Floats], list[Floats],
                 points = _flatten(svgelements.Path(part), tolerance / (_PIXEL * scale), svgelements)
                 if len(points) < 2:
                     continue
-                x, y = (np.array(points) @ matrix + (e, f)).T
+                with np.errstate(over="ignore", invalid="ignore"):  # what is endless is refused as an outline
+                    x, y = (np.array(points) @ matrix + (e, f)).T
                 line = np.column_stack([x, height - y]) * _PIXEL
                 fills = element.fill is not None and element.fill.value is not None
                 closed = np.array_equal(line[0], line[-1])
