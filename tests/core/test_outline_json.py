@@ -52,6 +52,7 @@ def test_repeated_json_points_are_dropped(tmp_path):
     ("text", "message"),
     [
         ('{"unit": "mm", "outer": [[0, 0], [NaN, 0], [1, 1]]}', "NaN is not a coordinate"),
+        ('{"unit": "mm", "outer": [[0, 0], [1' + "0" * 400 + ", 0], [1, 1]]}", "Point 2"),
         ('{"unit": "mm", "outer": [[0, 0], [-Infinity, 0], [1, 1]]}', "Infinity is not a coordinate"),
         ('{"unit": "mm", "outer": [[0, 0], [1e999, 0], [1, 1]]}', "Point 2 .*pair of numbers"),
         ('{"unit": "mm", "outer": [[0, 0], ["1", 0], [1, 1]]}', "Point 2"),

@@ -75,6 +75,6 @@ def _loop(points: Any, what: str, fewest: int = 3) -> Floats:
 
 def _is_number(value: Any) -> bool:
     """Whether it is one that an array can hold; a whole number of JSON may have any length."""
-    return (
-        isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) <= sys.float_info.max
-    )
+    if isinstance(value, bool) or not isinstance(value, (int, float)):
+        return False
+    return abs(value) <= sys.float_info.max
