@@ -18,6 +18,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from BalloonWorkbench.core.pattern.samples import Samples
 from BalloonWorkbench.core.types import Bools, Floats
 
 Indices = NDArray[np.int64]
@@ -34,17 +35,10 @@ _CURVATURES = np.array([0.08, 0.5, 0.92])
 _BETWEEN = 0.3
 #: Samples looked ahead at first.
 _WINDOW = 32
+#: Samples at which a pair of arcs is looked at first.
+_COARSE = 48
 #: A single arc that meets the wanted heading so well ends the curve [rad].
 _MEETS = 1e-5
-
-
-@dataclass(frozen=True)
-class Samples:
-    """Samples along a polyline: points (k, 2), way along [m], integral of the heading [m rad]."""
-
-    points: Floats
-    along: Floats
-    swept: Floats
 
 
 @dataclass(frozen=True)
@@ -64,46 +58,6 @@ class _States:
     beside: Floats
     heading: Floats
     parent: Indices
-
-
-def sample(
-    points: Floats, spacing: float, tolerance: float, first: float | None = None, last: float | None = None
-) -> Samples:
-    """Samples of a polyline (n, 2) within which arcs may begin and end.
-
-    They are its vertices, at least the middles of its edges, none farther from the next than the spacing [m],
-    and some so near to each vertex that an arc between them rounds it off within the tolerance [m]. first and
-    last are the headings wanted at the ends [rad], where the polyline turns to them.
-    """
-    edges = np.diff(points, axis=0)
-    lengths = np.hypot(edges[:, 0], edges[:, 1])
-    heading = np.unwrap(np.arctan2(edges[:, 1], edges[:, 0]))
-    counts = np.clip(2 * np.ceil(0.5 * lengths / spacing).astype(int), 2, 16)
-    ends = np.append(0.0, np.cumsum(lengths))
-    even = [np.linspace(a, b, n, endpoint=False) for a, b, n in zip(ends[:-1], ends[1:], counts)]
-    turns = np.diff(np.concatenate([[_or(first, heading[0])], heading, [_or(last, heading[-1])]]))
-    rounding = 3.0 * tolerance / np.maximum(np.abs(_wrapped(turns)), 1e-9)
-    sides = (-1.0, -0.6, -0.3, 0.3, 0.6, 1.0)
-    around = np.minimum(np.append(lengths, np.inf), np.append(np.inf, lengths))
-    room = 0.5 * np.minimum(around, spacing)
-    bent = rounding < 3.0 * room
-    near = [(ends + side * np.minimum(rounding, room))[bent] for side in sides]
-    along = np.concatenate([*even, ends[-1:], *near])
-    along = np.unique(along[(along >= 0.0) & (along <= ends[-1])])
-    along = along[np.append(True, np.diff(along) > 1e-9)]
-    edge = np.clip(np.searchsorted(ends, along[:-1] + 1e-10, side="right") - 1, 0, len(edges) - 1)
-    share = (along[:-1] - ends[edge]) / lengths[edge]
-    swept = np.append(0.0, np.cumsum(heading[edge] * np.diff(along)))
-    return Samples(np.concatenate([points[edge] + share[:, None] * edges[edge], points[-1:]]), along, swept)
-
-
-def _or(heading: float | None, otherwise: float) -> float:
-    return otherwise if heading is None else heading
-
-
-def _wrapped(angles: Floats) -> Floats:
-    """Angles between -pi and pi."""
-    return (angles + np.pi) % (2.0 * np.pi) - np.pi
 
 
 def fewest_arcs(samples: Samples, first: float | None, last: float | None, tolerance: float) -> Knots | None:
@@ -145,40 +99,64 @@ def _start(samples: Samples, first: float | None, tolerance: float) -> _States:
     return _States(zero.astype(np.int64), zero, headings, zero.astype(np.int64))
 
 
-def _reach(samples: Samples, states: _States, tolerance: float) -> tuple[Floats, Floats, Floats]:
-    """Bounds (states, window) of the curvatures up to each sample ahead, and how many are in reach."""
-    window = _WINDOW
-    while True:
-        away, rise, inside = _ahead(samples, states, window)
+def _reach(
+    samples: Samples, states: _States, tolerance: float, bounds: bool = True
+) -> tuple[Floats, Floats, Indices]:
+    """Bounds (states, k) of the curvatures up to each sample ahead, and how many samples are in reach.
+
+    Bounds beyond the reach mean nothing; without them only the reach is found.
+    """
+    reach = np.zeros(len(states.place), dtype=np.int64)
+    lows: list[Floats] = []
+    highs: list[Floats] = []
+    alive, begin, width = np.arange(len(reach)), 0, _WINDOW
+    least, most = np.full(len(reach), -np.inf), np.full(len(reach), np.inf)
+    before = np.zeros(len(reach))
+    while len(alive):
+        away, rise, inside = _ahead(samples, states, alive, begin, width)
         # between samples an arc rises by an eighth of its curvature times their distance squared
-        gap = np.diff(away, axis=1, prepend=0.0)
-        most = np.minimum(_MOST_TURN / away, _BETWEEN * 8.0 * tolerance / np.maximum(gap, 1e-9) ** 2)
-        low = np.maximum.accumulate(np.maximum(2.0 * (rise - tolerance) / away**2, -most), axis=1)
-        high = np.minimum.accumulate(np.minimum(2.0 * (rise + tolerance) / away**2, most), axis=1)
-        reach = ((low <= high) & inside).sum(axis=1)
-        if reach.max() < window or window > len(samples.along):
-            return low, high, reach
-        window *= 2
+        gap = np.diff(away, axis=1, prepend=before[:, None])
+        limit = np.minimum(_MOST_TURN / away, _BETWEEN * 8.0 * tolerance / np.maximum(gap, 1e-9) ** 2)
+        square = 2.0 / away**2
+        low, high = (
+            np.maximum((rise - tolerance) * square, -limit),
+            np.minimum((rise + tolerance) * square, limit),
+        )
+        low[:, 0], high[:, 0] = np.maximum(low[:, 0], least), np.minimum(high[:, 0], most)
+        low, high = np.maximum.accumulate(low, axis=1), np.minimum.accumulate(high, axis=1)
+        found = ((low <= high) & inside).sum(axis=1)
+        reach[alive] += found
+        if bounds:
+            for kept, part in ((lows, low), (highs, high)):
+                kept.append(np.zeros((len(reach), width)))
+                kept[-1][alive] = part
+        on = found == width
+        alive, least, most, before = alive[on], low[on, -1], high[on, -1], away[on, -1]
+        begin, width = begin + width, 2 * width
+    if not bounds:
+        return np.zeros((0, 0)), np.zeros((0, 0)), reach
+    return np.concatenate(lows, axis=1), np.concatenate(highs, axis=1), reach
 
 
-def _ahead(samples: Samples, states: _States, window: int) -> tuple[Floats, Floats, Bools]:
-    """Way and wanted rise (states, window) over the state's tangent to the samples ahead, and which exist."""
-    index = states.place[:, None] + np.arange(1, window + 1)
+def _ahead(
+    samples: Samples, states: _States, which: Indices, begin: int, width: int
+) -> tuple[Floats, Floats, Bools]:
+    """Way and wanted rise (k, width) over the tangents of k states to samples ahead, and which exist."""
+    place = states.place[which]
+    index = place[:, None] + np.arange(begin + 1, begin + width + 1)
     inside = index < len(samples.along)
     index = np.minimum(index, len(samples.along) - 1)
-    away = np.where(inside, samples.along[index] - samples.along[states.place][:, None], np.inf)
-    away_or_one = np.where(inside, away, 1.0)
+    away = np.where(inside, samples.along[index] - samples.along[place][:, None], 1.0)
     rise = (
         samples.swept[index]
-        - samples.swept[states.place][:, None]
-        - states.beside[:, None]
-        - states.heading[:, None] * away_or_one
+        - (samples.swept[place] + states.beside[which])[:, None]
+        - states.heading[which][:, None] * away
     )
-    return away_or_one, rise, inside
+    return away, rise, inside
 
 
 def _next(
-    samples: Samples, states: _States, low: Floats, high: Floats, reach: Floats, tolerance: float
+    samples: Samples, states: _States, low: Floats, high: Floats, reach: Indices, tolerance: float
 ) -> _States | None:
     """The states after one more arc that reach farthest with the arc after it."""
     usable = np.flatnonzero(reach > 0)
@@ -197,7 +175,7 @@ def _next(
     rise = states.beside[parent] + states.heading[parent] * away + 0.5 * bend * away**2
     beside = rise - (samples.swept[place] - samples.swept[states.place[parent]])
     found = _States(place, beside, states.heading[parent] + bend * away, parent)
-    _, _, further = _reach(samples, found, tolerance)
+    _, _, further = _reach(samples, found, tolerance, bounds=False)
     ends = np.where(place < len(samples.along) - 1, place + further, -1)
     order = np.lexsort((place, np.abs(beside), -ends))
     best = order[_rank_within(place[order]) < _PER_PLACE][:_BEAM]
@@ -225,7 +203,7 @@ def _last_arcs(
     states: _States,
     low: Floats,
     high: Floats,
-    reach: Floats,
+    reach: Indices,
     ending: float | None,
     tolerance: float,
 ) -> tuple[int, list[tuple[int, float, float]]] | None:
@@ -252,7 +230,7 @@ def _last_arcs(
 
 
 def _last_pair(
-    samples: Samples, states: _States, reach: Floats, ending: float, tolerance: float
+    samples: Samples, states: _States, reach: Indices, ending: float, tolerance: float
 ) -> tuple[int, list[tuple[int, float, float]]] | None:
     """The pair of arcs that meets the end's heading and keeps the most distance from the tolerance's edge."""
     end = len(samples.along) - 1
@@ -270,10 +248,15 @@ def _last_pair(
         turn = ending - heading
         first = (2.0 * target[-1] - turn * b) / (a * (a + b))
         second = (turn - first * a) / b
-        past = np.maximum(away[None] - a[:, None], 0.0)
-        rise = 0.5 * first[:, None] * away**2 + 0.5 * (second - first)[:, None] * past**2
+        bent = (np.abs(first * a) <= _MOST_TURN) & (np.abs(second * b) <= _MOST_TURN)
+        few = slice(None, None, max(1, len(away) // _COARSE))  # most pairs are far off somewhere
+        coarse = np.abs(_over_pair(first, second, a, away[few]) - target[few]).max(axis=1)
+        usable = np.flatnonzero(bent & (coarse <= tolerance))
+        if not len(usable):
+            continue
+        middle, first, second, a = middle[usable], first[usable], second[usable], a[usable]
+        rise = _over_pair(first, second, a, away)
         off = np.abs(rise - target).max(axis=1)
-        off[(np.abs(first * a) > _MOST_TURN) | (np.abs(second * b) > _MOST_TURN)] = np.inf
         least = int(np.argmin(off))
         if off[least] <= tolerance and (best is None or off[least] < best[0]):
             step = int(middle[least])
@@ -284,6 +267,12 @@ def _last_pair(
             )
             best = float(off[least]), state, [joint, (end, 0.0, ending)]
     return None if best is None else best[1:]
+
+
+def _over_pair(first: Floats, second: Floats, middle: Floats, away: Floats) -> Floats:
+    """Rise (k, n) of pairs of arcs over their first tangents, on the way (n,); they meet at middle (k,)."""
+    past = np.maximum(away[None] - middle[:, None], 0.0)
+    return np.asarray(0.5 * first[:, None] * away**2 + 0.5 * (second - first)[:, None] * past**2)
 
 
 def _traced(levels: list[_States], state: int, tail: list[tuple[int, float, float]]) -> Knots:

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from BalloonWorkbench.core.pattern.arc_spline import Knots, Samples, fewest_arcs, sample
+from BalloonWorkbench.core.pattern.arc_spline import Knots, fewest_arcs
 from BalloonWorkbench.core.pattern.biarc import (
     away_from,
     biarc,
@@ -15,6 +15,7 @@ from BalloonWorkbench.core.pattern.biarc import (
     tangent_bulge,
 )
 from BalloonWorkbench.core.pattern.curves import STRAIGHT, Curve, Segment
+from BalloonWorkbench.core.pattern.samples import Samples, sample
 from BalloonWorkbench.core.pattern.stretches import Stretch, heading_at, stretches
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import from_mm
@@ -28,6 +29,8 @@ _MOST_REMEMBERED = 64
 #: Shares of the tolerance with which the search is tried: what it neglects is small but not nothing.
 #: A stretch of so many points is divided when no search leads through it.
 _DIVISIBLE = 5
+#: How near to an arc its chords are where distances are measured [m].
+_FINE = 0.01 * TOLERANCE
 _SHARES = (0.97, 0.85, 0.7, 0.5)
 
 
@@ -68,6 +71,8 @@ def _fit(points: Floats, closed: bool, tolerance: float) -> Curve:
 def _fitted(stretch: Stretch, tolerance: float) -> tuple[Floats, list[float]]:
     """Joints (n, 2) and bulges (n - 1) of a stretch."""
     points = stretch.points
+    if stretch.first is None and stretch.last is None and _is_line(points, tolerance):
+        return points[[0, -1]], [0.0]
     if not stretch.straight:
         samples = sample(points, _SPACING, tolerance, stretch.first, stretch.last)
         for share in _SHARES:
@@ -80,6 +85,14 @@ def _fitted(stretch: Stretch, tolerance: float) -> tuple[Floats, list[float]]:
         if len(points) >= _DIVISIBLE:
             return _in_halves(stretch, tolerance)
     return points, [0.0] * (len(points) - 1)
+
+
+def _is_line(points: Floats, tolerance: float) -> bool:
+    """Whether points (n, 2) are scattered along the line from the first to the last, and go its way."""
+    chord = points[-1] - points[0]
+    if not (np.diff(points @ chord) > 0.0).all():
+        return False
+    return bool((from_polyline(points, points[[0, -1]]) <= tolerance).all())
 
 
 def _in_halves(stretch: Stretch, tolerance: float) -> tuple[Floats, list[float]]:
@@ -137,10 +150,10 @@ def _deviation(samples: Samples, knots: Knots, joints: Floats, bulges: list[floa
         beside = curve.segments[max(k - 1, 0) : k + 2]
         inside = samples.points[low : high + 1]
         to_curve = np.min([away_from(inside, *segment) for segment in beside], axis=0)
-        drawn = Curve(joints[k : k + 2], np.array(bulges[k : k + 1]), False).flattened(0.01 * TOLERANCE)
+        drawn = Curve(joints[k : k + 2], np.array(bulges[k : k + 1]), False).flattened(_FINE)
         near = samples.points[max(low - 40, 0) : high + 41]
         most = max(most, float(to_curve.max()), float(from_polyline(drawn, near).max()))
-    return most
+    return most + 2.0 * _FINE  # between the samples, too
 
 
 def from_polyline(points: Floats, line: Floats) -> Floats:

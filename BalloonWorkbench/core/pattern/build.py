@@ -53,7 +53,7 @@ def build_pattern(
     intake: bool = True,
     corner_radius: float = 0.0,
 ) -> Pattern:
-    """The pattern of a panel whose free film is bounded by `seam` [m], faired within 0.05 mm.
+    """The pattern of a panel whose free film is bounded by `seam` [m], without its scatter (`faired`).
 
     seal_width     of the weld [m]
     allowance      film left outside the weld [m]

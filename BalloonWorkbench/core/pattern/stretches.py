@@ -8,14 +8,17 @@ from itertools import pairwise
 
 import numpy as np
 
+from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.types import Bools, Floats
 
 #: A vertex that turns by more is a corner [rad].
 CORNER = np.radians(25.0)
 #: An edge so many times as long as those beside it is meant to be straight, not a chord.
-_LONGER = 6.0
+_LONGER = 10.0
 #: The same when the arc that would follow from its ends rises by so many tolerances.
 _RISE = 5.0
+#: Points that are so near to the line between others say nothing [m].
+_STRAIGHT = 1e-8
 
 
 @dataclass(frozen=True)
@@ -69,12 +72,15 @@ def _without_needless(points: Floats, closed: bool) -> Floats:
     points = points[kept if closed else np.append(True, kept)]
     if len(points) < 3:
         return points
-    back, ahead = points - np.roll(points, 1, axis=0), np.roll(points, -1, axis=0) - points
-    across = np.abs(back[:, 0] * ahead[:, 1] - back[:, 1] * ahead[:, 0])
-    needed = (across > 1e-8 * _norm(back + ahead)) | ((back * ahead).sum(axis=1) < 0.0)
+    line = np.concatenate([points, points[:1]]) if closed else points
+    points = np.asarray(shapely().LineString(line).simplify(_STRAIGHT).coords)
     if not closed:
-        needed[[0, -1]] = True
-    return points[needed]
+        return points
+    points = points[:-1]
+    back, ahead = points[0] - points[-1], points[1] - points[0]
+    across = abs(back[0] * ahead[1] - back[1] * ahead[0])
+    needed = across > _STRAIGHT * np.hypot(*(back + ahead)) or back @ ahead < 0.0
+    return points if needed else points[1:]
 
 
 def _marks(points: Floats, closed: bool, tolerance: float) -> tuple[Bools, Bools]:
@@ -93,9 +99,18 @@ def _marks(points: Floats, closed: bool, tolerance: float) -> tuple[Bools, Bools
     rise = 0.125 * lengths * np.maximum((turn * ~corner)[:edges], (turn * ~corner)[after])
     longer = (lengths > _LONGER * np.maximum(before, beyond)) & (lengths > 20.0 * tolerance)
     straight = longer | (rise > _RISE * tolerance) | (corner[:edges] & corner[after])
+    # an edge alone between corners and straight edges tells of no bend
+    ends = corner | _either_side(straight, closed)
+    straight |= ends[:edges] & ends[after]
     # a vertex between two straight edges is a corner that somebody meant
     around = straight if closed else np.append(straight, False)
     return corner | (around & np.roll(around, 1)), straight
+
+
+def _either_side(edges: Bools, closed: bool) -> Bools:
+    """Which vertices are ends of marked edges."""
+    after = edges if closed else np.append(edges, False)
+    return after | np.roll(after, 1)
 
 
 def _wide_turn(points: Floats, closed: bool, reach: float) -> Floats:
