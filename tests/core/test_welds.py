@@ -246,11 +246,14 @@ def designed():
 
 def test_welds_appear_where_they_are_drawn(designed) -> None:
     assert designed.residual.mean < 0.005 * 0.3
+    positions, rim = designed.inflation.positions[:, :2], designed.inflation.panel.seams[0]
     for line, drawn in zip(designed.inflation.panel.welds, designed.target.welds, strict=True):
-        points = shapely.points(designed.inflation.positions[line, :2])
-        assert shapely.distance(points, shapely.LineString(drawn)).max() < 0.012 * 0.3
-    ends = designed.inflation.positions[designed.inflation.panel.welds[1][[0, -1]], :2]
-    assert np.linalg.norm(ends - designed.target.welds[1][[0, -1]], axis=1).max() < 0.01 * 0.3
+        away = shapely.distance(shapely.points(positions[line]), shapely.LineString(drawn)) / 0.3
+        assert away[~np.isin(line, rim)].max() < 0.004
+        # a weld's end at the rim is a point of the rim: it slides along it, and the film sticks out there
+        assert away.max() < 0.011
+    ends = positions[designed.inflation.panel.welds[1][[0, -1]]]
+    assert np.linalg.norm(ends - designed.target.welds[1][[0, -1]], axis=1).max() < 0.003 * 0.3
     assert designed.inflation.panel.welds[0][0] in designed.inflation.panel.seams[0]
 
 
