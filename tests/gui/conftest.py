@@ -38,34 +38,51 @@ def doc():
     return document
 
 
-@pytest.fixture
-def opened(doc):
-    """The panel of a finished balloon."""
-    parts = create.balloon_from_sketch(doc, sketches.rectangle(doc, 90, 60), mesh_size=12, correct=False)
-    doc.clearUndos()
-    parts.balloon.ViewObject.Proxy.doubleClicked(parts.balloon.ViewObject)
-    hands.wait_until(hands.panel_is_open)
-    return parts
-
-
 @pytest.fixture(scope="session")
 def rectangle_file(tmp_path_factory):
     """A finished balloon of 90 x 60 mm as drawn, from a sketch, in a file: opening it takes no time."""
+    return _saved(tmp_path_factory.mktemp("drawn"), correct=False)
+
+
+@pytest.fixture(scope="session")
+def fitted_file(tmp_path_factory):
+    """The same one, fitted to its drawing."""
+    return _saved(tmp_path_factory.mktemp("fitted"), correct=True)
+
+
+def _saved(folder, correct):
     document = App.newDocument("Test")
-    create.balloon_from_sketch(document, sketches.rectangle(document, 90, 60), mesh_size=10, correct=False)
-    path = tmp_path_factory.mktemp("balloon") / "Test.FCStd"
-    document.saveAs(str(path))
+    create.balloon_from_sketch(document, sketches.rectangle(document, 90, 60), mesh_size=10, correct=correct)
+    document.saveAs(str(folder / "Test.FCStd"))
     App.closeDocument(document.Name)
-    return path
+    return folder / "Test.FCStd"
 
 
 @pytest.fixture
 def made(rectangle_file, tmp_path):
     """The parts of that balloon in a document of its own, with nothing to undo."""
-    document = App.openDocument(str(shutil.copy(rectangle_file, tmp_path)))
+    return _opened(rectangle_file, tmp_path)
+
+
+@pytest.fixture
+def fitted(fitted_file, tmp_path):
+    """The parts of the fitted one."""
+    return _opened(fitted_file, tmp_path)
+
+
+def _opened(path, folder):
+    document = App.openDocument(str(shutil.copy(path, folder)))
     document.clearUndos()
     hands.wait(0.1)
     return create.Parts(document.Outline, document.Balloon, document.Pattern)
+
+
+@pytest.fixture
+def opened(made):
+    """The panel of a finished balloon."""
+    made.balloon.ViewObject.Proxy.doubleClicked(made.balloon.ViewObject)
+    hands.wait_until(hands.panel_is_open)
+    return made
 
 
 @pytest.fixture(autouse=True)

@@ -4,16 +4,6 @@
 import FreeCADGui as Gui
 import hands
 import pytest
-import sketches
-
-from BalloonWorkbench.app import create
-
-
-@pytest.fixture
-def made(doc):
-    parts = create.balloon_from_sketch(doc, sketches.rectangle(doc, 90, 60), mesh_size=12)
-    doc.clearUndos()
-    return parts
 
 
 @pytest.fixture

@@ -7,7 +7,7 @@ import hands
 import pytest
 import sketches
 
-from BalloonWorkbench.app import create, status
+from BalloonWorkbench.app import status
 
 
 @pytest.fixture
@@ -16,12 +16,8 @@ def rectangle(doc):
 
 
 @pytest.fixture
-def made(rectangle):
-    """A finished balloon, its making not part of the undo list."""
-    doc = rectangle.Document
-    parts = create.balloon_from_sketch(doc, rectangle, mesh_size=12)
-    doc.clearUndos()
-    return parts
+def made(fitted):
+    return fitted
 
 
 def done():
@@ -88,14 +84,6 @@ def test_stale_objects_have_another_icon(made):
     made.balloon.Document.recompute()
     assert made.balloon.ViewObject.Proxy.icon_name() == "balloon_warning"
     assert made.outline.ViewObject.Proxy.icon_name() == "outline"
-
-
-@pytest.mark.parametrize("name", ["outline", "balloon", "pattern"])
-def test_double_click_opens_the_panel(made, name):
-    obj = getattr(made, name)
-    assert obj.ViewObject.Proxy.doubleClicked(obj.ViewObject)
-    hands.wait_until(hands.panel_is_open)
-    assert hands.find("Source").text() == "Rectangle"
 
 
 def test_edit_is_one_undo_step(made):

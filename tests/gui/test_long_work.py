@@ -7,17 +7,11 @@ import time
 import FreeCADGui as Gui
 import hands
 import pytest
-import sketches
 from heartbeat import Heartbeat
 
-from BalloonWorkbench.app import create, hooks, status
+from BalloonWorkbench.app import hooks, status
 from BalloonWorkbench.core.errors import Cancelled, MeshError
 from BalloonWorkbench.gui.worker import Worker
-
-
-@pytest.fixture
-def made(doc):
-    return create.balloon_from_sketch(doc, sketches.rectangle(doc, 90, 60), mesh_size=12, correct=False)
 
 
 def shown():

@@ -119,7 +119,7 @@ sys.path.append({str(Path(sketches.__file__).parent)!r})
 import sketches
 from BalloonWorkbench.app import create
 plate = sketches.rectangle(App.ActiveDocument, 90, 60)
-create.balloon_from_sketch(App.ActiveDocument, plate, mesh_size=12, correct=False)
+create.balloon_from_sketch(App.ActiveDocument, plate, mesh_size=10, correct=False)
 """
     replayed = run_without_window(macro, tmp_path, before)
     expected = measures(opened.balloon.Document)[opened.balloon.Name]

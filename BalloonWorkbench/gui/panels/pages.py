@@ -50,8 +50,10 @@ class Pages(QtWidgets.QTabWidget):
         self.fit()
 
     def fit(self) -> None:
-        """Take the height of the page in front."""
-        box = self._boxes[self.currentIndex()]
+        """Take the height of the page in front, once that is made."""
+        box = self._boxes.get(self.currentIndex())
+        if box is None:
+            return
         wanted = box.sizeHint().height()
         if box.hasHeightForWidth():
             wanted = max(wanted, box.heightForWidth(self.currentWidget().viewport().width()))
@@ -65,5 +67,5 @@ class Pages(QtWidgets.QTabWidget):
 
     def resizeEvent(self, event):
         super().resizeEvent(event)
-        if self._boxes and event.size().width() != event.oldSize().width():
+        if event.size().width() != event.oldSize().width():
             self.fit()
