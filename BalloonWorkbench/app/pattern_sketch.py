@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The cuts of a pattern as a Sketcher sketch, to go on with in FreeCAD.
+"""A pattern as a Sketcher sketch, to go on with in FreeCAD.
 
-Arcs and lines hold together by one constraint at each joint, tangent or coincident; nothing else is fixed.
-Sketches with many constraints are slow: of 250 arcs, each change takes seconds. So welds, marks and letters
-stay out, and so do copies; the shape of the pattern has them.
+The arcs and lines of the cuts hold together by one constraint at each joint, tangent or coincident; nothing
+else is fixed. Welds and marks are construction geometry without constraints, to measure from and to snap to:
+sketches with many constraints are slow, of 250 arcs each change takes seconds. Letters and copies stay out;
+the shape of the pattern has them.
 """
 
 from __future__ import annotations
@@ -21,9 +22,12 @@ from BalloonWorkbench.core.pattern.curves import Curve
 from BalloonWorkbench.core.pattern.pattern import Role
 from BalloonWorkbench.core.units import MILLIMETRE
 
+#: What lies beside the cuts as construction geometry.
+_BESIDE = (Role.SEAL, Role.WELD, Role.MARK)
+
 
 def make_sketch(obj):
-    """A new sketch of the cuts of one panel of a pattern object, in its place and beside it in the tree.
+    """A new sketch of one panel of a pattern object, in its place and beside it in the tree.
 
     Raises InputError while the pattern is not up to date.
     """
@@ -38,16 +42,18 @@ def make_sketch(obj):
         group.addObject(sketch)
     for contour in (*made.of(Role.CUT), *made.of(Role.CUT_INNER)):
         _add(sketch, fit_curve(contour.points, True))
+    for role in _BESIDE:
+        for contour in made.of(role):
+            sketch.addGeometry(_lines(fit_curve(contour.points, contour.closed)), True)
     sketch.solve()
     return sketch
 
 
 def _add(sketch, curve: Curve) -> None:
     """One closed contour: its segments, and a constraint at each joint."""
-    scaled = curve.moved(0.0 * curve.joints[0], 1.0 / MILLIMETRE)
-    numbers = list(sketch.addGeometry([_geometry(segment) for segment in scaled.segments], False))
+    numbers = list(sketch.addGeometry(_lines(curve), False))
     # Sketcher's arcs run counter-clockwise: one that turns right begins at its point 2
-    begins = [2 if segment.bulge < 0.0 else 1 for segment in scaled.segments]
+    begins = [2 if segment.bulge < 0.0 else 1 for segment in curve.segments]
     corners = curve.corners
     sketch.addConstraint(
         [
@@ -61,6 +67,12 @@ def _add(sketch, curve: Curve) -> None:
             for k in range(len(numbers))
         ]
     )
+
+
+def _lines(curve: Curve) -> list:
+    """The segments of a curve as FreeCAD's lines and arcs [mm]."""
+    scaled = curve.moved(0.0 * curve.joints[0], 1.0 / MILLIMETRE)
+    return [_geometry(segment) for segment in scaled.segments]
 
 
 def _geometry(segment):
