@@ -108,15 +108,20 @@ def of_balloon(balloon_obj):
 
 
 def on_balloon(balloon_obj):
-    """What an artwork prints on the front of a balloon, as a painting; None where there is none."""
+    """What an artwork prints on front and back of a balloon, as paintings; None where there is none.
+
+    The back's is as it is seen through the front.
+    """
     from BalloonWorkbench.app.painting import Artwork
     from BalloonWorkbench.core.units import to_mm
 
     obj = of_balloon(balloon_obj)
     if obj is None or not status.is_ready(obj):
         return None
-    front, _ = _pictures(obj)
-    return Artwork(front.pixels, to_mm(front.low), to_mm(front.pixel))
+    front, behind = _pictures(obj)
+    return tuple(
+        Artwork(each.pixels, to_mm(each.low), to_mm(each.pixel)) for each in (front, behind or front)
+    )
 
 
 def sheets(obj, dpi: float | None = None):

@@ -74,6 +74,17 @@ def test_artwork_is_chosen_shown_written_and_undone(made, tmp_path, monkeypatch)
         assert blue > 0.015
         assert yellow > 0.015
     hands.screenshot("artwork")
+    # another picture for the back: blue below, and from above as before
+    blues = np.full((60, 80, 4), (20, 60, 220, 255), np.uint8)
+    (tmp_path / "blue.png").write_bytes(png_bytes(blues, 100.0))
+    art.BackPicture = str(tmp_path / "blue.png")
+    App.ActiveDocument.recompute()
+    made.balloon.ViewObject.Visibility, art.ViewObject.Visibility = True, False
+    for view, least, most in (("viewBottom", 0.0, 0.001), ("viewTop", 0.015, 1.0)):
+        getattr(Gui.activeDocument().activeView(), view)()
+        blue, yellow = colours_in_view()
+        assert blue > 0.015
+        assert least <= yellow <= most
     hands.press("Ok")
     hands.wait_until(hands.panel_is_closed)
     assert art.ViewObject.Proxy.icon == "artwork"
