@@ -100,7 +100,8 @@ def test_intake_points_where_it_is_told(pattern):
     pattern.Document.recompute()
     box = pattern.Shape.BoundBox
     assert box.YMax == pytest.approx(-box.YMin + 60 - 7, abs=2)
-    assert box.XLength == pytest.approx(-2 * box.YMin, rel=0.02)  # the pattern of a ring is a little oval
+    # a closed curved tube is soft against becoming oval; the pattern makes up for that, by 1.2 % on this mesh
+    assert box.XLength == pytest.approx(-2 * box.YMin, rel=0.015)
 
 
 def test_automatic_direction_is_shown(pattern):
