@@ -205,6 +205,7 @@ def request(obj):
             volume=cubic_metres(obj.TargetVolume) if obj.Load == VOLUME else None,
             goal=size_goal.goal(obj),
             filling=size_goal.filling(obj),
+            wanted=size_goal.wanted_of(obj),
             model=Model(
                 tension_field=obj.Model == TENSION_FIELD,
                 bending=obj.Bending,
@@ -234,7 +235,7 @@ def describe(wanted, design) -> dict:
     plain = build_pattern(design.pattern, settings.film.seal_width, intake=False)
     told = report.build(source, settings.film, design, plain, settings.volume, goal=settings.goal)
     told |= advice.told(design, settings.film)
-    size_goal.prepare(design.pattern, settings.film)
+    size_goal.prepare(design.pattern, settings.film, settings.wanted)
     del told["pattern"], told["lift"]  # the Pattern object, and the properties, have their own
     return told
 

@@ -4,10 +4,13 @@
 from __future__ import annotations
 
 from BalloonWorkbench.app import status
+from BalloonWorkbench.app.host import is_replaying
 from BalloonWorkbench.app.properties import Property, show_in_editor
 from BalloonWorkbench.app.stateless import DocumentProxy
 
 DIRECTION, PLACE = "Direction", "Place on the seam"
+#: What the weight of a balloon depends on.
+_WEIGHS = ("SealWidth", "Allowance", "Intake", "IntakeKind", "IntakeWidth", "IntakeLength", "TieTab")
 _MOST_MADE = 8
 _made: dict = {}  # the last patterns, by what they were made from
 
@@ -87,8 +90,12 @@ class PatternProxy(DocumentProxy):
             "LabelText",
             "Arcs",
         )
-        if name in followed and all(item.name in obj.PropertiesList for item in PROPERTIES):
+        if not all(item.name in obj.PropertiesList for item in PROPERTIES):
+            return
+        if name in followed:
             self.follow_intake(obj)
+        if name in _WEIGHS and obj.Balloon is not None and not is_replaying(obj.Document):
+            obj.Balloon.touch()  # it tells what it weighs, and may have its size from that
 
     def follow_intake(self, obj):
         """Offer only what has an effect."""

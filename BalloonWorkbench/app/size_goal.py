@@ -41,8 +41,8 @@ RESULTS = (
 )
 
 
-_MOST_AREAS = 8
-_areas: dict = {}
+_MOST_WEIGHTS = 8
+_weights: dict = {}
 
 
 def follow(obj) -> None:
@@ -101,41 +101,61 @@ def set_filling(obj, wanted) -> None:
     obj.Altitude = to_mm(wanted.altitude)
 
 
-def usual_area(seam, film) -> float:
-    """Film of a panel with weld and intake as usual [m2]; those of the last seams are remembered."""
-    from BalloonWorkbench.core.pattern.build import usual_pattern
+def wanted_of(obj):
+    """How the pattern of a balloon is made, as the core's `Wanted`; the usual way where it has none yet."""
+    from BalloonWorkbench.app import pattern
 
-    key = tuple(line.tobytes() for line in (*seam.loops, *seam.welds)), len(seam.spots), film.seal_width
-    if key not in _areas:
-        _areas[key] = usual_pattern(seam, film).film_area
-        for old in list(_areas)[:-_MOST_AREAS]:
-            _areas.pop(old, None)
-    return _areas[key]
+    for other in obj.InList:
+        if pattern.is_pattern(other) and other.Balloon == obj:
+            return pattern.values(other)
+    return pattern.usual_values()
 
 
-def prepare(seam, film) -> None:
+def film_and_valve(seam, film, wanted) -> tuple[float, float]:
+    """As the core's; those of the last seams are remembered."""
+    from BalloonWorkbench.core.maker import weight
+
+    key = _weight_key(seam, film, wanted)
+    if key not in _weights:
+        _weights[key] = weight.film_and_valve(seam, film, wanted)
+        for old in list(_weights)[:-_MOST_WEIGHTS]:
+            _weights.pop(old, None)
+    return _weights[key]
+
+
+def _weight_key(seam, film, wanted) -> tuple:
+    from BalloonWorkbench.core.maker.weight import weighing
+
+    lines = tuple(line.tobytes() for line in (*seam.loops, *seam.welds))
+    return lines, len(seam.spots), film.seal_width, weighing(wanted)
+
+
+def prepare(seam, film, wanted) -> None:
     """Find in a thread what `show_lift` will ask for: the object keeps its seam in mm."""
     from BalloonWorkbench.core.errors import InputError
     from BalloonWorkbench.core.units import from_mm, to_mm
 
     try:
-        usual_area(seam.map(lambda line: from_mm(to_mm(line))), film)
+        film_and_valve(seam.map(lambda line: from_mm(to_mm(line))), film, wanted)
     except InputError:  # `show_lift` will say what is wrong
         return
 
 
 def show_lift(obj) -> None:
-    """Weight and lift of the balloon that is shown, for the film and the gas as they are now."""
-    from BalloonWorkbench.app import shapes
+    """Weight and lift of the balloon that is shown, for film, gas and pattern as they are now."""
+    from BalloonWorkbench.app import hooks, shapes
     from BalloonWorkbench.app.film import read
     from BalloonWorkbench.app.quantities import cubic_metres, metres, pascals
     from BalloonWorkbench.core.design.size_goal import Buoyancy, Scaling
     from BalloonWorkbench.core.units import to_grams, to_mm
 
-    own, seam = read(obj), shapes.stored(obj, "Seam")
-    area = usual_area(seam, own)
+    own, seam, wanted = read(obj), shapes.stored(obj, "Seam"), wanted_of(obj)
+    if _weight_key(seam, own, wanted) in _weights:
+        area, valve = film_and_valve(seam, own, wanted)
+    else:
+        area, valve = hooks.work(f"Weighing {obj.Label}", lambda progress: film_and_valve(seam, own, wanted))
     lightness = filling(obj).lightness(pascals(obj.ActivePressure))
-    buoyancy = Buoyancy(lightness, own.areal_density, lambda seam: area)
+    buoyancy = Buoyancy(lightness, own.areal_density, lambda seam: area, valve)
     width = metres(obj.InflatedWidth)
     size = max(width, metres(obj.InflatedHeight))
     scaling = Scaling(size, cubic_metres(obj.Volume), seam.area, area - seam.area)

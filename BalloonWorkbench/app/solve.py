@@ -11,6 +11,8 @@ import numpy as np
 
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.job import Settings, design_outline
+from BalloonWorkbench.core.maker.weight import weighing
+from BalloonWorkbench.core.pattern.make import Wanted
 from BalloonWorkbench.core.report import Source
 from BalloonWorkbench.core.solver.model import Model
 from BalloonWorkbench.core.types import Progress, no_progress
@@ -68,7 +70,14 @@ class Request:
                 "lightness": settings.filling.lightness(settings.pressure),
                 "weight": film.areal_density,
             }
-        return [f"{name}={value:.9g}" for name, value in options.items()]
+        return [f"{name}={value:.9g}" for name, value in options.items()] + self._unusual_pattern()
+
+    def _unusual_pattern(self) -> list[str]:
+        """What weighs in a pattern that differs from the usual one, where the weight decides the size."""
+        if self.settings.goal is None or self.settings.goal.lift is None:
+            return []
+        own, usual = (asdict(weighing(wanted)) for wanted in (self.settings.wanted, Wanted()))
+        return [f"{name}={value}" for name, value in own.items() if value != usual[name]]
 
     def solve(self, progress: Progress = no_progress) -> Design:
         """The balloon and its seam; BalloonError when there is none, Cancelled when progress says stop."""

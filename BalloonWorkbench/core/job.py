@@ -37,8 +37,9 @@ from BalloonWorkbench.core.export.stl import stl_bytes
 from BalloonWorkbench.core.film.filling import Filling
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.film.library import DEFAULT_FILM, film
-from BalloonWorkbench.core.maker.numbers import Numbers, maker_numbers, valve_weight
+from BalloonWorkbench.core.maker.numbers import Numbers, maker_numbers
 from BalloonWorkbench.core.maker.numbers import told as told_numbers
+from BalloonWorkbench.core.maker.weight import film_and_valve
 from BalloonWorkbench.core.outline.drawing import Drawing
 from BalloonWorkbench.core.outline.loops import scale_to
 from BalloonWorkbench.core.outline.outline import Outline
@@ -46,7 +47,6 @@ from BalloonWorkbench.core.outline.passages import PASSAGE, linked
 from BalloonWorkbench.core.outline.picture import Decode
 from BalloonWorkbench.core.outline.read import read_drawing
 from BalloonWorkbench.core.outline.symmetry import AUTO, evened
-from BalloonWorkbench.core.pattern.build import usual_pattern
 from BalloonWorkbench.core.pattern.layout import on_one_sheet
 from BalloonWorkbench.core.pattern.make import Wanted, make_pattern, sheet_of
 from BalloonWorkbench.core.pattern.pattern import Pattern
@@ -244,20 +244,10 @@ def _design_to_goal(outline: Outline, settings: Settings, goal: SizeGoal, progre
     buoyancy = Buoyancy(
         settings.filling.lightness(settings.pressure),
         settings.film.areal_density,
-        lambda seam: _for_weight(seam, settings)[0],
-        _for_weight(outline, settings)[1],
+        lambda seam: film_and_valve(seam, settings.film, settings.wanted)[0],
+        film_and_valve(outline, settings.film, settings.wanted)[1],
     )
     return design_to_size(work, outline, goal, buoyancy, corrected=settings.correct, progress=progress)
-
-
-def _for_weight(seam: Outline, settings: Settings) -> tuple[float, float]:
-    """Film of one panel [m2], and what the intake weighs besides, which is the same at any size [kg]."""
-    wanted = replace(settings.wanted, label="", notches=0, mirror=True, copies=1)
-    try:
-        pattern = make_pattern(seam, settings.film.seal_width, wanted)
-    except InputError:  # at the size that is found, the pattern will say what is wrong
-        return usual_pattern(seam, settings.film, settings.intake).film_area, 0.0
-    return pattern.film_area, valve_weight(pattern, sheet_of(pattern, wanted))
 
 
 def files(balloon: Balloon, results: str | None = None) -> dict[str, bytes]:

@@ -71,6 +71,28 @@ def test_weight_and_lift_follow_the_film_and_the_gas_without_a_solve(parts):
     assert balloon.SolvedFor == label
 
 
+def test_the_valve_weighs(parts):
+    """Two strips of the intake's own film, 34 x 100 mm; they make a balloon that shall float larger."""
+    balloon, pattern = parts.balloon, parts.pattern
+    straw, label = balloon.Weight, balloon.SolvedFor
+    pattern.IntakeKind = "Self-sealing film valve"
+    pattern.IntakeWidth = 24
+    balloon.Document.recompute()
+    assert balloon.SolvedFor == label
+    grams = 2 * (0.024 + 2 * balloon.SealWidth.Value * 1e-3) * 0.1 * 36.8
+    wider = 2e3 * balloon.ArealDensity * (0.038 * 0.042 - 0.024 * 0.032)  # the neck itself, roughly
+    assert balloon.Weight == pytest.approx(straw + grams + wider, abs=0.06)
+    balloon.MeshSize = 60
+    balloon.SizeGoal, balloon.GoalLift = "Lift", 0
+    balloon.Document.recompute()
+    with_valve = balloon.InflatedWidth.Value
+    pattern.IntakeKind = "Straw neck"
+    pattern.IntakeWidth = 10
+    balloon.Document.recompute()
+    assert balloon.Lift == pytest.approx(0.0, abs=0.01 * balloon.Weight)
+    assert balloon.InflatedWidth.Value < 0.995 * with_valve
+
+
 def test_only_what_has_an_effect_is_offered(parts):
     balloon = parts.balloon
     hidden = {name: "Hidden" in balloon.getEditorMode(name) for name in ("GoalVolume", "GoalLift")}

@@ -13,10 +13,11 @@ from BalloonWorkbench.core.film.filling import ZERO_CELSIUS, Filling, air_pressu
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.maker.data import Making, making
 from BalloonWorkbench.core.maker.safety import Safety, safety
+from BalloonWorkbench.core.maker.weight import valve_weight
 from BalloonWorkbench.core.nesting.layout import Grain, Piece, Stock, check, layout_of
 from BalloonWorkbench.core.nesting.rows import in_rows
-from BalloonWorkbench.core.outline.outline import Outline, signed_area
-from BalloonWorkbench.core.pattern.pattern import Pattern, Role
+from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.pattern.pattern import Pattern
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.units import to_grams, to_mm
 
@@ -156,15 +157,6 @@ def _floating(
         needed,
         None if price is None else price * needed,
     )
-
-
-def valve_weight(pattern: Pattern, pieces: Pattern | None) -> float:
-    """Weight of the pieces beside the panels [kg], whose cuts are no panel's; see `maker_numbers`."""
-    if pieces is None:
-        return 0.0
-    panel = max(abs(signed_area(cut.points)) for cut in pattern.of(Role.CUT))
-    areas = [abs(signed_area(cut.points)) for cut in pieces.of(Role.CUT)]
-    return making().valve_film * sum(area for area in areas if area < 0.5 * panel)
 
 
 def _roll(pattern: Pattern, film: Film, width: float) -> tuple[float, float] | None:
