@@ -269,3 +269,18 @@ def test_empty_balloon_has_a_red_sign(doc):
     doc.recompute()
     assert parts.balloon.ViewObject.Proxy.icon_name() == "balloon_error"
     assert parts.balloon.getParentGroup().ViewObject.Proxy.icon_name() == "group_error"
+
+
+@pytest.fixture
+def inches():
+    """Imperial decimal, as FreeCAD's preferences have it."""
+    App.Units.setSchema(3)
+    yield
+    App.Units.setSchema(0)
+
+
+def test_results_are_told_in_the_units_of_the_user(made, inches):
+    open_panel(made.balloon)
+    labels = [label.text() for label in hands.find("Result").findChildren(QtWidgets.QLabel)]
+    assert f"{made.balloon.InflatedThickness.Value / 25.4:.4g} in" in labels
+    assert not [text for text in labels if " mm" in text]

@@ -6,6 +6,7 @@ from __future__ import annotations
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets
 
 _HIGHEST = 320  # px; a longer page scrolls
+_FRAME = 10  # px above and below it
 
 
 class Pages(QtWidgets.QTabWidget):
@@ -57,8 +58,7 @@ class Pages(QtWidgets.QTabWidget):
         wanted = box.sizeHint().height()
         if box.hasHeightForWidth():
             wanted = max(wanted, box.heightForWidth(self.currentWidget().viewport().width()))
-        around = self.sizeHint().height() - self.currentWidget().sizeHint().height()
-        self.setFixedHeight(min(wanted, _HIGHEST) + max(around, self.tabBar().sizeHint().height() + 8))
+        self.setFixedHeight(min(wanted, _HIGHEST) + self.tabBar().sizeHint().height() + _FRAME)
 
     def eventFilter(self, box, event):
         if event.type() == QtCore.QEvent.LayoutRequest:
