@@ -44,7 +44,7 @@ def test_reference_shapes(shape: str, k: int, seal_width: float) -> None:
 @pytest.mark.parametrize("name", ["heart", "star", "S", "L", "holes"])
 def test_real_shapes_and_film(name: str) -> None:
     outline = NAMED[name]
-    mesh = triangulate(outline, size_for(outline, 400))
+    mesh = triangulate(outline, size_for(outline, 500))
     one, other = (inflate(mesh, films()["mylar"], 2000.0, backend=name) for name in ("native", "numpy"))
     same(one, other)
 
