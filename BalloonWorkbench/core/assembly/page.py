@@ -4,8 +4,6 @@
 from __future__ import annotations
 
 import io
-import re
-import textwrap
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -13,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from BalloonWorkbench.core.assembly.steps import steps
+from BalloonWorkbench.core.assembly.texts import broken, figures, material
 from BalloonWorkbench.core.errors import ExportError, MissingPackageError
 from BalloonWorkbench.core.export.layers import LAYERS
 from BalloonWorkbench.core.export.render import balloon_picture
@@ -21,7 +20,7 @@ from BalloonWorkbench.core.maker.numbers import Numbers
 from BalloonWorkbench.core.pattern.pattern import Pattern, Role
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.types import Floats
-from BalloonWorkbench.core.units import to_grams, to_mm
+from BalloonWorkbench.core.units import to_mm
 
 #: Pages by name, upright [mm].
 PAGES = {"A4": (210.0, 297.0), "Letter": (215.9, 279.4)}
@@ -41,6 +40,7 @@ _NAMES = {
 }
 #: Height of a line of the lists [mm], dots of the balloon's picture per mm.
 _LINE, _DOTS = 4.2, 6.0
+_LETTERS = 44  # of a line of the lists
 #: Width of a letter of the body text, in parts of its size; points to millimetres.
 _LETTER, _POINT = 0.535, 25.4 / 72.0
 
@@ -96,8 +96,12 @@ def _fill(axes: Any, subject: Subject, size: tuple[float, float]) -> None:
     foot = _MARGIN + 6.0
     steps_top = foot + 10.0 + max(_tall(column) for column in columns)
     _steps(axes, columns, steps_top, right)
-    lists = (_material(subject), _figures(subject.numbers))
-    lists_top = steps_top + 12.0 + _LINE * max(sum(len(_lines(value)) for _, value in rows) for rows in lists)
+    lists = (material(subject.film, subject.pattern, subject.numbers), figures(subject.numbers))
+    lists_top = (
+        steps_top
+        + 12.0
+        + _LINE * max(sum(len(broken(value, _LETTERS)) for _, value in rows) for rows in lists)
+    )
     for title, rows, x in zip(("Material", "Numbers"), lists, (_MARGIN, _half(right))):
         _list(axes, title, rows, x, lists_top)
     split = _MARGIN + 0.6 * (right - _MARGIN)
@@ -188,7 +192,9 @@ def _balloon(
     _heading(axes, left, top - 3.4, "Inflated")
     wide, tall = right - left, top - 7.0 - bottom
     pixels = int(_DOTS * wide), int(_DOTS * tall)
-    picture = balloon_picture([subject.inflation], subject.pattern.seal_width, *pixels)
+    picture = balloon_picture(
+        [subject.inflation], subject.pattern.seal_width, *pixels, subject.film.look.colour
+    )
     axes.imshow(picture, extent=(left, right, bottom, top - 7.0), interpolation="nearest", aspect="auto")
     axes.set_xlim(0.0, size[0])
     axes.set_ylim(0.0, size[1])
@@ -200,67 +206,15 @@ def _list(axes: Any, title: str, rows: Sequence[tuple[str, str]], x: float, top:
     y = top - 6.0
     for name, value in rows:
         _text(axes, x, y - 3.0, name, color=_SOFT)
-        for line in _lines(value):
+        for line in broken(value, _LETTERS):
             _text(axes, x + 23.0, y - 3.0, line)
             y -= _LINE
-
-
-def _lines(value: str) -> list[str]:
-    return _broken(value, 44)
-
-
-def _broken(text: str, letters: int) -> list[str]:
-    """Lines of so many letters; a number stays with its unit."""
-    kept = re.sub(r"(\d) (?=(?:mm|cm|m|µm|g|kPa|litres)\b)", "\\1\u00a0", text)
-    return textwrap.wrap(kept, letters) or [""]
-
-
-def _material(subject: Subject) -> list[tuple[str, str]]:
-    film, numbers = subject.film, subject.numbers
-    found = [
-        ("Film", film.title or film.name),
-        ("Thickness", f"{1e6 * film.thickness:.3g} µm, {1e3 * film.areal_density:.3g} g/m²"),
-    ]
-    if numbers.roll is None:
-        found.append(("Needed", f"{numbers.film_area:.3g} m²; wider than the usual roll"))
-    else:
-        width, length = numbers.roll
-        found.append(("Needed", f"{length:.2f} m of a roll {to_mm(width):.0f} mm wide"))
-    found.append(
-        ("Weld", f"{to_mm(subject.pattern.seal_width):.3g} mm wide, {numbers.seam_length:.2f} m long")
-    )
-    intakes = subject.pattern.intakes
-    if intakes:
-        from BalloonWorkbench.core.pattern.intake_kinds import intake_kind
-
-        kind = intake_kind(intakes[0].kind).title
-        found.append(("Intake", f"{kind}, {to_mm(intakes[0].width):.3g} mm"))
-    return found
-
-
-def _figures(numbers: Numbers) -> list[tuple[str, str]]:
-    safe = numbers.safety
-    valve = f", valve {to_grams(numbers.valve):.2g} g" if numbers.valve else ""
-    found = [
-        ("Volume", f"{1e3 * numbers.volume:.3g} litres"),
-        ("Weight", f"{to_grams(numbers.weight):.3g} g{' with' * bool(valve)}{valve.lstrip(',')}"),
-        ("Pressure", f"{1e-3 * safe.pressure:.3g} kPa"),
-    ]
-    if safe.safe_pressure is not None:
-        found.append(
-            ("Safe to", f"{1e-3 * safe.safe_pressure:.3g} kPa ({safe.weakest}, margin {safe.margin:g})")
-        )
-    one = numbers.floating[0]
-    price = "" if one.cost is None else f", about {one.cost:.2f} {numbers.currency}"
-    found.append((one.gas.capitalize(), f"{1e3 * one.gas_needed:.3g} litres{price}"))
-    found.append(("Will it float?", numbers.sentence()))
-    return found
 
 
 def _wrapped(work: Sequence[str], width: float) -> tuple[list[tuple[int, list[str]]], ...]:
     """The steps in two columns of equal height, each as its number and lines."""
     letters = int((width - 7.0) / (8.0 * _POINT * _LETTER))
-    told = [(number, _broken(text, letters)) for number, text in enumerate(work, 1)]
+    told = [(number, broken(text, letters)) for number, text in enumerate(work, 1)]
     half = min(range(len(told) + 1), key=lambda at: (abs(_tall(told[:at]) - _tall(told[at:])), -at))
     return told[:half], told[half:]
 

@@ -15,14 +15,20 @@ _YAW, _PITCH = np.radians(-28.0), np.radians(14.0)
 #: Distance of the eye in sizes of the balloon.
 _EYE = 3.6
 _OVERSAMPLING = 2
-_FILM = np.array([0.86, 0.12, 0.22])
-_WELD = np.array([0.78, 0.10, 0.19])
+#: Of film that has no colour of its own, and how much darker a weld is.
+FILM_COLOUR = "#db1f38"
+_WELD = 0.9
 
 
-def balloon_picture(inflations: Sequence[Inflation], seal_width: float, width: int, height: int) -> Floats:
-    """RGBA (height, width, 4), values 0..1: the balloons upright, with their welds, over a soft shadow."""
+def balloon_picture(
+    inflations: Sequence[Inflation], seal_width: float, width: int, height: int, colour: str = FILM_COLOUR
+) -> Floats:
+    """RGBA (height, width, 4), values 0..1: the balloons upright, with their welds, over a soft shadow.
+
+    colour  of the film, written like #ff0000
+    """
     size = np.array([width, height]) * _OVERSAMPLING
-    positions, triangles, normals, colours = _surface(inflations, seal_width)
+    positions, triangles, normals, colours = _surface(inflations, seal_width, _rgb(colour))
     middle = 0.5 * (positions.min(axis=0) + positions.max(axis=0))
     reach = float(np.linalg.norm(np.ptp(positions, axis=0)))
     turn = _rotation()
@@ -57,7 +63,13 @@ def balloon_picture(inflations: Sequence[Inflation], seal_width: float, width: i
     return _reduced(image)
 
 
-def _surface(inflations: Sequence[Inflation], seal_width: float) -> tuple[Floats, Ints, Floats, Floats]:
+def _rgb(colour: str) -> Floats:
+    return np.array([int(colour[place : place + 2], 16) / 255.0 for place in (1, 3, 5)])
+
+
+def _surface(
+    inflations: Sequence[Inflation], seal_width: float, film: Floats
+) -> tuple[Floats, Ints, Floats, Floats]:
     """Positions, triangles, vertex normals and colours of both halves and of the weld around them."""
     mirror = np.array([1.0, 1.0, -1.0])
     parts: list[tuple[Floats, Ints, Floats, Floats]] = []
@@ -66,12 +78,12 @@ def _surface(inflations: Sequence[Inflation], seal_width: float) -> tuple[Floats
         panel, origin = slit(inflation.panel)
         upper, top = panel.triangles, inflation.positions[origin]
         up, count = _vertex_normals(top, upper), len(top)
-        parts.append((top, upper + start, up, _FILM))
-        parts.append((top * mirror, upper[:, ::-1] + start + count, up * mirror, _FILM))
+        parts.append((top, upper + start, up, film))
+        parts.append((top * mirror, upper[:, ::-1] + start + count, up * mirror, film))
         start += 2 * count
         for seam in panel.seams:
             for side in (-1.0, 1.0):
-                parts.append(_weld(top[seam, :2], seal_width, start, side))
+                parts.append((*_weld(top[seam, :2], seal_width, start, side), _WELD * film))
                 start += 2 * len(seam)
     return (
         np.concatenate([part[0] for part in parts]),
@@ -81,7 +93,7 @@ def _surface(inflations: Sequence[Inflation], seal_width: float) -> tuple[Floats
     )
 
 
-def _weld(rim: Floats, width: float, start: int, side: float) -> tuple[Floats, Ints, Floats, Floats]:
+def _weld(rim: Floats, width: float, start: int, side: float) -> tuple[Floats, Ints, Floats]:
     """The flat band outside a rim (k, 2), seen from the front (side 1) or from the back (-1)."""
     ahead = np.roll(rim, -1, axis=0) - np.roll(rim, 1, axis=0)
     for _ in range(2):
@@ -101,7 +113,7 @@ def _weld(rim: Floats, width: float, start: int, side: float) -> tuple[Floats, I
     )
     if side < 0.0:
         quads = quads[:, ::-1]
-    return points, (quads + start).astype(np.int32), np.tile([0.0, 0.0, side], (2 * len(rim), 1)), _WELD
+    return points, (quads + start).astype(np.int32), np.tile([0.0, 0.0, side], (2 * len(rim), 1))
 
 
 def _vertex_normals(positions: Floats, triangles: Ints) -> Floats:
