@@ -3,12 +3,12 @@
 
 from __future__ import annotations
 
-from BalloonWorkbench.app import status
+from BalloonWorkbench.app import pattern_shape, status
 from BalloonWorkbench.app.host import is_replaying
+from BalloonWorkbench.app.pattern_shape import DIRECTION, PLACE
 from BalloonWorkbench.app.properties import Property, show_in_editor
 from BalloonWorkbench.app.stateless import DocumentProxy
 
-DIRECTION, PLACE = "Direction", "Place on the seam"
 #: What the weight of a balloon depends on.
 _WEIGHS = ("SealWidth", "Allowance", "Intake", "IntakeKind", "IntakeWidth", "IntakeLength", "TieTab")
 _MOST_MADE = 8
@@ -120,7 +120,7 @@ class PatternProxy(DocumentProxy):
             return
         with status.reported(obj, has_result):
             _work_out(obj)
-            show(obj, sheet(obj))
+            pattern_shape.show(obj, sheet(obj), kind_of(obj).note if obj.Intake else "")
             status.set_status(obj, status.READY)
         obj.positionBySupport()
 
@@ -266,52 +266,3 @@ def sheet(obj):
     from BalloonWorkbench.core.pattern.make import sheet_of
 
     return sheet_of(build(obj), values(obj))
-
-
-def show(obj, pattern) -> None:
-    """Write a pattern into the object: the sheets to cut out first, then welds and marks."""
-    import math
-
-    import Part
-
-    from BalloonWorkbench.core.pattern.pattern import Role
-    from BalloonWorkbench.core.units import to_mm
-
-    cuts = _nested(pattern.of(Role.CUT), pattern.of(Role.CUT_INNER))
-    beside = (Role.SEAL, Role.WELD, Role.MARK, Role.ENGRAVE)
-    lines = [contour for role in beside for contour in pattern.of(role)]
-    faces = [Part.Face([_wire(obj, each) for each in sheet]) for sheet in cuts]
-    obj.Shape = Part.makeCompound([*faces, *(_wire(obj, line) for line in lines)])
-    obj.Roles = [contour.role.value for contour in (*(each for sheet in cuts for each in sheet), *lines)]
-    obj.SeamLength = to_mm(pattern.seam_length)
-    obj.PatternWidth, obj.PatternHeight = (to_mm(length) for length in pattern.size)
-    obj.Warnings = list(pattern.warnings)
-    obj.HowToFill = kind_of(obj).note if obj.Intake else ""
-    if pattern.intake is not None and (obj.IntakeAuto or obj.IntakeBy == PLACE):
-        obj.IntakeAngle = math.degrees(pattern.intake.angle)
-    if pattern.intake is not None and (obj.IntakeAuto or obj.IntakeBy == DIRECTION):
-        obj.IntakeAlong = to_mm(pattern.intake.along)
-
-
-def _wire(obj, contour):
-    from BalloonWorkbench.app import shapes
-    from BalloonWorkbench.core.pattern.arcs import fit_curve
-    from BalloonWorkbench.core.pattern.curves import polyline
-
-    if not obj.Arcs:
-        return shapes.curve_wire(polyline(contour.points, contour.closed))
-    fitted = fit_curve(contour.points, contour.closed)
-    return shapes.spline_wire(fitted) if obj.Splines else shapes.curve_wire(fitted)
-
-
-def _nested(outer, inner) -> list:
-    """Each outer cut with the inner ones that lie in it and in no smaller one."""
-    from BalloonWorkbench.core.outline.crossings import contains
-    from BalloonWorkbench.core.outline.outline import signed_area
-
-    smallest_first = sorted(outer, key=lambda cut: abs(signed_area(cut.points)))
-    holes = {id(cut): [] for cut in outer}
-    for hole in inner:
-        around = [cut for cut in smallest_first if contains(cut.points, hole.points[:1])[0]]
-        holes[id(around[0])].append(hole)
-    return [[cut, *holes[id(cut)]] for cut in outer]
