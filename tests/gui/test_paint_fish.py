@@ -193,8 +193,8 @@ def reopened(doc, path, beat):
     doc.saveAs(path)
     App.closeDocument(doc.Name)
     again = App.openDocument(path)
-    beat.skip()  # FreeCAD writes and reads a file in one go
     hands.wait(0.2)
+    beat.reset()  # FreeCAD writes, reads and shows a file in one go
     return again
 
 
