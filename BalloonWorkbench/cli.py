@@ -9,20 +9,18 @@ import json
 import math
 import sys
 from collections.abc import Sequence
-from typing import Any, NoReturn, TextIO
+from typing import Any, TextIO
 
-from BalloonWorkbench import __version__, cli_making, cli_pattern
+from BalloonWorkbench import cli_making, cli_pattern
+from BalloonWorkbench.cli_options import parser
 from BalloonWorkbench.core.design.size_goal import SizeGoal
 from BalloonWorkbench.core.errors import BalloonError, InputError
 from BalloonWorkbench.core.export.fabricate import checked_files
-from BalloonWorkbench.core.export.machine import machine, machines
-from BalloonWorkbench.core.export.machine_pdf import TILES
-from BalloonWorkbench.core.export.results import FORMATS
-from BalloonWorkbench.core.film.filling import DEFAULT_GAS, Filling, gas, gases
+from BalloonWorkbench.core.export.machine import machine
+from BalloonWorkbench.core.film.filling import Filling, gas
 from BalloonWorkbench.core.film.film import Film
-from BalloonWorkbench.core.film.library import DEFAULT_FILM, custom_film, film, films, with_grain
+from BalloonWorkbench.core.film.library import DEFAULT_FILM, custom_film, film, with_grain
 from BalloonWorkbench.core.job import (
-    DEFAULT_PRESSURE,
     Balloon,
     Settings,
     files,
@@ -30,9 +28,7 @@ from BalloonWorkbench.core.job import (
     make_balloon,
 )
 from BalloonWorkbench.core.outline.raster import opencv
-from BalloonWorkbench.core.outline.symmetry import AUTO, CHOICES
-from BalloonWorkbench.core.solver.backend import SOLVERS
-from BalloonWorkbench.core.solver.model import BENDING_FLOOR, Model
+from BalloonWorkbench.core.solver.model import Model
 from BalloonWorkbench.core.units import (
     parse_length,
     parse_mass,
@@ -47,7 +43,7 @@ DOCUMENT = "balloon.FCStd"
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run a command; 0 when all files are written, 2 with one line on stderr when something is wrong."""
     try:
-        options = _parser().parse_args(arguments)
+        options = parser().parse_args(arguments)
         return _run(options)
     except BalloonError as error:
         sys.stderr.write(f"balloon: {' '.join(str(error).split())}\n")
@@ -55,150 +51,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except KeyboardInterrupt:
         sys.stderr.write("\nballoon: stopped; no file was written.\n")
         return 130
-
-
-class _Parser(argparse.ArgumentParser):
-    """An argument parser whose complaints are one line."""
-
-    def error(self, message: str) -> NoReturn:
-        raise InputError(f"{message}. See --help.")
-
-
-def _parser() -> argparse.ArgumentParser:
-    parser = _Parser(prog="python -m BalloonWorkbench", description="Designs balloons from film.")
-    parser.add_argument("--version", action="version", version=__version__)
-    commands = parser.add_subparsers(dest="command", required=True, parser_class=_Parser)
-    for name, purpose in (
-        ("design", "correct the pattern until the inflated silhouette is the drawing"),
-        ("inflate", "inflate the outline as it is; it is the pattern"),
-    ):
-        command = commands.add_parser(name, help=purpose, description=f"{purpose[0].upper()}{purpose[1:]}.")
-        command.add_argument(
-            "input", metavar="INPUT", help="PNG, JPEG or BMP picture, or SVG, DXF or JSON outline"
-        )
-        command.add_argument("--out", metavar="DIR", required=True, help="folder for the files")
-        _add_size(command)
-        load = command.add_mutually_exclusive_group()
-        load.add_argument(
-            "--pressure", metavar="PRESSURE", default=str(DEFAULT_PRESSURE), help="such as 2kPa (the default)"
-        )
-        load.add_argument(
-            "--gas-volume",
-            metavar="VOLUME",
-            help="of gas that is filled in, such as 5l, instead of a pressure, which is found",
-        )
-        command.add_argument(
-            "--material", metavar="NAME", help=f"one of {', '.join(films())} (default {DEFAULT_FILM})"
-        )
-        command.add_argument(
-            "--young", metavar="E", type=float, help="Young's modulus of a film of your own [Pa]"
-        )
-        command.add_argument("--poisson", metavar="NU", type=float, help="its Poisson's ratio")
-        command.add_argument("--thickness", metavar="T", type=float, help="its thickness [m]")
-        command.add_argument(
-            "--young-across",
-            metavar="E",
-            type=float,
-            help="modulus across the grain, for films with one [Pa]",
-        )
-        command.add_argument(
-            "--grain", metavar="DEGREES", type=float, help="the grain's angle from the x axis (default 0)"
-        )
-        command.add_argument(
-            "--mesh-size", metavar="LENGTH", help="edge length of the triangles, such as 6mm"
-        )
-        command.add_argument(
-            "--results", choices=FORMATS, help="also write what each triangle does, for ParaView or NumPy"
-        )
-        command.add_argument(
-            "--frames", metavar="N", type=int, help="also write so many frames of the inflation, for ParaView"
-        )
-        _add_machines(command)
-        cli_making.add_making(command)
-        cli_pattern.add_pattern(command)
-        _add_simulation(command)
-    return parser
-
-
-def _add_machines(command: argparse.ArgumentParser) -> None:
-    """Options for files that go straight to a machine."""
-    command.add_argument(
-        "--machine",
-        metavar="NAME",
-        action="append",
-        default=[],
-        help=f"also write what it reads: {', '.join(machines())}, or a .json file; may be repeated",
-    )
-    command.add_argument(
-        "--tiled",
-        metavar="PAPER",
-        choices=TILES,
-        help="also write a PDF to print on several A4, A3 or Letter",
-    )
-
-
-def _add_size(command: argparse.ArgumentParser) -> None:
-    """What decides the size: lengths of the drawing, or what the balloon has to hold or to carry."""
-    command.add_argument("--width", metavar="LENGTH", help="of the drawing, such as 300mm or 12in")
-    command.add_argument(
-        "--height", metavar="LENGTH", help="of the drawing; with --width it fits inside both"
-    )
-    goal = command.add_mutually_exclusive_group()
-    goal.add_argument(
-        "--target-volume",
-        metavar="LITRES",
-        help="instead of a width: make it so large that it holds this, such as 10 or 0.5ft3",
-    )
-    goal.add_argument(
-        "--target-lift",
-        metavar="GRAMS",
-        help="instead of a width: make it so large that it carries this besides itself, such as 5 or 0.1N",
-    )
-    command.add_argument(
-        "--gas",
-        metavar="NAME",
-        default=DEFAULT_GAS,
-        help=f"that fills it: {', '.join(gases())} (default {DEFAULT_GAS})",
-    )
-    command.add_argument(
-        "--gas-temperature", metavar="T", help="such as 80C; by default that of the air, 80C for warm-air"
-    )
-    command.add_argument("--air-temperature", metavar="T", default="20C", help="around it (default 20C)")
-    command.add_argument("--altitude", metavar="LENGTH", default="0m", help="above the sea (default 0m)")
-    command.add_argument(
-        "--symmetry",
-        choices=CHOICES,
-        default=AUTO,
-        help="auto (the default) evens out a picture that is nearly mirror symmetric, force any drawing",
-    )
-
-
-def _add_simulation(command: argparse.ArgumentParser) -> None:
-    """Options for comparisons."""
-    group = command.add_argument_group("simulation")
-    solver = group.add_mutually_exclusive_group()
-    solver.add_argument(
-        "--solver",
-        choices=SOLVERS,
-        help="native (the usual one) and numpy are one method; newmark follows the inflation in time, slowly",
-    )
-    solver.add_argument(
-        "--no-native", action="store_const", const="numpy", dest="solver", help="same as --solver numpy"
-    )
-    group.add_argument(
-        "--plain-shell", action="store_true", help="film that carries compression instead of wrinkling"
-    )
-    group.add_argument("--no-bending", action="store_true", help="film without bending stiffness")
-    group.add_argument(
-        "--bending-floor",
-        metavar="D",
-        type=float,
-        default=BENDING_FLOOR,
-        help=f"least bending stiffness in p w^3, w the typical width (default {BENDING_FLOOR:g})",
-    )
-    group.add_argument(
-        "--two-panels", action="store_true", help="both panels, instead of one and its mirror image"
-    )
 
 
 def _run(options: argparse.Namespace) -> int:

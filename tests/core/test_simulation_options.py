@@ -35,7 +35,7 @@ def run(tmp_path_factory: pytest.TempPathFactory):
 
     @cache
     def report(*words: str) -> dict[str, Any]:
-        options = cli._parser().parse_args(
+        options = cli.parser().parse_args(
             ["inflate", str(drawing), "--out", "out", "--mesh-size", "16mm", *words]
         )
         return make_balloon(drawing, cli._settings(options)).report
