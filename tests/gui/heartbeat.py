@@ -52,9 +52,9 @@ class Heartbeat:
     def most(self):
         return max(self._works)
 
-    def answers(self):
-        """The window has answered all the time."""
-        return max(self.work, self.own, 0.5 * self.most) < LIMIT
+    def answers(self, new_view=False):
+        """The window has answered all the time, but for the first picture of a new view."""
+        return max(self.work, self.own) < LIMIT and (new_view or self.most < 2.0 * LIMIT)
 
     @property
     def own(self):
