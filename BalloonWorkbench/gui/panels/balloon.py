@@ -96,8 +96,9 @@ class BalloonPanel:
 
     def _box(self, kind, obj, changed):
         """The box of a page, with its values: a field that is shown without writes what it has."""
-        box = kind(obj)
-        box.refresh()
+        with self._doing():
+            box = kind(obj)
+            box.refresh()
         box.changed.connect(changed)
         if hasattr(box, "refused"):
             box.refused.connect(lambda text: self.result.show_message(text, warning=True))
