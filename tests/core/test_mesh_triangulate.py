@@ -134,11 +134,12 @@ def test_same_input_same_mesh() -> None:
 def test_seams_are_evenly_spaced_in_loop_order(name: str) -> None:
     size = size_for(NAMED[name], 1000)
     panel = triangulate(NAMED[name], size)
-    for seam in panel.seams:
+    for number, seam in enumerate(panel.seams):
         here = panel.rest_positions[seam]
         steps = np.linalg.norm(np.roll(here, -1, axis=0) - here, axis=1)
         assert steps.max() < 1.25 * steps.min()
-        assert np.abs(steps / size - 1.0).max() < 0.2
+        wanted = size if number == 0 else 0.25 * size  # the rim of a hole is finer
+        assert np.abs(steps / wanted - 1.0).max() < 0.2
 
 
 @pytest.mark.parametrize("name", ["square", "star", "L", "wedge", "spiky"])

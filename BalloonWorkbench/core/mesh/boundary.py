@@ -49,7 +49,7 @@ def seam_points(loops: tuple[Floats, ...], field: SizeField) -> tuple[tuple[Floa
                 " separate the parts that meet there.",
                 (float(place[0]), float(place[1])),
             )
-        field = SizeField(field.size, (*field.groups, (closer, place[None])))
+        field = field.limited(place[None], np.array([closer]))
         seams = tuple(_resampled(loop, field) for loop in loops)
     return seams, field
 

@@ -21,6 +21,9 @@ _CHANNEL_SHARE, _TIP_SHARE = 0.25, 0.5
 _MOST_SAMPLES = 20_000
 #: Growth of the size with distance.
 _GRADING = 0.25
+#: The pull of the film on a hole gathers in a line along its rim, narrower than an element (a ring's volume is
+#: 1.2 % too small on even elements, 0.6 % with these): their size there, and how it grows.
+_HOLE_SHARE, _HOLE_GRADING = 0.25, 0.35
 _SAMPLES_PER_SIZE = 6.0
 #: More vertices are surely a slip of the unit.
 _MOST_VERTICES = 1_000_000
@@ -30,32 +33,32 @@ _MOST_VERTICES = 1_000_000
 class SizeField:
     """Wanted edge length: `size`, limited by sources whose influence fades with distance.
 
-    groups  pairs of (edge length [m], points (k, 2) where it is needed)
+    groups  (edge length [m], points (k, 2) where it is needed, growth of the size with the distance from them)
     """
 
     size: float
-    groups: tuple[tuple[float, Floats], ...] = ()
+    groups: tuple[tuple[float, Floats, float], ...] = ()
 
     @property
     def smallest(self) -> float:
         """Smallest edge length anywhere [m]."""
-        return min([self.size, *(length for length, _ in self.groups)])
+        return min([self.size, *(length for length, *_ in self.groups)])
 
     def at(self, points: Floats) -> Floats:
         """Edge lengths (n,) at points (n, 2)."""
         sizes = np.full(len(points), self.size)
-        for length, sources in self.groups:
-            reach = (self.size - length) / _GRADING
+        for length, sources, grading in self.groups:
+            reach = (self.size - length) / grading
             distance, _ = kd_tree(sources).query(points, distance_upper_bound=reach)
-            np.minimum(sizes, length + _GRADING * distance, out=sizes)
+            np.minimum(sizes, length + grading * distance, out=sizes)
         return sizes
 
-    def limited(self, points: Floats, lengths: Floats) -> SizeField:
+    def limited(self, points: Floats, lengths: Floats, grading: float = _GRADING) -> SizeField:
         """The field with further sources: at points (n, 2) at most lengths (n,)."""
         needed = lengths < 0.97 * self.size
         # Rounded down to quarter octaves: a lookup is then a few tree queries.
         step = np.ceil(4.0 * np.log2(self.size / lengths[needed]) - 1e-9).astype(int)
-        groups = [(self.size * 2.0 ** (-k / 4.0), points[needed][step == k]) for k in np.unique(step)]
+        groups = [(self.size * 2.0 ** (-k / 4.0), points[needed][step == k], grading) for k in np.unique(step)]
         return SizeField(self.size, (*self.groups, *groups))
 
 
@@ -82,6 +85,10 @@ def size_field(outline: Outline, size: float, rough: bool = False) -> SizeField:
     for loop in outline.loops:  # a small hole still gets eight edges
         points = sampled(loop, size)
         field = field.limited(points, np.full(len(points), arc_lengths(loop)[-1] / 8.0))
+    if not rough:
+        for hole in outline.holes:
+            rim = sampled(hole, size / _SAMPLES_PER_SIZE)
+            field = field.limited(rim, np.full(len(rim), _HOLE_SHARE * size), _HOLE_GRADING)
     return _beside_welds(outline, field)
 
 
