@@ -152,8 +152,9 @@ def paint(window, beat, pointer):
     press("PaintBrush")
     press(f"PaintColour{RED}")
     for stripe in fish.STRIPES:
+        before = len(live.delays)
         draw_for_real(pointer, canvas, stripe)
-        hands.wait(0.4)
+        hands.wait_until(lambda before=before: len(live.delays) > before, 30)
     press("PaintPen")
     press(f"PaintColour{BLACK}")
     for line in (fish.EYE, fish.PUPIL, fish.MOUTH):
@@ -163,7 +164,7 @@ def paint(window, beat, pointer):
     beat.skip()
     assert painted_in_view(image, window.mapToGlobal(window.rect().topRight()).x() + 20)
     assert doc.Objects == []  # the document waits
-    assert len(live.delays) >= 5
+    assert len(live.delays) >= len(fish.STRIPES)
     return list(live.delays)
 
 
