@@ -197,6 +197,17 @@ def test_smallest_radius() -> None:
     assert any("radius is 0.2" in finding.text for finding in findings)
 
 
+def test_a_slight_bend_has_no_radius_to_follow() -> None:
+    """A square with a side that bends by 8 degrees within 0.1 mm: a tool of 0.3 mm is 0.0007 mm off there."""
+    bend = np.radians(np.linspace(0.0, 8.0, 5))
+    low = 0.05 + np.cumsum(np.stack([np.cos(bend), -np.sin(bend)], axis=1) * 2.5e-5, axis=0)[:, 0]
+    drop = -np.cumsum(np.sin(bend) * 2.5e-5)
+    end = np.array([0.1, drop[-1] - (0.1 - low[-1]) * np.tan(bend[-1])])
+    loop = np.array([[0.0, 0.0], *np.stack([low, drop], axis=1), end, [0.1, 0.1], [0.0, 0.1]])
+    findings = preflight(pattern_of(Contour(Role.CUT, loop, True)), machine("lightburn"))
+    assert not any("radius" in finding.text for finding in findings)
+
+
 def test_bed_in_both_units() -> None:
     tall = pattern_of(Contour(Role.CUT, SQUARE * [3.0, 5.5], True))
     (turned,) = preflight(tall, machine("lightburn"))

@@ -24,6 +24,8 @@ _SPACING = from_mm(0.25)
 _WAY_ROUND = 3.0
 #: Share of the tolerance with which a radius that is too small is measured once more.
 _FINE = 0.25
+#: Half of a turn beyond which a bend is as good as a corner [rad].
+_SHARPEST = 1.4
 _CUTS = (Role.CUT_INNER, Role.CUT)
 #: Lines whose bends matter to a machine that only welds; to one that cuts they are marks.
 _WELDS = (Role.SEAL, Role.WELD)
@@ -100,12 +102,12 @@ def _radius(contours: list[Contour], machine: Machine) -> list[Finding]:
     """The tightest bend between corners; corners themselves are meant."""
     least: tuple[float, Floats] | None = None
     for contour in contours:
-        radius, place = _tightest(contour, TOLERANCE)
+        radius, place = _tightest(contour, TOLERANCE, machine.least_radius)
         if radius < machine.least_radius:
-            radius, place = _tightest(contour, _FINE * TOLERANCE)
+            radius, place = _tightest(contour, _FINE * TOLERANCE, machine.least_radius)
         if least is None or radius < least[0]:
             least = radius, place
-    if least is None or least[0] >= machine.least_radius:
+    if least is None or least[0] >= machine.least_radius - TOLERANCE:
         return []
     return [
         Finding(
@@ -117,11 +119,21 @@ def _radius(contours: list[Contour], machine: Machine) -> list[Finding]:
     ]
 
 
-def _tightest(contour: Contour, tolerance: float) -> tuple[float, Floats]:
-    """The smallest radius of a contour, and where it is."""
+def _tightest(contour: Contour, tolerance: float, followed: float) -> tuple[float, Floats]:
+    """The smallest radius of a contour, and where it is.
+
+    Bends do not count that a tool which follows some radius [m] leaves by less than the curves' tolerance.
+    """
     curve = fit_curve(contour.points, contour.closed, tolerance)
-    number = int(np.argmin(curve.radii))
-    return float(curve.radii[number]), curve.starts[number]
+    radii, turns = curve.radii, curve.turns
+    together = turns.copy()  # neighbouring tight arcs are one bend
+    tight = (radii < followed) & (np.append(False, turns[1:] * turns[:-1] > 0.0))
+    for k in np.flatnonzero(tight & np.append(False, radii[:-1] < followed)):
+        together[k] += together[k - 1]
+    half = np.minimum(0.5 * np.abs(together), _SHARPEST)
+    counts = (followed - np.minimum(radii, followed)) * (1.0 / np.cos(half) - 1.0) > TOLERANCE
+    number = int(np.argmin(np.where(counts | (radii >= followed), radii, np.inf)))
+    return float(radii[number]), curve.starts[number]
 
 
 def _gap(contours: list[Contour], machine: Machine) -> list[Finding]:
