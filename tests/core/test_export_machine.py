@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
 
@@ -198,14 +199,12 @@ def test_smallest_radius() -> None:
 
 
 def test_a_slight_bend_has_no_radius_to_follow() -> None:
-    """A square with a side that bends by 8 degrees within 0.1 mm: a tool of 0.3 mm is 0.0007 mm off there."""
-    bend = np.radians(np.linspace(0.0, 8.0, 5))
-    low = 0.05 + np.cumsum(np.stack([np.cos(bend), -np.sin(bend)], axis=1) * 2.5e-5, axis=0)[:, 0]
-    drop = -np.cumsum(np.sin(bend) * 2.5e-5)
-    end = np.array([0.1, drop[-1] - (0.1 - low[-1]) * np.tan(bend[-1])])
-    loop = np.array([[0.0, 0.0], *np.stack([low, drop], axis=1), end, [0.1, 0.1], [0.0, 0.1]])
-    findings = preflight(pattern_of(Contour(Role.CUT, loop, True)), machine("lightburn"))
-    assert not any("radius" in finding.text for finding in findings)
+    """Two arcs that meet at 22 degrees: a tool that follows 0.5 mm passes those tips 0.007 mm beside."""
+    turn = np.radians(np.linspace(-79.0, 79.0, 159))
+    side = 0.01 * np.stack([np.cos(turn), np.sin(turn)], axis=1) - [0.01 * np.cos(turn[0]), 0.0]
+    lens = np.concatenate([side[:-1], -side[:-1]])
+    tool = replace(machine("inkscape"), least_radius=0.0005)
+    assert preflight(pattern_of(Contour(Role.CUT, lens, True)), tool) == ()
 
 
 def test_bed_in_both_units() -> None:
