@@ -188,15 +188,15 @@ def _fill(parts: Parts, path: Path, width: float, solved: Solved, pause) -> list
     pause()
     everyone = [parts, *create.companions(parts)]
     for each, request, design, told in zip(everyone, solved.requests, solved.designs, solved.told):
-        each.outline.recompute()
+        parts.outline.Document.recompute([each.outline])
         pause()
         if status.is_ready(each.outline):
             wanted = balloon.request(each.balloon)
             if wanted.key() == request.key():  # else its own values differ, and the recompute solves it
                 balloon.show(each.balloon, wanted, design, told)
                 pause()
-                each.balloon.recompute()
+                parts.outline.Document.recompute([each.balloon])
                 pause()
-                each.pattern.recompute()
+                parts.outline.Document.recompute([each.pattern])
         pause()
     return everyone
