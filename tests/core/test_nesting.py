@@ -160,6 +160,33 @@ def test_every_machine_takes_the_sheet(monkeypatch: pytest.MonkeyPatch) -> None:
     assert len([line for line in lines if line.dxf.layer == "CUT"]) == 3
 
 
+@pytest.mark.parametrize("package", [nesting.PACKAGE, "no_such_package"])
+def test_small_pieces_lie_in_holes(package: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Front and back of a small heart in the rings, 3 mm from them, with the grain of both along the film."""
+    monkeypatch.setattr(nesting, "PACKAGE", package)
+    ring = build_pattern(NAMED["ring"].map(lambda loop: 0.8 * loop), 0.004, intake=False)
+    heart = build_pattern(NAMED["heart"].map(lambda loop: 0.15 * loop), 0.004, intake=False)
+    pieces = [Piece(ring, 1, 1, math.radians(50.0)), Piece(heart, 1, 1, math.radians(20.0))]
+    (layout,), _ = nest(pieces, Stock(0.4), lambda share, text: share < 0.02)
+    (alone,), _ = nest(pieces[:1], Stock(0.4), lambda share, text: share < 0.02)
+    assert layout.length == pytest.approx(alone.length, abs=1e-6)
+    assert layout.utilisation > alone.utilisation
+    assert [(place.piece, place.mirrored) for place in layout.places] == [
+        (0, False), (0, True), (1, False), (1, True)
+    ]  # fmt: skip
+    sheet = layout.pattern(pieces)
+    cuts = sorted((shapely.Polygon(cut.points) for cut in sheet.of(Role.CUT)), key=lambda cut: cut.area)
+    holes = [shapely.Polygon(cut.points) for cut in sheet.of(Role.CUT_INNER)]
+    for small in cuts[:2]:
+        (hole,) = (each for each in holes if each.contains(small))
+        assert hole.exterior.distance(small) >= 0.003 - 1e-9
+    for place in layout.places:
+        own = pieces[place.piece].grain
+        assert math.sin((math.pi - own if place.mirrored else own) + place.angle) == pytest.approx(
+            0.0, abs=1e-6
+        )
+
+
 def test_back_leaves_out_what_only_the_front_has() -> None:
     (cut,) = HEART.of(Role.CUT)
     hole = replace(cut, role=Role.CUT_INNER, points=0.1 * cut.points, front=True)

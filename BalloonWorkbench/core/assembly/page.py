@@ -154,7 +154,7 @@ def _pattern(axes: Any, pattern: Pattern, box: tuple[float, float, float, float]
             axes.fill(*points.T, color="#ffffff", lw=0.0)
         dashed = contour.role in (Role.SEAL, Role.WELD)
         style = {"ls": (0, (4.0, 2.0))} if dashed else {}
-        thin = 0.5 if contour.role is Role.ENGRAVE else 0.9
+        thin = 0.25 if contour.role is Role.ENGRAVE else 0.9
         axes.plot(*points.T, color=LAYERS[contour.role].rgb, lw=thin, solid_joinstyle="round", **style)
     (x0, y0), (x1, y1) = place(low), place(high)
     width, height = high - low

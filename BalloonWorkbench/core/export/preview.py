@@ -177,7 +177,8 @@ def _pattern(axes: Any, patterns: Sequence[Pattern]) -> None:
         axes.fill(*points.T, color=color)
     for path in sheet.paths:
         welded = path.role in (Role.SEAL, Role.WELD)
-        style: dict[str, Any] = {"lw": 1.0, "ls": (0, (5, 2))} if welded else {"lw": 1.5}
+        thick = 0.4 if path.role is Role.ENGRAVE else 1.5  # small letters stay open
+        style: dict[str, Any] = {"lw": 1.0, "ls": (0, (5, 2))} if welded else {"lw": thick}
         axes.plot(*_drawn(path, frame).T, color=LAYERS[path.role].rgb, solid_joinstyle="round", **style)
     low, high = frame(np.zeros(2)), frame(np.array([sheet.width, sheet.height]))
     _dimension(axes, (low[0], low[1] - 26), (high[0], low[1] - 26), f"{sheet.width:.0f} mm")

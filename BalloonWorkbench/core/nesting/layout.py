@@ -17,6 +17,9 @@ from BalloonWorkbench.core.pattern.pattern import Pattern, Role
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import from_mm, mm_text
 
+#: One piece of a kind: number of the piece, and whether it is the back.
+Unit = tuple[int, bool]
+
 SPACING = from_mm(3.0)
 _MOST_COPIES = 200
 _MOST_FILM = 20.0  # m

@@ -20,7 +20,17 @@ from typing import Any
 import numpy as np
 
 from BalloonWorkbench.core.errors import Cancelled, InputError, SolverError
-from BalloonWorkbench.core.nesting.layout import Layout, Piece, Place, Stock, check, layout_of, outline_of
+from BalloonWorkbench.core.nesting.holes import into_holes, with_guests
+from BalloonWorkbench.core.nesting.layout import (
+    Layout,
+    Piece,
+    Place,
+    Stock,
+    Unit,
+    check,
+    layout_of,
+    outline_of,
+)
 from BalloonWorkbench.core.nesting.rows import in_rows
 from BalloonWorkbench.core.types import Progress, no_progress
 from BalloonWorkbench.core.units import from_mm, to_mm
@@ -41,26 +51,27 @@ _LOOK = 0.05  # s
 #: A signal that nobody else uses; none is ever sent from outside.
 _SIGNAL = getattr(signal, "SIGUSR1", None) or signal.SIGTERM
 
-#: One piece of a kind: number of the piece, and whether it is the back.
-Unit = tuple[int, bool]
-
 
 def nest(
     pieces: Sequence[Piece], stock: Stock, progress: Progress = no_progress
 ) -> tuple[tuple[Layout, ...], tuple[str, ...]]:
     """Layouts of all pieces, one for each sheet or one for a roll, and remarks for the user.
 
+    What fits into the hole of another piece lies there.
+
     When progress says stop, the best layout so far is taken. Raises InputError for what cannot be laid out,
     Cancelled when it is stopped before there is any layout.
     """
     check(pieces, stock)
-    units = _units(pieces)
+    units, guests = into_holes(pieces, stock, _units(pieces))
     if importlib.util.find_spec(PACKAGE) is None:
-        layouts = tuple(layout_of(stock, pieces, places) for places in in_rows(pieces, stock, units))
-        return layouts, (ROWS_NOTE,)
+        rows = in_rows(pieces, stock, units)
+        return tuple(layout_of(stock, pieces, with_guests(places, guests)) for places in rows), (ROWS_NOTE,)
     if stock.length is None:
-        return (layout_of(stock, pieces, _strip(pieces, stock, units, None, progress)[0]),), ()
-    return tuple(_sheets(pieces, stock, units, progress)), ()
+        places, _ = _strip(pieces, stock, units, None, progress)
+        return (layout_of(stock, pieces, with_guests(places, guests)),), ()
+    layouts = _sheets(pieces, stock, units, progress)
+    return tuple(layout_of(stock, pieces, with_guests(layout.places, guests)) for layout in layouts), ()
 
 
 def _units(pieces: Sequence[Piece]) -> list[Unit]:
