@@ -9,8 +9,8 @@ from BalloonWorkbench.app.pattern_shape import DIRECTION, PLACE
 from BalloonWorkbench.app.properties import Property, show_in_editor
 from BalloonWorkbench.app.stateless import DocumentProxy
 
-#: What the weight of a balloon depends on.
-_WEIGHS = ("SealWidth", "Allowance", "Intake", "IntakeKind", "IntakeWidth", "IntakeLength", "TieTab")
+#: What the weight of a balloon depends on, in small letters.
+_WEIGHS = {"sealwidth", "allowance", "intake", "intakekind", "intakewidth", "intakelength", "tietab"}
 _MOST_MADE = 8
 _made: dict = {}  # the last patterns, by what they were made from
 
@@ -94,7 +94,7 @@ class PatternProxy(DocumentProxy):
             return
         if name in followed:
             self.follow_intake(obj)
-        if name in _WEIGHS and obj.Balloon is not None and not is_replaying(obj.Document):
+        if name.lower() in _WEIGHS and obj.Balloon is not None and not is_replaying(obj.Document):
             obj.Balloon.touch()  # it tells what it weighs, and may have its size from that
 
     def follow_intake(self, obj):
