@@ -4,12 +4,13 @@
 from __future__ import annotations
 
 import pytest
-from drawn_shapes import LETTERS, NAMED, letter
+from drawn_shapes import LETTERS, NAMED, generated, letter
 
 from BalloonWorkbench.core.design.fit import fit
 from BalloonWorkbench.core.film.library import film
 from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.outline.sampling import arc_lengths
 
 SHAPES: dict[str, Outline] = {**{name: letter(name) for name in LETTERS}, "ring": NAMED["ring"]}
 LIMIT = 0.006  # of the larger dimension, for the mean error
@@ -24,3 +25,15 @@ def test_holes_inflate_to_the_drawing(name: str) -> None:
     assert len(design.silhouette.holes) == len(drawing.holes)
     assert design.residual.mean < LIMIT * max(drawing.size)
     assert design.residual.p95 < 3.0 * LIMIT * max(drawing.size)
+
+
+def test_small_holes_stay_open_and_keep_their_rim() -> None:
+    """Film is taut round a hole, whose rim so needs the length that is drawn."""
+    drawing = generated(19)
+    mesh_size = size_for(drawing.map(lambda loop: 1.28 * loop), 800)
+    design = fit(drawing, film("mylar"), 2000.0, mesh_size=mesh_size)
+    assert design.inflation.report.converged
+    assert design.residual.mean < 0.0015 * max(drawing.size)
+    assert len(design.silhouette.holes) == 3
+    for drawn, made in zip(drawing.holes, design.pattern.holes, strict=True):
+        assert arc_lengths(made)[-1] == pytest.approx(arc_lengths(drawn)[-1], rel=0.05)

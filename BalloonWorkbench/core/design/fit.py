@@ -115,8 +115,7 @@ def fit(
     best: Pass | None = None
     last: Pass | None = None
     previous: Pass | None = None  # whose mesh may still serve
-    exact = AT_REST if target.holes else None  # round holes film may fold this way or that
-    settings = exact if edge == fine else None
+    settings = None
     stalled = passes = meshes = halvings = steps = 0
     while True:
         shown = _part(progress, passes)
@@ -165,8 +164,10 @@ def fit(
             stalled = 0
         previous = last
         if edge > fine and (found <= CLOSE * size or stalled):
-            edge, previous, best, stalled, settings = fine, None, None, 0, exact
+            edge, previous, best, stalled = fine, None, None, 0
             mixing, hopes = AndersonMixing(GAIN), Hopes(course, size)
+        elif settings is None and target.holes and (found <= CLOSE * size or stalled):
+            settings, best, stalled = AT_REST, None, 0  # round holes film may fold this way or that
     if best is None:
         raise MeshError(
             "The pattern becomes too thin for its mesh. Widen the thin parts, or use a finer mesh."
