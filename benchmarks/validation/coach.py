@@ -22,7 +22,7 @@ from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.outline.picture import read_picture
 
 FIRST, SHAPES = 2000, 240  # seeds; the constants in core/coach come from those below
-FITTED = 48  # of these once more, with the pattern corrected
+FITTED = 200  # of these once more, with the pattern corrected
 #: What makes a finding of a rule true in the simulation.
 TRUE_WHEN = {
     "thin_arm": f"in its middle thinner than two seals ({1e3 * SEALS:.0f} mm) or a fifth of the balloon",

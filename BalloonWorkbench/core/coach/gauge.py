@@ -33,9 +33,11 @@ AT_TIPS, FITTED_AT_TIPS = 0.91, 1.0
 #: median, L the size. A twisted bar has its stress peaks where Prandtl's function u is steep; here the
 #: numbers are those of the validation study.
 PEAK, PEAK_POWER = 1.72, 1.6
-#: With a corrected pattern c^0.74 of a peak c remains, times 1.21, and less where the notch is round: by
-#: exp(-7.8 r / L) with its radius r. From 75 shapes of the study, with seeds of their own.
-FITTED_PEAK, FITTED_PEAK_POWER, FITTED_ROUND = 1.21, 0.74, 7.8
+#: With a corrected pattern it is another one, since the film is larger where it is thin: with these powers of
+#: g / L, m / L and the part A / L^2 of the square that is filled, falling by e for so much puffiness and for
+#: such a radius / L of the notch. From 225 shapes of the study, with seeds of their own.
+FITTED_PEAK, FITTED_SLOPE, FITTED_MEDIAN, FITTED_FILLED = 3900.0, 1.84, 0.72, -1.07
+FITTED_PUFFED, FITTED_ROUND = 1.0 / 4.53, 1.0 / 4.45
 VERTICES = 400  # of the mesh for a prediction
 STEPS = 33  # along a line across the balloon
 
@@ -112,11 +114,13 @@ class Predicted(Gauge):
         """Mean tension round a place over the median."""
         near = _near(self._centres, place, reach)
         mean = float(self._slope[near] @ self._areas[near] / self._areas[near].sum())
-        as_cut = PEAK * (mean / self._size) ** 2 / (self._median / self._size) ** PEAK_POWER
+        steep, usual = mean / self._size, self._median / self._size
         if not self._fitted:
-            return as_cut
-        round_off = float(np.exp(-FITTED_ROUND * radius / self._size))
-        return float(FITTED_PEAK * as_cut**FITTED_PEAK_POWER * round_off)
+            return PEAK * steep**2 / usual**PEAK_POWER
+        filled = float(self._areas.sum()) / self._size**2
+        fall = self.puffiness / FITTED_PUFFED + radius / self._size / FITTED_ROUND
+        powers = steep**FITTED_SLOPE * usual**FITTED_MEDIAN * filled**FITTED_FILLED
+        return float(FITTED_PEAK * powers * np.exp(-fall))
 
 
 class Measured(Gauge):
