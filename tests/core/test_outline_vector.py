@@ -299,6 +299,7 @@ def test_small_gaps_of_a_dxf_are_closed_and_noted(tmp_path):
         (lambda space: space.add_text("Hello"), "no closed line"),
         (lambda space: space.add_lwpolyline([(0, 0), (10, 0), (20, 0)], close=True), "no closed line"),
         (lambda space: space.add_circle((0, 0), 2e5), "between 1 mm and 100 m"),
+        (lambda space: space.add_arc((0, 0), 1e30, 0, 360), "endless arc"),
     ],
 )
 def test_bad_dxf_is_refused(draw, message, tmp_path):

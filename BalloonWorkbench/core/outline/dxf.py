@@ -116,6 +116,16 @@ def _flatten(entity: Any, tolerance: float) -> Iterator[Iterable[Any]]:
             yield from _flatten(part, tolerance)
     elif kind in {"ARC", "CIRCLE"}:
         if entity.dxf.radius > 0:
+            _refuse_endless(entity, tolerance)
             yield entity.flattening(min(tolerance, entity.dxf.radius))
     else:
         yield entity.flattening(tolerance)
+
+
+def _refuse_endless(arc: Any, tolerance: float) -> None:
+    """ezdxf asks for the room of all points of an arc before it gives the first."""
+    turn = 360.0
+    if arc.dxftype() == "ARC":
+        turn = (arc.dxf.end_angle - arc.dxf.start_angle) % 360.0 or 360.0
+    if np.radians(turn) * np.sqrt(arc.dxf.radius / (8.0 * tolerance)) > _MOST_POINTS:
+        raise InputError("The DXF file has an endless arc. Leave only the outline and its holes in it.")
