@@ -16,7 +16,7 @@ class Heartbeat:
 
     longest  s by the clock between two beats: other programs of a busy machine are in it
     work     s of the processor that the window's own thread worked between two beats, at most but for one
-    most     that one: the first picture of a new 3D view takes longer where no graphics card draws it
+    most     that one: the first pictures of a new 3D view take longer where no graphics card draws them
     own      s between two beats, or what this process with all its threads can account for: a window that
              waits for a thread of ours is deaf by our doing. All beats but one in a hundred
 
@@ -34,7 +34,7 @@ class Heartbeat:
 
     def reset(self):
         self.longest = 0.0
-        self._works, self._owns = [0.0, 0.0], [0.0]
+        self._works, self._owns = [0.0, 0.0, 0.0], [0.0]
         self.skip()
 
     def skip(self):
@@ -53,8 +53,10 @@ class Heartbeat:
         return max(self._works)
 
     def answers(self, new_view=False):
-        """The window has answered all the time, but for the first picture of a new view."""
-        return max(self.work, self.own) < LIMIT and (new_view or self.most < 2.0 * LIMIT)
+        """The window has answered all the time, but for the first two pictures of a new view."""
+        if new_view:
+            return max(sorted(self._works)[-3], self.own) < LIMIT
+        return max(self.work, self.own, 0.5 * self.most) < LIMIT
 
     @property
     def own(self):
