@@ -213,18 +213,16 @@ def _first(course: Course, target: Outline, mesh_size: float | None, room: float
     panel = _meshed(target, edge)
     shift = grown(panel)
     shift -= shift[np.concatenate(panel.seams)].mean(axis=0)
-    fields = [
+    fields = tuple(
         node.field(shift[seam], drawing, SMOOTHING * edge)
         for node, seam, drawing in zip(seam_nodes(course, panel), panel.seams, course.drawing, strict=True)
-    ]
-    # film is taut round a hole, whose rim neither grows nor shrinks: it moves as a whole
-    fields[1:] = [np.broadcast_to(field.mean(axis=0), field.shape) for field in fields[1:]]
+    )
     flat = panel.rest_positions
     lines = [
         line.corrected(flat[weld], flat[weld] - shift[weld], edge, max(target.size))
         for line, weld in zip(course.lines, panel.welds, strict=True)
     ]
-    return replace(course, lines=tuple(lines)).moved(tuple(fields), TIP * edge, room)
+    return replace(course, lines=tuple(lines)).moved(fields, TIP * edge, room)
 
 
 def _meshed(outline: Outline, edge: float) -> Panel:

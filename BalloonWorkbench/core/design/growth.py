@@ -5,7 +5,7 @@ Over the drawing stands a dome like that of the inflated film. Film is taut down
 must be as long there as the dome is: displacements d with e . grad(d) e = sqrt(1 + slope^2) - 1 down the
 slopes e, by least squares. Across them film is as slack as it likes, but where it would have to stretch, as
 round a hole, that counts as well. A disc grows by 1.31, an arm by 1.51 of its width (exact: pi / 2), the arms
-of a star also lengthwise.
+of a star also lengthwise. Holes move as a whole.
 """
 
 from __future__ import annotations
@@ -63,4 +63,7 @@ def grown(panel: Panel) -> Floats:
         if np.array_equal(stretched, short):
             break
         short = stretched
-    return found.reshape(-1, 2)
+    moves = found.reshape(-1, 2)
+    for hole in panel.seams[1:]:  # film is taut round a hole: its rim neither grows nor shrinks
+        moves[hole] = moves[hole].mean(axis=0)
+    return moves
