@@ -81,7 +81,7 @@ def test_a_fish_from_the_first_stroke_to_the_cutter(doc, window, beat, pointer, 
     press("PaintMake")
     hands.wait_until(is_closed, 60)
     hands.wait_until(hands.panel_is_open)
-    record("making", beat)
+    record("making", beat, new_view=True)  # the first pictures of the objects
     assert doc.UndoNames == ["Paint a balloon"]
     assert_made(doc, 250)
     assert is_painting(doc.Outline.Drawing)
