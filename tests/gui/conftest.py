@@ -59,15 +59,15 @@ def _saved(folder, correct):
 
 
 @pytest.fixture
-def made(rectangle_file, tmp_path):
+def made(rectangle_file, tmp_path_factory):
     """The parts of that balloon in a document of its own, with nothing to undo."""
-    return _opened(rectangle_file, tmp_path)
+    return _opened(rectangle_file, tmp_path_factory.mktemp("document"))
 
 
 @pytest.fixture
-def fitted(fitted_file, tmp_path):
+def fitted(fitted_file, tmp_path_factory):
     """The parts of the fitted one."""
-    return _opened(fitted_file, tmp_path)
+    return _opened(fitted_file, tmp_path_factory.mktemp("document"))
 
 
 def _opened(path, folder):
