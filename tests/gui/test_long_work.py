@@ -73,7 +73,7 @@ def test_nobody_edits_meanwhile(made):
     button = hands.QtWidgets.QPushButton("x", Gui.getMainWindow())
     button.clicked.connect(lambda: pressed.append(1))
     button.show()
-    made.balloon.MeshSize = 2
+    made.balloon.MeshSize = 1.2
     timer = when_shown(lambda: hands.click(button))
     made.balloon.Document.recompute()
     assert not timer.isActive()
