@@ -21,8 +21,8 @@ _CHANNEL_SHARE, _TIP_SHARE = 0.25, 0.5
 _MOST_SAMPLES = 20_000
 #: Growth of the size with distance.
 _GRADING = 0.25
-#: The pull of the film on a hole gathers in a line along its rim, narrower than an element (a ring's volume is
-#: 1.2 % too small on even elements, 0.6 % with these): their size there, and how it grows.
+#: The pull of the film on a hole gathers in a line along its rim, narrower than an element: the size there and
+#: how it grows. (A ring's volume is 1.2 % too small on even elements, 0.6 % with these.)
 _HOLE_SHARE, _HOLE_GRADING = 0.25, 0.35
 _SAMPLES_PER_SIZE = 6.0
 #: More vertices are surely a slip of the unit.
@@ -33,7 +33,7 @@ _MOST_VERTICES = 1_000_000
 class SizeField:
     """Wanted edge length: `size`, limited by sources whose influence fades with distance.
 
-    groups  (edge length [m], points (k, 2) where it is needed, growth of the size with the distance from them)
+    groups  (edge length [m], points (k, 2) where it is needed, growth of the size with their distance)
     """
 
     size: float
@@ -58,8 +58,10 @@ class SizeField:
         needed = lengths < 0.97 * self.size
         # Rounded down to quarter octaves: a lookup is then a few tree queries.
         step = np.ceil(4.0 * np.log2(self.size / lengths[needed]) - 1e-9).astype(int)
-        groups = [(self.size * 2.0 ** (-k / 4.0), points[needed][step == k], grading) for k in np.unique(step)]
-        return SizeField(self.size, (*self.groups, *groups))
+        groups = tuple(
+            (self.size * 2.0 ** (-k / 4.0), points[needed][step == k], grading) for k in np.unique(step)
+        )
+        return SizeField(self.size, self.groups + groups)
 
 
 def size_field(outline: Outline, size: float, rough: bool = False) -> SizeField:
