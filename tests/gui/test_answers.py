@@ -7,12 +7,9 @@ import pytest
 from brush import close_window, open_window
 from heartbeat import Heartbeat
 
-from BalloonWorkbench.gui.paint import ready
-
 
 @pytest.fixture
 def beat():
-    hands.wait_until(lambda: not ready._missing)  # what loads while the window has nothing else to do
     heart = Heartbeat()
     hands.wait(0.1)
     heart.reset()
