@@ -21,8 +21,8 @@ _CHANNEL_SHARE, _TIP_SHARE = 0.25, 0.5
 _MOST_SAMPLES = 20_000
 #: Growth of the size with distance.
 _GRADING = 0.25
-#: The pull of the film on a hole gathers in a line along its rim, narrower than an element: the size there and
-#: how it grows. (A ring's volume is 1.2 % too small on even elements, 0.6 % with these.)
+#: The pull of the film on a hole gathers in a line along its rim, narrower than an element: the size there
+#: and how it grows. (A ring's volume is 1.2 % too small on even elements, 0.6 % with these.)
 _HOLE_SHARE, _HOLE_GRADING = 0.25, 0.35
 _SAMPLES_PER_SIZE = 6.0
 #: More vertices are surely a slip of the unit.
