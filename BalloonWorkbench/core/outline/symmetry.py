@@ -104,10 +104,6 @@ def symmetric(outline: Outline, choice: str, *, drawn: bool) -> Outline:
         return outline
     if outline.welds or outline.spots:
         raise InputError("A drawing with welds inside is not made symmetric: draw it so, and turn this off.")
-    if outline.welds or outline.spots:
-        raise InputError(
-            "A drawing with welds inside cannot be made symmetric: draw it so, and leave the symmetry off."
-        )
     mirror = find_mirror(outline)
     if choice == AUTO and mirror.error > DRAWN:
         return outline
