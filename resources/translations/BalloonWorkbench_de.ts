@@ -687,10 +687,6 @@
         <translation>Ein Eckenfreistich von {0} würde in die Schweißnaht schneiden: einen kleineren Radius oder mehr Zugabe wählen.</translation>
     </message>
     <message>
-        <source>A drawing with welds inside cannot be made symmetric: draw it so, and leave the symmetry off.</source>
-        <translation>Eine Zeichnung mit inneren Schweißnähten kann nicht symmetrisch gemacht werden: sie so zeichnen und die Symmetrie aus lassen.</translation>
-    </message>
-    <message>
         <source>A drawing with welds inside is not made symmetric: draw it so, and turn this off.</source>
         <translation>Eine Zeichnung mit inneren Schweißnähten wird nicht symmetrisch gemacht: sie so zeichnen und dies ausschalten.</translation>
     </message>
@@ -2101,6 +2097,10 @@
     <message>
         <source>The '{0}' of the JSON file are not a list of {1}. {2}</source>
         <translation>„{0}“ der JSON-Datei ist keine Liste von {1}. {2}</translation>
+    </message>
+    <message>
+        <source>The DXF file has an endless arc. Leave only the outline and its holes in it.</source>
+        <translation>Die DXF-Datei hat einen endlosen Bogen. Nur den Umriss und seine Löcher darin lassen.</translation>
     </message>
     <message>
         <source>The DXF file has too many lines. Leave only the outline and its holes in it.</source>

@@ -687,10 +687,6 @@
         <translation>Un alivio de esquinas de {0} cortaría la soldadura: elija un radio menor o un margen mayor.</translation>
     </message>
     <message>
-        <source>A drawing with welds inside cannot be made symmetric: draw it so, and leave the symmetry off.</source>
-        <translation>Un dibujo con soldaduras interiores no se puede hacer simétrico: dibújelo así y deje la simetría desactivada.</translation>
-    </message>
-    <message>
         <source>A drawing with welds inside is not made symmetric: draw it so, and turn this off.</source>
         <translation>Un dibujo con soldaduras interiores no se hace simétrico: dibújelo así y desactive esto.</translation>
     </message>
@@ -2101,6 +2097,10 @@
     <message>
         <source>The '{0}' of the JSON file are not a list of {1}. {2}</source>
         <translation>'{0}' del archivo JSON no es una lista de {1}. {2}</translation>
+    </message>
+    <message>
+        <source>The DXF file has an endless arc. Leave only the outline and its holes in it.</source>
+        <translation>El archivo DXF tiene un arco sin fin. Deje solo el contorno y sus agujeros.</translation>
     </message>
     <message>
         <source>The DXF file has too many lines. Leave only the outline and its holes in it.</source>

@@ -687,10 +687,6 @@
         <translation>Un dégagement d'angle de {0} entamerait la soudure : choisissez un rayon plus petit ou une marge plus large.</translation>
     </message>
     <message>
-        <source>A drawing with welds inside cannot be made symmetric: draw it so, and leave the symmetry off.</source>
-        <translation>Un dessin à soudures intérieures ne peut pas être rendu symétrique : dessinez-le ainsi et laissez la symétrie désactivée.</translation>
-    </message>
-    <message>
         <source>A drawing with welds inside is not made symmetric: draw it so, and turn this off.</source>
         <translation>Un dessin à soudures intérieures n'est pas rendu symétrique : dessinez-le ainsi et désactivez ceci.</translation>
     </message>
@@ -2101,6 +2097,10 @@
     <message>
         <source>The '{0}' of the JSON file are not a list of {1}. {2}</source>
         <translation>'{0}' du fichier JSON n'est pas une liste de {1}. {2}</translation>
+    </message>
+    <message>
+        <source>The DXF file has an endless arc. Leave only the outline and its holes in it.</source>
+        <translation>Le fichier DXF a un arc sans fin. N'y laissez que le contour et ses trous.</translation>
     </message>
     <message>
         <source>The DXF file has too many lines. Leave only the outline and its holes in it.</source>

@@ -687,10 +687,6 @@
         <translation>{0} の角の逃げは溶着線に食い込みます。半径を小さくするか、余白を広くしてください。</translation>
     </message>
     <message>
-        <source>A drawing with welds inside cannot be made symmetric: draw it so, and leave the symmetry off.</source>
-        <translation>内側に溶着線のある図は対称にできません。対称に描き、対称化はオフのままにしてください。</translation>
-    </message>
-    <message>
         <source>A drawing with welds inside is not made symmetric: draw it so, and turn this off.</source>
         <translation>内側に溶着線のある図は対称にしません。対称に描き、この設定をオフにしてください。</translation>
     </message>
@@ -2101,6 +2097,10 @@
     <message>
         <source>The '{0}' of the JSON file are not a list of {1}. {2}</source>
         <translation>JSON ファイルの '{0}' が {1} の一覧ではありません。{2}</translation>
+    </message>
+    <message>
+        <source>The DXF file has an endless arc. Leave only the outline and its holes in it.</source>
+        <translation>DXF ファイルに終わりのない円弧があります。輪郭と穴だけを残してください。</translation>
     </message>
     <message>
         <source>The DXF file has too many lines. Leave only the outline and its holes in it.</source>
