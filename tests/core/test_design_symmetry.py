@@ -22,6 +22,7 @@ from BalloonWorkbench.core.outline.picture import read_picture
 from BalloonWorkbench.core.outline.sampling import resample
 from BalloonWorkbench.core.outline.symmetry import AUTO, Mirror, find_mirror, symmetric
 from BalloonWorkbench.core.pattern.build import build_pattern
+from BalloonWorkbench.core.pattern.fairing import LIMIT
 
 PICTURES = Path(__file__).parents[2] / "resources" / "examples" / "pictures"
 
@@ -72,7 +73,8 @@ def test_welds_and_cuts_are_symmetric_within_their_simplification() -> None:
     pattern = build_pattern(designed(drawing).pattern, 0.005, intake=False)
     for contour in pattern.contours:
         image = Outline(mirror.reflect(contour.points)[::-1])
-        assert residual(Outline(contour.points), image).max < 12e-6
+        # each side within the limit of fairing, whose arcs end elsewhere on the other side
+        assert residual(Outline(contour.points), image).max < 2.0 * LIMIT
 
 
 def test_pattern_of_another_shape_is_left_alone() -> None:
