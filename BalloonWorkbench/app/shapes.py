@@ -16,7 +16,7 @@ from BalloonWorkbench.core.pattern.curves import Curve
 from BalloonWorkbench.core.units import from_mm, to_mm
 
 #: How far a spline may be from the arcs [m], how far it turns [rad], and how often it gets more points.
-_CHORD = from_mm(0.005)
+_CHORD = from_mm(0.001)
 _QUARTER = 1.6
 _TRIALS = 4
 
