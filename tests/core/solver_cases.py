@@ -78,8 +78,9 @@ def _inflated(shape: str, k: float, backend: str, seal_width: float, vertices: i
 
 
 def radii(inflation: Inflation, seam: int) -> Floats:
-    """Distances of the vertices of a seam from the axis."""
-    return np.linalg.norm(inflation.positions[inflation.panel.seams[seam], :2], axis=1)
+    """Distances of the vertices of a seam from their centre."""
+    rim = inflation.positions[inflation.panel.seams[seam], :2]
+    return np.linalg.norm(rim - rim.mean(axis=0), axis=1)
 
 
 def silhouette_radii(inflation: Inflation, rays: int = 720) -> Floats:

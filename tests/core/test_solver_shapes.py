@@ -78,7 +78,7 @@ def test_ring_with_a_sealed_band() -> None:
     Only the band round the hole keeps the ring round. Its crown rises and falls with the scallops of the
     outer rim, which the reference does not have.
     """
-    ring = inflated("ring", 1000, "native", seal_width=0.1)
+    ring = inflated("ring", 10000, "native", seal_width=0.1)
     assert ring.volume == pytest.approx(0.3359562, rel=0.005)
     assert crown(ring) == pytest.approx(0.2971177, rel=0.005)
     assert silhouette_radii(ring).mean() == pytest.approx(0.8498107, rel=0.003)
