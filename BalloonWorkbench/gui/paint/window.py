@@ -194,6 +194,7 @@ class PaintWindow(PaintDock):
         """The painting stays as it is, and nothing is made of it."""
         self.live.drop_study()
         self._not_making()
+        self._is_refused = False  # a look that is still on its way leaves the words
         self.form.tell(translate("Stopped. Your painting is still here."))
 
     def _not_making(self) -> None:
