@@ -87,3 +87,9 @@ def test_tab_goes_where_it_is_told_but_not_into_a_bay() -> None:
     narrow = build_pattern(outline, 0.002, allowance=0.001, intake=False)
     with pytest.raises(InputError, match="another angle"):
         with_tie_tab(narrow, 0.5 * np.pi)
+
+
+@pytest.mark.parametrize("angle", [np.inf, -np.inf, np.nan])
+def test_a_tie_tab_needs_a_direction(angle: float) -> None:
+    with pytest.raises(InputError, match="choose another angle"):
+        with_tie_tab(made("disc"), angle)

@@ -80,6 +80,11 @@ def with_tie_tab(pattern: Pattern, angle: float | None = None) -> Pattern:
     package = shapely()
     if angle is None:
         angle = 0.5 * np.pi if pattern.intake is None else pattern.intake.angle + np.pi
+    elsewhere = InputError(
+        f"The tie tab at {np.degrees(angle):.0f} degrees would run into another part: choose another angle."
+    )
+    if not np.isfinite(angle):
+        raise elsewhere
     direction = np.array([np.cos(angle), np.sin(angle)])
     largest = max(pattern.of(Role.CUT), key=lambda cut: float(polygon(cut.points).area))
     film = polygon(largest.points)
@@ -87,9 +92,6 @@ def with_tie_tab(pattern: Pattern, angle: float | None = None) -> Pattern:
     reach = float(np.hypot(*np.ptp(largest.points, axis=0)))
     met = package.get_coordinates(
         package.LineString([centre, centre + 2.0 * reach * direction]).intersection(film.exterior)
-    )
-    elsewhere = InputError(
-        f"The tie tab at {np.degrees(angle):.0f} degrees would run into another part: choose another angle."
     )
     if not len(met):
         raise elsewhere
