@@ -65,6 +65,8 @@ def _value(obj, name):
         return Path(value).read_bytes() if value else b""
     if hasattr(value, "Edges"):
         return len(value.Edges), round(value.Length, 6), round(value.Area, 6)
+    if obj.getTypeIdOfProperty(name) == "Materials::PropertyMaterial":
+        return value.UUID
     if hasattr(value, "CountFacets"):
         return value.CountFacets, round(value.Volume, 6)
     return str(value)
