@@ -49,7 +49,14 @@ in_freecadcmd() {
 }
 
 gui() {
-    tools/in-window.sh "$scratch/gui" tests/freecad_pytest.py
+    tools/in-window.sh "$scratch/gui" tests/freecad_pytest.py && return
+    # a busy machine can spoil a test with a window: a few that failed are tried once more, by themselves
+    sleep 1
+    local again
+    mapfile -t again < <(grep -aoE '^FAILED tests/[^ ]+' "$log" | cut -d' ' -f2)
+    [ ${#again[@]} -gt 0 ] && [ ${#again[@]} -le 5 ] || return 1
+    echo "== once more, by themselves: ${again[*]}"
+    BALLOON_TESTS="${again[*]}" tools/in-window.sh "$scratch/gui" tests/freecad_pytest.py
 }
 
 pytest_has_ended() {
@@ -71,7 +78,7 @@ check() {
     status=${PIPESTATUS[0]}
     [ "$step" = lint ] || [ "$status" -ne 0 ] || pytest_has_ended "$log" || status=1
     case $step in app | gui) freecad_log_is_clean "$log" || status=1 ;; esac
-    counts=$(grep -aoE '[0-9]+ (passed|failed|skipped|errors?)\b.* in [0-9.]+s' "$log" | tail -n 1)
+    counts=$(grep -aoE '[0-9]+ (passed|failed|skipped|errors?)\b.* in [0-9.]+s' "$log" | paste -sd';')
     [ "$status" -eq 0 ] || word="FAILED ($status)"
     printf '%-5s %-12s %4d s  %s\n' "$step" "$word" $((SECONDS - started)) "$counts" >"$scratch/$step.summary"
     return "$status"
