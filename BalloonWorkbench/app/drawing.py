@@ -7,11 +7,11 @@ import hashlib
 from pathlib import Path
 
 from BalloonWorkbench.app.quantities import metres
+from BalloonWorkbench.core.recent import Recent
 
 _LONGEST_SIDE = 1600  # px; as fine as the engine looks
-_MOST_READ = 8
-_places: dict = {}  # where the shapes are in those
-_read: dict = {}  # shapes of the last pictures by their content: tracing takes a good part of a second
+_read = Recent(8)  # shapes of pictures by their content: tracing takes a good part of a second
+_places = Recent(8)  # where the shapes are in those
 
 
 def read_drawing(path: str, width, height, keep_aspect: bool = True, symmetry: str = "auto"):
@@ -55,8 +55,6 @@ def shapes_in(path: str, wanted, symmetry: str):
     drawing = scale_to(evened(drawing, symmetry, drawn=kind == "picture"), *wanted)
     if kind == "picture":
         _read[key] = drawing, kind
-        for old in list(_read)[:-_MOST_READ]:
-            _read.pop(old, None)
     return drawing, kind
 
 
@@ -81,8 +79,6 @@ def place_in_picture(path: str) -> tuple[float, float, float, float] | None:
     key = _key(Path(path), None, "")
     if key not in _places:
         _places[key] = hooks.work("Looking at the picture", lambda progress: _found_in(path))
-        for old in list(_places)[:-_MOST_READ]:
-            _places.pop(old, None)
     return _places[key]
 
 

@@ -9,9 +9,9 @@ from pathlib import Path
 
 from BalloonWorkbench.app import film_result, size_goal, status
 from BalloonWorkbench.core.errors import ExportError
+from BalloonWorkbench.core.recent import Recent
 
-_MOST_COUNTED = 8
-_counted: dict = {}  # numbers of the last balloons by all that they come from
+_counted = Recent(8)  # numbers of balloons by all that they come from
 
 
 def numbers(parts, exact: bool = True):
@@ -70,8 +70,6 @@ def _count(key, inflation, own, seam, panel, wanted, width: float, filling, exac
         at_pressure=again if exact else None,
     )
     _counted[key] = found
-    for old in list(_counted)[:-_MOST_COUNTED]:
-        _counted.pop(old, None)
     return found
 
 

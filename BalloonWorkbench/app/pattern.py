@@ -8,11 +8,11 @@ from BalloonWorkbench.app.host import is_replaying
 from BalloonWorkbench.app.pattern_shape import DIRECTION, PLACE
 from BalloonWorkbench.app.properties import Property, show_in_editor
 from BalloonWorkbench.app.stateless import DocumentProxy
+from BalloonWorkbench.core.recent import Recent
 
 #: What the weight of a balloon depends on, in small letters.
 _WEIGHS = {"sealwidth", "allowance", "intake", "intakekind", "intakewidth", "intakelength", "tietab"}
-_MOST_MADE = 8
-_made: dict = {}  # the last patterns, by what they were made from
+_made = Recent(8)  # patterns, by what they were made from
 
 PROPERTIES = (
     Property("Link", "Balloon", "Pattern", "The balloon that is cut from this pattern"),
@@ -256,8 +256,6 @@ def made(seam, seal_width: float, wanted):
     key = lines, len(seam.loops), len(seam.spots), seal_width, wanted
     if key not in _made:
         _made[key] = make_pattern(seam, seal_width, wanted)
-        for old in list(_made)[:-_MOST_MADE]:
-            _made.pop(old, None)
     return _made[key]
 
 

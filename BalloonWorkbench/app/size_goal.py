@@ -8,6 +8,7 @@ its origin: the Outline stays as it is, the Balloon and its Pattern have the siz
 from __future__ import annotations
 
 from BalloonWorkbench.app.properties import Property, show_in_editor
+from BalloonWorkbench.core.recent import Recent
 
 WIDTH, VOLUME, LIFT = "Width", "Volume", "Lift"
 GASES = {"Helium": "helium", "Hydrogen": "hydrogen", "Warm air": "warm-air"}
@@ -41,8 +42,7 @@ RESULTS = (
 )
 
 
-_MOST_WEIGHTS = 8
-_weights: dict = {}
+_weights = Recent(8)
 
 
 def follow(obj) -> None:
@@ -118,8 +118,6 @@ def film_and_valve(seam, film, wanted) -> tuple[float, float]:
     key = _weight_key(seam, film, wanted)
     if key not in _weights:
         _weights[key] = weight.film_and_valve(seam, film, wanted)
-        for old in list(_weights)[:-_MOST_WEIGHTS]:
-            _weights.pop(old, None)
     return _weights[key]
 
 

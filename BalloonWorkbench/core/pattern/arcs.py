@@ -17,20 +17,20 @@ from BalloonWorkbench.core.pattern.biarc import (
 from BalloonWorkbench.core.pattern.curves import STRAIGHT, Curve, Segment
 from BalloonWorkbench.core.pattern.samples import Samples, sample
 from BalloonWorkbench.core.pattern.stretches import Stretch, heading_at, stretches
+from BalloonWorkbench.core.recent import Recent
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import from_mm
 
 #: How far a curve may be from its polyline, and the polyline from the curve [m].
 TOLERANCE = from_mm(0.02)
 _SPACING = from_mm(0.5)
-#: Digits after the metre at which two polylines have one shape, and how many curves are remembered.
+#: Digits after the metre at which two polylines have one shape.
 _SAME_SHAPE = 10
-_MOST_REMEMBERED = 64
-#: Shares of the tolerance with which the search is tried: what it neglects is small but not nothing.
 #: A stretch of so many points is divided when no search leads through it.
 _DIVISIBLE = 5
 #: How near to an arc its chords are where distances are measured [m].
 _FINE = 0.01 * TOLERANCE
+#: Shares of the tolerance with which the search is tried: what it neglects is small but not nothing.
 _SHARES = (0.97, 0.85, 0.7, 0.5)
 
 
@@ -46,13 +46,11 @@ def fit_curve(points: Floats, closed: bool, tolerance: float = TOLERANCE) -> Cur
     key = shape.tobytes(), closed, tolerance
     if key not in _remembered:
         _remembered[key] = points[0].copy(), _fit(points, closed, tolerance)
-        for old in list(_remembered)[:-_MOST_REMEMBERED]:
-            _remembered.pop(old, None)
     place, curve = _remembered[key]
     return curve if np.array_equal(place, points[0]) else curve.moved(points[0] - place)
 
 
-_remembered: dict[tuple[bytes, bool, float], tuple[Floats, Curve]] = {}
+_remembered: Recent[tuple[bytes, bool, float], tuple[Floats, Curve]] = Recent(64)
 
 
 def _fit(points: Floats, closed: bool, tolerance: float) -> Curve:
