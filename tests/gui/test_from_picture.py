@@ -11,6 +11,7 @@ import pytest
 
 from BalloonWorkbench.app import status
 from BalloonWorkbench.app.balloon import request
+from BalloonWorkbench.gui.panels.preview import Preview
 
 HEART = str(Path("resources/examples/pictures/heart.png").resolve())
 
@@ -246,3 +247,16 @@ def test_each_shape_of_the_drawing_becomes_a_balloon(panel, tmp_path):
     assert names(panel) == ["BalloonGroup", "Outline", "Balloon", "Pattern"]
     hands.press("Cancel")
     assert names(panel) == []
+
+
+def test_preview_comes_to_rest_in_a_panel_of_any_height():
+    area, box, preview = hands.QtWidgets.QScrollArea(), hands.QtWidgets.QWidget(), Preview()
+    hands.QtWidgets.QVBoxLayout(box).addWidget(preview)
+    area.setWidget(box)
+    area.setWidgetResizable(True)
+    for height in range(150, 290, 2):  # where its own height brings the scroll bar, and takes it away
+        area.resize(400, height)
+        area.show()
+        hands.wait(0.005)
+        assert preview.height() >= preview.minimumHeight()
+    area.deleteLater()

@@ -11,6 +11,7 @@ from BalloonWorkbench.gui.sentences import tell
 _MARGIN = 6
 _SIDE = 640  # px that a picture is shown with at most
 _LEAST, _MOST, _FORM = 150, 280, 0.62  # px, px, height over width: a wide panel has a larger picture
+_SWING = 24  # px; a scroll bar that comes and goes with the height changes the width, and would never rest
 
 
 def notes_of(outline) -> str:
@@ -79,7 +80,9 @@ class Preview(QtWidgets.QWidget):
 
     def resizeEvent(self, event):
         super().resizeEvent(event)
-        self.setMinimumHeight(int(min(max(_FORM * self.width(), _LEAST), _MOST)))
+        height = int(min(max(_FORM * self.width(), _LEAST), _MOST))
+        if abs(height - self.minimumHeight()) > _SWING:
+            self.setMinimumHeight(height)
 
     def paintEvent(self, event):
         painter = QtGui.QPainter(self)
