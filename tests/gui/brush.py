@@ -17,6 +17,8 @@ BLUE, YELLOW, RED, BLACK, ORANGE = "#1f78d8", "#ffd21f", "#e01b3c", "#1c1c22", "
 
 def open_window():
     """The paint window, opened by its command."""
+    # FreeCAD 1.1 asks where the pointer really is, and gives events to what floats there
+    hands.QtGui.QCursor.setPos(0, 0)
     Gui.runCommand("BalloonWorkbench_Paint")
     hands.wait_until(lambda: bool(paint_window._open))
     opened = paint_window._open[0]

@@ -14,12 +14,12 @@ _PANEL = 270  # px, width of tree and task panels
 
 
 @contextmanager
-def framed():
-    """FreeCAD's window in the size of the pictures."""
+def framed(size=SIZE):
+    """FreeCAD's window in the size of the pictures, or another."""
     main = Gui.getMainWindow()
     before = main.geometry()
     main.showNormal()
-    main.setGeometry(0, 0, *SIZE)
+    main.setGeometry(0, 0, *size)
     hands.wait(0.2)
     docks = [
         dock

@@ -152,6 +152,17 @@ def test_pressure_of_a_tablet_is_the_width(window):
     assert ink[:, 300].any()
 
 
+def test_nothing_lies_over_the_canvas_of_a_small_window(doc):
+    with framed((1280, 720)):
+        canvas = open_window().canvas
+        hands.wait(0.5)
+        room = canvas.rect().adjusted(2, 2, -2, -2)
+        for y in range(room.top(), room.bottom(), 4):
+            place = canvas.mapToGlobal(hands.QtCore.QPoint(room.right(), y))
+            assert hands.QtWidgets.QApplication.widgetAt(place) is canvas
+        close_window()
+
+
 def test_a_click_widens_an_arm_that_is_too_thin(framed_window):
     window = framed_window
     canvas = window.canvas

@@ -8,6 +8,7 @@ import FreeCADGui as Gui
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, drawn_icon
 
 _SHARE = 0.5  # of the main window
+_NARROW = 150  # px, of a panel beside it
 
 
 class PaintDock(QtWidgets.QDockWidget):
@@ -36,7 +37,7 @@ class PaintDock(QtWidgets.QDockWidget):
         self.setWidget(body)
 
     def reveal(self) -> None:
-        """Show it; the panels beside it become as narrow as they can."""
+        """Show it; the panels beside it become narrow."""
         main = Gui.getMainWindow()
         if self.parent() is None or main.dockWidgetArea(self) == QtCore.Qt.NoDockWidgetArea:
             main.addDockWidget(QtCore.Qt.LeftDockWidgetArea, self, QtCore.Qt.Horizontal)
@@ -49,7 +50,18 @@ class PaintDock(QtWidgets.QDockWidget):
             ]
         self.show()
         self.raise_()
-        main.resizeDocks([self], [int(_SHARE * main.width())], QtCore.Qt.Horizontal)
+        narrow = {dock: min(width, _NARROW) for dock, width in self._neighbours}
+        width = min(int(_SHARE * main.width()), self._free_room(main))
+        main.resizeDocks([*narrow, self], [*narrow.values(), width], QtCore.Qt.Horizontal)
+
+    def _free_room(self, main) -> int:
+        """The width up to the panels that FreeCAD 1.1 lays over its 3D view: they would take the mouse."""
+        floating = main.findChild(QtWidgets.QWidget, "OverlayRight")
+        if floating is None or not floating.isVisible():
+            return main.width()
+        separator = main.style().pixelMetric(QtWidgets.QStyle.PM_DockWidgetSeparatorExtent, None, main)
+        columns = {dock.x(): min(width, _NARROW) for dock, width in self._neighbours}
+        return floating.x() - sum(width + separator for width in columns.values())
 
     def closeEvent(self, event):
         """Put aside; the painting is kept for the next time."""
