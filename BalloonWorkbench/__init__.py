@@ -6,8 +6,8 @@ In FreeCAD the functions of the Python API are here: BalloonWorkbench.from_pictu
 
 _MANIFEST = ("__version__", "__date__")  # of package.xml, the one place for them
 _API = (
-    *("from_picture", "from_sketch", "parts", "change", "findings", "repair"),
-    *("export", "artwork", "nest", "assembly_sheet"),
+    *("from_picture", "from_sketch", "parts", "change", "inflate", "findings", "repair"),
+    *("export", "artwork", "sketch", "nest", "assembly_sheet"),
 )
 
 

@@ -53,6 +53,12 @@ def change(made: Parts, **wanted) -> None:
         made.balloon.Document.recompute()
 
 
+def inflate(made: Parts) -> None:
+    """Inflate a balloon that does not do so by itself, `live` being off; its Status tells what came of it."""
+    if not _done:
+        balloon.inflate_now(made.balloon)
+
+
 def findings(made: Parts) -> list:
     """What the coach says about a balloon, the worst first: rule, severity, text, place and repair."""
     return coach.findings(made)
@@ -109,6 +115,13 @@ def artwork(pattern_obj, **wanted):
     values.assign_to(made, prints.PROPERTIES, wanted)
     made.Document.recompute()
     return made
+
+
+def sketch(pattern_obj):
+    """A new Sketcher sketch of a pattern's cuts, of lines and arcs; InputError while that is not up to date."""
+    from BalloonWorkbench.app.pattern_sketch import make_sketch
+
+    return _done[-1] if _done else make_sketch(pattern_obj)
 
 
 def nest(patterns, sheet=None, **wanted):

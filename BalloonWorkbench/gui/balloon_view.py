@@ -160,11 +160,15 @@ def take_look(vobj) -> None:
 def fill_menu(obj, menu) -> None:
     """What the context menu of a balloon has beside FreeCAD's own."""
     from BalloonWorkbench.app.balloon import inflate_now
+    from BalloonWorkbench.app.parts import parts_of
+    from BalloonWorkbench.gui import record
 
     def inflate(_checked=False):
         obj.Document.openTransaction(translate("Inflate now"))
         inflate_now(obj)
         obj.Document.commitTransaction()
+        if parts_of(obj) is not None:
+            record.call("inflate", f"BalloonWorkbench.parts({record.obj(obj)})")
 
     def run(command: str):
         Gui.Selection.clearSelection()

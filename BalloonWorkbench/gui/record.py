@@ -60,9 +60,19 @@ class Edit:
         self.parts = parts
         self.is_new = before is not None
         self._before = values.texts(parts) if before is None else before
+        self._sketches = self._sketches_now()
 
     def write(self) -> None:
-        """Record the changes, if there are any."""
+        """Record the changes, if there are any, and the sketches that were made of the pattern."""
+        self._write_changes()
+        for sketch in self._sketches_now()[len(self._sketches) :]:
+            call("sketch", obj(self.parts.pattern), result=sketch, name="sketch")
+
+    def _sketches_now(self) -> list:
+        group = self.parts.pattern.getParentGroup()
+        return [one for one in group.Group if one.isDerivedFrom("Sketcher::SketchObject")] if group else []
+
+    def _write_changes(self) -> None:
         changed = {
             name: told for name, told in values.texts(self.parts).items() if self._before.get(name) != told
         }

@@ -126,6 +126,35 @@ create.balloon_from_sketch(App.ActiveDocument, plate, mesh_size=10, correct=Fals
     assert replayed[opened.balloon.Name] == pytest.approx(expected, rel=1e-6)
 
 
+def test_inflate_now_and_a_sketch_of_the_pattern(opened, macro):
+    balloon, doc = opened.balloon, opened.balloon.Document
+    hands.show_tab(hands.find("MakeSketch"))
+    hands.click(hands.find("MakeSketch"))
+    assert not macro, "the panel can still be cancelled"
+    hands.press("Ok")
+    hands.wait_until(hands.panel_is_closed, 60)
+    pattern = f'App.ActiveDocument.getObject("{opened.pattern.Name}")'
+    assert macro[1:] == [f"sketch = BalloonWorkbench.sketch({pattern})"]
+    first = doc.Objects[-1]
+    replay(macro)
+    assert doc.Objects[-1] != first
+    assert doc.Objects[-1].GeometryCount == first.GeometryCount
+    macro.clear()
+    balloon.Live = False
+    balloon.Pressure = 3
+    doc.recompute()
+    menu = hands.QtWidgets.QMenu()
+    balloon.ViewObject.Proxy.setupContextMenu(balloon.ViewObject, menu)
+    menu.actions()[0].trigger()
+    made = f'BalloonWorkbench.parts(App.ActiveDocument.getObject("{balloon.Name}"))'
+    assert macro[1:] == [f"BalloonWorkbench.inflate({made})"]
+    balloon.Pressure = 4
+    doc.recompute()
+    assert balloon.ActivePressure.Value == pytest.approx(3)
+    replay(macro)
+    assert balloon.ActivePressure.Value == pytest.approx(4)
+
+
 def test_from_sketch(doc, macro):
     sketch = sketches.rectangle(doc, 90, 60)
     Gui.Selection.addSelection(sketch)
