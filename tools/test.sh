@@ -33,18 +33,6 @@ engine() {
 }
 
 app() {
-    local failed=0 file
-    # FreeCAD 1.0 and 1.1 crash in one process that has opened and closed some hundred documents
-    if [ -n "${SUITE:-}" ] && [ -z "${BALLOON_TESTS:-}" ]; then
-        for file in tests/app/test_*.py; do
-            BALLOON_TESTS=$file in_freecadcmd || failed=1
-        done
-        return "$failed"
-    fi
-    in_freecadcmd
-}
-
-in_freecadcmd() {
     timeout --kill-after=30 1200 tools/in-freecad.sh "$scratch/app" freecadcmd tests/freecad_pytest.py
 }
 

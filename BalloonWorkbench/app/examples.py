@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import shutil
+import tempfile
 from pathlib import Path
 from typing import NamedTuple
 
@@ -57,6 +59,9 @@ EXAMPLES = (
 
 def open_copy(example: Example):
     """A new document with an example in it; it has no file yet, so that saving asks for one."""
-    doc = App.openDocument(str(example.path))
+    # from a path of its own: FreeCAD remembers which document was opened from where and is not told that it
+    # has no file any more, so the same path again would give it once more, edited, or crash when it was closed
+    with tempfile.TemporaryDirectory() as folder:
+        doc = App.openDocument(shutil.copy(example.path, folder))
     doc.FileName = ""
     return doc

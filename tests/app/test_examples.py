@@ -70,6 +70,22 @@ def test_the_fish_keeps_its_painting():
     App.closeDocument(doc.Name)
 
 
+def test_each_copy_is_fresh_beside_other_documents(doc, tmp_path):
+    """FreeCAD remembers the paths of documents once one with a file is open, also those of closed documents."""
+    ring = example("ring")
+    doc.saveAs(str(tmp_path / "other.FCStd"))
+    first = open_copy(ring)
+    first.Balloon.Label = "edited"
+    second = open_copy(ring)
+    assert second != first
+    assert second.Balloon.Label == "Balloon"
+    for used in (first, second):
+        App.closeDocument(used.Name)
+    third = open_copy(ring)
+    assert [obj.Status for obj in parts(third)] == [status.READY] * 3
+    App.closeDocument(third.Name)
+
+
 def test_saving_a_copy_leaves_the_example_alone(tmp_path):
     ring = example("ring")
     before = ring.path.read_bytes()
