@@ -59,8 +59,8 @@ EXAMPLES = (
 
 def open_copy(example: Example):
     """A new document with an example in it; it has no file yet, so that saving asks for one."""
-    # from a path of its own: FreeCAD remembers which document was opened from where and is not told that it
-    # has no file any more, so the same path again would give it once more, edited, or crash when it was closed
+    # from a path of its own: FreeCAD remembers which document was opened from where, and does not notice that
+    # it has no file any more. The same path would give it once more, as edited, or crash when it was closed
     with tempfile.TemporaryDirectory() as folder:
         doc = App.openDocument(shutil.copy(example.path, folder))
     doc.FileName = ""

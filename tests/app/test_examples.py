@@ -71,7 +71,7 @@ def test_the_fish_keeps_its_painting():
 
 
 def test_each_copy_is_fresh_beside_other_documents(doc, tmp_path):
-    """FreeCAD remembers the paths of documents once one with a file is open, also those of closed documents."""
+    """Once one with a file is open, FreeCAD remembers the paths of all, and forgot to forget closed ones."""
     ring = example("ring")
     doc.saveAs(str(tmp_path / "other.FCStd"))
     first = open_copy(ring)
