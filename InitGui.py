@@ -35,10 +35,11 @@ class BalloonWorkbench(Gui.Workbench):
 def _plug_in():
     """Let the document objects use the window."""
     from BalloonWorkbench.app import hooks
-    from BalloonWorkbench.gui import patience, preferences_page, qt, view
+    from BalloonWorkbench.gui import patience, preferences_page, qt, sentences, view
 
     hooks.dress = view.dress
     hooks.work = patience.work
+    hooks.say = sentences.tell
     Gui.addIconPath(qt.ICONS)
     Gui.addLanguagePath(str(qt.TRANSLATIONS))
     Gui.updateLocale()

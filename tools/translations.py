@@ -29,6 +29,7 @@ OURS, PROPERTY = "BalloonWorkbench", "App::Property"
 #: Files whose texts go into pictures and files, or to developers.
 _SILENT = ("export/preview.py", "export/vtu.py", "export/machine_svg.py", "export/render.py")
 _SILENT += ("export/machine_hpgl.py", "export/machine_pdf.py", "core/report.py", "app/host.py")
+_SILENT += ("assembly/fonts.py",)
 _SPOKEN = ("equipment.py",)  # of the window, but in plain sentences like the engine
 #: Keys of the data files that people read, by folder or file.
 _DATA = {
@@ -37,6 +38,7 @@ _DATA = {
     "machines": ("title", "note"),
     "intakes": ("title", "note"),
     "gases.json": ("title",),
+    "assembly/steps.json": ("text",),
 }
 _WORDS = "words.json"
 _LETTERS = 7  # that a sentence with places must have, to be recognised
@@ -59,7 +61,7 @@ def texts() -> list[Text]:
         found |= set(_named(tree))
         layer = path.relative_to(PACKAGE).parts[0] if PACKAGE in path.parents else ""
         if (layer in ("core", "app") or path.name in _SPOKEN) and not str(path).endswith(_SILENT):
-            found |= {Text(OURS, source, True) for source in _sentences(tree)}
+            found |= {Text(OURS, source, True) for source in (*_sentences(tree), *_said(tree))}
         if layer == "app":
             found |= {Text(OURS, source, True) for source in _choices(tree)}
     found |= {Text(OURS, source, True) for source in _data()}
@@ -86,6 +88,13 @@ def _named(tree: ast.AST) -> Iterator[Text]:
             yield Text(str(given[0]), str(given[1]))
         elif name == "Property" and len(given) > 3 and isinstance(given[3], str):
             yield Text(PROPERTY, given[3])
+
+
+def _said(tree: ast.AST) -> Iterator[str]:
+    """say("..."), what the engine says through a function that it is given."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Call) and getattr(node.func, "id", getattr(node.func, "attr", "")) == "say":
+            yield from (source for source in _forms(node.args[0]) if re.sub(r"{\d+}", "", source))
 
 
 def _sentences(tree: ast.AST) -> Iterator[str]:

@@ -11,6 +11,11 @@ def dress(obj) -> None:
     """Give a document object its view provider; without a window there is none."""
 
 
+def say(text: str) -> str:
+    """A text of the engine in the user's language; without a window it stays English."""
+    return text
+
+
 def work(title: str, job: Callable[..., Any]) -> Any:
     """What job(progress) returns: work inside a recompute that takes a while and touches no document.
 

@@ -76,7 +76,7 @@ def _count(key, inflation, own, seam, panel, wanted, width: float, filling, exac
 def write_assembly(parts, target, paper: str = "A4") -> Path:
     """Write the assembly sheet to a PDF file, or as assembly.pdf into a folder; returns the file.
 
-    Raises ExportError when something is not up to date or cannot be written.
+    In the language of the window. Raises ExportError when something is not up to date or cannot be written.
     """
     from BalloonWorkbench.app import film, hooks
     from BalloonWorkbench.app.pattern import build
@@ -101,7 +101,7 @@ def write_assembly(parts, target, paper: str = "A4") -> Path:
     count = counting(parts)
 
     def page(_progress) -> bytes:
-        return assembly_pdf(Subject(name, own, inflation, pattern, count()), paper)
+        return assembly_pdf(Subject(name, own, inflation, pattern, count()), paper, hooks.say)
 
     write_files(path.parent, {path.name: hooks.work(f"Writing {path.name}", page)})
     return path

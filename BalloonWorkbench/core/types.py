@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Array types and the progress callback shared by all rooms of the core."""
+"""Array types and the callbacks shared by all rooms of the core."""
 
 from __future__ import annotations
 
@@ -19,3 +19,12 @@ Progress = Callable[[float, str], bool]
 def no_progress(fraction: float, text: str) -> bool:
     """Ignore progress and never ask to stop."""
     return True
+
+
+#: Gives a text in the language of the reader.
+Say = Callable[[str], str]
+
+
+def in_english(text: str) -> str:
+    """The text as it is."""
+    return text

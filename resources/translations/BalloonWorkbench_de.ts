@@ -947,6 +947,10 @@
         <translation>In {0} kann nicht geschrieben werden: {1}. Einen anderen Ordner wählen oder dort Platz schaffen.</translation>
     </message>
     <message>
+        <source>Check the size: the 100 mm bar on the cut file or print must measure 100 mm.</source>
+        <translation>Die Größe prüfen: Der Kontrollbalken von 100 mm in Schneidedatei oder Ausdruck muss 100 mm messen.</translation>
+    </message>
+    <message>
         <source>Checked: nothing is in the way.</source>
         <translation>Geprüft: Nichts steht im Weg.</translation>
     </message>
@@ -1021,6 +1025,22 @@
     <message>
         <source>Custom</source>
         <translation>Eigene</translation>
+    </message>
+    <message>
+        <source>Cut out the holes inside.</source>
+        <translation>Die Löcher innen ausschneiden.</translation>
+    </message>
+    <message>
+        <source>Cut two panels from {film}, the second one mirrored, so that the sealing sides face each other.</source>
+        <translation>Zwei Bahnen schneiden ({film}), die zweite gespiegelt, damit die Siegelseiten zueinander liegen.</translation>
+    </message>
+    <message>
+        <source>Cut two panels from {film}, the second one mirrored.</source>
+        <translation>Zwei Bahnen schneiden ({film}), die zweite gespiegelt.</translation>
+    </message>
+    <message>
+        <source>Cut two panels from {film}, the second one mirrored. Lay the grain of both the same way.</source>
+        <translation>Zwei Bahnen schneiden ({film}), die zweite gespiegelt. Die Laufrichtung bei beiden gleich legen.</translation>
     </message>
     <message>
         <source>Cut two strips from thin PE film and weld them together along their two lines; weld one strip to each panel across the neck, along its mark, with the strips' end at the mouth and their sides under the weld; then weld the panels. Fill with a straw: the pressure presses the strips together.</source>
@@ -1139,6 +1159,18 @@
         <translation>Eine geschlossene Linie füllen oder einer Fläche eine andere Farbe geben</translation>
     </message>
     <message>
+        <source>Fill to {pressure} kPa, never above {safe} kPa: film and weld then keep a margin of {margin}.</source>
+        <translation>Bis {pressure} kPa füllen, nie über {safe} kPa: Folie und Naht behalten dann {margin}-fache Reserve.</translation>
+    </message>
+    <message>
+        <source>Fill to {pressure} kPa, which is more than film and weld bear with a margin of {margin}: up to {safe} kPa. Mind your eyes.</source>
+        <translation>Bis {pressure} kPa füllen. Das ist mehr, als Folie und Naht mit {margin}-facher Reserve tragen: bis {safe} kPa. Augen schützen.</translation>
+    </message>
+    <message>
+        <source>Fill with air a little and brush soapy water along the weld: bubbles show leaks. Weld once more there.</source>
+        <translation>Etwas Luft einfüllen und die Naht mit Seifenwasser bestreichen: Blasen zeigen undichte Stellen. Dort noch einmal schweißen.</translation>
+    </message>
+    <message>
         <source>Film</source>
         <translation>Folie</translation>
     </message>
@@ -1243,6 +1275,14 @@
         <translation>Glowforge</translation>
     </message>
     <message>
+        <source>Glue a strip of {seal} mm along the dashed line; leave the mouth of the neck open. Let it dry under a weight.</source>
+        <translation>Entlang der gestrichelten Linie einen Streifen von {seal} mm kleben; die Mündung des Halses offen lassen. Unter einem Gewicht trocknen lassen.</translation>
+    </message>
+    <message>
+        <source>Glue the lines inside the balloon.</source>
+        <translation>Die Linien im Inneren des Ballons kleben.</translation>
+    </message>
+    <message>
         <source>Glue the seams. Stiffer along the web than across it; E is the geometric mean. Does not hold gas for long and creases sharply.</source>
         <translation>Die Nähte kleben. Entlang der Bahn steifer als quer; E ist das geometrische Mittel. Hält Gas nicht lange und knickt scharf.</translation>
     </message>
@@ -1305,6 +1345,10 @@
     <message>
         <source>Inflate with these values and show the balloon</source>
         <translation>Mit diesen Werten aufblasen und den Ballon zeigen</translation>
+    </message>
+    <message>
+        <source>Inflated</source>
+        <translation>Aufgeblasen</translation>
     </message>
     <message>
         <source>Inflating</source>
@@ -1377,6 +1421,14 @@
     <message>
         <source>Lay out on film</source>
         <translation>Auf Folie auslegen</translation>
+    </message>
+    <message>
+        <source>Lay the panels on each other, sealing sides inward. Line them up by the notches or edges; tape outside the cut.</source>
+        <translation>Die Bahnen mit den Siegelseiten nach innen aufeinanderlegen. An Passkerben oder Kanten ausrichten; außerhalb des Schnitts mit Klebeband fixieren.</translation>
+    </message>
+    <message>
+        <source>Lay the panels on each other. Line them up by the notches or edges; tape outside the cut.</source>
+        <translation>Die Bahnen aufeinanderlegen. An Passkerben oder Kanten ausrichten; außerhalb des Schnitts mit Klebeband fixieren.</translation>
     </message>
     <message>
         <source>Layers, millimetres and arcs, to go on drawing.</source>
@@ -1519,6 +1571,10 @@
         <translation>Engstelle, die die Luft drosselt</translation>
     </message>
     <message>
+        <source>Needed</source>
+        <translation>Benötigt</translation>
+    </message>
+    <message>
         <source>Never cut PVC with a laser: it gives off hydrogen chloride, which is toxic and ruins the machine. Weld with high frequency or hot air. Stretches visibly: at 2 kPa the shape depends on the grade and on the pressure.</source>
         <translation>PVC nie mit dem Laser schneiden: Es gibt Chlorwasserstoff ab, der giftig ist und die Maschine zerstört. Mit Hochfrequenz oder Heißluft schweißen. Dehnt sich sichtbar: Bei 2 kPa hängt die Form von der Sorte und vom Druck ab.</translation>
     </message>
@@ -1597,6 +1653,10 @@
     <message>
         <source>Nozzle with flange</source>
         <translation>Stutzen mit Flansch</translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation>Zahlen</translation>
     </message>
     <message>
         <source>OK, then {}</source>
@@ -1697,6 +1757,10 @@
     <message>
         <source>Pattern written to {}</source>
         <translation>Schnittmuster nach {} geschrieben</translation>
+    </message>
+    <message>
+        <source>Pattern, cut two (one mirrored)</source>
+        <translation>Schnittmuster, zweimal schneiden (einmal gespiegelt)</translation>
     </message>
     <message>
         <source>Patterns</source>
@@ -1895,6 +1959,10 @@
         <translation>Sicherer Druck</translation>
     </message>
     <message>
+        <source>Safe to</source>
+        <translation>Sicher bis</translation>
+    </message>
+    <message>
         <source>Save results</source>
         <translation>Ergebnisse speichern</translation>
     </message>
@@ -2005,6 +2073,10 @@
     <message>
         <source>Spacing</source>
         <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
     </message>
     <message>
         <source>Stiffer across the web than along it (up to 4.5 against 2.5 GPa): cut both panels in the same direction. Only grades with a sealing layer weld; the gas barrier is poor.</source>
@@ -2411,6 +2483,10 @@
         <translation>{0} des Umrisses:</translation>
     </message>
     <message>
+        <source>The page will be in English, as no font here has the letters of your language: install IPAexGothic or Noto Sans CJK JP, and open this panel again.</source>
+        <translation>Die Seite wird englisch, denn keine Schrift hat hier die Zeichen Ihrer Sprache: IPAexGothic oder Noto Sans CJK JP installieren und dieses Fenster neu öffnen.</translation>
+    </message>
+    <message>
         <source>The painting cannot be written to '{}': is the disk full?</source>
         <translation>Das Gemalte kann nicht nach „{}“ geschrieben werden: Ist der Datenträger voll?</translation>
     </message>
@@ -2719,6 +2795,10 @@
         <translation>Transparentpapier, 92 g/m²</translation>
     </message>
     <message>
+        <source>Try temperature and time on two scraps: the weld must stretch or tear before it opens.</source>
+        <translation>Temperatur und Zeit an zwei Reststücken ausprobieren: Die Naht muss sich dehnen oder reißen, bevor sie aufgeht.</translation>
+    </message>
+    <message>
         <source>Two circles: change their diameters in the sketch</source>
         <translation>Zwei Kreise: ihre Durchmesser in der Skizze ändern</translation>
     </message>
@@ -2763,8 +2843,20 @@
         <translation>Gewicht</translation>
     </message>
     <message>
+        <source>Weld</source>
+        <translation>Naht</translation>
+    </message>
+    <message>
         <source>Weld TPU to TPU with an iron or hot air, 10 mm wide. Warp and weft are stiff, the bias is soft: the model takes one modulus for all directions. Stiffer after the first inflations.</source>
         <translation>TPU auf TPU mit Eisen oder Heißluft schweißen, 10 mm breit. Kette und Schuss sind steif, die Schräge ist weich: Das Modell nimmt einen Modul für alle Richtungen. Nach den ersten Füllungen steifer.</translation>
+    </message>
+    <message>
+        <source>Weld along the dashed line, {seal} mm wide, all the way round.</source>
+        <translation>Entlang der gestrichelten Linie schweißen, {seal} mm breit, rundherum.</translation>
+    </message>
+    <message>
+        <source>Weld along the dashed line, {seal} mm wide. Leave the mouth of the neck open.</source>
+        <translation>Entlang der gestrichelten Linie schweißen, {seal} mm breit. Die Mündung des Halses offen lassen.</translation>
     </message>
     <message>
         <source>Weld and cut</source>
@@ -2773,6 +2865,14 @@
     <message>
         <source>Weld length</source>
         <translation>Nahtlänge</translation>
+    </message>
+    <message>
+        <source>Weld the lines inside the balloon.</source>
+        <translation>Die Linien im Inneren des Ballons schweißen.</translation>
+    </message>
+    <message>
+        <source>Weld with high frequency along the dashed line, {seal} mm wide. Never cut this film with a laser.</source>
+        <translation>Mit Hochfrequenz entlang der gestrichelten Linie schweißen, {seal} mm breit. Diese Folie nie mit dem Laser schneiden.</translation>
     </message>
     <message>
         <source>Welds easily with an impulse sealer or an iron. Yields at about 9 MPa, half its tensile strength, and creeps: keep the pressure low.</source>
@@ -2899,6 +2999,14 @@
         <translation>Farbindex {0} und Stift {1} von {2} müssen von 1 bis 255 reichen.</translation>
     </message>
     <message>
+        <source>cut</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>cut inside</source>
+        <translation>Schnitt innen</translation>
+    </message>
+    <message>
         <source>does not name its unit</source>
         <translation>nennt ihre Einheit nicht</translation>
     </message>
@@ -2911,8 +3019,12 @@
         <translation>leer: </translation>
     </message>
     <message>
-        <source>film and valve</source>
-        <translation>Folie und Ventil</translation>
+        <source>film</source>
+        <translation>Folie</translation>
+    </message>
+    <message>
+        <source>film and valve weigh {0} g</source>
+        <translation>Folie und Ventil wiegen {0} g</translation>
     </message>
     <message>
         <source>gas</source>
@@ -2947,6 +3059,10 @@
         <translation>aufgeblasen</translation>
     </message>
     <message>
+        <source>inflated {0} × {1} × {2} mm, {3} litres</source>
+        <translation>aufgeblasen {0} × {1} × {2} mm, {3} Liter</translation>
+    </message>
+    <message>
         <source>it would grow together with another part</source>
         <translation>sie würde mit einem anderen Teil zusammenwachsen</translation>
     </message>
@@ -2977,6 +3093,10 @@
     <message>
         <source>lower</source>
         <translation>unten</translation>
+    </message>
+    <message>
+        <source>mark</source>
+        <translation>Markierung</translation>
     </message>
     <message>
         <source>mass</source>
@@ -3071,6 +3191,10 @@
         <translation>der Dateiname „{0}“ darf nur Buchstaben, Ziffern, Leerzeichen, _, - und . haben.</translation>
     </message>
     <message>
+        <source>the film weighs {0} g</source>
+        <translation>die Folie wiegt {0} g</translation>
+    </message>
+    <message>
         <source>the last line of each piece is its CUT.</source>
         <translation>die letzte Linie jedes Stücks ist sein CUT.</translation>
     </message>
@@ -3115,6 +3239,14 @@
         <translation>Warnung</translation>
     </message>
     <message>
+        <source>weld</source>
+        <translation>Naht</translation>
+    </message>
+    <message>
+        <source>weld inside</source>
+        <translation>Naht innen</translation>
+    </message>
+    <message>
         <source>width</source>
         <translation>Breite</translation>
     </message>
@@ -3157,6 +3289,10 @@
     <message>
         <source>{0} dots per inch cannot be printed well: give {1} to {2}.</source>
         <translation>{0} Punkte je Zoll lassen sich nicht gut drucken: {1} bis {2} angeben.</translation>
+    </message>
+    <message>
+        <source>{0} g with valve {1} g</source>
+        <translation>{0} g mit Ventil von {1} g</translation>
     </message>
     <message>
         <source>{0} gap between the lines closed, the widest {1} % of the drawing's width.</source>
@@ -3239,8 +3375,24 @@
         <translation>{0} ist {1}: true oder false schreiben.</translation>
     </message>
     <message>
+        <source>{0} kPa ({1}, margin {2})</source>
+        <translation>{0} kPa ({1}, Reserve {2})</translation>
+    </message>
+    <message>
         <source>{0} left out ({1}).</source>
         <translation>{0} weggelassen ({1}).</translation>
+    </message>
+    <message>
+        <source>{0} lifts {1} g, {2}</source>
+        <translation>{0} trägt {1} g, {2}</translation>
+    </message>
+    <message>
+        <source>{0} litres</source>
+        <translation>{0} Liter</translation>
+    </message>
+    <message>
+        <source>{0} litres, about {1} {2}</source>
+        <translation>{0} Liter, etwa {1} {2}</translation>
     </message>
     <message>
         <source>{0} loose ends of lines were joined to the drawing.</source>
@@ -3251,8 +3403,16 @@
         <translation>{0} m einer {1} mm breiten Rolle</translation>
     </message>
     <message>
+        <source>{0} mm on paper = {1} mm of film</source>
+        <translation>{0} mm auf Papier = {1} mm Folie</translation>
+    </message>
+    <message>
         <source>{0} mm wide, {1} m long</source>
         <translation>{0} mm breit, {1} m lang</translation>
+    </message>
+    <message>
+        <source>{0} m²; wider than the usual roll</source>
+        <translation>{0} m²; breiter als die übliche Rolle</translation>
     </message>
     <message>
         <source>{0} notches are closer than {1}: take fewer.</source>
@@ -3319,24 +3479,24 @@
         <translation>{0}: den Ballon kleiner machen oder eine andere Maschine oder anderes Papier wählen.</translation>
     </message>
     <message>
+        <source>{0}: no, at no size.</source>
+        <translation>{0}: nein, in keiner Größe.</translation>
+    </message>
+    <message>
+        <source>{0}: no. From {1} cm width it would.</source>
+        <translation>{0}: nein. Ab {1} cm Breite schon.</translation>
+    </message>
+    <message>
         <source>{0}: turn the pattern by 90 degrees there.</source>
         <translation>{0}: das Schnittmuster dort um 90 Grad drehen.</translation>
     </message>
     <message>
-        <source>{0}no, at no size.</source>
-        <translation>{0}nein, in keiner Größe.</translation>
-    </message>
-    <message>
-        <source>{0}no. From {1} cm width it would.</source>
-        <translation>{0}nein. Ab {1} cm Breite schon.</translation>
+        <source>{0}: yes, and it carries {1} g.</source>
+        <translation>{0}: ja, und er trägt {1} g.</translation>
     </message>
     <message>
         <source>{0}what is shown is the last good state. Lower the pressure or change the mesh size.</source>
         <translation>{0}gezeigt wird der letzte gute Stand. Den Druck senken oder die Netzweite ändern.</translation>
-    </message>
-    <message>
-        <source>{0}yes, and it carries {1} g.</source>
-        <translation>{0}ja, und er trägt {1} g.</translation>
     </message>
     <message>
         <source>{:.0f} % wrinkled, {:.0f} % slack</source>

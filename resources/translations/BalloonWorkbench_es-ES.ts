@@ -947,6 +947,10 @@
         <translation>No se puede escribir en {0}: {1}. Elija otra carpeta o haga sitio.</translation>
     </message>
     <message>
+        <source>Check the size: the 100 mm bar on the cut file or print must measure 100 mm.</source>
+        <translation>Compruebe el tamaño: la barra de 100 mm del archivo de corte o de la impresión debe medir 100 mm.</translation>
+    </message>
+    <message>
         <source>Checked: nothing is in the way.</source>
         <translation>Comprobado: nada lo impide.</translation>
     </message>
@@ -1021,6 +1025,22 @@
     <message>
         <source>Custom</source>
         <translation>Personalizada</translation>
+    </message>
+    <message>
+        <source>Cut out the holes inside.</source>
+        <translation>Recorte los agujeros interiores.</translation>
+    </message>
+    <message>
+        <source>Cut two panels from {film}, the second one mirrored, so that the sealing sides face each other.</source>
+        <translation>Corte dos paneles ({film}), el segundo reflejado, para que las caras de sellado queden enfrentadas.</translation>
+    </message>
+    <message>
+        <source>Cut two panels from {film}, the second one mirrored.</source>
+        <translation>Corte dos paneles ({film}), el segundo reflejado.</translation>
+    </message>
+    <message>
+        <source>Cut two panels from {film}, the second one mirrored. Lay the grain of both the same way.</source>
+        <translation>Corte dos paneles ({film}), el segundo reflejado. Ponga la fibra de ambos en la misma dirección.</translation>
     </message>
     <message>
         <source>Cut two strips from thin PE film and weld them together along their two lines; weld one strip to each panel across the neck, along its mark, with the strips' end at the mouth and their sides under the weld; then weld the panels. Fill with a straw: the pressure presses the strips together.</source>
@@ -1139,6 +1159,18 @@
         <translation>Rellenar una línea cerrada o dar otro color a una superficie</translation>
     </message>
     <message>
+        <source>Fill to {pressure} kPa, never above {safe} kPa: film and weld then keep a margin of {margin}.</source>
+        <translation>Llene hasta {pressure} kPa, nunca por encima de {safe} kPa: película y soldadura conservan así un margen de {margin}.</translation>
+    </message>
+    <message>
+        <source>Fill to {pressure} kPa, which is more than film and weld bear with a margin of {margin}: up to {safe} kPa. Mind your eyes.</source>
+        <translation>Llene hasta {pressure} kPa. Es más de lo que película y soldadura aguantan con un margen de {margin}: hasta {safe} kPa. Proteja sus ojos.</translation>
+    </message>
+    <message>
+        <source>Fill with air a little and brush soapy water along the weld: bubbles show leaks. Weld once more there.</source>
+        <translation>Meta un poco de aire y pase agua jabonosa por la soldadura: las burbujas muestran las fugas. Vuelva a soldar ahí.</translation>
+    </message>
+    <message>
         <source>Film</source>
         <translation>Película</translation>
     </message>
@@ -1243,6 +1275,14 @@
         <translation>Glowforge</translation>
     </message>
     <message>
+        <source>Glue a strip of {seal} mm along the dashed line; leave the mouth of the neck open. Let it dry under a weight.</source>
+        <translation>Pegue una franja de {seal} mm a lo largo de la línea discontinua; deje abierta la boca del cuello. Deje secar bajo un peso.</translation>
+    </message>
+    <message>
+        <source>Glue the lines inside the balloon.</source>
+        <translation>Pegue las líneas del interior del globo.</translation>
+    </message>
+    <message>
         <source>Glue the seams. Stiffer along the web than across it; E is the geometric mean. Does not hold gas for long and creases sharply.</source>
         <translation>Pegue las costuras. Más rígido a lo largo de la banda que a través; E es la media geométrica. No retiene el gas mucho tiempo y forma pliegues agudos.</translation>
     </message>
@@ -1305,6 +1345,10 @@
     <message>
         <source>Inflate with these values and show the balloon</source>
         <translation>Inflar con estos valores y mostrar el globo</translation>
+    </message>
+    <message>
+        <source>Inflated</source>
+        <translation>Inflado</translation>
     </message>
     <message>
         <source>Inflating</source>
@@ -1377,6 +1421,14 @@
     <message>
         <source>Lay out on film</source>
         <translation>Colocar en la película</translation>
+    </message>
+    <message>
+        <source>Lay the panels on each other, sealing sides inward. Line them up by the notches or edges; tape outside the cut.</source>
+        <translation>Ponga los paneles uno sobre otro, con las caras de sellado hacia dentro. Alinéelos por las muescas o los bordes; sujételos con cinta fuera del corte.</translation>
+    </message>
+    <message>
+        <source>Lay the panels on each other. Line them up by the notches or edges; tape outside the cut.</source>
+        <translation>Ponga los paneles uno sobre otro. Alinéelos por las muescas o los bordes; sujételos con cinta fuera del corte.</translation>
     </message>
     <message>
         <source>Layers, millimetres and arcs, to go on drawing.</source>
@@ -1519,6 +1571,10 @@
         <translation>Cuello que estrangula el paso del aire</translation>
     </message>
     <message>
+        <source>Needed</source>
+        <translation>Necesario</translation>
+    </message>
+    <message>
         <source>Never cut PVC with a laser: it gives off hydrogen chloride, which is toxic and ruins the machine. Weld with high frequency or hot air. Stretches visibly: at 2 kPa the shape depends on the grade and on the pressure.</source>
         <translation>No corte nunca PVC con láser: desprende cloruro de hidrógeno, tóxico y dañino para la máquina. Suelde por alta frecuencia o con aire caliente. Se estira a simple vista: a 2 kPa la forma depende de la calidad y de la presión.</translation>
     </message>
@@ -1597,6 +1653,10 @@
     <message>
         <source>Nozzle with flange</source>
         <translation>Boquilla con brida</translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation>Cifras</translation>
     </message>
     <message>
         <source>OK, then {}</source>
@@ -1697,6 +1757,10 @@
     <message>
         <source>Pattern written to {}</source>
         <translation>Patrón escrito en {}</translation>
+    </message>
+    <message>
+        <source>Pattern, cut two (one mirrored)</source>
+        <translation>Patrón, cortar dos (uno reflejado)</translation>
     </message>
     <message>
         <source>Patterns</source>
@@ -1895,6 +1959,10 @@
         <translation>Presión segura</translation>
     </message>
     <message>
+        <source>Safe to</source>
+        <translation>Seguro hasta</translation>
+    </message>
+    <message>
         <source>Save results</source>
         <translation>Guardar resultados</translation>
     </message>
@@ -2005,6 +2073,10 @@
     <message>
         <source>Spacing</source>
         <translation>Separación</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Pasos</translation>
     </message>
     <message>
         <source>Stiffer across the web than along it (up to 4.5 against 2.5 GPa): cut both panels in the same direction. Only grades with a sealing layer weld; the gas barrier is poor.</source>
@@ -2411,6 +2483,10 @@
         <translation>{0} del contorno:</translation>
     </message>
     <message>
+        <source>The page will be in English, as no font here has the letters of your language: install IPAexGothic or Noto Sans CJK JP, and open this panel again.</source>
+        <translation>La página estará en inglés, pues ningún tipo de letra tiene aquí los caracteres de su idioma: instale IPAexGothic o Noto Sans CJK JP y vuelva a abrir este panel.</translation>
+    </message>
+    <message>
         <source>The painting cannot be written to '{}': is the disk full?</source>
         <translation>La pintura no se puede escribir en «{}»: ¿está lleno el disco?</translation>
     </message>
@@ -2719,6 +2795,10 @@
         <translation>Papel vegetal, 92 g/m²</translation>
     </message>
     <message>
+        <source>Try temperature and time on two scraps: the weld must stretch or tear before it opens.</source>
+        <translation>Pruebe temperatura y tiempo en dos retales: la soldadura debe estirarse o rasgarse antes de abrirse.</translation>
+    </message>
+    <message>
         <source>Two circles: change their diameters in the sketch</source>
         <translation>Dos círculos: cambie sus diámetros en el croquis</translation>
     </message>
@@ -2763,8 +2843,20 @@
         <translation>Peso</translation>
     </message>
     <message>
+        <source>Weld</source>
+        <translation>Soldadura</translation>
+    </message>
+    <message>
         <source>Weld TPU to TPU with an iron or hot air, 10 mm wide. Warp and weft are stiff, the bias is soft: the model takes one modulus for all directions. Stiffer after the first inflations.</source>
         <translation>Suelde TPU con TPU con plancha o aire caliente, 10 mm de ancho. Urdimbre y trama son rígidas, el bies es blando: el modelo toma un módulo para todas las direcciones. Más rígido tras los primeros inflados.</translation>
+    </message>
+    <message>
+        <source>Weld along the dashed line, {seal} mm wide, all the way round.</source>
+        <translation>Suelde a lo largo de la línea discontinua, con {seal} mm de ancho, todo alrededor.</translation>
+    </message>
+    <message>
+        <source>Weld along the dashed line, {seal} mm wide. Leave the mouth of the neck open.</source>
+        <translation>Suelde a lo largo de la línea discontinua, con {seal} mm de ancho. Deje abierta la boca del cuello.</translation>
     </message>
     <message>
         <source>Weld and cut</source>
@@ -2773,6 +2865,14 @@
     <message>
         <source>Weld length</source>
         <translation>Longitud de soldadura</translation>
+    </message>
+    <message>
+        <source>Weld the lines inside the balloon.</source>
+        <translation>Suelde las líneas del interior del globo.</translation>
+    </message>
+    <message>
+        <source>Weld with high frequency along the dashed line, {seal} mm wide. Never cut this film with a laser.</source>
+        <translation>Suelde por alta frecuencia a lo largo de la línea discontinua, con {seal} mm de ancho. No corte nunca esta película con láser.</translation>
     </message>
     <message>
         <source>Welds easily with an impulse sealer or an iron. Yields at about 9 MPa, half its tensile strength, and creeps: keep the pressure low.</source>
@@ -2899,6 +2999,14 @@
         <translation>el índice de color {0} y la pluma {1} de {2} deben ser de 1 a 255.</translation>
     </message>
     <message>
+        <source>cut</source>
+        <translation>corte</translation>
+    </message>
+    <message>
+        <source>cut inside</source>
+        <translation>corte interior</translation>
+    </message>
+    <message>
         <source>does not name its unit</source>
         <translation>no indica su unidad</translation>
     </message>
@@ -2911,8 +3019,12 @@
         <translation>vacío: </translation>
     </message>
     <message>
-        <source>film and valve</source>
-        <translation>película y válvula</translation>
+        <source>film</source>
+        <translation>película</translation>
+    </message>
+    <message>
+        <source>film and valve weigh {0} g</source>
+        <translation>película y válvula pesan {0} g</translation>
     </message>
     <message>
         <source>gas</source>
@@ -2947,6 +3059,10 @@
         <translation>inflado</translation>
     </message>
     <message>
+        <source>inflated {0} × {1} × {2} mm, {3} litres</source>
+        <translation>inflado {0} × {1} × {2} mm, {3} litros</translation>
+    </message>
+    <message>
         <source>it would grow together with another part</source>
         <translation>se uniría con otra parte</translation>
     </message>
@@ -2977,6 +3093,10 @@
     <message>
         <source>lower</source>
         <translation>inferior</translation>
+    </message>
+    <message>
+        <source>mark</source>
+        <translation>marca</translation>
     </message>
     <message>
         <source>mass</source>
@@ -3071,6 +3191,10 @@
         <translation>el nombre de archivo «{0}» solo puede tener letras, dígitos, espacios, _, - y .</translation>
     </message>
     <message>
+        <source>the film weighs {0} g</source>
+        <translation>la película pesa {0} g</translation>
+    </message>
+    <message>
         <source>the last line of each piece is its CUT.</source>
         <translation>la última línea de cada pieza es su CUT.</translation>
     </message>
@@ -3115,6 +3239,14 @@
         <translation>advertencia</translation>
     </message>
     <message>
+        <source>weld</source>
+        <translation>soldadura</translation>
+    </message>
+    <message>
+        <source>weld inside</source>
+        <translation>soldadura interior</translation>
+    </message>
+    <message>
         <source>width</source>
         <translation>anchura</translation>
     </message>
@@ -3157,6 +3289,10 @@
     <message>
         <source>{0} dots per inch cannot be printed well: give {1} to {2}.</source>
         <translation>{0} puntos por pulgada no se imprimen bien: indique de {1} a {2}.</translation>
+    </message>
+    <message>
+        <source>{0} g with valve {1} g</source>
+        <translation>{0} g con válvula de {1} g</translation>
     </message>
     <message>
         <source>{0} gap between the lines closed, the widest {1} % of the drawing's width.</source>
@@ -3239,8 +3375,24 @@
         <translation>{0} es {1}: escriba true o false.</translation>
     </message>
     <message>
+        <source>{0} kPa ({1}, margin {2})</source>
+        <translation>{0} kPa ({1}, margen {2})</translation>
+    </message>
+    <message>
         <source>{0} left out ({1}).</source>
         <translation>{0} omitidas ({1}).</translation>
+    </message>
+    <message>
+        <source>{0} lifts {1} g, {2}</source>
+        <translation>{0} levanta {1} g, {2}</translation>
+    </message>
+    <message>
+        <source>{0} litres</source>
+        <translation>{0} litros</translation>
+    </message>
+    <message>
+        <source>{0} litres, about {1} {2}</source>
+        <translation>{0} litros, unos {1} {2}</translation>
     </message>
     <message>
         <source>{0} loose ends of lines were joined to the drawing.</source>
@@ -3251,8 +3403,16 @@
         <translation>{0} m de un rollo de {1} mm de ancho</translation>
     </message>
     <message>
+        <source>{0} mm on paper = {1} mm of film</source>
+        <translation>{0} mm en papel = {1} mm de película</translation>
+    </message>
+    <message>
         <source>{0} mm wide, {1} m long</source>
         <translation>{0} mm de ancho, {1} m de largo</translation>
+    </message>
+    <message>
+        <source>{0} m²; wider than the usual roll</source>
+        <translation>{0} m²; más ancha que el rollo habitual</translation>
     </message>
     <message>
         <source>{0} notches are closer than {1}: take fewer.</source>
@@ -3319,24 +3479,24 @@
         <translation>{0}: reduzca el globo o elija otra máquina u otro papel.</translation>
     </message>
     <message>
+        <source>{0}: no, at no size.</source>
+        <translation>{0}: no, con ningún tamaño.</translation>
+    </message>
+    <message>
+        <source>{0}: no. From {1} cm width it would.</source>
+        <translation>{0}: no. Desde {1} cm de anchura sí.</translation>
+    </message>
+    <message>
         <source>{0}: turn the pattern by 90 degrees there.</source>
         <translation>{0}: gire ahí el patrón 90 grados.</translation>
     </message>
     <message>
-        <source>{0}no, at no size.</source>
-        <translation>{0}no, con ningún tamaño.</translation>
-    </message>
-    <message>
-        <source>{0}no. From {1} cm width it would.</source>
-        <translation>{0}no. Desde {1} cm de anchura sí.</translation>
+        <source>{0}: yes, and it carries {1} g.</source>
+        <translation>{0}: sí, y levanta {1} g.</translation>
     </message>
     <message>
         <source>{0}what is shown is the last good state. Lower the pressure or change the mesh size.</source>
         <translation>{0}se muestra el último buen estado. Baje la presión o cambie el tamaño de malla.</translation>
-    </message>
-    <message>
-        <source>{0}yes, and it carries {1} g.</source>
-        <translation>{0}sí, y levanta {1} g.</translation>
     </message>
     <message>
         <source>{:.0f} % wrinkled, {:.0f} % slack</source>

@@ -947,6 +947,10 @@
         <translation>Impossible d'écrire dans {0} : {1}. Choisissez un autre dossier, ou libérez de la place.</translation>
     </message>
     <message>
+        <source>Check the size: the 100 mm bar on the cut file or print must measure 100 mm.</source>
+        <translation>Vérifiez la taille : la barre de 100 mm du fichier de coupe ou de l'impression doit mesurer 100 mm.</translation>
+    </message>
+    <message>
         <source>Checked: nothing is in the way.</source>
         <translation>Vérifié : rien ne s'y oppose.</translation>
     </message>
@@ -1021,6 +1025,22 @@
     <message>
         <source>Custom</source>
         <translation>Personnalisé</translation>
+    </message>
+    <message>
+        <source>Cut out the holes inside.</source>
+        <translation>Découpez les trous intérieurs.</translation>
+    </message>
+    <message>
+        <source>Cut two panels from {film}, the second one mirrored, so that the sealing sides face each other.</source>
+        <translation>Coupez deux panneaux ({film}), le second en miroir, pour que les faces soudables se regardent.</translation>
+    </message>
+    <message>
+        <source>Cut two panels from {film}, the second one mirrored.</source>
+        <translation>Coupez deux panneaux ({film}), le second en miroir.</translation>
+    </message>
+    <message>
+        <source>Cut two panels from {film}, the second one mirrored. Lay the grain of both the same way.</source>
+        <translation>Coupez deux panneaux ({film}), le second en miroir, tous deux dans le même sens du film.</translation>
     </message>
     <message>
         <source>Cut two strips from thin PE film and weld them together along their two lines; weld one strip to each panel across the neck, along its mark, with the strips' end at the mouth and their sides under the weld; then weld the panels. Fill with a straw: the pressure presses the strips together.</source>
@@ -1139,6 +1159,18 @@
         <translation>Remplir une ligne fermée, ou changer la couleur d'une surface</translation>
     </message>
     <message>
+        <source>Fill to {pressure} kPa, never above {safe} kPa: film and weld then keep a margin of {margin}.</source>
+        <translation>Gonflez à {pressure} kPa, jamais au-dessus de {safe} kPa : le film et la soudure gardent alors une marge de {margin}.</translation>
+    </message>
+    <message>
+        <source>Fill to {pressure} kPa, which is more than film and weld bear with a margin of {margin}: up to {safe} kPa. Mind your eyes.</source>
+        <translation>Gonflez à {pressure} kPa. C'est plus que ce que film et soudure supportent avec une marge de {margin} : jusqu'à {safe} kPa. Protégez vos yeux.</translation>
+    </message>
+    <message>
+        <source>Fill with air a little and brush soapy water along the weld: bubbles show leaks. Weld once more there.</source>
+        <translation>Mettez un peu d'air et passez de l'eau savonneuse le long de la soudure : des bulles montrent les fuites. Ressoudez à ces endroits.</translation>
+    </message>
+    <message>
         <source>Film</source>
         <translation>Film</translation>
     </message>
@@ -1243,6 +1275,14 @@
         <translation>Glowforge</translation>
     </message>
     <message>
+        <source>Glue a strip of {seal} mm along the dashed line; leave the mouth of the neck open. Let it dry under a weight.</source>
+        <translation>Collez une bande de {seal} mm le long de la ligne en tirets ; laissez l'embouchure du col ouverte. Laissez sécher sous un poids.</translation>
+    </message>
+    <message>
+        <source>Glue the lines inside the balloon.</source>
+        <translation>Collez les lignes à l'intérieur du ballon.</translation>
+    </message>
+    <message>
         <source>Glue the seams. Stiffer along the web than across it; E is the geometric mean. Does not hold gas for long and creases sharply.</source>
         <translation>Collez les coutures. Plus raide dans le sens de la bande qu'en travers ; E est la moyenne géométrique. Ne retient pas longtemps le gaz et se plie vivement.</translation>
     </message>
@@ -1305,6 +1345,10 @@
     <message>
         <source>Inflate with these values and show the balloon</source>
         <translation>Gonfler avec ces valeurs et montrer le ballon</translation>
+    </message>
+    <message>
+        <source>Inflated</source>
+        <translation>Gonflé</translation>
     </message>
     <message>
         <source>Inflating</source>
@@ -1377,6 +1421,14 @@
     <message>
         <source>Lay out on film</source>
         <translation>Disposer sur le film</translation>
+    </message>
+    <message>
+        <source>Lay the panels on each other, sealing sides inward. Line them up by the notches or edges; tape outside the cut.</source>
+        <translation>Posez les panneaux l'un sur l'autre, faces soudables à l'intérieur. Alignez-les par les encoches ou les bords ; fixez-les au ruban adhésif hors de la coupe.</translation>
+    </message>
+    <message>
+        <source>Lay the panels on each other. Line them up by the notches or edges; tape outside the cut.</source>
+        <translation>Posez les panneaux l'un sur l'autre. Alignez-les par les encoches ou les bords ; fixez-les au ruban adhésif hors de la coupe.</translation>
     </message>
     <message>
         <source>Layers, millimetres and arcs, to go on drawing.</source>
@@ -1519,6 +1571,10 @@
         <translation>Col qui étrangle le passage de l'air</translation>
     </message>
     <message>
+        <source>Needed</source>
+        <translation>Nécessaire</translation>
+    </message>
+    <message>
         <source>Never cut PVC with a laser: it gives off hydrogen chloride, which is toxic and ruins the machine. Weld with high frequency or hot air. Stretches visibly: at 2 kPa the shape depends on the grade and on the pressure.</source>
         <translation>Ne coupez jamais le PVC au laser : il dégage du chlorure d'hydrogène, toxique, qui ruine la machine. Soudez par haute fréquence ou à l'air chaud. S'étire visiblement : à 2 kPa la forme dépend de la qualité et de la pression.</translation>
     </message>
@@ -1597,6 +1653,10 @@
     <message>
         <source>Nozzle with flange</source>
         <translation>Buse à collerette</translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation>Chiffres</translation>
     </message>
     <message>
         <source>OK, then {}</source>
@@ -1697,6 +1757,10 @@
     <message>
         <source>Pattern written to {}</source>
         <translation>Patron écrit dans {}</translation>
+    </message>
+    <message>
+        <source>Pattern, cut two (one mirrored)</source>
+        <translation>Patron, à couper deux fois (une fois en miroir)</translation>
     </message>
     <message>
         <source>Patterns</source>
@@ -1895,6 +1959,10 @@
         <translation>Pression sûre</translation>
     </message>
     <message>
+        <source>Safe to</source>
+        <translation>Sûr jusqu'à</translation>
+    </message>
+    <message>
         <source>Save results</source>
         <translation>Enregistrer les résultats</translation>
     </message>
@@ -2005,6 +2073,10 @@
     <message>
         <source>Spacing</source>
         <translation>Espacement</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Étapes</translation>
     </message>
     <message>
         <source>Stiffer across the web than along it (up to 4.5 against 2.5 GPa): cut both panels in the same direction. Only grades with a sealing layer weld; the gas barrier is poor.</source>
@@ -2411,6 +2483,10 @@
         <translation>{0} du contour :</translation>
     </message>
     <message>
+        <source>The page will be in English, as no font here has the letters of your language: install IPAexGothic or Noto Sans CJK JP, and open this panel again.</source>
+        <translation>La page sera en anglais, car aucune police n'a ici les caractères de votre langue : installez IPAexGothic ou Noto Sans CJK JP, puis rouvrez ce panneau.</translation>
+    </message>
+    <message>
         <source>The painting cannot be written to '{}': is the disk full?</source>
         <translation>La peinture ne peut pas être écrite dans « {} » : le disque est-il plein ?</translation>
     </message>
@@ -2719,6 +2795,10 @@
         <translation>Papier calque, 92 g/m²</translation>
     </message>
     <message>
+        <source>Try temperature and time on two scraps: the weld must stretch or tear before it opens.</source>
+        <translation>Essayez température et durée sur deux chutes : la soudure doit s'étirer ou se déchirer avant de s'ouvrir.</translation>
+    </message>
+    <message>
         <source>Two circles: change their diameters in the sketch</source>
         <translation>Deux cercles : changez leurs diamètres dans l'esquisse</translation>
     </message>
@@ -2763,8 +2843,20 @@
         <translation>Masse</translation>
     </message>
     <message>
+        <source>Weld</source>
+        <translation>Soudure</translation>
+    </message>
+    <message>
         <source>Weld TPU to TPU with an iron or hot air, 10 mm wide. Warp and weft are stiff, the bias is soft: the model takes one modulus for all directions. Stiffer after the first inflations.</source>
         <translation>Soudez TPU sur TPU au fer ou à l'air chaud, sur 10 mm. Chaîne et trame sont raides, le biais est souple : le modèle prend un seul module pour toutes les directions. Plus raide après les premiers gonflages.</translation>
+    </message>
+    <message>
+        <source>Weld along the dashed line, {seal} mm wide, all the way round.</source>
+        <translation>Soudez le long de la ligne en tirets, sur {seal} mm de large, tout autour.</translation>
+    </message>
+    <message>
+        <source>Weld along the dashed line, {seal} mm wide. Leave the mouth of the neck open.</source>
+        <translation>Soudez le long de la ligne en tirets, sur {seal} mm de large. Laissez l'embouchure du col ouverte.</translation>
     </message>
     <message>
         <source>Weld and cut</source>
@@ -2773,6 +2865,14 @@
     <message>
         <source>Weld length</source>
         <translation>Longueur de soudure</translation>
+    </message>
+    <message>
+        <source>Weld the lines inside the balloon.</source>
+        <translation>Soudez les lignes à l'intérieur du ballon.</translation>
+    </message>
+    <message>
+        <source>Weld with high frequency along the dashed line, {seal} mm wide. Never cut this film with a laser.</source>
+        <translation>Soudez par haute fréquence le long de la ligne en tirets, sur {seal} mm de large. Ne coupez jamais ce film au laser.</translation>
     </message>
     <message>
         <source>Welds easily with an impulse sealer or an iron. Yields at about 9 MPa, half its tensile strength, and creeps: keep the pressure low.</source>
@@ -2899,6 +2999,14 @@
         <translation>l'indice de couleur {0} et la plume {1} de {2} doivent être de 1 à 255.</translation>
     </message>
     <message>
+        <source>cut</source>
+        <translation>coupe</translation>
+    </message>
+    <message>
+        <source>cut inside</source>
+        <translation>coupe intérieure</translation>
+    </message>
+    <message>
         <source>does not name its unit</source>
         <translation>ne nomme pas son unité</translation>
     </message>
@@ -2911,8 +3019,12 @@
         <translation>vide : </translation>
     </message>
     <message>
-        <source>film and valve</source>
-        <translation>film et valve</translation>
+        <source>film</source>
+        <translation>film</translation>
+    </message>
+    <message>
+        <source>film and valve weigh {0} g</source>
+        <translation>film et valve pèsent {0} g</translation>
     </message>
     <message>
         <source>gas</source>
@@ -2947,6 +3059,10 @@
         <translation>gonflé</translation>
     </message>
     <message>
+        <source>inflated {0} × {1} × {2} mm, {3} litres</source>
+        <translation>gonflé {0} × {1} × {2} mm, {3} litres</translation>
+    </message>
+    <message>
         <source>it would grow together with another part</source>
         <translation>elle se joindrait à une autre partie</translation>
     </message>
@@ -2977,6 +3093,10 @@
     <message>
         <source>lower</source>
         <translation>bas</translation>
+    </message>
+    <message>
+        <source>mark</source>
+        <translation>repère</translation>
     </message>
     <message>
         <source>mass</source>
@@ -3071,6 +3191,10 @@
         <translation>le nom de fichier « {0} » ne peut avoir que lettres, chiffres, espaces, _, - et .</translation>
     </message>
     <message>
+        <source>the film weighs {0} g</source>
+        <translation>le film pèse {0} g</translation>
+    </message>
+    <message>
         <source>the last line of each piece is its CUT.</source>
         <translation>la dernière ligne de chaque pièce est son CUT.</translation>
     </message>
@@ -3115,6 +3239,14 @@
         <translation>avertissement</translation>
     </message>
     <message>
+        <source>weld</source>
+        <translation>soudure</translation>
+    </message>
+    <message>
+        <source>weld inside</source>
+        <translation>soudure intérieure</translation>
+    </message>
+    <message>
         <source>width</source>
         <translation>largeur</translation>
     </message>
@@ -3157,6 +3289,10 @@
     <message>
         <source>{0} dots per inch cannot be printed well: give {1} to {2}.</source>
         <translation>{0} points par pouce s'impriment mal : donnez de {1} à {2}.</translation>
+    </message>
+    <message>
+        <source>{0} g with valve {1} g</source>
+        <translation>{0} g avec une valve de {1} g</translation>
     </message>
     <message>
         <source>{0} gap between the lines closed, the widest {1} % of the drawing's width.</source>
@@ -3239,8 +3375,24 @@
         <translation>{0} est {1} : écrivez true ou false.</translation>
     </message>
     <message>
+        <source>{0} kPa ({1}, margin {2})</source>
+        <translation>{0} kPa ({1}, marge {2})</translation>
+    </message>
+    <message>
         <source>{0} left out ({1}).</source>
         <translation>{0} omises ({1}).</translation>
+    </message>
+    <message>
+        <source>{0} lifts {1} g, {2}</source>
+        <translation>{0} porte {1} g, {2}</translation>
+    </message>
+    <message>
+        <source>{0} litres</source>
+        <translation>{0} litres</translation>
+    </message>
+    <message>
+        <source>{0} litres, about {1} {2}</source>
+        <translation>{0} litres, environ {1} {2}</translation>
     </message>
     <message>
         <source>{0} loose ends of lines were joined to the drawing.</source>
@@ -3251,8 +3403,16 @@
         <translation>{0} m d'un rouleau de {1} mm de large</translation>
     </message>
     <message>
+        <source>{0} mm on paper = {1} mm of film</source>
+        <translation>{0} mm sur le papier = {1} mm de film</translation>
+    </message>
+    <message>
         <source>{0} mm wide, {1} m long</source>
         <translation>{0} mm de large, {1} m de long</translation>
+    </message>
+    <message>
+        <source>{0} m²; wider than the usual roll</source>
+        <translation>{0} m² ; plus large que le rouleau habituel</translation>
     </message>
     <message>
         <source>{0} notches are closer than {1}: take fewer.</source>
@@ -3319,24 +3479,24 @@
         <translation>{0} : réduisez le ballon, ou choisissez une autre machine ou un autre papier.</translation>
     </message>
     <message>
+        <source>{0}: no, at no size.</source>
+        <translation>{0} : non, à aucune taille.</translation>
+    </message>
+    <message>
+        <source>{0}: no. From {1} cm width it would.</source>
+        <translation>{0} : non. À partir de {1} cm de large, si.</translation>
+    </message>
+    <message>
         <source>{0}: turn the pattern by 90 degrees there.</source>
         <translation>{0} : tournez-y le patron de 90 degrés.</translation>
     </message>
     <message>
-        <source>{0}no, at no size.</source>
-        <translation>{0}non, à aucune taille.</translation>
-    </message>
-    <message>
-        <source>{0}no. From {1} cm width it would.</source>
-        <translation>{0}non. À partir de {1} cm de large, si.</translation>
+        <source>{0}: yes, and it carries {1} g.</source>
+        <translation>{0} : oui, et il porte {1} g.</translation>
     </message>
     <message>
         <source>{0}what is shown is the last good state. Lower the pressure or change the mesh size.</source>
         <translation>{0}ce qui est montré est le dernier bon état. Baissez la pression ou changez la taille de maille.</translation>
-    </message>
-    <message>
-        <source>{0}yes, and it carries {1} g.</source>
-        <translation>{0}oui, et il porte {1} g.</translation>
     </message>
     <message>
         <source>{:.0f} % wrinkled, {:.0f} % slack</source>

@@ -947,6 +947,10 @@
         <translation>{0} に書き込めません：{1}。別のフォルダーを選ぶか、空きを作ってください。</translation>
     </message>
     <message>
+        <source>Check the size: the 100 mm bar on the cut file or print must measure 100 mm.</source>
+        <translation>大きさの確認：カット用ファイルや印刷物にある 100 mm の棒を測り、100 mm あることを確かめます。</translation>
+    </message>
+    <message>
         <source>Checked: nothing is in the way.</source>
         <translation>確認しました。問題はありません。</translation>
     </message>
@@ -1021,6 +1025,22 @@
     <message>
         <source>Custom</source>
         <translation>カスタム</translation>
+    </message>
+    <message>
+        <source>Cut out the holes inside.</source>
+        <translation>内側の穴を切り抜きます。</translation>
+    </message>
+    <message>
+        <source>Cut two panels from {film}, the second one mirrored, so that the sealing sides face each other.</source>
+        <translation>フィルムを 2 枚切ります（{film}）。シール面が向かい合うように、2 枚目は反転します。</translation>
+    </message>
+    <message>
+        <source>Cut two panels from {film}, the second one mirrored.</source>
+        <translation>2 枚切ります（{film}）。2 枚目は反転します。</translation>
+    </message>
+    <message>
+        <source>Cut two panels from {film}, the second one mirrored. Lay the grain of both the same way.</source>
+        <translation>2 枚切ります（{film}）。2 枚目は反転します。2 枚の流れ方向をそろえます。</translation>
     </message>
     <message>
         <source>Cut two strips from thin PE film and weld them together along their two lines; weld one strip to each panel across the neck, along its mark, with the strips' end at the mouth and their sides under the weld; then weld the panels. Fill with a straw: the pressure presses the strips together.</source>
@@ -1139,6 +1159,18 @@
         <translation>閉じた線の中を塗る、または面の色を変える</translation>
     </message>
     <message>
+        <source>Fill to {pressure} kPa, never above {safe} kPa: film and weld then keep a margin of {margin}.</source>
+        <translation>{pressure} kPa までふくらませ、{safe} kPa を超えないようにします。フィルムと溶着線に {margin} 倍の余裕が残ります。</translation>
+    </message>
+    <message>
+        <source>Fill to {pressure} kPa, which is more than film and weld bear with a margin of {margin}: up to {safe} kPa. Mind your eyes.</source>
+        <translation>{pressure} kPa までふくらませます。フィルムと溶着線が {margin} 倍の余裕で耐えられる {safe} kPa を超えています。目を守ってください。</translation>
+    </message>
+    <message>
+        <source>Fill with air a little and brush soapy water along the weld: bubbles show leaks. Weld once more there.</source>
+        <translation>空気を少し入れ、溶着線に石けん水を塗ります。泡が出るところは漏れているので、もう一度溶着します。</translation>
+    </message>
+    <message>
         <source>Film</source>
         <translation>フィルム</translation>
     </message>
@@ -1243,6 +1275,14 @@
         <translation>Glowforge</translation>
     </message>
     <message>
+        <source>Glue a strip of {seal} mm along the dashed line; leave the mouth of the neck open. Let it dry under a weight.</source>
+        <translation>破線に沿って幅 {seal} mm で接着します。首の口は開けておきます。重しをのせて乾かします。</translation>
+    </message>
+    <message>
+        <source>Glue the lines inside the balloon.</source>
+        <translation>風船の内側の線を接着します。</translation>
+    </message>
+    <message>
         <source>Glue the seams. Stiffer along the web than across it; E is the geometric mean. Does not hold gas for long and creases sharply.</source>
         <translation>継ぎ目は接着します。流れ方向の方が直角方向より硬く、E は幾何平均です。気体は長く保てず、折り目が鋭くつきます。</translation>
     </message>
@@ -1305,6 +1345,10 @@
     <message>
         <source>Inflate with these values and show the balloon</source>
         <translation>この値でふくらませて風船を表示する</translation>
+    </message>
+    <message>
+        <source>Inflated</source>
+        <translation>ふくらんだ形</translation>
     </message>
     <message>
         <source>Inflating</source>
@@ -1377,6 +1421,14 @@
     <message>
         <source>Lay out on film</source>
         <translation>フィルムに並べる</translation>
+    </message>
+    <message>
+        <source>Lay the panels on each other, sealing sides inward. Line them up by the notches or edges; tape outside the cut.</source>
+        <translation>シール面を内側にして 2 枚を重ねます。合印か縁で位置を合わせ、切り線の外側をテープで留めます。</translation>
+    </message>
+    <message>
+        <source>Lay the panels on each other. Line them up by the notches or edges; tape outside the cut.</source>
+        <translation>2 枚を重ねます。合印か縁で位置を合わせ、切り線の外側をテープで留めます。</translation>
     </message>
     <message>
         <source>Layers, millimetres and arcs, to go on drawing.</source>
@@ -1519,6 +1571,10 @@
         <translation>空気の通りを妨げるくびれ</translation>
     </message>
     <message>
+        <source>Needed</source>
+        <translation>必要量</translation>
+    </message>
+    <message>
         <source>Never cut PVC with a laser: it gives off hydrogen chloride, which is toxic and ruins the machine. Weld with high frequency or hot air. Stretches visibly: at 2 kPa the shape depends on the grade and on the pressure.</source>
         <translation>PVC は絶対にレーザーで切らないでください。有毒で機械を傷める塩化水素が出ます。高周波か熱風で溶着します。目に見えて伸び、2 kPa では形が材質と圧力で変わります。</translation>
     </message>
@@ -1597,6 +1653,10 @@
     <message>
         <source>Nozzle with flange</source>
         <translation>フランジ付きノズル</translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation>数値</translation>
     </message>
     <message>
         <source>OK, then {}</source>
@@ -1697,6 +1757,10 @@
     <message>
         <source>Pattern written to {}</source>
         <translation>型紙を {} に書き出しました</translation>
+    </message>
+    <message>
+        <source>Pattern, cut two (one mirrored)</source>
+        <translation>型紙（2 枚切り、1 枚は反転）</translation>
     </message>
     <message>
         <source>Patterns</source>
@@ -1895,6 +1959,10 @@
         <translation>安全な圧力</translation>
     </message>
     <message>
+        <source>Safe to</source>
+        <translation>安全な圧力</translation>
+    </message>
+    <message>
         <source>Save results</source>
         <translation>結果を保存</translation>
     </message>
@@ -2005,6 +2073,10 @@
     <message>
         <source>Spacing</source>
         <translation>間隔</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>手順</translation>
     </message>
     <message>
         <source>Stiffer across the web than along it (up to 4.5 against 2.5 GPa): cut both panels in the same direction. Only grades with a sealing layer weld; the gas barrier is poor.</source>
@@ -2411,6 +2483,10 @@
         <translation>輪郭の{0}：</translation>
     </message>
     <message>
+        <source>The page will be in English, as no font here has the letters of your language: install IPAexGothic or Noto Sans CJK JP, and open this panel again.</source>
+        <translation>日本語のフォントが見つからないため、ページは英語になります。IPAexGothic か Noto Sans CJK JP をインストールして、このパネルを開き直してください。</translation>
+    </message>
+    <message>
         <source>The painting cannot be written to '{}': is the disk full?</source>
         <translation>絵を「{}」に書き込めません。ディスクがいっぱいではありませんか？</translation>
     </message>
@@ -2719,6 +2795,10 @@
         <translation>トレーシングペーパー、92 g/m²</translation>
     </message>
     <message>
+        <source>Try temperature and time on two scraps: the weld must stretch or tear before it opens.</source>
+        <translation>端切れ 2 枚で温度と時間を試します。溶着したところが、はがれる前に伸びるか破れれば合格です。</translation>
+    </message>
+    <message>
         <source>Two circles: change their diameters in the sketch</source>
         <translation>二つの円：スケッチで直径を変えられます</translation>
     </message>
@@ -2763,8 +2843,20 @@
         <translation>重さ</translation>
     </message>
     <message>
+        <source>Weld</source>
+        <translation>溶着線</translation>
+    </message>
+    <message>
         <source>Weld TPU to TPU with an iron or hot air, 10 mm wide. Warp and weft are stiff, the bias is soft: the model takes one modulus for all directions. Stiffer after the first inflations.</source>
         <translation>TPU どうしをアイロンか熱風で幅 10 mm に溶着します。縦糸と横糸の方向は硬く、斜めは柔らかいですが、モデルは全方向に一つの値を使います。数回ふくらませると硬くなります。</translation>
+    </message>
+    <message>
+        <source>Weld along the dashed line, {seal} mm wide, all the way round.</source>
+        <translation>破線に沿って幅 {seal} mm で、ぐるりと 1 周溶着します。</translation>
+    </message>
+    <message>
+        <source>Weld along the dashed line, {seal} mm wide. Leave the mouth of the neck open.</source>
+        <translation>破線に沿って幅 {seal} mm で溶着します。首の口は開けておきます。</translation>
     </message>
     <message>
         <source>Weld and cut</source>
@@ -2773,6 +2865,14 @@
     <message>
         <source>Weld length</source>
         <translation>溶着線の長さ</translation>
+    </message>
+    <message>
+        <source>Weld the lines inside the balloon.</source>
+        <translation>風船の内側の線を溶着します。</translation>
+    </message>
+    <message>
+        <source>Weld with high frequency along the dashed line, {seal} mm wide. Never cut this film with a laser.</source>
+        <translation>高周波で、破線に沿って幅 {seal} mm で溶着します。このフィルムは絶対にレーザーで切らないでください。</translation>
     </message>
     <message>
         <source>Welds easily with an impulse sealer or an iron. Yields at about 9 MPa, half its tensile strength, and creeps: keep the pressure low.</source>
@@ -2899,6 +2999,14 @@
         <translation>{2} の色番号 {0} とペン {1} は 1～255 にしてください。</translation>
     </message>
     <message>
+        <source>cut</source>
+        <translation>切り線</translation>
+    </message>
+    <message>
+        <source>cut inside</source>
+        <translation>内側の切り線</translation>
+    </message>
+    <message>
         <source>does not name its unit</source>
         <translation>単位が書かれていません</translation>
     </message>
@@ -2911,8 +3019,12 @@
         <translation>空：</translation>
     </message>
     <message>
-        <source>film and valve</source>
-        <translation>フィルムと弁</translation>
+        <source>film</source>
+        <translation>フィルム</translation>
+    </message>
+    <message>
+        <source>film and valve weigh {0} g</source>
+        <translation>フィルムと弁の重さは {0} g</translation>
     </message>
     <message>
         <source>gas</source>
@@ -2947,6 +3059,10 @@
         <translation>ふくらんだ形</translation>
     </message>
     <message>
+        <source>inflated {0} × {1} × {2} mm, {3} litres</source>
+        <translation>ふくらんだ大きさ {0} × {1} × {2} mm、{3} リットル</translation>
+    </message>
+    <message>
         <source>it would grow together with another part</source>
         <translation>別の部分とつながってしまう</translation>
     </message>
@@ -2977,6 +3093,10 @@
     <message>
         <source>lower</source>
         <translation>下</translation>
+    </message>
+    <message>
+        <source>mark</source>
+        <translation>印</translation>
     </message>
     <message>
         <source>mass</source>
@@ -3071,6 +3191,10 @@
         <translation>ファイル名「{0}」に使えるのは英数字、空白、_、-、. だけです。</translation>
     </message>
     <message>
+        <source>the film weighs {0} g</source>
+        <translation>フィルムの重さは {0} g</translation>
+    </message>
+    <message>
         <source>the last line of each piece is its CUT.</source>
         <translation>各部品の最後の線は CUT です。</translation>
     </message>
@@ -3115,6 +3239,14 @@
         <translation>警告</translation>
     </message>
     <message>
+        <source>weld</source>
+        <translation>溶着線</translation>
+    </message>
+    <message>
+        <source>weld inside</source>
+        <translation>内側の溶着線</translation>
+    </message>
+    <message>
         <source>width</source>
         <translation>幅</translation>
     </message>
@@ -3157,6 +3289,10 @@
     <message>
         <source>{0} dots per inch cannot be printed well: give {1} to {2}.</source>
         <translation>{0} dpi ではきれいに印刷できません。{1}～{2} にしてください。</translation>
+    </message>
+    <message>
+        <source>{0} g with valve {1} g</source>
+        <translation>{0} g（弁 {1} g を含む）</translation>
     </message>
     <message>
         <source>{0} gap between the lines closed, the widest {1} % of the drawing's width.</source>
@@ -3239,8 +3375,24 @@
         <translation>{0} が {1} です。true か false にしてください。</translation>
     </message>
     <message>
+        <source>{0} kPa ({1}, margin {2})</source>
+        <translation>{0} kPa（{1}、余裕 {2} 倍）</translation>
+    </message>
+    <message>
         <source>{0} left out ({1}).</source>
         <translation>{0} を除きました（{1}）。</translation>
+    </message>
+    <message>
+        <source>{0} lifts {1} g, {2}</source>
+        <translation>{0}の浮力は {1} g、{2}</translation>
+    </message>
+    <message>
+        <source>{0} litres</source>
+        <translation>{0} リットル</translation>
+    </message>
+    <message>
+        <source>{0} litres, about {1} {2}</source>
+        <translation>{0} リットル、約 {1} {2}</translation>
     </message>
     <message>
         <source>{0} loose ends of lines were joined to the drawing.</source>
@@ -3251,8 +3403,16 @@
         <translation>幅 {1} mm のロールを {0} m</translation>
     </message>
     <message>
+        <source>{0} mm on paper = {1} mm of film</source>
+        <translation>紙の上の {0} mm = フィルムの {1} mm</translation>
+    </message>
+    <message>
         <source>{0} mm wide, {1} m long</source>
         <translation>幅 {0} mm、長さ {1} m</translation>
+    </message>
+    <message>
+        <source>{0} m²; wider than the usual roll</source>
+        <translation>{0} m²、通常のロールより広い</translation>
     </message>
     <message>
         <source>{0} notches are closer than {1}: take fewer.</source>
@@ -3319,24 +3479,24 @@
         <translation>{0}。風船を小さくするか、別の機械か用紙を選んでください。</translation>
     </message>
     <message>
+        <source>{0}: no, at no size.</source>
+        <translation>{0}。どの大きさでも浮きません。</translation>
+    </message>
+    <message>
+        <source>{0}: no. From {1} cm width it would.</source>
+        <translation>{0}。浮きません。幅 {1} cm 以上なら浮きます。</translation>
+    </message>
+    <message>
         <source>{0}: turn the pattern by 90 degrees there.</source>
         <translation>{0}。そこで型紙を 90 度回してください。</translation>
     </message>
     <message>
-        <source>{0}no, at no size.</source>
-        <translation>{0}いいえ、どの大きさでも浮きません。</translation>
-    </message>
-    <message>
-        <source>{0}no. From {1} cm width it would.</source>
-        <translation>{0}いいえ。幅 {1} cm 以上なら浮きます。</translation>
+        <source>{0}: yes, and it carries {1} g.</source>
+        <translation>{0}。浮きます。さらに {1} g を持ち上げられます。</translation>
     </message>
     <message>
         <source>{0}what is shown is the last good state. Lower the pressure or change the mesh size.</source>
         <translation>{0}表示は最後の良い状態です。圧力を下げるか、メッシュの大きさを変えてください。</translation>
-    </message>
-    <message>
-        <source>{0}yes, and it carries {1} g.</source>
-        <translation>{0}はい、{1} g を持ち上げます。</translation>
     </message>
     <message>
         <source>{:.0f} % wrinkled, {:.0f} % slack</source>

@@ -52,7 +52,7 @@ def test_one_page_of_the_paper(page: tuple[Path, str]) -> None:
     path, paper = page
     lines = dict(line.split(":", 1) for line in told_by("pdfinfo", path).splitlines() if ":" in line)
     assert lines["Pages"].strip() == "1"
-    assert lines["Title"].strip() == "Grandma's heart $1: assembly sheet"
+    assert lines["Title"].strip() == "Grandma's heart $1: Assembly sheet"
     assert "CreationDate" not in lines
     width, _, height, *_ = lines["Page size"].split()
     found = float(width) * 25.4 / 72.0, float(height) * 25.4 / 72.0

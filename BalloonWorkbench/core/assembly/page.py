@@ -10,8 +10,10 @@ from typing import Any
 
 import numpy as np
 
+from BalloonWorkbench.core.assembly.fonts import can_show, fonts_for
+from BalloonWorkbench.core.assembly.pen import ACCENT, BAND, INK, RULE, SOFT, Pen
 from BalloonWorkbench.core.assembly.steps import steps
-from BalloonWorkbench.core.assembly.texts import broken, figures, material
+from BalloonWorkbench.core.assembly.texts import figures, material
 from BalloonWorkbench.core.errors import ExportError, MissingPackageError
 from BalloonWorkbench.core.export.layers import LAYERS
 from BalloonWorkbench.core.export.render import balloon_picture
@@ -19,15 +21,13 @@ from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.maker.numbers import Numbers
 from BalloonWorkbench.core.pattern.pattern import Pattern, Role
 from BalloonWorkbench.core.solver.inflation import Inflation
-from BalloonWorkbench.core.types import Floats
+from BalloonWorkbench.core.types import Floats, Say, in_english
 from BalloonWorkbench.core.units import to_mm
 
 #: Pages by name, upright [mm].
 PAGES = {"A4": (210.0, 297.0), "Letter": (215.9, 279.4)}
 _INCH = 25.4
 _MARGIN = 13.0
-_INK, _SOFT, _RULE, _BAND = "#1f2937", "#64748b", "#d3d9e3", "#f2f4f8"
-_ACCENT = "#c81e4a"
 #: Scales of the drawing: 1 to so many.
 _SCALES = (*np.arange(1.0, 8.0, 0.5), *range(8, 12), 12, 15, 20, 25, 30, 40, 50, 75, 100)
 _BAR = 50.0
@@ -38,11 +38,13 @@ _NAMES = {
     Role.WELD: "weld inside",
     Role.MARK: "mark",
 }
-#: Height of a line of the lists [mm], dots of the balloon's picture per mm.
-_LINE, _DOTS = 4.2, 6.0
-_LETTERS = 44  # of a line of the lists
-#: Width of a letter of the body text, in parts of its size; points to millimetres.
-_LETTER, _POINT = 0.535, 25.4 / 72.0
+#: Height of a line of the lists [mm], least width of their names, dots of the balloon's picture per mm.
+_LINE, _NAME, _DOTS = 4.2, 20.0, 6.0
+#: Between two columns, and where the text of a step begins [mm].
+_GUTTER, _INDENT = 6.0, 7.0
+
+#: A column of steps: numbers and lines.
+_Column = list[tuple[int, list[str]]]
 
 
 @dataclass(frozen=True)
@@ -56,9 +58,10 @@ class Subject:
     numbers: Numbers
 
 
-def assembly_pdf(subject: Subject, paper: str = "A4") -> bytes:
+def assembly_pdf(subject: Subject, paper: str = "A4", say: Say = in_english) -> bytes:
     """The page; the same bytes for the same subject.
 
+    say  gives the engine's texts in the reader's language; English stays where no font has its letters
     ExportError for other paper than "A4" and "Letter", MissingPackageError without matplotlib.
     """
     size = PAGES.get("A4" if paper.upper() == "A4" else paper.capitalize())
@@ -72,69 +75,65 @@ def assembly_pdf(subject: Subject, paper: str = "A4") -> bytes:
         raise MissingPackageError(
             "The assembly sheet needs matplotlib: install it with pip install matplotlib."
         ) from error
-    with rc_context({"pdf.fonttype": 42, "pdf.compression": 6, "font.family": "DejaVu Sans"}):
+    if not can_show(say("Assembly sheet")):
+        say = in_english
+    fonts = fonts_for(say("Assembly sheet"), subject.title + subject.film.title)
+    with rc_context({"pdf.fonttype": fonts.kind, "pdf.compression": 6, "font.family": list(fonts.families)}):
         figure = Figure(figsize=(size[0] / _INCH, size[1] / _INCH))
         canvas = FigureCanvasPdf(figure)
         axes = figure.add_axes((0.0, 0.0, 1.0, 1.0))
         axes.set_xlim(0.0, size[0])
         axes.set_ylim(0.0, size[1])
         axes.axis("off")
-        _fill(axes, subject, size)
+        _fill(Pen(axes, say, fonts), subject, size)
         stream = io.BytesIO()
         # no date: the same bytes again
-        told = {"Title": f"{subject.title}: assembly sheet", "CreationDate": None, "Creator": None}
-        canvas.print_pdf(stream, metadata={**told, "Producer": None})
+        title = f"{subject.title}: {say('Assembly sheet')}"
+        told = {"Title": title, "CreationDate": None, "Creator": None, "Producer": None}
+        canvas.print_pdf(stream, metadata=told)
     return stream.getvalue()
 
 
-def _fill(axes: Any, subject: Subject, size: tuple[float, float]) -> None:
-    width, height = size
+def _fill(pen: Pen, subject: Subject, size: tuple[float, float]) -> None:
+    say, (width, height) = pen.say, size
     right, top = width - _MARGIN, height - _MARGIN
-    _head(axes, subject, right, top)
-    work = steps(subject.pattern, subject.film, subject.numbers)
-    columns = _wrapped(work, 0.5 * (right - _MARGIN - 6.0))
+    column = 0.5 * (right - _MARGIN - _GUTTER)
+    second = _MARGIN + column + _GUTTER
+    _head(pen, subject, right, top)
+    work = _wrapped(pen, steps(subject.pattern, subject.film, subject.numbers, say), column - _INDENT)
     foot = _MARGIN + 6.0
-    steps_top = foot + 10.0 + max(_tall(column) for column in columns)
-    _steps(axes, columns, steps_top, right)
-    lists = (material(subject.film, subject.pattern, subject.numbers), figures(subject.numbers))
-    lists_top = (
-        steps_top
-        + 12.0
-        + _LINE * max(sum(len(broken(value, _LETTERS)) for _, value in rows) for rows in lists)
+    steps_top = foot + 10.0 + max(map(_tall, work))
+    pen.axes.plot([_MARGIN, right], [steps_top + 4.5, steps_top + 4.5], color=RULE, lw=0.8)
+    pen.heading(_MARGIN, steps_top - 1.6, say("Steps"))
+    for told, x in zip(work, (_MARGIN, second)):
+        _steps(pen, told, x, steps_top)
+    rows = (
+        _rows(pen, material(subject.film, subject.pattern, subject.numbers, say), column),
+        _rows(pen, figures(subject.numbers, say), column),
     )
-    for title, rows, x in zip(("Material", "Numbers"), lists, (_MARGIN, _half(right))):
-        _list(axes, title, rows, x, lists_top)
+    lists_top = steps_top + 12.0 + _LINE * max(sum(len(lines) for _, lines in each) for each in rows)
+    for title, each, x in zip((say("Material"), say("Numbers")), rows, (_MARGIN, second)):
+        _list(pen, title, each, x, lists_top)
     split = _MARGIN + 0.6 * (right - _MARGIN)
-    scale = _pattern(axes, subject.pattern, (_MARGIN, lists_top + 6.0, split - 4.0, top - 17.0))
-    _balloon(axes, subject, (split + 4.0, lists_top + 6.0, right, top - 17.0), size)
-    _foot(axes, scale, foot, right)
+    scale = _pattern(pen, subject.pattern, (_MARGIN, lists_top + 6.0, split - 4.0, top - 17.0))
+    _balloon(pen, subject, (split + 4.0, lists_top + 6.0, right, top - 17.0), size)
+    _foot(pen, scale, foot, right)
 
 
-def _half(right: float) -> float:
-    """Where the second of two columns begins [mm]."""
-    return _MARGIN + 0.5 * (right - _MARGIN + 6.0)
-
-
-def _text(axes: Any, x: float, y: float, text: str, size: float = 8.0, **look: Any) -> None:
-    look = {"color": _INK, "va": "baseline", **look}
-    axes.text(x, y, text, fontsize=size, parse_math=False, **look)
-
-
-def _head(axes: Any, subject: Subject, right: float, top: float) -> None:
+def _head(pen: Pen, subject: Subject, right: float, top: float) -> None:
     low, high = subject.inflation.positions.min(axis=0), subject.inflation.positions.max(axis=0)
     across, up, _ = to_mm(high - low)
-    thick = to_mm(2.0 * float(high[2]))
-    _text(axes, _MARGIN, top - 6.5, subject.title, 20.0, fontweight="bold")
-    litres = 1e3 * subject.numbers.volume
-    told = f"Assembly sheet  ·  inflated {across:.0f} × {up:.0f} × {thick:.0f} mm, {litres:.3g} litres"
-    _text(axes, _MARGIN, top - 12.0, told, 9.0, color=_SOFT)
-    axes.plot([_MARGIN, right], [top - 14.6, top - 14.6], color=_ACCENT, lw=1.6, solid_capstyle="butt")
+    thick, litres = to_mm(2.0 * float(high[2])), 1e3 * subject.numbers.volume
+    pen.text(_MARGIN, top - 6.5, subject.title, 20.0, right - _MARGIN, fontweight="bold")
+    told = pen.say(f"inflated {across:.0f} × {up:.0f} × {thick:.0f} mm, {litres:.3g} litres")
+    pen.text(_MARGIN, top - 12.0, f"{pen.say('Assembly sheet')}  ·  {told}", 9.0, right - _MARGIN, color=SOFT)
+    pen.axes.plot([_MARGIN, right], [top - 14.6, top - 14.6], color=ACCENT, lw=1.6, solid_capstyle="butt")
 
 
-def _pattern(axes: Any, pattern: Pattern, box: tuple[float, float, float, float]) -> float:
+def _pattern(pen: Pen, pattern: Pattern, box: tuple[float, float, float, float]) -> float:
     """The panel with its dimensions; returns the scale it is drawn in."""
-    left, bottom, right, top = box
-    _heading(axes, left, top - 3.4, "Pattern, cut two (one mirrored)")
+    axes, (left, bottom, right, top) = pen.axes, box
+    pen.heading(left, top - 3.4, pen.say("Pattern, cut two (one mirrored)"), right - left)
     inside = (left + 10.0, bottom + 17.0, right, top - 7.0)
     low, high = (to_mm(corner) for corner in pattern.bounds)
     room = np.array([inside[2] - inside[0], inside[3] - inside[1]])
@@ -149,7 +148,7 @@ def _pattern(axes: Any, pattern: Pattern, box: tuple[float, float, float, float]
         points = to_mm(contour.points)
         points = place(np.concatenate([points, points[:1]]) if contour.closed else points)
         if contour.role is Role.CUT:
-            axes.fill(*points.T, color=_BAND, lw=0.0)
+            axes.fill(*points.T, color=BAND, lw=0.0)
         elif contour.role is Role.CUT_INNER:
             axes.fill(*points.T, color="#ffffff", lw=0.0)
         dashed = contour.role in (Role.SEAL, Role.WELD)
@@ -161,35 +160,44 @@ def _pattern(axes: Any, pattern: Pattern, box: tuple[float, float, float, float]
     _dimension(axes, (x0, y0 - 5.0), (x1, y0 - 5.0), f"{width:.1f} mm")
     _dimension(axes, (x0 - 5.0, y0), (x0 - 5.0, y1), f"{height:.1f} mm", 90.0)
     for x in (x0, x1):
-        axes.plot([x, x], [y0 - 6.5, y0 - 1.0], color=_SOFT, lw=0.4)
+        axes.plot([x, x], [y0 - 6.5, y0 - 1.0], color=SOFT, lw=0.4)
     for y in (y0, y1):
-        axes.plot([x0 - 6.5, x0 - 1.0], [y, y], color=_SOFT, lw=0.4)
-    at = left + 10.0
+        axes.plot([x0 - 6.5, x0 - 1.0], [y, y], color=SOFT, lw=0.4)
+    _legend(pen, pattern, (left + 10.0, bottom + 3.0), right)
+    return float(scale)
+
+
+def _legend(pen: Pen, pattern: Pattern, start: tuple[float, float], right: float) -> None:
+    """What the lines are; in a second row below what has no room in the first."""
+    x, y = start
     for role in pattern.roles:
         if role not in _NAMES:
             continue
+        name = pen.say(_NAMES[role])
+        wide = pen.width(name, 7.0)
+        if x + 8.5 + wide > right:
+            x, y = start[0], y - 4.0
         style = {"ls": (0, (3.0, 1.5))} if role in (Role.SEAL, Role.WELD) else {}
-        axes.plot([at, at + 7.0], [bottom + 3.0, bottom + 3.0], color=LAYERS[role].rgb, lw=1.2, **style)
-        _text(axes, at + 8.5, bottom + 3.0, _NAMES[role], 7.0, color=_SOFT, va="center")
-        at += 14.0 + 1.4 * len(_NAMES[role])
-    return float(scale)
+        pen.axes.plot([x, x + 7.0], [y, y], color=LAYERS[role].rgb, lw=1.2, **style)
+        pen.text(x + 8.5, y, name, 7.0, color=SOFT, va="center")
+        x += 13.5 + wide
 
 
 def _dimension(
     axes: Any, start: tuple[float, float], end: tuple[float, float], text: str, rotation: float = 0.0
 ) -> None:
-    arrow = {"arrowstyle": "<|-|>,head_width=0.12,head_length=0.3", "color": _SOFT, "lw": 0.6}
+    arrow = {"arrowstyle": "<|-|>,head_width=0.12,head_length=0.3", "color": SOFT, "lw": 0.6}
     axes.annotate("", xy=end, xytext=start, arrowprops={**arrow, "shrinkA": 0.0, "shrinkB": 0.0})
     middle = 0.5 * (np.array(start) + np.array(end))
     box = {"fc": "white", "ec": "none", "pad": 1.2}
-    axes.text(*middle, text, fontsize=8.0, color=_INK, ha="center", va="center", rotation=rotation, bbox=box)
+    axes.text(*middle, text, fontsize=8.0, color=INK, ha="center", va="center", rotation=rotation, bbox=box)
 
 
 def _balloon(
-    axes: Any, subject: Subject, box: tuple[float, float, float, float], size: tuple[float, float]
+    pen: Pen, subject: Subject, box: tuple[float, float, float, float], size: tuple[float, float]
 ) -> None:
-    left, bottom, right, top = box
-    _heading(axes, left, top - 3.4, "Inflated")
+    axes, (left, bottom, right, top) = pen.axes, box
+    pen.heading(left, top - 3.4, pen.say("Inflated"))
     wide, tall = right - left, top - 7.0 - bottom
     pixels = int(_DOTS * wide), int(_DOTS * tall)
     picture = balloon_picture(
@@ -200,68 +208,58 @@ def _balloon(
     axes.set_ylim(0.0, size[1])
 
 
-def _list(axes: Any, title: str, rows: Sequence[tuple[str, str]], x: float, top: float) -> None:
+def _rows(pen: Pen, told: Sequence[tuple[str, str]], column: float) -> list[tuple[str, list[str]]]:
+    """Names, and their values in lines."""
+    room = column - _name_width(pen, [name for name, _ in told])
+    return [(name, pen.lines(value, room)) for name, value in told]
+
+
+def _name_width(pen: Pen, names: Sequence[str]) -> float:
+    return max(_NAME, *map(pen.width, names)) + 3.0
+
+
+def _list(pen: Pen, title: str, rows: Sequence[tuple[str, list[str]]], x: float, top: float) -> None:
     """Figures with their names, from an upper edge downward."""
-    _heading(axes, x, top - 3.4, title)
-    y = top - 6.0
-    for name, value in rows:
-        _text(axes, x, y - 3.0, name, color=_SOFT)
-        for line in broken(value, _LETTERS):
-            _text(axes, x + 23.0, y - 3.0, line)
+    pen.heading(x, top - 3.4, title)
+    beside, y = x + _name_width(pen, [name for name, _ in rows]), top - 9.0
+    for name, lines in rows:
+        pen.text(x, y, name, color=SOFT)
+        for line in lines:
+            pen.text(beside, y, line)
             y -= _LINE
 
 
-def _wrapped(work: Sequence[str], width: float) -> tuple[list[tuple[int, list[str]]], ...]:
-    """The steps in two columns of equal height, each as its number and lines."""
-    letters = int((width - 7.0) / (8.0 * _POINT * _LETTER))
-    told = [(number, broken(text, letters)) for number, text in enumerate(work, 1)]
+def _wrapped(pen: Pen, work: Sequence[str], room: float) -> tuple[_Column, _Column]:
+    """The steps in two columns of equal height."""
+    told = [(number, pen.lines(text, room)) for number, text in enumerate(work, 1)]
     half = min(range(len(told) + 1), key=lambda at: (abs(_tall(told[:at]) - _tall(told[at:])), -at))
     return told[:half], told[half:]
 
 
-def _tall(column: Sequence[tuple[int, list[str]]]) -> float:
+def _tall(column: _Column) -> float:
     return sum(2.2 + 3.7 * len(lines) for _, lines in column)
 
 
-def _steps(axes: Any, columns: Sequence[list[tuple[int, list[str]]]], top: float, right: float) -> None:
-    axes.plot([_MARGIN, right], [top + 4.5, top + 4.5], color=_RULE, lw=0.8)
-    _heading(axes, _MARGIN, top - 1.6, "Steps")
-    for number, column in enumerate(columns):
-        x = _half(right) if number else _MARGIN
-        y = top - 6.0
-        for count, lines in column:
-            axes.plot([x + 2.2], [y - 1.6], marker="o", ms=11.0, color=_ACCENT, mew=0.0)
-            _text(
-                axes,
-                x + 2.2,
-                y - 1.7,
-                str(count),
-                7.0,
-                color="white",
-                ha="center",
-                va="center",
-                fontweight="bold",
-            )
-            for line in lines:
-                _text(axes, x + 7.0, y - 2.6, line)
-                y -= 3.7
-            y -= 2.2
+def _steps(pen: Pen, column: _Column, x: float, top: float) -> None:
+    y = top - 6.0
+    look: dict[str, Any] = {"color": "white", "ha": "center", "va": "center", "fontweight": "bold"}
+    for count, lines in column:
+        pen.axes.plot([x + 2.2], [y - 1.6], marker="o", ms=11.0, color=ACCENT, mew=0.0)
+        pen.text(x + 2.2, y - 1.7, str(count), 7.0, **look)
+        for line in lines:
+            pen.text(x + _INDENT, y - 2.6, line)
+            y -= 3.7
+        y -= 2.2
 
 
-def _foot(axes: Any, scale: float, y: float, right: float) -> None:
+def _foot(pen: Pen, scale: float, y: float, right: float) -> None:
     """A bar to check the print, and the same length of the balloon."""
-    axes.plot([_MARGIN, right], [y + 2.5, y + 2.5], color=_RULE, lw=0.8)
+    axes, say = pen.axes, pen.say
+    axes.plot([_MARGIN, right], [y + 2.5, y + 2.5], color=RULE, lw=0.8)
     base = y - 4.5
     for k in range(5):
         x = _MARGIN + k * _BAR / 5.0
-        colour = _INK if k % 2 == 0 else "white"
-        axes.fill(
-            [x, x + 10.0, x + 10.0, x], [base, base, base + 1.6, base + 1.6], fc=colour, ec=_INK, lw=0.5
-        )
-    told = f"{_BAR:g} mm on paper = {_BAR * scale:g} mm of film"
-    _text(axes, _MARGIN + _BAR + 3.0, base, told, 7.5)
-    _text(axes, right, base, f"Pattern drawn 1 : {scale:.3g}", 7.5, color=_SOFT, ha="right")
-
-
-def _heading(axes: Any, x: float, y: float, text: str) -> None:
-    _text(axes, x, y, text, 9.0, fontweight="bold", color=_ACCENT)
+        colour = INK if k % 2 == 0 else "white"
+        axes.fill([x, x + 10.0, x + 10.0, x], [base, base, base + 1.6, base + 1.6], fc=colour, ec=INK, lw=0.5)
+    pen.text(_MARGIN + _BAR + 3.0, base, say(f"{_BAR:g} mm on paper = {_BAR * scale:g} mm of film"), 7.5)
+    pen.text(right, base, say(f"Pattern drawn 1 : {scale:.3g}"), 7.5, color=SOFT, ha="right")

@@ -13,6 +13,7 @@ from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.maker.numbers import Numbers
 from BalloonWorkbench.core.pattern.intake_kinds import RIM, intake_kind
 from BalloonWorkbench.core.pattern.pattern import Pattern, Role
+from BalloonWorkbench.core.types import Say, in_english
 from BalloonWorkbench.core.units import to_mm
 
 FILE = Path(__file__).resolve().parents[3] / "resources" / "assembly" / "steps.json"
@@ -20,8 +21,8 @@ FILE = Path(__file__).resolve().parents[3] / "resources" / "assembly" / "steps.j
 _USUAL = "weld"
 
 
-def steps(pattern: Pattern, film: Film, numbers: Numbers) -> list[str]:
-    """What to do, one or two sentences each, in order. InputError when the data file is broken."""
+def steps(pattern: Pattern, film: Film, numbers: Numbers, say: Say = in_english) -> list[str]:
+    """What to do, a few sentences each, in order. InputError when the data file is broken."""
     data = _data()
     kinds = [intake_kind(intake.kind) for intake in pattern.intakes]
     safe = numbers.safety.safe_pressure
@@ -42,13 +43,12 @@ def steps(pattern: Pattern, film: Film, numbers: Numbers) -> list[str]:
     names = list(dict.fromkeys(kind.name for kind in kinds))
     found = []
     for step in data["steps"]:
-        wanted = step.get("intakes")
-        used = names if wanted is None else [name for name in names if name in wanted]
-        if (wanted is not None and not used) or _join(film) not in step.get("joins", [_join(film)]):
-            continue
-        if all(is_so[key] is step[key] for key in is_so if key in step):
-            told = words | {"intake": " ".join(intake_kind(name).note for name in used)}
-            found.append(str(step["text"]).format(**told))
+        if "notes" in step:
+            found += [say(intake_kind(name).note) for name in names if name in step["notes"]]
+        elif _join(film) in step.get("joins", [_join(film)]) and all(
+            is_so[key] is step[key] for key in is_so if key in step
+        ):
+            found.append(say(str(step["text"]).format(**words)))
     return found
 
 

@@ -4,55 +4,79 @@
 from __future__ import annotations
 
 import re
-import textwrap
+from collections.abc import Callable
 
+from BalloonWorkbench.core.assembly.fonts import WIDE
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.maker.numbers import Numbers
 from BalloonWorkbench.core.pattern.intake_kinds import intake_kind
 from BalloonWorkbench.core.pattern.pattern import Pattern
+from BalloonWorkbench.core.types import Say, in_english
 from BalloonWorkbench.core.units import to_grams, to_mm
 
+# Japanese is broken between any two letters, but for these that end or begin a line.
+_LAST, _FIRST = "、。，．・：；？！）」』】〕ーぁぃぅぇぉっゃゅょァィゥェォッャュョ々～)", "（「『【〔"
+#: What stays whole, with the blanks before it: a word up to a hyphen in it, or one wide letter.
+_PIECE = re.compile(
+    rf" *[{_FIRST}]*(?:[{WIDE}]|[^ {WIDE}]+?(?<=[^\W\d])-(?=[^\W\d])|[^ {WIDE}]+)[{_LAST}]*|[ {_FIRST}]+"
+)
+_BLANK = "\u00a0"  # where no line ends
 
-def material(film: Film, pattern: Pattern, numbers: Numbers) -> list[tuple[str, str]]:
+
+def material(film: Film, pattern: Pattern, numbers: Numbers, say: Say = in_english) -> list[tuple[str, str]]:
     """What it is made of: names and values."""
     found = [
-        ("Film", film.title or film.name),
-        ("Thickness", f"{1e6 * film.thickness:.3g} µm, {1e3 * film.areal_density:.3g} g/m²"),
+        (say("Film"), say(film.title or film.name)),
+        (say("Thickness"), f"{1e6 * film.thickness:.3g} µm, {1e3 * film.areal_density:.3g} g/m²"),
     ]
     if numbers.roll is None:
-        found.append(("Needed", f"{numbers.film_area:.3g} m²; wider than the usual roll"))
+        found.append((say("Needed"), say(f"{numbers.film_area:.3g} m²; wider than the usual roll")))
     else:
         width, length = numbers.roll
-        found.append(("Needed", f"{length:.2f} m of a roll {to_mm(width):.0f} mm wide"))
-    found.append(("Weld", f"{to_mm(pattern.seal_width):.3g} mm wide, {numbers.seam_length:.2f} m long"))
+        found.append((say("Needed"), say(f"{length:.2f} m of a roll {to_mm(width):.0f} mm wide")))
+    wide = to_mm(pattern.seal_width)
+    found.append((say("Weld"), say(f"{wide:.3g} mm wide, {numbers.seam_length:.2f} m long")))
     intakes = pattern.intakes
     if intakes:
         kind = intake_kind(intakes[0].kind).title
-        found.append(("Intake", f"{kind}, {to_mm(intakes[0].width):.3g} mm"))
+        found.append((say("Intake"), f"{say(kind)}, {to_mm(intakes[0].width):.3g} mm"))
     return found
 
 
-def figures(numbers: Numbers) -> list[tuple[str, str]]:
+def figures(numbers: Numbers, say: Say = in_english) -> list[tuple[str, str]]:
     """What it takes and bears: names and values."""
-    safe = numbers.safety
-    valve = f", valve {to_grams(numbers.valve):.2g} g" if numbers.valve else ""
+    safe, weight = numbers.safety, f"{to_grams(numbers.weight):.3g} g"
+    if numbers.valve:
+        weight = say(f"{to_grams(numbers.weight):.3g} g with valve {to_grams(numbers.valve):.2g} g")
     found = [
-        ("Volume", f"{1e3 * numbers.volume:.3g} litres"),
-        ("Weight", f"{to_grams(numbers.weight):.3g} g{' with' * bool(valve)}{valve.lstrip(',')}"),
-        ("Pressure", f"{1e-3 * safe.pressure:.3g} kPa"),
+        (say("Volume"), say(f"{1e3 * numbers.volume:.3g} litres")),
+        (say("Weight"), weight),
+        (say("Pressure"), f"{1e-3 * safe.pressure:.3g} kPa"),
     ]
     if safe.safe_pressure is not None:
-        found.append(
-            ("Safe to", f"{1e-3 * safe.safe_pressure:.3g} kPa ({safe.weakest}, margin {safe.margin:g})")
-        )
+        bears = say(f"{1e-3 * safe.safe_pressure:.3g} kPa ({safe.weakest}, margin {safe.margin:g})")
+        found.append((say("Safe to"), bears))
     one = numbers.floating[0]
-    price = "" if one.cost is None else f", about {one.cost:.2f} {numbers.currency}"
-    found.append((one.gas.capitalize(), f"{1e3 * one.gas_needed:.3g} litres{price}"))
-    found.append(("Will it float?", numbers.sentence()))
+    gas = say(f"{1e3 * one.gas_needed:.3g} litres")
+    if one.cost is not None:
+        gas = say(f"{1e3 * one.gas_needed:.3g} litres, about {one.cost:.2f} {numbers.currency}")
+    found.append((say(one.gas.capitalize()), gas))
+    found.append((say("Will it float?"), say(numbers.sentence())))
     return found
 
 
-def broken(text: str, letters: int) -> list[str]:
-    """Lines of so many letters; a number stays with its unit."""
-    kept = re.sub(r"(\d) (?=(?:mm|cm|m|µm|g|kPa|litres)\b)", "\\1\u00a0", text)
-    return textwrap.wrap(kept, letters) or [""]
+def broken(text: str, fits: Callable[[str], bool]) -> list[str]:
+    """Lines that fit; a number stays with its unit, a French mark with its word."""
+    kept = re.sub(r"(\d) (?=(?:mm|cm|m|m²|µm|g|kPa|[lL]it(?:re|er|ro)s?)(?![^\W\d]))", rf"\1{_BLANK}", text)
+    kept = re.sub(r" (?=[:;?!»%])|(?<=«) ", _BLANK, kept)
+    lines, line = [], ""
+    for piece in _PIECE.findall(kept):
+        if line and not fits(line + piece):
+            lines.append(line)
+            line = ""
+        line = line + piece if line else piece.lstrip(" ")
+        while len(line) > 1 and not fits(line):  # a word longer than a line
+            most = max(1, next(count for count in range(len(line) - 1, -1, -1) if fits(line[:count])))
+            lines.append(line[:most])
+            line = line[most:]
+    return [*lines, line] if line or not lines else lines

@@ -76,16 +76,14 @@ class Numbers:
 
     def sentence(self, number: int = 0) -> str:
         """Will it float? In one sentence, for the gas of that number."""
-        one = self.floating[number]
-        what = "film and valve" if self.valve else "the film"
-        weigh = "weigh" if self.valve else "weighs"
-        told = f"{one.gas.capitalize()} lifts {to_grams(one.carries):.3g} g, {what} {weigh}"
-        told += f" {to_grams(self.weight):.3g} g: "
+        one, weight = self.floating[number], f"{to_grams(self.weight):.3g}"
+        weighs = f"film and valve weigh {weight} g" if self.valve else f"the film weighs {weight} g"
+        told = f"{one.gas.capitalize()} lifts {to_grams(one.carries):.3g} g, {weighs}"
         if one.left > 0.0:
-            return told + f"yes, and it carries {to_grams(one.left):.3g} g."
+            return f"{told}: yes, and it carries {to_grams(one.left):.3g} g."
         if one.from_width is None:
-            return told + "no, at no size."
-        return told + f"no. From {to_mm(one.from_width) / 10.0:.0f} cm width it would."
+            return f"{told}: no, at no size."
+        return f"{told}: no. From {to_mm(one.from_width) / 10.0:.0f} cm width it would."
 
 
 def maker_numbers(

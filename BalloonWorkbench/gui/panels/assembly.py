@@ -8,8 +8,9 @@ from pathlib import Path
 import FreeCADGui as Gui
 
 from BalloonWorkbench.app import maker
+from BalloonWorkbench.core.assembly.fonts import can_show
 from BalloonWorkbench.core.assembly.page import PAGES
-from BalloonWorkbench.core.errors import BalloonError
+from BalloonWorkbench.core.errors import BalloonError, MissingPackageError
 from BalloonWorkbench.gui import record
 from BalloonWorkbench.gui.panels.maker_rows import MakerRows
 from BalloonWorkbench.gui.panels.watch import Watch
@@ -50,6 +51,7 @@ class AssemblyPanel:
         form.addRow(translate("Paper"), self.paper)
         form.addRow(translate("File"), line)
         form.addRow(self.message)
+        self.message.setText(_remark())
         browse.clicked.connect(lambda _checked=False: self.browse())
         self.watch = Watch(parts, self.close)
 
@@ -91,3 +93,16 @@ class AssemblyPanel:
         self.watch.remove()
         self.numbers.release()
         Gui.Control.closeDialog()
+
+
+def _remark() -> str:
+    """Why the page will not be in the user's language, empty when it will."""
+    try:
+        if can_show(translate("Assembly sheet")):
+            return ""
+    except MissingPackageError as error:
+        return tell(str(error))
+    return translate(
+        "The page will be in English, as no font here has the letters of your language: install IPAexGothic"
+        " or Noto Sans CJK JP, and open this panel again."
+    )

@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The fonts of the page: DejaVu Sans, which matplotlib has, and for Japanese one that the system has."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from BalloonWorkbench.core.errors import MissingPackageError
+
+_EUROPE = "DejaVu Sans"
+#: Families with Japanese letters, those that a PDF can be searched in first.
+_JAPANESE = (
+    *("IPAexGothic", "IPAPGothic", "TakaoPGothic", "VL PGothic", "Meiryo", "BIZ UDPGothic", "Yu Gothic"),
+    *("Noto Sans CJK JP", "Noto Sans JP", "Hiragino Sans", "Hiragino Kaku Gothic ProN", "Source Han Sans JP"),
+    *("IPAGothic", "TakaoGothic", "VL Gothic", "MS PGothic", "MS Gothic", "Droid Sans Fallback"),
+)
+#: Letters as wide as they are high: kana, Chinese characters and their punctuation.
+WIDE = "\u2e80-\u9fff\uf900-\ufaff\uff00-\uff60"
+_POINT = 25.4 / 72.0  # mm
+_TRIED = 1000  # size at which letters are measured
+
+
+@dataclass(frozen=True)
+class Fonts:
+    """Families in the order in which a letter is looked for, and how matplotlib puts them into a PDF."""
+
+    families: tuple[str, ...]
+    kind: int
+    _widths: dict[tuple[str, bool], float] = field(default_factory=dict)
+
+    def width(self, text: str, size: float, bold: bool = False) -> float:
+        """Width of a text [mm] at a size in points."""
+        return sum(self._width(letter, bold) for letter in text) * size * _POINT
+
+    def _width(self, letter: str, bold: bool) -> float:
+        """Width of a letter in parts of the size."""
+        if (letter, bold) not in self._widths:
+            from matplotlib.ft2font import LOAD_NO_HINTING
+
+            fonts = [_opened(family, bold) for family in self.families]
+            font = next((font for font in fonts if font.get_char_index(ord(letter))), fonts[0])
+            font.set_size(_TRIED, 72)
+            glyph = font.load_char(ord(letter), flags=LOAD_NO_HINTING)
+            self._widths[letter, bold] = glyph.linearHoriAdvance / 65536.0 / _TRIED
+        return self._widths[letter, bold]
+
+
+def fonts_for(language: str, others: str) -> Fonts:
+    """Fonts for a page in the language that a text of it is written in, and for other texts on it.
+
+    MissingPackageError without matplotlib.
+    """
+    japanese = _japanese() if _is_wide(language) or _is_wide(others) else None
+    if japanese is None:
+        return Fonts((_EUROPE,), 42)
+    families = (japanese, _EUROPE) if _is_wide(language) else (_EUROPE, japanese)
+    return Fonts(families, 42 if _outlines(Path(_opened(japanese).fname)) != b"OTTO" else 3)
+
+
+def can_show(text: str) -> bool:
+    """There is a font for the letters of a text. MissingPackageError without matplotlib."""
+    return not _is_wide(text) or _japanese() is not None
+
+
+def _is_wide(text: str) -> bool:
+    return re.search(f"[{WIDE}]", text) is not None
+
+
+def _japanese() -> str | None:
+    """The first family of our list that the system has."""
+    try:
+        from matplotlib import font_manager
+    except ImportError as error:
+        raise MissingPackageError(
+            "The assembly sheet needs matplotlib: install it with pip install matplotlib."
+        ) from error
+    found = _listed(font_manager.fontManager)
+    if found is None:  # matplotlib keeps its list: look for fonts that came later
+        known = {font.fname for font in font_manager.fontManager.ttflist}
+        for path in sorted(set(font_manager.findSystemFonts()) - known):
+            try:
+                font_manager.fontManager.addfont(path)
+            except (OSError, RuntimeError, ValueError):
+                continue  # no font that it can read
+        found = _listed(font_manager.fontManager)
+    return found
+
+
+def _listed(manager: Any) -> str | None:
+    known: dict[str, list[str]] = {}
+    for font in manager.ttflist:
+        known.setdefault(font.name, []).append(font.fname)
+    return next((name for name in _JAPANESE if any(map(_goes_into_pdf, known.get(name, [])))), None)
+
+
+def _goes_into_pdf(name: str) -> bool:
+    """A single font with PostScript's outlines does not; as Type 3 those of a collection do."""
+    path = Path(name)
+    return path.is_file() and (path.suffix.lower() == ".ttc" or _outlines(path) != b"OTTO")
+
+
+def _outlines(path: Path) -> bytes:
+    """The mark of a font file, or of the first font in a collection: OTTO for outlines of PostScript."""
+    with path.open("rb") as stream:
+        mark = stream.read(4)
+        if mark == b"ttcf":
+            stream.seek(12)
+            stream.seek(int.from_bytes(stream.read(4), "big"))
+            mark = stream.read(4)
+    return mark
+
+
+def _opened(family: str, bold: bool = False) -> Any:
+    from matplotlib.font_manager import FontProperties, findfont, get_font
+
+    return get_font(findfont(FontProperties(family=family, weight="bold" if bold else "normal")))

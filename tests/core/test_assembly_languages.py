@@ -1,0 +1,158 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The assembly sheet in each language: every text translated, nothing outside its column, on one page."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+import told_in
+from test_assembly import POPPLER, subject, told_by
+
+from BalloonWorkbench.core.assembly import fonts
+from BalloonWorkbench.core.assembly.page import assembly_pdf
+from BalloonWorkbench.core.assembly.steps import steps
+from BalloonWorkbench.core.assembly.texts import broken, figures, material
+from BalloonWorkbench.core.film.library import films
+from BalloonWorkbench.core.pattern.intake_kinds import intake_kinds
+
+#: A word that every page has, and the beginning of a step that it has.
+SEEN = {
+    "de": ("Montageblatt", "Schwebt er?", "Die Löcher innen ausschneiden"),
+    "ja": ("組み立て図", "浮く", "内側の穴を切り抜きます"),
+    "fr": ("Fiche de montage", "Flottera-t-il", "Découpez les trous intérieurs"),
+    "es-ES": ("Hoja de montaje", "¿Flotará?", "Recorte los agujeros interiores"),
+}
+MARGIN, GUTTER = 13.0, 6.0  # mm
+JAPANESE = pytest.mark.skipif(not fonts.can_show("組"), reason="no Japanese font is installed")
+EACH = [pytest.param(name, marks=JAPANESE if name == "ja" else ()) for name in told_in.LANGUAGES]
+
+
+def text_of(path: Path) -> str:
+    return " ".join(told_by("pdftotext", path, "-").replace("\u00a0", " ").split())
+
+
+@pytest.fixture(scope="module", params=EACH)
+def sheet(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, str]:
+    """The page with the longest steps, on the shorter paper."""
+    path = tmp_path_factory.mktemp("assembly") / f"{request.param}.pdf"
+    about = subject("ring", "nylon-foil", "film-valve")
+    path.write_bytes(assembly_pdf(about, "Letter", told_in.says(request.param)))
+    return path, request.param
+
+
+@POPPLER
+def test_page_speaks_the_language(sheet: tuple[Path, str]) -> None:
+    """Searchable text; nothing of the English page is left but names, numbers and units."""
+    path, language = sheet
+    text = text_of(path)
+    for wanted in SEEN[language]:
+        assert wanted.replace(" ", "") in text.replace(" ", ""), wanted
+    english = "Assembly Pattern Needed Weld litres Safe Pressure Will Steps Cut Check wide mirrored"
+    same = {"litres"} if language == "fr" else set()
+    assert not (set(english.split()) - same) & set(re.findall(r"[A-Za-z]+", text))
+    assert SEEN[language][0] in told_by("pdfinfo", path)
+
+
+@POPPLER
+def test_nothing_runs_over(sheet: tuple[Path, str]) -> None:
+    """Every word is inside the margins, and below the drawing inside its column."""
+    path, _ = sheet
+    boxes = told_by("pdftotext", "-bbox", path, "-")
+    page = re.search(r'<page width="([\d.]+)" height="([\d.]+)"', boxes)
+    assert page is not None
+    width, height = map(float, page.groups())
+    corners = " ".join(f'{name}="([-\\d.]+)"' for name in ("xMin", "yMin", "xMax", "yMax"))
+    words = re.findall(f"<word {corners}>(.*?)</word>", boxes)
+    assert len(words) > 20
+    mm = 25.4 / 72.0
+    middle, half = 0.5 * width * mm, 0.5 * GUTTER
+    lists = min(float(y) for _, y, _, _, word in words if re.match(r"30.?µm|30$", word))
+    for left, y, right, low, word in words:
+        assert float(left) * mm > MARGIN - 0.1, word
+        assert float(right) * mm < width * mm - MARGIN + 0.1, word
+        assert float(low) < height
+        if lists < float(y) < height - 25.0 / mm:
+            assert float(right) * mm < middle - half + 0.5 or float(left) * mm > middle + half - 0.5, word
+    assert lists > 0.4 * height, "the drawing keeps its room"
+
+
+def test_every_text_is_translated() -> None:
+    """Of all films and intakes, with and without what depends on the balloon: no text is said in English."""
+    said: set[str] = set()
+
+    def say(text: str) -> str:
+        said.add(text)
+        return text
+
+    about = subject("ring", "nylon-foil", "film-valve")
+    numbers, safe = about.numbers, about.numbers.safety
+    tight = replace(numbers, safety=replace(safe, safe_pressure=2.0 * safe.pressure), roll=None, valve=0.001)
+    lacking = replace(numbers, floating=tuple(replace(one, left=-1.0, cost=None) for one in numbers.floating))
+    upward = tuple(replace(one, left=1.0) for one in numbers.floating[::-1])
+    carried = replace(numbers, floating=upward, valve=0.0)
+    never = replace(
+        numbers, floating=tuple(replace(one, left=-1.0, from_width=None) for one in numbers.floating[1:])
+    )
+    assembly_pdf(about, say=say)
+    for name in films():
+        for kind in ("straw", "nozzle") if name == "nylon-foil" else ("straw",):
+            one = subject("disc", name, kind)
+            material(one.film, one.pattern, one.numbers, say)
+            for each in (numbers, tight):
+                steps(one.pattern, one.film, each, say)
+    for kind in intake_kinds():
+        one = subject("disc", intake=kind)
+        steps(one.pattern, one.film, tight, say)
+        material(one.film, one.pattern, tight, say)
+    for each in (tight, lacking, carried, never):
+        figures(each, say)
+    assert len(said) > 60
+    for language in told_in.LANGUAGES:
+        tell = told_in.says(language)
+        same = {text for text in said if tell(text) == text}
+        # words that are the same in two languages
+        assert not {text for text in same if len(text.split()) > 2 and "litres" not in text}, language
+        assert language != "ja" or not same
+
+
+@JAPANESE
+def test_the_same_bytes_again() -> None:
+    about, say = subject("disc"), told_in.says("ja")
+    assert assembly_pdf(about, say=say) == assembly_pdf(about, say=say)
+
+
+def test_without_a_japanese_font_it_is_english(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(fonts, "_JAPANESE", ("No such font",))
+    about = subject("disc")
+    assert not fonts.can_show("組み立て図")
+    assert assembly_pdf(about, say=told_in.says("ja")) == assembly_pdf(about)
+
+
+@JAPANESE
+def test_japanese_name_on_an_english_page(tmp_path: Path) -> None:
+    path = tmp_path / "page.pdf"
+    path.write_bytes(assembly_pdf(replace(subject("disc"), title="おばあちゃんのハート")))
+    assert "おばあちゃんのハート" in text_of(path)
+    assert "Assembly sheet" in text_of(path)
+
+
+@pytest.mark.parametrize(
+    ("text", "letters", "lines"),
+    [
+        ("one two three", 7, ["one two", "three"]),
+        ("a self-sealing valve", 8, ["a self-", "sealing", "valve"]),
+        ("as wide as 12 mm of it", 10, ["as wide as", "12\u00a0mm of", "it"]),
+        ("combien ? peu", 9, ["combien\u00a0?", "peu"]),
+        ("endlessword", 4, ["endl", "essw", "ord"]),
+        ("溶着線に沿って、幅", 4, ["溶着線に", "沿って、", "幅"]),
+        ("溶着線「首」を", 4, ["溶着線", "「首」を"]),
+        ("幅 5 mm で", 6, ["幅 5\u00a0mm", "で"]),
+        ("風船、。", 3, ["風", "船、。"]),
+        ("", 4, [""]),
+    ],
+)
+def test_lines_break_where_they_may(text: str, letters: int, lines: list[str]) -> None:
+    assert broken(text, lambda line: len(line) <= letters) == lines
