@@ -1,13 +1,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The window in other languages: menu, tools, panels, and what the engine and the coach say."""
 
+import shutil
+import subprocess
+
 import FreeCAD as App
 import FreeCADGui as Gui
 import hands
 import Part
 import pytest
 
+import BalloonWorkbench
 from BalloonWorkbench.app import create, status
+from BalloonWorkbench.core.assembly import fonts
 from BalloonWorkbench.gui.sentences import tell
 
 
@@ -177,3 +182,59 @@ def test_status_of_an_object_stays_english(speak, doc):
     doc.recompute()
     assert status.problem(made.outline) == "Choose a picture or a sketch."
     assert tell(status.problem(made.outline)) == "画像かスケッチを選んでください。"
+
+
+SHEETS = {
+    "German": ("Montageblatt", "Schnittmuster, zweimal schneiden", "trägt"),
+    "Japanese": ("組み立て図", "型紙（2 枚切り", "浮力"),
+    "French": ("Fiche de montage", "Patron, à couper deux fois", "porte"),
+    "Spanish": ("Hoja de montaje", "Patrón, cortar dos", "levanta"),
+}
+
+
+@pytest.mark.parametrize("language", SHEETS)
+def test_assembly_sheet(speak, made, language, tmp_path):
+    """The panel, its page, and the page that the recorded line of a macro writes."""
+    if shutil.which("pdftotext") is None:
+        pytest.skip("poppler-utils are not installed")
+    speak(language)
+    if language == "Japanese" and not fonts.can_show("組"):
+        pytest.skip("no Japanese font is installed")
+    path = tmp_path / "sheet.pdf"
+    Gui.Selection.addSelection(made.balloon)
+    Gui.runCommand("BalloonWorkbench_AssemblySheet")
+    hands.wait_until(hands.panel_is_open)
+    title, heading, lifts = SHEETS[language]
+
+    def labels():
+        return [label.text() for label in hands.visible(hands.QtWidgets.QLabel)]
+
+    hands.wait_until(lambda: any(lifts in text for text in labels()))
+    assert not any(" the film " in text or "(film)" in text for text in labels() if language != "French")
+    assert not hands.find("AssemblyMessage").text()
+    hands.screenshot(f"assembly-{language}")
+    hands.type_into(hands.find("AssemblyFile"), str(path), confirm=False)
+    hands.press("Ok")
+    hands.wait_until(hands.panel_is_closed)
+    told = subprocess.run(["pdftotext", path, "-"], capture_output=True, check=True).stdout.decode()
+    for wanted in (title, heading, lifts):
+        assert wanted.replace(" ", "") in told.replace(" ", "").replace("\u00a0", ""), wanted
+    again = BalloonWorkbench.assembly_sheet(made, tmp_path / "again.pdf")
+    assert again.read_bytes() == path.read_bytes()
+
+
+def test_assembly_sheet_without_a_font(speak, made, monkeypatch):
+    """It will be in English; the panel says why and what to do."""
+    monkeypatch.setattr(fonts, "_JAPANESE", ())
+    speak("Japanese")
+    Gui.Selection.addSelection(made.balloon)
+    Gui.runCommand("BalloonWorkbench_AssemblySheet")
+    hands.wait_until(hands.panel_is_open)
+    assert "IPAexGothic" in hands.find("AssemblyMessage").text()
+    assert "フォント" in hands.find("AssemblyMessage").text()
+    hands.press("Cancel")
+    speak("French")
+    Gui.runCommand("BalloonWorkbench_AssemblySheet")
+    hands.wait_until(hands.panel_is_open)
+    assert not hands.find("AssemblyMessage").text()
+    hands.press("Cancel")

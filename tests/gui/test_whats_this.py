@@ -57,6 +57,24 @@ def test_keys_belong_to_one_command():
         assert mine not in TAKEN
 
 
+@pytest.mark.parametrize(("language", "folder"), [("German", "de"), ("Spanish", "es-ES"), ("Polish", "help")])
+def test_pages_follow_the_language(language, folder):
+    """Of the commands that FreeCAD has long known, and of their buttons; English where there is no page."""
+    Gui.setLocale(language)
+    hands.wait(0.3)
+    try:
+        for name in OURS:
+            command = Gui.Command.get(name)
+            for told in (command.getInfo()["whatsThis"], *(each.whatsThis() for each in command.getAction())):
+                page = page_of(told)
+                assert page.is_file()
+                assert page.parent.name == folder
+    finally:
+        Gui.setLocale("English")
+        hands.wait(0.3)
+    assert page_of(Gui.Command.get(OURS[0]).getInfo()["whatsThis"]).parent.name == "help"
+
+
 @pytest.fixture
 def help_module(monkeypatch):
     """What FreeCAD asks to show a page."""

@@ -38,13 +38,11 @@ class Fonts:
     def _width(self, letter: str, bold: bool) -> float:
         """Width of a letter in parts of the size."""
         if (letter, bold) not in self._widths:
-            from matplotlib.ft2font import LOAD_NO_HINTING
-
             fonts = [_opened(family, bold) for family in self.families]
             font = next((font for font in fonts if font.get_char_index(ord(letter))), fonts[0])
             font.set_size(_TRIED, 72)
-            glyph = font.load_char(ord(letter), flags=LOAD_NO_HINTING)
-            self._widths[letter, bold] = glyph.linearHoriAdvance / 65536.0 / _TRIED
+            advance = font.load_char(ord(letter)).linearHoriAdvance  # of the letter without hinting
+            self._widths[letter, bold] = advance / 65536.0 / _TRIED
         return self._widths[letter, bold]
 
 

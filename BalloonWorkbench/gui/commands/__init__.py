@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import FreeCADGui as Gui
 
-from BalloonWorkbench.gui.commands import examples
+from BalloonWorkbench.gui.commands import examples, help_pages
 from BalloonWorkbench.gui.commands.advice import Advice
 from BalloonWorkbench.gui.commands.animate import Animate
 from BalloonWorkbench.gui.commands.artwork import Artwork
@@ -39,6 +39,7 @@ _RARE = {"BalloonWorkbench_Examples": examples.Examples, "BalloonWorkbench_Equip
 def register() -> tuple[list[str], list[str]]:
     """Make the commands known to FreeCAD; returns the names for the toolbar and those for the menu."""
     examples.register()
+    help_pages.follow_language()
     for name, command in (_COMMANDS | _RARE).items():
         Gui.addCommand(name, documented(name, command()))
     return list(_COMMANDS), [*_COMMANDS, "Separator", *_RARE]

@@ -3,8 +3,7 @@
 
 from __future__ import annotations
 
-from BalloonWorkbench.app.host import help_text
-from BalloonWorkbench.gui.qt import HELP
+from BalloonWorkbench.gui.commands import help_pages
 
 #: B for balloon, then a letter that FreeCAD's own workbenches leave free.
 _KEYS = {
@@ -24,7 +23,8 @@ _KEYS = {
 def documented(name: str, command, page: str = ""):
     """The command, with a page of docs/help: that of its own name, or another one."""
     own, short = command.GetResources(), name.split("_")[1]
-    own |= {"StatusTip": own["ToolTip"], "WhatsThis": help_text(HELP / f"{page or short}.html")}
+    own["StatusTip"] = own["ToolTip"]
+    help_pages.explain(name, own, page or short)
     if short in _KEYS:
         own["Accel"] = _KEYS[short]
     command.GetResources = lambda: own
