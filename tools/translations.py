@@ -41,6 +41,8 @@ _DATA = {
     "assembly/steps.json": ("text",),
 }
 _WORDS = "words.json"
+#: Functions that are given what to say, and as which argument.
+_SAYING = {"say": 0, "work": 0, "progress": 1}
 _LETTERS = 7  # that a sentence with places must have, to be recognised
 
 
@@ -78,9 +80,9 @@ def sentences() -> list[str]:
 def _named(tree: ast.AST) -> Iterator[Text]:
     """translate("..."), QT_TRANSLATE_NOOP("Context", "...") and the tooltips of Property(...)."""
     for node in ast.walk(tree):
-        if not isinstance(node, ast.Call):
+        name = _called(node)
+        if not name:
             continue
-        name = getattr(node.func, "id", getattr(node.func, "attr", ""))
         given = [arg.value if isinstance(arg, ast.Constant) else None for arg in node.args]
         if name == "translate" and len(given) == 1 and isinstance(given[0], str):
             yield Text(OURS, given[0])
@@ -90,11 +92,17 @@ def _named(tree: ast.AST) -> Iterator[Text]:
             yield Text(PROPERTY, given[3])
 
 
+def _called(node: ast.AST) -> str:
+    """Name of the function that is called, empty where none is."""
+    return getattr(node.func, "id", getattr(node.func, "attr", "")) if isinstance(node, ast.Call) else ""
+
+
 def _said(tree: ast.AST) -> Iterator[str]:
-    """say("..."), what the engine says through a function that it is given."""
+    """say("..."), work("...", job), progress(part, "..."): what is said through a function, be it a word."""
     for node in ast.walk(tree):
-        if isinstance(node, ast.Call) and getattr(node.func, "id", getattr(node.func, "attr", "")) == "say":
-            yield from (source for source in _forms(node.args[0]) if re.sub(r"{\d+}", "", source))
+        name = _called(node)
+        if name in _SAYING:
+            yield from (text for text in _forms(node.args[_SAYING[name]]) if re.sub(r"{\d+}", "", text))
 
 
 def _sentences(tree: ast.AST) -> Iterator[str]:

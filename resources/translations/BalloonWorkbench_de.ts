@@ -1095,6 +1095,10 @@
         <translation>Zeichnung über der Silhouette</translation>
     </message>
     <message>
+        <source>Drawing {0}</source>
+        <translation>{0} wird gezeichnet</translation>
+    </message>
+    <message>
         <source>Drawings</source>
         <translation>Zeichnungen</translation>
     </message>
@@ -1357,6 +1361,10 @@
     <message>
         <source>Inflating in time</source>
         <translation>Zeitliches Aufblasen</translation>
+    </message>
+    <message>
+        <source>Inflating {0}</source>
+        <translation>{0} wird aufgeblasen</translation>
     </message>
     <message>
         <source>Inflation</source>
@@ -2795,6 +2803,10 @@
         <translation>Transparentpapier, 92 g/m²</translation>
     </message>
     <message>
+        <source>Tracing {0}</source>
+        <translation>{0} wird nachgezeichnet</translation>
+    </message>
+    <message>
         <source>Try temperature and time on two scraps: the weld must stretch or tear before it opens.</source>
         <translation>Temperatur und Zeit an zwei Reststücken ausprobieren: Die Naht muss sich dehnen oder reißen, bevor sie aufgeht.</translation>
     </message>
@@ -2837,6 +2849,10 @@
     <message>
         <source>Warm air</source>
         <translation>Warmluft</translation>
+    </message>
+    <message>
+        <source>Weighing {0}</source>
+        <translation>{0} wird gewogen</translation>
     </message>
     <message>
         <source>Weight</source>
@@ -2937,6 +2953,10 @@
     <message>
         <source>Writing PDF needs reportlab: install it with pip install reportlab, or use the SVG file.</source>
         <translation>PDF zu schreiben braucht reportlab: mit pip install reportlab installieren oder die SVG-Datei benutzen.</translation>
+    </message>
+    <message>
+        <source>Writing {0}</source>
+        <translation>{0} wird geschrieben</translation>
     </message>
     <message>
         <source>Yellow</source>
@@ -3063,6 +3083,14 @@
         <translation>aufgeblasen {0} × {1} × {2} mm, {3} Liter</translation>
     </message>
     <message>
+        <source>inflating</source>
+        <translation>Aufblasen</translation>
+    </message>
+    <message>
+        <source>inflating in time</source>
+        <translation>zeitliches Aufblasen</translation>
+    </message>
+    <message>
         <source>it would grow together with another part</source>
         <translation>sie würde mit einem anderen Teil zusammenwachsen</translation>
     </message>
@@ -3131,6 +3159,10 @@
         <translation>Umriss</translation>
     </message>
     <message>
+        <source>pass {0}: {1}</source>
+        <translation>Durchgang {0}: {1}</translation>
+    </message>
+    <message>
         <source>place "{0}" is neither {1} nor {2}.</source>
         <translation>place „{0}“ ist weder {1} noch {2}.</translation>
     </message>
@@ -3153,6 +3185,10 @@
     <message>
         <source>serious</source>
         <translation>ernst</translation>
+    </message>
+    <message>
+        <source>size {0}, {1}</source>
+        <translation>Größe {0}, {1}</translation>
     </message>
     <message>
         <source>slack: {:.0f} %</source>
@@ -3213,6 +3249,10 @@
     <message>
         <source>thickness</source>
         <translation>Dicke</translation>
+    </message>
+    <message>
+        <source>trial {0}, {1}</source>
+        <translation>Versuch {0}, {1}</translation>
     </message>
     <message>
         <source>unknown: this film has no strength</source>

@@ -1095,6 +1095,10 @@
         <translation>Dibujo sobre la silueta</translation>
     </message>
     <message>
+        <source>Drawing {0}</source>
+        <translation>Dibujando {0}</translation>
+    </message>
+    <message>
         <source>Drawings</source>
         <translation>Dibujos</translation>
     </message>
@@ -1357,6 +1361,10 @@
     <message>
         <source>Inflating in time</source>
         <translation>Inflando en el tiempo</translation>
+    </message>
+    <message>
+        <source>Inflating {0}</source>
+        <translation>Inflando {0}</translation>
     </message>
     <message>
         <source>Inflation</source>
@@ -2795,6 +2803,10 @@
         <translation>Papel vegetal, 92 g/m²</translation>
     </message>
     <message>
+        <source>Tracing {0}</source>
+        <translation>Calcando {0}</translation>
+    </message>
+    <message>
         <source>Try temperature and time on two scraps: the weld must stretch or tear before it opens.</source>
         <translation>Pruebe temperatura y tiempo en dos retales: la soldadura debe estirarse o rasgarse antes de abrirse.</translation>
     </message>
@@ -2837,6 +2849,10 @@
     <message>
         <source>Warm air</source>
         <translation>Aire caliente</translation>
+    </message>
+    <message>
+        <source>Weighing {0}</source>
+        <translation>Pesando {0}</translation>
     </message>
     <message>
         <source>Weight</source>
@@ -2937,6 +2953,10 @@
     <message>
         <source>Writing PDF needs reportlab: install it with pip install reportlab, or use the SVG file.</source>
         <translation>Escribir PDF necesita reportlab: instálelo con pip install reportlab o use el archivo SVG.</translation>
+    </message>
+    <message>
+        <source>Writing {0}</source>
+        <translation>Escribiendo {0}</translation>
     </message>
     <message>
         <source>Yellow</source>
@@ -3063,6 +3083,14 @@
         <translation>inflado {0} × {1} × {2} mm, {3} litros</translation>
     </message>
     <message>
+        <source>inflating</source>
+        <translation>inflando</translation>
+    </message>
+    <message>
+        <source>inflating in time</source>
+        <translation>inflando en el tiempo</translation>
+    </message>
+    <message>
         <source>it would grow together with another part</source>
         <translation>se uniría con otra parte</translation>
     </message>
@@ -3131,6 +3159,10 @@
         <translation>contorno</translation>
     </message>
     <message>
+        <source>pass {0}: {1}</source>
+        <translation>pasada {0}: {1}</translation>
+    </message>
+    <message>
         <source>place "{0}" is neither {1} nor {2}.</source>
         <translation>place «{0}» no es ni {1} ni {2}.</translation>
     </message>
@@ -3153,6 +3185,10 @@
     <message>
         <source>serious</source>
         <translation>grave</translation>
+    </message>
+    <message>
+        <source>size {0}, {1}</source>
+        <translation>tamaño {0}, {1}</translation>
     </message>
     <message>
         <source>slack: {:.0f} %</source>
@@ -3213,6 +3249,10 @@
     <message>
         <source>thickness</source>
         <translation>espesor</translation>
+    </message>
+    <message>
+        <source>trial {0}, {1}</source>
+        <translation>prueba {0}, {1}</translation>
     </message>
     <message>
         <source>unknown: this film has no strength</source>

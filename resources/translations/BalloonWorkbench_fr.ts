@@ -1095,6 +1095,10 @@
         <translation>Dessin sur la silhouette</translation>
     </message>
     <message>
+        <source>Drawing {0}</source>
+        <translation>Dessin de {0}</translation>
+    </message>
+    <message>
         <source>Drawings</source>
         <translation>Dessins</translation>
     </message>
@@ -1357,6 +1361,10 @@
     <message>
         <source>Inflating in time</source>
         <translation>Gonflage dans le temps</translation>
+    </message>
+    <message>
+        <source>Inflating {0}</source>
+        <translation>Gonflage de {0}</translation>
     </message>
     <message>
         <source>Inflation</source>
@@ -2795,6 +2803,10 @@
         <translation>Papier calque, 92 g/m²</translation>
     </message>
     <message>
+        <source>Tracing {0}</source>
+        <translation>Tracé de {0}</translation>
+    </message>
+    <message>
         <source>Try temperature and time on two scraps: the weld must stretch or tear before it opens.</source>
         <translation>Essayez température et durée sur deux chutes : la soudure doit s'étirer ou se déchirer avant de s'ouvrir.</translation>
     </message>
@@ -2837,6 +2849,10 @@
     <message>
         <source>Warm air</source>
         <translation>Air chaud</translation>
+    </message>
+    <message>
+        <source>Weighing {0}</source>
+        <translation>Pesée de {0}</translation>
     </message>
     <message>
         <source>Weight</source>
@@ -2937,6 +2953,10 @@
     <message>
         <source>Writing PDF needs reportlab: install it with pip install reportlab, or use the SVG file.</source>
         <translation>Écrire du PDF demande reportlab : installez-le par pip install reportlab, ou prenez le fichier SVG.</translation>
+    </message>
+    <message>
+        <source>Writing {0}</source>
+        <translation>Écriture de {0}</translation>
     </message>
     <message>
         <source>Yellow</source>
@@ -3063,6 +3083,14 @@
         <translation>gonflé {0} × {1} × {2} mm, {3} litres</translation>
     </message>
     <message>
+        <source>inflating</source>
+        <translation>gonflage</translation>
+    </message>
+    <message>
+        <source>inflating in time</source>
+        <translation>gonflage dans le temps</translation>
+    </message>
+    <message>
         <source>it would grow together with another part</source>
         <translation>elle se joindrait à une autre partie</translation>
     </message>
@@ -3131,6 +3159,10 @@
         <translation>contour</translation>
     </message>
     <message>
+        <source>pass {0}: {1}</source>
+        <translation>passe {0} : {1}</translation>
+    </message>
+    <message>
         <source>place "{0}" is neither {1} nor {2}.</source>
         <translation>place « {0} » n'est ni {1} ni {2}.</translation>
     </message>
@@ -3153,6 +3185,10 @@
     <message>
         <source>serious</source>
         <translation>grave</translation>
+    </message>
+    <message>
+        <source>size {0}, {1}</source>
+        <translation>taille {0}, {1}</translation>
     </message>
     <message>
         <source>slack: {:.0f} %</source>
@@ -3213,6 +3249,10 @@
     <message>
         <source>thickness</source>
         <translation>épaisseur</translation>
+    </message>
+    <message>
+        <source>trial {0}, {1}</source>
+        <translation>essai {0}, {1}</translation>
     </message>
     <message>
         <source>unknown: this film has no strength</source>

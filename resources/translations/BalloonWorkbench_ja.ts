@@ -1095,6 +1095,10 @@
         <translation>図をシルエットに重ねる</translation>
     </message>
     <message>
+        <source>Drawing {0}</source>
+        <translation>{0} を描いています</translation>
+    </message>
+    <message>
         <source>Drawings</source>
         <translation>図</translation>
     </message>
@@ -1357,6 +1361,10 @@
     <message>
         <source>Inflating in time</source>
         <translation>時間を追ってふくらませています</translation>
+    </message>
+    <message>
+        <source>Inflating {0}</source>
+        <translation>{0} をふくらませています</translation>
     </message>
     <message>
         <source>Inflation</source>
@@ -2795,6 +2803,10 @@
         <translation>トレーシングペーパー、92 g/m²</translation>
     </message>
     <message>
+        <source>Tracing {0}</source>
+        <translation>{0} をなぞっています</translation>
+    </message>
+    <message>
         <source>Try temperature and time on two scraps: the weld must stretch or tear before it opens.</source>
         <translation>端切れ 2 枚で温度と時間を試します。溶着したところが、はがれる前に伸びるか破れれば合格です。</translation>
     </message>
@@ -2837,6 +2849,10 @@
     <message>
         <source>Warm air</source>
         <translation>熱気</translation>
+    </message>
+    <message>
+        <source>Weighing {0}</source>
+        <translation>{0} の重さを求めています</translation>
     </message>
     <message>
         <source>Weight</source>
@@ -2937,6 +2953,10 @@
     <message>
         <source>Writing PDF needs reportlab: install it with pip install reportlab, or use the SVG file.</source>
         <translation>PDF の書き出しには reportlab が必要です。pip install reportlab で入れるか、SVG を使ってください。</translation>
+    </message>
+    <message>
+        <source>Writing {0}</source>
+        <translation>{0} を書き出しています</translation>
     </message>
     <message>
         <source>Yellow</source>
@@ -3063,6 +3083,14 @@
         <translation>ふくらんだ大きさ {0} × {1} × {2} mm、{3} リットル</translation>
     </message>
     <message>
+        <source>inflating</source>
+        <translation>膨張中</translation>
+    </message>
+    <message>
+        <source>inflating in time</source>
+        <translation>時間を追って膨張中</translation>
+    </message>
+    <message>
         <source>it would grow together with another part</source>
         <translation>別の部分とつながってしまう</translation>
     </message>
@@ -3131,6 +3159,10 @@
         <translation>輪郭</translation>
     </message>
     <message>
+        <source>pass {0}: {1}</source>
+        <translation>{0} 回目：{1}</translation>
+    </message>
+    <message>
         <source>place "{0}" is neither {1} nor {2}.</source>
         <translation>place「{0}」は {1} でも {2} でもありません。</translation>
     </message>
@@ -3153,6 +3185,10 @@
     <message>
         <source>serious</source>
         <translation>重大</translation>
+    </message>
+    <message>
+        <source>size {0}, {1}</source>
+        <translation>大きさ {0}、{1}</translation>
     </message>
     <message>
         <source>slack: {:.0f} %</source>
@@ -3213,6 +3249,10 @@
     <message>
         <source>thickness</source>
         <translation>厚さ</translation>
+    </message>
+    <message>
+        <source>trial {0}, {1}</source>
+        <translation>試行 {0}、{1}</translation>
     </message>
     <message>
         <source>unknown: this film has no strength</source>
