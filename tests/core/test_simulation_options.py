@@ -168,6 +168,15 @@ def test_grain_is_within_what_a_film_can_have() -> None:
         with_grain(base, limit)
 
 
+def test_whole_turns_of_a_grain_change_nothing() -> None:
+    def kept(angle: float) -> float:
+        return with_grain(film("pe"), 2e8, math.radians(angle)).grain_angle
+
+    assert kept(-300.0) == math.radians(-300.0)
+    assert math.degrees(kept(760.0)) == pytest.approx(40.0)
+    assert abs(kept(1e308)) < math.tau  # once it overflowed where panels are laid on film
+
+
 def test_design_to_a_volume_still_looks_like_the_drawing() -> None:
     """At a higher pressure the same silhouette needs a smaller pattern."""
     outline = Outline(RECTANGLE)

@@ -72,7 +72,8 @@ def with_grain(film: Film, young_across: float, angle: float = 0.0) -> Film:
         )
     if not math.isfinite(angle):
         raise InputError(f"The grain's angle {angle:g} is no number: give degrees from the x axis.")
-    return replace(film, young_modulus_across=across, grain_angle=angle)
+    # whole turns change nothing
+    return replace(film, young_modulus_across=across, grain_angle=math.fmod(angle, math.tau))
 
 
 @cache
