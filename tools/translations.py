@@ -28,8 +28,8 @@ LANGUAGES = {"de": "German", "ja": "Japanese", "fr": "French", "es-ES": "Spanish
 OURS, PROPERTY = "BalloonWorkbench", "App::Property"
 #: Files whose texts go into pictures and files, or to developers.
 _SILENT = ("export/preview.py", "export/vtu.py", "export/machine_svg.py", "export/render.py")
-_SILENT += ("export/machine_hpgl.py", "export/machine_pdf.py", "core/report.py", "app/host.py")
-_SILENT += ("assembly/fonts.py",)
+_SILENT += ("export/machine_hpgl.py", "core/report.py", "app/host.py")
+_SILENT += ("core/fonts.py",)
 _SPOKEN = ("equipment.py",)  # of the window, but in plain sentences like the engine
 #: Keys of the data files that people read, by folder or file.
 _DATA = {

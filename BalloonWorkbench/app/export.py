@@ -78,7 +78,7 @@ def export_for(pattern_obj, machine_name: str, target, paper: str | None = None)
         for finding in preflight(pattern, made_for):
             if finding.severity == ERROR:
                 raise ExportError(finding.text)
-        return machine_file(pattern, made_for, paper)
+        return machine_file(pattern, made_for, paper, hooks.say)
 
     path = Path(target)
     if path.is_dir():

@@ -899,6 +899,10 @@
         <translation>Ballon</translation>
     </message>
     <message>
+        <source>Balloon pattern</source>
+        <translation>Schnittmuster des Ballons</translation>
+    </message>
+    <message>
         <source>Balloons</source>
         <translation>Ballons</translation>
     </message>
@@ -1025,6 +1029,10 @@
     <message>
         <source>Custom</source>
         <translation>Eigene</translation>
+    </message>
+    <message>
+        <source>Cut each page along its left and lower crosses, lay it on the crosses of its neighbours, tape.</source>
+        <translation>Jede Seite links und unten an den Kreuzen abschneiden, auf die Kreuze der Nachbarn legen und festkleben.</translation>
     </message>
     <message>
         <source>Cut out the holes inside.</source>
@@ -1719,6 +1727,10 @@
         <translation>Pa, ihr eigener Bereich</translation>
     </message>
     <message>
+        <source>Page {0} of {1}: column {2}, row {3}</source>
+        <translation>Seite {0} von {1}: Spalte {2}, Zeile {3}</translation>
+    </message>
+    <message>
         <source>Paint a balloon</source>
         <translation>Einen Ballon malen</translation>
     </message>
@@ -1763,8 +1775,16 @@
         <translation>Schnittmuster im Maßstab 1 : {0}</translation>
     </message>
     <message>
+        <source>Pattern on several pages</source>
+        <translation>Schnittmuster auf mehreren Seiten</translation>
+    </message>
+    <message>
         <source>Pattern written to {}</source>
         <translation>Schnittmuster nach {} geschrieben</translation>
+    </message>
+    <message>
+        <source>Pattern {0} x {1} mm ({2} x {3} in), {4} pages.</source>
+        <translation>Schnittmuster {0} x {1} mm ({2} x {3} Zoll), {4} Seiten.</translation>
     </message>
     <message>
         <source>Pattern, cut two (one mirrored)</source>
@@ -1865,6 +1885,10 @@
     <message>
         <source>Previews and labels need it; everything else works.</source>
         <translation>Vorschaubilder und Beschriftungen brauchen es; alles andere geht.</translation>
+    </message>
+    <message>
+        <source>Print at 100 % ("actual size"). The bar below must be 100 mm long.</source>
+        <translation>Mit 100 % drucken („tatsächliche Größe“). Der Balken unten muss 100 mm lang sein.</translation>
     </message>
     <message>
         <source>Pull a line; then move the pointer to bend it, and click. A right click keeps it straight.</source>
@@ -2169,6 +2193,10 @@
     <message>
         <source>That wide</source>
         <translation>So breit</translation>
+    </message>
+    <message>
+        <source>That would take {0} pages: choose larger paper or a smaller balloon.</source>
+        <translation>Das würden {0} Seiten: größeres Papier oder einen kleineren Ballon wählen.</translation>
     </message>
     <message>
         <source>The 'parts' of the JSON file are not a list of shapes. {0}</source>
@@ -2717,6 +2745,10 @@
     <message>
         <source>There is no paper "{0}" for the assembly sheet: choose A4 or Letter.</source>
         <translation>Es gibt kein Papier „{0}“ für das Montageblatt: A4 oder Letter wählen.</translation>
+    </message>
+    <message>
+        <source>There is no paper "{0}": choose A4, A3 or Letter.</source>
+        <translation>Papier „{0}“ gibt es nicht: A4, A3 oder Letter wählen.</translation>
     </message>
     <message>
         <source>There is no picture to print: choose one, as the outline has none of its own.</source>

@@ -899,6 +899,10 @@
         <translation>Globo</translation>
     </message>
     <message>
+        <source>Balloon pattern</source>
+        <translation>Patrón del globo</translation>
+    </message>
+    <message>
         <source>Balloons</source>
         <translation>Globos</translation>
     </message>
@@ -1025,6 +1029,10 @@
     <message>
         <source>Custom</source>
         <translation>Personalizada</translation>
+    </message>
+    <message>
+        <source>Cut each page along its left and lower crosses, lay it on the crosses of its neighbours, tape.</source>
+        <translation>Corte cada página por sus cruces de la izquierda y de abajo, póngala sobre las cruces de las vecinas y péguela.</translation>
     </message>
     <message>
         <source>Cut out the holes inside.</source>
@@ -1719,6 +1727,10 @@
         <translation>Pa, su propio intervalo</translation>
     </message>
     <message>
+        <source>Page {0} of {1}: column {2}, row {3}</source>
+        <translation>Página {0} de {1}: columna {2}, fila {3}</translation>
+    </message>
+    <message>
         <source>Paint a balloon</source>
         <translation>Pintar un globo</translation>
     </message>
@@ -1763,8 +1775,16 @@
         <translation>Patrón a escala 1 : {0}</translation>
     </message>
     <message>
+        <source>Pattern on several pages</source>
+        <translation>Patrón en varias páginas</translation>
+    </message>
+    <message>
         <source>Pattern written to {}</source>
         <translation>Patrón escrito en {}</translation>
+    </message>
+    <message>
+        <source>Pattern {0} x {1} mm ({2} x {3} in), {4} pages.</source>
+        <translation>Patrón {0} x {1} mm ({2} x {3} pulgadas), {4} páginas.</translation>
     </message>
     <message>
         <source>Pattern, cut two (one mirrored)</source>
@@ -1865,6 +1885,10 @@
     <message>
         <source>Previews and labels need it; everything else works.</source>
         <translation>Las vistas previas y etiquetas lo necesitan; todo lo demás funciona.</translation>
+    </message>
+    <message>
+        <source>Print at 100 % ("actual size"). The bar below must be 100 mm long.</source>
+        <translation>Imprima al 100 % («tamaño real»). La barra de abajo debe medir 100 mm.</translation>
     </message>
     <message>
         <source>Pull a line; then move the pointer to bend it, and click. A right click keeps it straight.</source>
@@ -2169,6 +2193,10 @@
     <message>
         <source>That wide</source>
         <translation>Esta anchura</translation>
+    </message>
+    <message>
+        <source>That would take {0} pages: choose larger paper or a smaller balloon.</source>
+        <translation>Serían {0} páginas: elija papel más grande o un globo más pequeño.</translation>
     </message>
     <message>
         <source>The 'parts' of the JSON file are not a list of shapes. {0}</source>
@@ -2717,6 +2745,10 @@
     <message>
         <source>There is no paper "{0}" for the assembly sheet: choose A4 or Letter.</source>
         <translation>No hay papel «{0}» para la hoja de montaje: elija A4 o Letter.</translation>
+    </message>
+    <message>
+        <source>There is no paper "{0}": choose A4, A3 or Letter.</source>
+        <translation>No hay papel «{0}»: elija A4, A3 o Letter.</translation>
     </message>
     <message>
         <source>There is no picture to print: choose one, as the outline has none of its own.</source>

@@ -899,6 +899,10 @@
         <translation>Ballon</translation>
     </message>
     <message>
+        <source>Balloon pattern</source>
+        <translation>Patron du ballon</translation>
+    </message>
+    <message>
         <source>Balloons</source>
         <translation>Ballons</translation>
     </message>
@@ -1025,6 +1029,10 @@
     <message>
         <source>Custom</source>
         <translation>Personnalisé</translation>
+    </message>
+    <message>
+        <source>Cut each page along its left and lower crosses, lay it on the crosses of its neighbours, tape.</source>
+        <translation>Coupez chaque page le long de ses croix de gauche et du bas, posez-la sur les croix de ses voisines, collez.</translation>
     </message>
     <message>
         <source>Cut out the holes inside.</source>
@@ -1719,6 +1727,10 @@
         <translation>Pa, sa propre plage</translation>
     </message>
     <message>
+        <source>Page {0} of {1}: column {2}, row {3}</source>
+        <translation>Page {0} sur {1} : colonne {2}, ligne {3}</translation>
+    </message>
+    <message>
         <source>Paint a balloon</source>
         <translation>Peindre un ballon</translation>
     </message>
@@ -1763,8 +1775,16 @@
         <translation>Patron à l'échelle 1 : {0}</translation>
     </message>
     <message>
+        <source>Pattern on several pages</source>
+        <translation>Patron sur plusieurs pages</translation>
+    </message>
+    <message>
         <source>Pattern written to {}</source>
         <translation>Patron écrit dans {}</translation>
+    </message>
+    <message>
+        <source>Pattern {0} x {1} mm ({2} x {3} in), {4} pages.</source>
+        <translation>Patron {0} x {1} mm ({2} x {3} pouces), {4} pages.</translation>
     </message>
     <message>
         <source>Pattern, cut two (one mirrored)</source>
@@ -1865,6 +1885,10 @@
     <message>
         <source>Previews and labels need it; everything else works.</source>
         <translation>Les aperçus et les inscriptions le demandent ; tout le reste marche.</translation>
+    </message>
+    <message>
+        <source>Print at 100 % ("actual size"). The bar below must be 100 mm long.</source>
+        <translation>Imprimez à 100 % (« taille réelle »). La barre ci-dessous doit mesurer 100 mm.</translation>
     </message>
     <message>
         <source>Pull a line; then move the pointer to bend it, and click. A right click keeps it straight.</source>
@@ -2169,6 +2193,10 @@
     <message>
         <source>That wide</source>
         <translation>Cette largeur</translation>
+    </message>
+    <message>
+        <source>That would take {0} pages: choose larger paper or a smaller balloon.</source>
+        <translation>Cela ferait {0} pages : choisissez un papier plus grand ou un ballon plus petit.</translation>
     </message>
     <message>
         <source>The 'parts' of the JSON file are not a list of shapes. {0}</source>
@@ -2717,6 +2745,10 @@
     <message>
         <source>There is no paper "{0}" for the assembly sheet: choose A4 or Letter.</source>
         <translation>Il n'y a pas de papier « {0} » pour la fiche de montage : choisissez A4 ou Letter.</translation>
+    </message>
+    <message>
+        <source>There is no paper "{0}": choose A4, A3 or Letter.</source>
+        <translation>Il n'y a pas de papier « {0} » : choisissez A4, A3 ou Letter.</translation>
     </message>
     <message>
         <source>There is no picture to print: choose one, as the outline has none of its own.</source>

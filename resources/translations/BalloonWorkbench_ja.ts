@@ -899,6 +899,10 @@
         <translation>風船</translation>
     </message>
     <message>
+        <source>Balloon pattern</source>
+        <translation>風船の型紙</translation>
+    </message>
+    <message>
         <source>Balloons</source>
         <translation>風船</translation>
     </message>
@@ -1025,6 +1029,10 @@
     <message>
         <source>Custom</source>
         <translation>カスタム</translation>
+    </message>
+    <message>
+        <source>Cut each page along its left and lower crosses, lay it on the crosses of its neighbours, tape.</source>
+        <translation>各ページを左と下の十字に沿って切り、隣のページの十字に重ねてテープで留めます。</translation>
     </message>
     <message>
         <source>Cut out the holes inside.</source>
@@ -1719,6 +1727,10 @@
         <translation>Pa（自身の範囲）</translation>
     </message>
     <message>
+        <source>Page {0} of {1}: column {2}, row {3}</source>
+        <translation>ページ {0}/{1}：{2} 列、{3} 行</translation>
+    </message>
+    <message>
         <source>Paint a balloon</source>
         <translation>風船を描く</translation>
     </message>
@@ -1763,8 +1775,16 @@
         <translation>型紙、縮尺 1 : {0}</translation>
     </message>
     <message>
+        <source>Pattern on several pages</source>
+        <translation>複数ページの型紙</translation>
+    </message>
+    <message>
         <source>Pattern written to {}</source>
         <translation>型紙を {} に書き出しました</translation>
+    </message>
+    <message>
+        <source>Pattern {0} x {1} mm ({2} x {3} in), {4} pages.</source>
+        <translation>型紙 {0} x {1} mm（{2} x {3} インチ）、{4} ページ。</translation>
     </message>
     <message>
         <source>Pattern, cut two (one mirrored)</source>
@@ -1865,6 +1885,10 @@
     <message>
         <source>Previews and labels need it; everything else works.</source>
         <translation>プレビューと文字に必要です。ほかはすべて使えます。</translation>
+    </message>
+    <message>
+        <source>Print at 100 % ("actual size"). The bar below must be 100 mm long.</source>
+        <translation>100 %（「実際のサイズ」）で印刷してください。下の棒は 100 mm でなければなりません。</translation>
     </message>
     <message>
         <source>Pull a line; then move the pointer to bend it, and click. A right click keeps it straight.</source>
@@ -2169,6 +2193,10 @@
     <message>
         <source>That wide</source>
         <translation>この幅</translation>
+    </message>
+    <message>
+        <source>That would take {0} pages: choose larger paper or a smaller balloon.</source>
+        <translation>{0} ページになってしまいます。大きな用紙か小さな風船にしてください。</translation>
     </message>
     <message>
         <source>The 'parts' of the JSON file are not a list of shapes. {0}</source>
@@ -2717,6 +2745,10 @@
     <message>
         <source>There is no paper "{0}" for the assembly sheet: choose A4 or Letter.</source>
         <translation>組み立て図に用紙「{0}」は使えません。A4 か Letter を選んでください。</translation>
+    </message>
+    <message>
+        <source>There is no paper "{0}": choose A4, A3 or Letter.</source>
+        <translation>「{0}」という用紙はありません。A4、A3、レターから選んでください。</translation>
     </message>
     <message>
         <source>There is no picture to print: choose one, as the outline has none of its own.</source>

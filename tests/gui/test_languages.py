@@ -12,7 +12,7 @@ import pytest
 
 import BalloonWorkbench
 from BalloonWorkbench.app import create, status
-from BalloonWorkbench.core.assembly import fonts
+from BalloonWorkbench.core import fonts
 from BalloonWorkbench.gui.sentences import tell
 
 

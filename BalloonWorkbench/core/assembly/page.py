@@ -10,7 +10,6 @@ from typing import Any
 
 import numpy as np
 
-from BalloonWorkbench.core.assembly.fonts import can_show, fonts_for
 from BalloonWorkbench.core.assembly.pen import ACCENT, BAND, INK, RULE, SOFT, Pen
 from BalloonWorkbench.core.assembly.steps import steps
 from BalloonWorkbench.core.assembly.texts import figures, material
@@ -18,6 +17,7 @@ from BalloonWorkbench.core.errors import ExportError, MissingPackageError
 from BalloonWorkbench.core.export.layers import LAYERS
 from BalloonWorkbench.core.export.render import balloon_picture
 from BalloonWorkbench.core.film.film import Film
+from BalloonWorkbench.core.fonts import fonts_for, readable
 from BalloonWorkbench.core.maker.numbers import Numbers
 from BalloonWorkbench.core.pattern.pattern import Pattern, Role
 from BalloonWorkbench.core.solver.inflation import Inflation
@@ -75,8 +75,7 @@ def assembly_pdf(subject: Subject, paper: str = "A4", say: Say = in_english) -> 
         raise MissingPackageError(
             "The assembly sheet needs matplotlib: install it with pip install matplotlib."
         ) from error
-    if not can_show(say("Assembly sheet")):
-        say = in_english
+    say = readable(say, "Assembly sheet")
     fonts = fonts_for(say("Assembly sheet"), subject.title + subject.film.title)
     with rc_context({"pdf.fonttype": fonts.kind, "pdf.compression": 6, "font.family": list(fonts.families)}):
         figure = Figure(figsize=(size[0] / _INCH, size[1] / _INCH))

@@ -5,8 +5,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from BalloonWorkbench.core.assembly.fonts import Fonts
 from BalloonWorkbench.core.assembly.texts import broken
+from BalloonWorkbench.core.fonts import Fonts
 from BalloonWorkbench.core.types import Say
 
 INK, SOFT, RULE, BAND, ACCENT = "#1f2937", "#64748b", "#d3d9e3", "#f2f4f8", "#c81e4a"

@@ -6,8 +6,8 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 
-from BalloonWorkbench.core.assembly.fonts import WIDE
 from BalloonWorkbench.core.film.film import Film
+from BalloonWorkbench.core.fonts import WIDE
 from BalloonWorkbench.core.maker.numbers import Numbers
 from BalloonWorkbench.core.pattern.intake_kinds import intake_kind
 from BalloonWorkbench.core.pattern.pattern import Pattern

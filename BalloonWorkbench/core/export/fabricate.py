@@ -14,27 +14,34 @@ from BalloonWorkbench.core.export.machine_pdf import drawing_pdf, tiled_pdf
 from BalloonWorkbench.core.export.machine_svg import drawing_svg
 from BalloonWorkbench.core.export.preflight import ERROR, preflight
 from BalloonWorkbench.core.pattern.pattern import Pattern
+from BalloonWorkbench.core.types import Say, in_english
 
-_WRITERS = {"dxf": drawing_dxf, "svg": drawing_svg, "pdf": drawing_pdf, "hpgl": drawing_hpgl}
+_WRITERS = {"dxf": drawing_dxf, "svg": drawing_svg, "hpgl": drawing_hpgl}
 
 
-def machine_file(pattern: Pattern, machine: Machine, tiled: str | None = None) -> bytes:
-    """The content of the file; tiled on "A4", "A3" or "Letter" for a PDF.
+def machine_file(
+    pattern: Pattern, machine: Machine, tiled: str | None = None, say: Say = in_english
+) -> bytes:
+    """The content of the file; tiled on "A4", "A3" or "Letter" for a PDF, whose texts `say` gives.
 
     Raises ExportError when the machine's format has no pages, or nothing of the pattern is for it.
     """
-    return drawing_file(draw(pattern, machine), machine, tiled)
+    return drawing_file(draw(pattern, machine), machine, tiled, say)
 
 
-def drawing_file(drawing: Drawing, machine: Machine, tiled: str | None = None) -> bytes:
+def drawing_file(
+    drawing: Drawing, machine: Machine, tiled: str | None = None, say: Say = in_english
+) -> bytes:
     """The same for a drawing that is already made for the machine."""
+    if tiled is None and machine.format == "pdf":
+        return drawing_pdf(drawing, machine, say)
     if tiled is None:
         return _WRITERS[machine.format](drawing, machine)
     if machine.format != "pdf":
         raise ExportError(
             f"{machine.title} reads {machine.format.upper()}, which has no pages: choose paper."
         )
-    return tiled_pdf(drawing, machine, tiled)
+    return tiled_pdf(drawing, machine, tiled, say)
 
 
 def checked_files(

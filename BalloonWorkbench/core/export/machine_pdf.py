@@ -12,7 +12,10 @@ import numpy as np
 from BalloonWorkbench.core.errors import ExportError
 from BalloonWorkbench.core.export.drawing import BAR, Drawing
 from BalloonWorkbench.core.export.machine import Machine
+from BalloonWorkbench.core.export.pdf_text import write
+from BalloonWorkbench.core.fonts import readable
 from BalloonWorkbench.core.packages import reportlab_canvas
+from BalloonWorkbench.core.types import Say, in_english
 
 PAPERS = {"A4": (210.0, 297.0), "A3": (297.0, 420.0), "LETTER": (215.9, 279.4)}  # mm
 #: Their names as people write them.
@@ -24,6 +27,7 @@ _OVERLAP = 10.0
 _MARK = 5.0
 _LINE = 0.25
 _CHORD = 0.005
+_TITLE = "Pattern on several pages"
 #: More pages than that are a mistake.
 _MOST_PAGES = 400
 
@@ -46,31 +50,35 @@ class Tiles:
         return column * (self.usable[0] - _OVERLAP), row * (self.usable[1] - _OVERLAP)
 
 
-def drawing_pdf(drawing: Drawing, machine: Machine) -> bytes:
+def drawing_pdf(drawing: Drawing, machine: Machine, say: Say = in_english) -> bytes:
     """One page of the drawing's size with a margin; the same bytes for the same drawing.
 
     MissingPackageError without reportlab.
     """
     size = (drawing.width + 2.0 * _MARGIN, drawing.height + 2.0 * _MARGIN)
-    stream, canvas = _new(size)
+    stream, canvas = _new(size, say)
     _show(canvas, drawing, machine, (_MARGIN, _MARGIN))
     canvas.showPage()
     canvas.save()
     return stream.getvalue()
 
 
-def tiled_pdf(drawing: Drawing, machine: Machine, paper: str) -> bytes:
+def tiled_pdf(drawing: Drawing, machine: Machine, paper: str, say: Say = in_english) -> bytes:
     """A map of the pages, then the pages of "A4", "A3" or "Letter" with overlap, crop marks and their place.
 
+    say  gives the texts in the reader's language; English stays where no font has its letters
     ExportError for other paper and for far too many pages; MissingPackageError without reportlab.
     """
     tiles = divide(drawing, paper)
-    stream, canvas = _new(tiles.paper)
-    _map(canvas, drawing, machine, tiles)
+    say = readable(say, _TITLE)
+    stream, canvas = _new(tiles.paper, say)
+    _map(canvas, drawing, machine, tiles, say)
     canvas.showPage()
     for number, (column, row) in enumerate(tiles.pages, 1):
         canvas.setPageSize((tiles.paper[0] * _POINT, tiles.paper[1] * _POINT))
-        _page(canvas, drawing, machine, tiles, column, row, number)
+        _page(canvas, drawing, machine, tiles, (column, row))
+        place = say(f"Page {number} of {len(tiles.pages)}: column {column + 1}, row {tiles.rows - row}")
+        write(canvas, (_MARGIN + 10.0, 5.0), place, 9.0, tiles.usable[0] - 20.0)
         canvas.showPage()
     canvas.save()
     return stream.getvalue()
@@ -114,11 +122,11 @@ def _has_lines(drawing: Drawing, tiles: Tiles, column: int, row: int) -> bool:
     return False
 
 
-def _new(size: tuple[float, float]) -> tuple[io.BytesIO, Any]:
+def _new(size: tuple[float, float], say: Say) -> tuple[io.BytesIO, Any]:
     stream = io.BytesIO()
     # invariant: no date and no identifier that changes
     canvas = reportlab_canvas()(stream, pagesize=(size[0] * _POINT, size[1] * _POINT), invariant=1)
-    canvas.setTitle("Balloon pattern")
+    canvas.setTitle(say("Balloon pattern"))
     canvas.setAuthor("")
     canvas.setViewerPreference("PrintScaling", "None")  # printers must not fit the page
     return stream, canvas
@@ -145,11 +153,9 @@ def _show(canvas: Any, drawing: Drawing, machine: Machine, at: tuple[float, floa
     canvas.restoreState()
 
 
-def _page(
-    canvas: Any, drawing: Drawing, machine: Machine, tiles: Tiles, column: int, row: int, number: int
-) -> None:
-    """One page: its part of the drawing, the marks along which it is cut, and where it belongs."""
-    left, bottom = tiles.corner(column, row)
+def _page(canvas: Any, drawing: Drawing, machine: Machine, tiles: Tiles, place: tuple[int, int]) -> None:
+    """One page: its part of the drawing, and the marks along which it is cut."""
+    left, bottom = tiles.corner(*place)
     canvas.saveState()
     window = canvas.beginPath()
     window.rect(*(value * _POINT for value in (_MARGIN, _MARGIN, *tiles.usable)))
@@ -163,17 +169,12 @@ def _page(
         for y in (_MARGIN, _MARGIN + tiles.usable[1] - _OVERLAP):
             canvas.line((x - _MARK) * _POINT, y * _POINT, (x + _MARK) * _POINT, y * _POINT)
             canvas.line(x * _POINT, (y - _MARK) * _POINT, x * _POINT, (y + _MARK) * _POINT)
-    canvas.setFont("Helvetica", 9)
-    text = f"Page {number} of {len(tiles.pages)}: column {column + 1}, row {tiles.rows - row}"
-    canvas.drawString((_MARGIN + 10.0) * _POINT, 5.0 * _POINT, text)
 
 
-def _map(canvas: Any, drawing: Drawing, machine: Machine, tiles: Tiles) -> None:
+def _map(canvas: Any, drawing: Drawing, machine: Machine, tiles: Tiles, say: Say) -> None:
     """The first page: what goes where, how to join it, and a bar to measure."""
     width, height = tiles.paper
-    canvas.setFont("Helvetica-Bold", 14)
-    canvas.drawString(_MARGIN * _POINT, (height - 18.0) * _POINT, "Pattern on several pages")
-    canvas.setFont("Helvetica", 9)
+    write(canvas, (_MARGIN, height - 18.0), say(_TITLE), 14.0, tiles.usable[0], bold=True)
     for k, text in enumerate(
         (
             f"Pattern {drawing.width:.1f} x {drawing.height:.1f} mm ({drawing.width / 25.4:.2f} x"
@@ -182,7 +183,7 @@ def _map(canvas: Any, drawing: Drawing, machine: Machine, tiles: Tiles) -> None:
             "Cut each page along its left and lower crosses, lay it on the crosses of its neighbours, tape.",
         )
     ):
-        canvas.drawString(_MARGIN * _POINT, (height - 25.0 - 5.0 * k) * _POINT, text)
+        write(canvas, (_MARGIN, height - 25.0 - 5.0 * k), say(text), 9.0, tiles.usable[0])
     canvas.setLineWidth(_LINE * _POINT)
     left, y = _MARGIN, height - 48.0
     for a, b in (((left, y), (left + BAR, y)), *(((x, y - 2), (x, y + 2)) for x in (left, left + BAR))):

@@ -8,9 +8,9 @@ from pathlib import Path
 import FreeCADGui as Gui
 
 from BalloonWorkbench.app import maker
-from BalloonWorkbench.core.assembly.fonts import can_show
 from BalloonWorkbench.core.assembly.page import PAGES
-from BalloonWorkbench.core.errors import BalloonError, MissingPackageError
+from BalloonWorkbench.core.errors import BalloonError
+from BalloonWorkbench.core.fonts import can_show
 from BalloonWorkbench.gui import record
 from BalloonWorkbench.gui.panels.maker_rows import MakerRows
 from BalloonWorkbench.gui.panels.watch import Watch
@@ -97,11 +97,8 @@ class AssemblyPanel:
 
 def _remark() -> str:
     """Why the page will not be in the user's language, empty when it will."""
-    try:
-        if can_show(translate("Assembly sheet")):
-            return ""
-    except MissingPackageError as error:
-        return tell(str(error))
+    if can_show(translate("Assembly sheet")):
+        return ""
     return translate(
         "The page will be in English, as no font here has the letters of your language: install IPAexGothic"
         " or Noto Sans CJK JP, and open this panel again."

@@ -1,22 +1,27 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The assembly sheet in each language: every text translated, nothing outside its column, on one page."""
+"""What is printed, in each language: every text translated, nothing outside its column, on one page."""
 
 from __future__ import annotations
 
 import re
+import subprocess
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
 import told_in
+from matplotlib.image import imread
 from test_assembly import POPPLER, subject, told_by
+from test_export_pages import PAPER, SMALL
 
-from BalloonWorkbench.core.assembly import fonts
+from BalloonWorkbench.core import fonts
 from BalloonWorkbench.core.assembly.page import assembly_pdf
 from BalloonWorkbench.core.assembly.steps import steps
 from BalloonWorkbench.core.assembly.texts import broken, figures, material
+from BalloonWorkbench.core.export.fabricate import machine_file
 from BalloonWorkbench.core.film.library import films
 from BalloonWorkbench.core.pattern.intake_kinds import intake_kinds
+from BalloonWorkbench.core.types import in_english
 
 #: A word that every page has, and the beginning of a step that it has.
 SEEN = {
@@ -137,6 +142,47 @@ def test_japanese_name_on_an_english_page(tmp_path: Path) -> None:
     path.write_bytes(assembly_pdf(replace(subject("disc"), title="おばあちゃんのハート")))
     assert "おばあちゃんのハート" in text_of(path)
     assert "Assembly sheet" in text_of(path)
+
+
+@POPPLER
+@pytest.mark.parametrize(
+    ("language", "title", "place"),
+    [
+        ("de", "Schnittmuster auf mehreren Seiten", "Seite 1 von 1"),
+        ("fr", "Patron sur plusieurs pages", "Page 1 sur 1"),
+        ("es-ES", "Patrón en varias páginas", "Página 1 de 1"),
+    ],
+)
+def test_pattern_on_pages(tmp_path: Path, language: str, title: str, place: str) -> None:
+    file = tmp_path / "tiles.pdf"
+    file.write_bytes(machine_file(SMALL, PAPER, "A4", told_in.says(language)))
+    text = text_of(file)
+    assert title in text
+    assert place in text
+    assert "Print" not in text
+    assert "%" in text
+
+
+@POPPLER
+@JAPANESE
+def test_pattern_on_pages_in_japanese(tmp_path: Path) -> None:
+    """Drawn letters: as much ink as the English ones have, in the same lines, and none of these."""
+    dark = []
+    for name, say in (("en", in_english), ("ja", told_in.says("ja"))):
+        file = tmp_path / f"{name}.pdf"
+        file.write_bytes(machine_file(SMALL, PAPER, "A4", say))
+        subprocess.run(["pdftoppm", "-r", "100", "-png", "-singlefile", file, tmp_path / name], check=True)
+        dark.append(imread(tmp_path / f"{name}.png")[:160, :, :3].max(axis=2) < 0.5)
+    english, japanese = dark
+    for top, low in ((12.0, 19.5), (21.5, 26.0), (26.5, 31.0), (31.5, 36.0)):  # mm
+        rows = slice(round(top / 0.254), round(low / 0.254))
+        assert 0.3 < japanese[rows].sum() / english[rows].sum() < 3.0
+    assert not re.search("[A-Za-z]{4,}", text_of(tmp_path / "ja.pdf"))
+
+
+def test_pattern_on_pages_without_a_japanese_font(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(fonts, "_JAPANESE", ("No such font",))
+    assert machine_file(SMALL, PAPER, "A4", told_in.says("ja")) == machine_file(SMALL, PAPER, "A4")
 
 
 @pytest.mark.parametrize(

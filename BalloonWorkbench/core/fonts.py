@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The fonts of the page: DejaVu Sans, which matplotlib has, and for Japanese one that the system has."""
+"""Fonts for what people read on paper: those of Europe, and for Japanese one that the system has."""
 
 from __future__ import annotations
 
@@ -8,9 +8,9 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from BalloonWorkbench.core.errors import MissingPackageError
+from BalloonWorkbench.core.types import Say, in_english
 
-_EUROPE = "DejaVu Sans"
+_EUROPE = "DejaVu Sans"  # matplotlib has it
 #: Families with Japanese letters, those that a PDF can be searched in first.
 _JAPANESE = (
     *("IPAexGothic", "IPAPGothic", "TakaoPGothic", "VL PGothic", "Meiryo", "BIZ UDPGothic", "Yu Gothic"),
@@ -49,21 +49,38 @@ class Fonts:
 def fonts_for(language: str, others: str) -> Fonts:
     """Fonts for a page in the language that a text of it is written in, and for other texts on it.
 
-    MissingPackageError without matplotlib.
+    Needs matplotlib.
     """
-    japanese = _japanese() if _is_wide(language) or _is_wide(others) else None
+    japanese = _japanese() if is_wide(language) or is_wide(others) else None
     if japanese is None:
         return Fonts((_EUROPE,), 42)
-    families = (japanese, _EUROPE) if _is_wide(language) else (_EUROPE, japanese)
+    families = (japanese, _EUROPE) if is_wide(language) else (_EUROPE, japanese)
     return Fonts(families, 42 if _outlines(Path(_opened(japanese).fname)) != b"OTTO" else 3)
 
 
+def drawn(text: str, bold: bool = False) -> Any:
+    """A line with Japanese letters as a Path of matplotlib, one unit high, where `can_show` says yes."""
+    from matplotlib.font_manager import FontProperties
+    from matplotlib.textpath import TextPath
+    from matplotlib.transforms import Affine2D
+
+    font = FontProperties(family=[_japanese(), _EUROPE], weight="bold" if bold else "normal")
+    path = TextPath((0.0, 0.0), text, size=_TRIED, prop=font)
+    return path.transformed(Affine2D().scale(1.0 / _TRIED))
+
+
+def readable(say: Say, text: str) -> Say:
+    """What says the texts of a page, one of which is given: English where no font has the letters."""
+    return say if can_show(say(text)) else in_english
+
+
 def can_show(text: str) -> bool:
-    """There is a font for the letters of a text. MissingPackageError without matplotlib."""
-    return not _is_wide(text) or _japanese() is not None
+    """There is a font for the letters of a text; for Japanese that needs matplotlib."""
+    return not is_wide(text) or _japanese() is not None
 
 
-def _is_wide(text: str) -> bool:
+def is_wide(text: str) -> bool:
+    """There are Japanese letters in a text."""
     return re.search(f"[{WIDE}]", text) is not None
 
 
@@ -71,10 +88,8 @@ def _japanese() -> str | None:
     """The first family of our list that the system has."""
     try:
         from matplotlib import font_manager
-    except ImportError as error:
-        raise MissingPackageError(
-            "The assembly sheet needs matplotlib: install it with pip install matplotlib."
-        ) from error
+    except ImportError:
+        return None
     found = _listed(font_manager.fontManager)
     if found is None:  # matplotlib keeps its list: look for fonts that came later
         known = {font.fname for font in font_manager.fontManager.ttflist}
