@@ -118,7 +118,7 @@ def artwork(pattern_obj, **wanted):
 
 
 def sketch(pattern_obj):
-    """A new Sketcher sketch of a pattern's cuts, of lines and arcs; InputError while that is not up to date."""
+    """A new Sketcher sketch of a pattern's cuts, of lines and arcs; InputError while it is not up to date."""
     from BalloonWorkbench.app.pattern_sketch import make_sketch
 
     return _done[-1] if _done else make_sketch(pattern_obj)

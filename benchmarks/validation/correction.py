@@ -110,8 +110,7 @@ def _meshes(outlines: dict[str, Outline]) -> str:
         rows.append((name, " and ".join(counts), f"{100 * pattern:.2f} %", f"{100 * shown:.2f} %", marked))
     intro = """The same drawing on few and on many vertices: mean two-way distance of the two patterns, laid
     on each other, and of the two silhouettes, each in per cent of its larger dimension; and the stretches
-    that are marked as not reached on either mesh. Arms that hardly fill, as the feelers of the butterfly,
-    lean one way or another on a coarse mesh."""
+    that are marked as not reached on either mesh."""
     head = ("drawing", "vertices", "patterns", "silhouettes", "stretches")
     return "\n" + paragraphs(intro) + "\n" + table(head, rows)
 

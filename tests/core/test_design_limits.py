@@ -60,14 +60,14 @@ def test_first_pattern_keeps_the_hole_of_a_ring() -> None:
 # The same answer on any mesh
 
 
-@pytest.mark.parametrize("name", ["heart", "star", "fish", "bear"])
+@pytest.mark.parametrize("name", ["heart", "star", "fish", "bear", "butterfly", "line-dog"])
 def test_few_and_many_vertices_give_the_same_pattern(name: str) -> None:
     drawing = read_picture(PICTURES / f"{name}.png", 0.3, None)
     grown_drawing = drawing.map(lambda loop: 1.28 * loop)
     few, many = (
         fit(drawing, film("mylar"), 2000.0, mesh_size=size_for(grown_drawing, count)) for count in (600, 5000)
     )
-    assert len(few.inflation.panel.rest_positions) < 700
+    assert len(few.inflation.panel.rest_positions) < 720
     assert len(many.inflation.panel.rest_positions) > 4400
     # where the pattern lies on the table is free
     rotation, shift = alignment(few.pattern.outer, many.pattern.outer, np.ones(len(few.pattern.outer)))

@@ -13,10 +13,12 @@ from BalloonWorkbench.core.design.course import Course, SeamNodes, seam_nodes
 from BalloonWorkbench.core.design.seen import trimmed
 from BalloonWorkbench.core.design.silhouette import silhouette
 from BalloonWorkbench.core.film.film import Film
+from BalloonWorkbench.core.mesh.halves import triangulate_mirrored
 from BalloonWorkbench.core.mesh.panel import Panel
 from BalloonWorkbench.core.mesh.reuse import move_rim
 from BalloonWorkbench.core.mesh.triangulate import triangulate
 from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.outline.symmetry import Mirror
 from BalloonWorkbench.core.solver.inflate import inflate
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.solver.model import Model
@@ -28,7 +30,8 @@ from BalloonWorkbench.core.types import Bools, Progress
 class Work:
     """What stays the same from pass to pass, but for edge, lost and settings.
 
-    edge [m] of the mesh; lost: points of the course that are given up; settings: when the film is at rest
+    edge [m] of the mesh; lost: points of the course that are given up; mirror: of a symmetric
+    pattern; settings: when the film is at rest
     """
 
     target: Outline
@@ -39,6 +42,7 @@ class Work:
     model: Model | None
     progress: Progress
     lost: tuple[Bools, ...]
+    mirror: Mirror | None = None
     settings: NewtonSettings | None = None
 
 
@@ -68,7 +72,7 @@ def attempt(work: Work, course: Course, previous: Pass | None, last: Pass | None
     if previous is not None and panel is not None:
         nodes, start = previous.nodes, previous.inflation
     else:
-        panel = triangulate(course.outline, work.edge)
+        panel = _meshed(course.outline, work)
         nodes = seam_nodes(course, panel)
         start = None if last is None else carried(last.inflation, panel)
     inflation = inflate(
@@ -84,6 +88,11 @@ def attempt(work: Work, course: Course, previous: Pass | None, last: Pass | None
     placed = _aligned(course, nodes, inflation, work.lost)
     shown = silhouette(trimmed(placed))
     return Pass(course, panel, nodes, placed, shown, misfit(work.target, shown))
+
+
+def _meshed(pattern: Outline, work: Work) -> Panel:
+    found = None if work.mirror is None else triangulate_mirrored(pattern, work.edge, work.mirror)
+    return found or triangulate(pattern, work.edge)
 
 
 def weld_error(current: Pass) -> float:

@@ -119,7 +119,7 @@ def fit(
     stalled = passes = meshes = halvings = steps = 0
     while True:
         shown = _part(progress, passes)
-        work = Work(target, film, pressure, edge, backend, model, shown, hopes.lost, settings)
+        work = Work(target, film, pressure, edge, backend, model, shown, hopes.lost, mirror, settings)
         course = twins.matched(course, None if last is None else last.course)
         try:
             current = attempt(work, course, previous, last)

@@ -17,6 +17,7 @@ from BalloonWorkbench.core.units import to_mm
 
 #: Turn within about an edge length that makes a corner [rad].
 _CORNER = np.radians(30.0)
+_NONE: Ints = np.empty(0, dtype=np.int32)
 
 
 @dataclass(frozen=True)
@@ -33,13 +34,19 @@ class Weld:
         return np.array([*ends[0], *range(first, first + len(self.points)), *ends[1]], dtype=np.int32)
 
 
-def seam_points(loops: tuple[Floats, ...], field: SizeField) -> tuple[tuple[Floats, ...], SizeField]:
+def seam_points(
+    loops: tuple[Floats, ...], field: SizeField, kept: Ints = _NONE
+) -> tuple[tuple[Floats, ...], SizeField]:
     """Resampled loops (k, 2), in the order and sense given, and the field.
 
-    Where the coarser loops would cross (a narrow slit) the field is refined. Raises MeshError when that does
-    not help.
+    kept: points of the first loop that stay. Where the coarser loops would cross (a narrow slit) the field is
+    refined. Raises MeshError when that does not help.
     """
-    seams = tuple(_resampled(loop, field) for loop in loops)
+
+    def seams_on(field: SizeField) -> tuple[Floats, ...]:
+        return tuple(_resampled(loop, field, _NONE if n else kept) for n, loop in enumerate(loops))
+
+    seams = seams_on(field)
     while (place := first_crossing(seams)) is not None:
         closer = 0.5 * float(field.at(place[None])[0])
         if closer < 0.02 * field.size:
@@ -50,7 +57,7 @@ def seam_points(loops: tuple[Floats, ...], field: SizeField) -> tuple[tuple[Floa
                 (float(place[0]), float(place[1])),
             )
         field = field.limited(place[None], np.array([closer]))
-        seams = tuple(_resampled(loop, field) for loop in loops)
+        seams = seams_on(field)
     return seams, field
 
 
@@ -99,10 +106,10 @@ def _resampled_line(line: Floats, field: SizeField) -> Floats:
     return np.concatenate([*pieces, line[-1:]])
 
 
-def _resampled(loop: Floats, field: SizeField) -> Floats:
+def _resampled(loop: Floats, field: SizeField, kept: Ints) -> Floats:
     lengths = arc_lengths(loop)
     around = float(lengths[-1])
-    fixed = corners(loop, _CORNER, reach=min(0.6 * field.smallest, around / 8.0))
+    fixed = np.union1d(corners(loop, _CORNER, reach=min(0.6 * field.smallest, around / 8.0)), kept)
     stops = np.append(lengths[fixed], lengths[fixed[0]] + around) if len(fixed) else np.array([0.0, around])
     # Edges along the loop: the integral of 1 / size.
     fine = np.linspace(0.0, around, max(64, int(4.0 * around / field.smallest))) + stops[0]

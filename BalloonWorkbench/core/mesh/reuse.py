@@ -13,9 +13,9 @@ from BalloonWorkbench.core.mesh.panel import Panel
 from BalloonWorkbench.core.mesh.quality import corner_angles, delaunay_loss, flipped, min_angles, worn
 from BalloonWorkbench.core.types import Floats, Ints
 
-#: A triangle may not become sharper than this unless it was about as sharp before [rad].
+#: A triangle may not become much sharper than this [rad], or than it was before.
 _SHARPEST = np.radians(20.0)
-_SHARPENING = 0.7
+_SHARPENING = 0.8
 #: Share of the interior edges that may stop being Delaunay.
 _DELAUNAY_LOSS = 0.03
 
@@ -41,8 +41,7 @@ def move_rim(
     result = replace(panel, rest_positions=moved)
     if flipped(result).any() or (worn(result) & ~worn(panel)).any():
         return None
-    before, after = min_angles(panel), min_angles(result)
-    if ((after < _SHARPEST) & ((before >= _SHARPEST) | (after < _SHARPENING * before))).any():
+    if (min_angles(result) < _SHARPENING * np.minimum(min_angles(panel), _SHARPEST)).any():
         return None
     if delaunay_loss(result) > delaunay_loss(panel) + _DELAUNAY_LOSS:
         return None

@@ -14,8 +14,9 @@ from BalloonWorkbench.core.outline.sampling import arc_lengths, line_lengths, po
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import mm_text, to_mm
 
-#: Elements wanted across a thin part, and the fewest that will do.
-_ACROSS, _FEWEST_ACROSS = 4.0, 2.0
+#: Elements wanted across a thin part; where thin parts are few, and that costs no more than this share of all
+#: vertices; and the fewest that will do.
+_ACROSS, _MORE_ACROSS, _COST, _FEWEST_ACROSS = 4.0, 5.0, 0.2, 2.0
 #: How much smaller than asked elements get for that: in thin parts, and in tips that taper off anyway.
 _CHANNEL_SHARE, _TIP_SHARE = 0.25, 0.5
 _MOST_SAMPLES = 20_000
@@ -71,7 +72,7 @@ def size_field(outline: Outline, size: float, rough: bool = False) -> SizeField:
     """
     _check_proportion(outline, size)
     spacing = size / _SAMPLES_PER_SIZE if rough else _sample_spacing(outline, size)
-    walls = thickness(outline, 1.1 * _ACROSS * size, spacing)
+    walls = thickness(outline, 1.1 * _MORE_ACROSS * size, spacing)
     thinnest, place = walls.thinnest
     coarsest = thinnest / (_FEWEST_ACROSS * _CHANNEL_SHARE)
     if size > coarsest:
@@ -83,7 +84,8 @@ def size_field(outline: Outline, size: float, rough: bool = False) -> SizeField:
             (float(place[0]), float(place[1])),
         )
     share = np.where(walls.channel, _CHANNEL_SHARE, _TIP_SHARE)
-    field = SizeField(size).limited(walls.points, np.maximum(walls.across / _ACROSS, share * size))
+    lengths = _lengths(outline, walls.across, share * size, size)
+    field = SizeField(size).limited(walls.points, lengths)
     for loop in outline.loops:  # a small hole still gets eight edges
         points = sampled(loop, size)
         field = field.limited(points, np.full(len(points), arc_lengths(loop)[-1] / 8.0))
@@ -92,6 +94,15 @@ def size_field(outline: Outline, size: float, rough: bool = False) -> SizeField:
             rim = sampled(hole, size / _SAMPLES_PER_SIZE)
             field = field.limited(rim, np.full(len(rim), _HOLE_SHARE * size), _HOLE_GRADING)
     return _beside_welds(outline, field)
+
+
+def _lengths(outline: Outline, across: Floats, least: Floats, size: float) -> Floats:
+    """Edge lengths (n,) for walls so thick; arms that hardly fill lean one way or another on few elements."""
+    usual, fine = (np.clip(across / elements, least, size) for elements in (_ACROSS, _MORE_ACROSS))
+    spacing = sum(float(arc_lengths(loop)[-1]) for loop in outline.loops) / len(across)
+    thick = np.where(np.isfinite(across), across, 0.0)
+    more = 0.5 * spacing * float((thick * (fine**-2 - usual**-2)).sum())
+    return fine if more < _COST * outline.area / size**2 else usual
 
 
 def _beside_welds(outline: Outline, field: SizeField) -> SizeField:
