@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 from BalloonWorkbench import cli
-from BalloonWorkbench.core.errors import Cancelled, InputError
+from BalloonWorkbench.core.errors import Cancelled, InputError, MeshError
 from BalloonWorkbench.core.film.library import film, with_grain
 from BalloonWorkbench.core.job import Settings, design_outline, make_balloon
 from BalloonWorkbench.core.outline.outline import Outline
@@ -156,6 +156,11 @@ def test_everything_at_once_as_files(tmp_path: Path, capsys: pytest.CaptureFixtu
 )
 def test_senseless_options_are_refused(tmp_path: Path, capsys, words, named) -> None:
     assert named in refused(tmp_path, capsys, *words)
+
+
+def test_endless_triangles_are_refused_in_words() -> None:
+    with pytest.raises(MeshError, match="too coarse"):
+        design_outline(Outline(RECTANGLE), replace(COARSE, correct=True, mesh_size=1e200))
 
 
 def test_grain_is_within_what_a_film_can_have() -> None:

@@ -110,7 +110,7 @@ def fit(
     known = None if start is None else drawn.resized(start.pattern, size / max(start.target.size))
     course = twins.matched(known or _first(drawn, target, mesh_size, room))
     fine = mesh_size or size_for(course.outline, VERTICES)
-    edge = COARSENING * fine if known is None and course.outline.area > WORTHWHILE * fine**2 else fine
+    edge = COARSENING * fine if known is None and course.outline.area > WORTHWHILE * (fine * fine) else fine
     mixing, hopes = AndersonMixing(GAIN), Hopes(course, size)
     best: Pass | None = None
     last: Pass | None = None
