@@ -7,7 +7,7 @@ from __future__ import annotations
 from contextlib import suppress
 from importlib import import_module
 
-from BalloonWorkbench.gui.qt import QtCore, QtWidgets
+from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 
 _PAUSE = 50  # ms, in which the window answers
 _PACKAGE = "BalloonWorkbench"
@@ -27,7 +27,9 @@ _missing: list = []  # what is still to be done
 def begin() -> None:
     """Load when the window has nothing else to do."""
     if not _missing:
-        _missing.extend([*(lambda name=name: import_module(name) for name in _MODULES), _opencv, _look])
+        _missing.extend(
+            [*(lambda name=name: import_module(name) for name in _MODULES), _opencv, _look, _fonts]
+        )
         QtCore.QTimer.singleShot(_PAUSE, _go_on)
 
 
@@ -50,6 +52,13 @@ def _opencv() -> None:
     from BalloonWorkbench.core.outline.raster import opencv
 
     opencv()
+
+
+def _fonts() -> None:
+    """Find the font of an assembly sheet in the user's language."""
+    from BalloonWorkbench.core.fonts import can_show
+
+    can_show(translate("Assembly sheet"))
 
 
 def _look() -> None:
