@@ -192,11 +192,10 @@ SHEETS = {
 }
 
 
+@pytest.mark.skipif(shutil.which("pdftotext") is None, reason="poppler-utils are not installed")
 @pytest.mark.parametrize("language", SHEETS)
 def test_assembly_sheet(speak, made, language, tmp_path):
     """The panel, its page, and the page that the recorded line of a macro writes."""
-    if shutil.which("pdftotext") is None:
-        pytest.skip("poppler-utils are not installed")
     speak(language)
     if language == "Japanese" and not fonts.can_show("組"):
         pytest.skip("no Japanese font is installed")
@@ -221,6 +220,15 @@ def test_assembly_sheet(speak, made, language, tmp_path):
         assert wanted.replace(" ", "") in told.replace(" ", "").replace("\u00a0", ""), wanted
     again = BalloonWorkbench.assembly_sheet(made, tmp_path / "again.pdf")
     assert again.read_bytes() == path.read_bytes()
+
+
+@pytest.mark.skipif(shutil.which("pdftotext") is None, reason="poppler-utils are not installed")
+def test_pattern_on_pages(speak, made, tmp_path):
+    speak("German")
+    path = BalloonWorkbench.export(made.pattern, tmp_path / "pages.pdf", machine="paper", paper="A4")
+    told = subprocess.run(["pdftotext", path, "-"], capture_output=True, check=True).stdout.decode()
+    assert "Schnittmuster auf mehreren Seiten" in told
+    assert "Seite 1 von" in told
 
 
 def test_assembly_sheet_without_a_font(speak, made, monkeypatch):
