@@ -141,13 +141,11 @@ class BalloonDisplay:
         return "ModeWithoutMap" not in self.vobj.PropertiesList or is_replaying(self.vobj.Object.Document)
 
     def _is_there(self) -> bool:
-        """The object may be gone by the time the timer rings."""
+        """The object may be gone by the time the timer rings, and another one have its name."""
         document = App.listDocuments().get(self._document)
-        return (
-            document is not None
-            and document.getObject(self._name) is not None
-            and "ModeWithoutMap" in self.vobj.PropertiesList
-        )
+        obj = None if document is None else document.getObject(self._name)
+        is_ours = obj is not None and obj.ViewObject is self.vobj
+        return is_ours and "ModeWithoutMap" in self.vobj.PropertiesList
 
 
 def take_look(vobj) -> None:

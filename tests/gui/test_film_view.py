@@ -295,3 +295,12 @@ def papers(image):
     """Sheets of paper along the upper edge of a dark view."""
     bright = image[12:16].mean(axis=(0, 2)) > 150
     return int((np.diff(bright.astype(int)) > 0).sum())
+
+
+def test_closed_before_it_is_drawn_and_opened_again(rectangle_file, capsys):
+    """The one of the same name is another one."""
+    App.closeDocument(App.openDocument(str(rectangle_file)).Name)
+    doc = App.openDocument(str(rectangle_file))
+    hands.wait(0.2)
+    assert doc.Balloon.ViewObject.DisplayMode == "Film"
+    assert "Error" not in capsys.readouterr().err
