@@ -1287,6 +1287,10 @@
         <translation>Glowforge</translation>
     </message>
     <message>
+        <source>Glue a strip of {seal} mm along the dashed line. Let it dry under a weight.</source>
+        <translation>Entlang der gestrichelten Linie einen Streifen von {seal} mm kleben. Unter einem Gewicht trocknen lassen.</translation>
+    </message>
+    <message>
         <source>Glue a strip of {seal} mm along the dashed line; leave the mouth of the neck open. Let it dry under a weight.</source>
         <translation>Entlang der gestrichelten Linie einen Streifen von {seal} mm kleben; die Mündung des Halses offen lassen. Unter einem Gewicht trocknen lassen.</translation>
     </message>
@@ -2921,6 +2925,10 @@
     <message>
         <source>Weld with high frequency along the dashed line, {seal} mm wide. Never cut this film with a laser.</source>
         <translation>Mit Hochfrequenz entlang der gestrichelten Linie schweißen, {seal} mm breit. Diese Folie nie mit dem Laser schneiden.</translation>
+    </message>
+    <message>
+        <source>Weld with high frequency along the dashed line, {seal} mm wide; leave the mouth of the neck open. Never cut this film with a laser.</source>
+        <translation>Mit Hochfrequenz entlang der gestrichelten Linie schweißen, {seal} mm breit; die Mündung des Halses offen lassen. Diese Folie nie mit dem Laser schneiden.</translation>
     </message>
     <message>
         <source>Welds easily with an impulse sealer or an iron. Yields at about 9 MPa, half its tensile strength, and creeps: keep the pressure low.</source>

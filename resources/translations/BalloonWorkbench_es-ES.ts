@@ -1287,6 +1287,10 @@
         <translation>Glowforge</translation>
     </message>
     <message>
+        <source>Glue a strip of {seal} mm along the dashed line. Let it dry under a weight.</source>
+        <translation>Pegue una franja de {seal} mm a lo largo de la línea discontinua. Deje secar bajo un peso.</translation>
+    </message>
+    <message>
         <source>Glue a strip of {seal} mm along the dashed line; leave the mouth of the neck open. Let it dry under a weight.</source>
         <translation>Pegue una franja de {seal} mm a lo largo de la línea discontinua; deje abierta la boca del cuello. Deje secar bajo un peso.</translation>
     </message>
@@ -2921,6 +2925,10 @@
     <message>
         <source>Weld with high frequency along the dashed line, {seal} mm wide. Never cut this film with a laser.</source>
         <translation>Suelde por alta frecuencia a lo largo de la línea discontinua, con {seal} mm de ancho. No corte nunca esta película con láser.</translation>
+    </message>
+    <message>
+        <source>Weld with high frequency along the dashed line, {seal} mm wide; leave the mouth of the neck open. Never cut this film with a laser.</source>
+        <translation>Suelde por alta frecuencia a lo largo de la línea discontinua, con {seal} mm de ancho; deje abierta la boca del cuello. No corte nunca esta película con láser.</translation>
     </message>
     <message>
         <source>Welds easily with an impulse sealer or an iron. Yields at about 9 MPa, half its tensile strength, and creeps: keep the pressure low.</source>

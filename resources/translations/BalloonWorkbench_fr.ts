@@ -1287,6 +1287,10 @@
         <translation>Glowforge</translation>
     </message>
     <message>
+        <source>Glue a strip of {seal} mm along the dashed line. Let it dry under a weight.</source>
+        <translation>Collez une bande de {seal} mm le long de la ligne en tirets. Laissez sécher sous un poids.</translation>
+    </message>
+    <message>
         <source>Glue a strip of {seal} mm along the dashed line; leave the mouth of the neck open. Let it dry under a weight.</source>
         <translation>Collez une bande de {seal} mm le long de la ligne en tirets ; laissez l'embouchure du col ouverte. Laissez sécher sous un poids.</translation>
     </message>
@@ -2921,6 +2925,10 @@
     <message>
         <source>Weld with high frequency along the dashed line, {seal} mm wide. Never cut this film with a laser.</source>
         <translation>Soudez par haute fréquence le long de la ligne en tirets, sur {seal} mm de large. Ne coupez jamais ce film au laser.</translation>
+    </message>
+    <message>
+        <source>Weld with high frequency along the dashed line, {seal} mm wide; leave the mouth of the neck open. Never cut this film with a laser.</source>
+        <translation>Soudez par haute fréquence le long de la ligne en tirets, sur {seal} mm de large ; laissez l'embouchure du col ouverte. Ne coupez jamais ce film au laser.</translation>
     </message>
     <message>
         <source>Welds easily with an impulse sealer or an iron. Yields at about 9 MPa, half its tensile strength, and creeps: keep the pressure low.</source>

@@ -1287,6 +1287,10 @@
         <translation>Glowforge</translation>
     </message>
     <message>
+        <source>Glue a strip of {seal} mm along the dashed line. Let it dry under a weight.</source>
+        <translation>破線に沿って幅 {seal} mm で接着します。重しをのせて乾かします。</translation>
+    </message>
+    <message>
         <source>Glue a strip of {seal} mm along the dashed line; leave the mouth of the neck open. Let it dry under a weight.</source>
         <translation>破線に沿って幅 {seal} mm で接着します。首の口は開けておきます。重しをのせて乾かします。</translation>
     </message>
@@ -2921,6 +2925,10 @@
     <message>
         <source>Weld with high frequency along the dashed line, {seal} mm wide. Never cut this film with a laser.</source>
         <translation>高周波で、破線に沿って幅 {seal} mm で溶着します。このフィルムは絶対にレーザーで切らないでください。</translation>
+    </message>
+    <message>
+        <source>Weld with high frequency along the dashed line, {seal} mm wide; leave the mouth of the neck open. Never cut this film with a laser.</source>
+        <translation>高周波で、破線に沿って幅 {seal} mm で溶着します。首の口は開けておきます。このフィルムは絶対にレーザーで切らないでください。</translation>
     </message>
     <message>
         <source>Welds easily with an impulse sealer or an iron. Yields at about 9 MPa, half its tensile strength, and creeps: keep the pressure low.</source>

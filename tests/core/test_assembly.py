@@ -120,6 +120,9 @@ def test_each_film_has_its_steps(name: str) -> None:
     word = {"weld": "Weld along", "hf": "Never cut this film with a laser", "glue": "Glue a strip"}[join]
     assert word in work
     assert ("sealing sides" in work) == (join == "weld")
+    assert "mouth of the neck open" in work
+    ring = subject("ring", intake="none")
+    assert "mouth" not in " ".join(steps(ring.pattern, about.film, ring.numbers))
     assert "{" not in work
 
 
