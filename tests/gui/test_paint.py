@@ -167,9 +167,9 @@ def test_a_click_widens_an_arm_that_is_too_thin(framed_window):
     window = framed_window
     canvas = window.canvas
     press(f"PaintColour{RED}")
-    arm = [(0.46, 0.494), (0.60, 0.494)]
+    arm = [(0.46, 0.496), (0.60, 0.496)]
     left, right = arc(0.3, 0.5, 0.18, 3, 357), arc(0.75, 0.5, 0.15, 178, -178)
-    draw(canvas, [*arm, *right, (0.60, 0.506), (0.46, 0.506), *left])
+    draw(canvas, [*arm, *right, (0.60, 0.504), (0.46, 0.504), *left])
     hands.wait_until(window.card.isVisible, 30)
     press("PaintSizeDone")
     hands.wait_until(lambda: canvas.thin.asked() is not None, 30)

@@ -35,8 +35,7 @@ def arms(subject: Subject) -> Iterator[Finding]:
         judged = rule.judge(measured, subject.scales)
         if judged is None:
             continue
-        asked = [limit for limit in rule.limits if limit.severity.rank >= min(judged[0].rank, 1)]
-        wanted = _ENOUGH * subject.width_for(max(limit.times * subject.scales[limit.of] for limit in asked))
+        wanted = _arm_width(subject, judged[0])
         found = subject.finding(
             "thin_arm",
             measured,
@@ -49,6 +48,12 @@ def arms(subject: Subject) -> Iterator[Finding]:
         )
         if found is not None:
             yield found
+
+
+def _arm_width(subject: Subject, severity: Severity) -> float:
+    """How wide an arm has to be [m] so that nothing as bad, or a warning at the worst, is said of it."""
+    limits = [limit for limit in rules()["thin_arm"].limits if limit.severity.rank >= min(severity.rank, 1)]
+    return _ENOUGH * subject.width_for(max(limit.times * subject.scales[limit.of] for limit in limits))
 
 
 def necks(subject: Subject) -> Iterator[Finding]:
@@ -65,16 +70,19 @@ def necks(subject: Subject) -> Iterator[Finding]:
             continue
         worst = judged[0] is Severity.HINT
         wanted = _ENOUGH * (rule.first(subject.scales) if worst else subject.intake_width) / subject.growth
+        if part.length >= _ARM * width:  # or the arm that it is would be too thin next
+            wanted = max(wanted, _arm_width(subject, Severity.WARNING))
+        wanted = max(wanted, 1.2 * width)
         found = subject.finding(
             "choked_neck",
             measured,
             0.5 * (start + end),
             (np.stack([start, end]), *rim_near(subject.outline, part.area, 0.02 * width)),
-            _widening(part, width, max(wanted, 1.2 * width)),
+            _widening(part, width, wanted),
             measured=mm(measured),
             intake=mm(subject.intake_width),
             behind=percent(part.behind),
-            wanted=mm(max(wanted, 1.2 * width)),
+            wanted=mm(wanted),
         )
         if found is not None:
             yield found

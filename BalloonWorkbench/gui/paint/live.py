@@ -52,6 +52,7 @@ class Live(QtCore.QObject):
         self._study: Worker | None = None
         self._retired: list[Worker] = []
         self._dirty = False
+        self._in_stroke = self._is_early = False  # early: the glance began before the stroke had ended
         self._told = 0.0
         self._changed_at = 0.0, 0.0
         self._rest = self._timer(REST, self.study)
@@ -62,17 +63,20 @@ class Live(QtCore.QObject):
         """A step is done: look at once, and closer when nothing more happens."""
         self._changed_at = time.perf_counter(), time.thread_time()
         self._dirty = True
+        self._in_stroke = False
         self.drop_study()
         self._rest.start()
         if self._glance is None:
             self._begin_glance()
+        elif self._is_early:
+            self._glance.stop()
 
     def drawing(self) -> None:
         """A stroke is growing: look now and then."""
         self.painting.revision += 1
         self.drop_study()
         self._rest.stop()
-        self._dirty = True
+        self._dirty = self._in_stroke = True
         if self._glance is None and not self._soon.isActive():
             self._soon.start()
 
@@ -142,7 +146,7 @@ class Live(QtCore.QObject):
         self._pause.stop()
         if self._glance is not None:
             return
-        self._dirty = False
+        self._dirty, self._is_early = False, self._in_stroke
         if self.painting.is_empty():
             self._rest.stop()
             self.latest = None

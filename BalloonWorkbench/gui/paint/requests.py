@@ -43,7 +43,7 @@ class Glance:
         for number, part in enumerate(drawing.parts[:_MOST_SHAPES]):
             vertices = max(_LEAST, int(VERTICES * part.area / drawing.largest.area))
             try:
-                drafts.append(draft(part, self.settings.film, self.settings.pressure, vertices))
+                drafts.append(draft(part, self.settings.film, self.settings.pressure, vertices, progress))
             except BalloonError:
                 if number == 0:
                     raise
