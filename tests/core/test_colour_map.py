@@ -4,6 +4,9 @@
 import numpy as np
 import pytest
 
+from BalloonWorkbench.core.design.compare import residual
+from BalloonWorkbench.core.design.seen import trimmed
+from BalloonWorkbench.core.design.silhouette import silhouette
 from BalloonWorkbench.core.export import colour_map
 from BalloonWorkbench.core.export.results import results
 from BalloonWorkbench.core.film.library import custom_film, film
@@ -76,13 +79,24 @@ def test_states_have_three_colours(disc):
 
 def test_distances_are_those_of_two_circles(disc):
     """The silhouette of a round balloon is nearly a circle; a drawing 4 mm larger is 4 mm away."""
-    rim = np.linalg.norm(disc.positions[disc.panel.seams[0], :2], axis=1).mean()
+    rim = np.linalg.norm(trimmed(disc).positions[disc.panel.seams[0], :2], axis=1).mean()
     angle = np.linspace(0.0, 2.0 * np.pi, 720, endpoint=False)
     drawing = Outline((rim + 0.004) * np.column_stack([np.cos(angle), np.sin(angle)]))
     found = colour_map.distances(disc, drawing)
     assert np.concatenate(found.distances).mean() == pytest.approx(4.0, abs=0.2)
     place, nearest, largest = found.largest
     assert 1e3 * np.linalg.norm(nearest - place) == pytest.approx(largest)
+
+
+def test_the_largest_distance_is_that_of_the_residual(disc):
+    """A square round the disc: its corners are farther from the silhouette than that is from it."""
+    rim = np.linalg.norm(trimmed(disc).positions[disc.panel.seams[0], :2], axis=1).mean()
+    square = Outline(rim * np.array([[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]]))
+    place, corner, largest = colour_map.distances(disc, square).largest
+    assert largest == pytest.approx(1e3 * residual(square, silhouette(trimmed(disc))).max, rel=0.01)
+    assert largest == pytest.approx(1e3 * rim * (np.sqrt(2.0) - 1.0), rel=0.02)
+    assert np.abs(corner) == pytest.approx([rim, rim], rel=0.02)
+    assert np.linalg.norm(place) == pytest.approx(rim, rel=0.02)
 
 
 def test_tension_of_the_mylar_balloon(disc):

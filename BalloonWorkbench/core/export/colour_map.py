@@ -9,11 +9,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from BalloonWorkbench.core.design.compare import evenly
+from BalloonWorkbench.core.design.seen import trimmed
 from BalloonWorkbench.core.design.silhouette import silhouette
 from BalloonWorkbench.core.export.results import Results
 from BalloonWorkbench.core.outline.outline import Outline
@@ -68,18 +70,22 @@ class Distances:
     loops      of the silhouette, (k, 2) m, points evenly along each
     nearest    (k, 2) m, the nearest point of the drawing to each of them
     distances  (k,) mm
+    missed     the point of the drawing that is farthest from the silhouette: the nearest point of that, the
+               point itself, mm
     """
 
     loops: tuple[Floats, ...]
     nearest: tuple[Floats, ...]
     distances: tuple[Floats, ...]
+    missed: tuple[Floats, Floats, float]
 
     @property
     def largest(self) -> tuple[Floats, Floats, float]:
-        """The point of the silhouette that is farthest off, its nearest point of the drawing, mm."""
+        """A point of the silhouette and one of the drawing where they are farthest apart, mm, either way."""
         loop = max(range(len(self.loops)), key=lambda number: float(self.distances[number].max()))
         place = int(np.argmax(self.distances[loop]))
-        return self.loops[loop][place], self.nearest[loop][place], float(self.distances[loop][place])
+        own = self.loops[loop][place], self.nearest[loop][place], float(self.distances[loop][place])
+        return max(own, self.missed, key=lambda each: each[2])
 
 
 def colours(shares: Floats) -> NDArray[np.uint8]:
@@ -121,17 +127,23 @@ def film_map(found: Results, kind: str) -> ColourMap:
 def distances(inflation: Inflation, drawing: Outline) -> Distances:
     """How far an inflated balloon's silhouette is from the drawing. Raises MissingPackageError."""
     package = shapely()
-    shown = silhouette(inflation).loops
+    shown = silhouette(trimmed(inflation)).loops  # as the residual is measured
     spacing = max(float(arc_lengths(loop)[-1]) for loop in shown) / _SAMPLES
     loops = tuple(evenly(loop, spacing) for loop in shown)
-    curve = package.MultiLineString([np.vstack([loop, loop[:1]]) for loop in drawing.loops])
-    package.prepare(curve)
-    nearest, lengths = [], []
-    for loop in loops:
-        points = package.points(loop)
-        lengths.append(to_mm(np.asarray(package.distance(points, curve))))
-        nearest.append(package.get_coordinates(package.shortest_line(points, curve))[1::2])
-    return Distances(loops, tuple(nearest), tuple(lengths))
+    lines = [[np.vstack([loop, loop[:1]]) for loop in each] for each in (drawing.loops, shown)]
+    drawn, seen = map(package.MultiLineString, lines)
+
+    def to(curve: Any, points: Floats) -> tuple[Floats, Floats]:
+        """The nearest points (k, 2) of a curve, and how far they are (k,) [mm]."""
+        package.prepare(curve)
+        ends = package.get_coordinates(package.shortest_line(package.points(points), curve))[1::2]
+        return ends, to_mm(np.linalg.norm(ends - points, axis=1))
+
+    nearest, lengths = zip(*(to(drawn, loop) for loop in loops), strict=True)
+    places = np.concatenate([evenly(loop, spacing) for loop in drawing.loops])
+    ends, away = to(seen, places)
+    worst = int(np.argmax(away))
+    return Distances(loops, nearest, lengths, (ends[worst], places[worst], float(away[worst])))
 
 
 def ticks(top: float, most: int = 6) -> list[float]:
