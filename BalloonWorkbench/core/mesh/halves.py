@@ -41,7 +41,9 @@ class _Half:
 
 
 def triangulate_mirrored(outline: Outline, size: float, mirror: Mirror) -> Panel | None:
-    """The panel of `triangulate`, exactly symmetric; None for an outline that is not so, or has welds.
+    """The panel of `triangulate` for an exactly symmetric outline, its right half the image of the left one.
+
+    None where the loops do not meet the axis as those of such an outline do, or where there are welds.
 
     Raises MeshError as `triangulate` does.
     """
@@ -125,6 +127,7 @@ class _Whole:
         return Panel(np.concatenate(self._found), both, seams)
 
     def _loop(self, number: int) -> Ints:
+        """The seam along a loop of the outline: a half and its image, a loop on the left, or the image of one."""
         half, at, points = self._half, self._at, self._points
         if number in half.across:
             index = half.across.index(number)
