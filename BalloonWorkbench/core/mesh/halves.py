@@ -127,7 +127,7 @@ class _Whole:
         return Panel(np.concatenate(self._found), both, seams)
 
     def _loop(self, number: int) -> Ints:
-        """The seam along a loop of the outline: a half and its image, a loop on the left, or the image of one."""
+        """The seam along a loop: a half and its image, a loop on the left, or the image of such a one."""
         half, at, points = self._half, self._at, self._points
         if number in half.across:
             index = half.across.index(number)
