@@ -259,4 +259,4 @@ def test_preview_comes_to_rest_in_a_panel_of_any_height():
         area.show()
         hands.wait(0.005)
         assert preview.height() >= preview.minimumHeight()
-    area.deleteLater()
+    area.close()
