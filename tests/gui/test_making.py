@@ -143,8 +143,12 @@ def test_nesting_library_works_beside_the_window(made):
 
 def test_assembly_sheet(made, tmp_path):
     run("AssemblySheet")
-    labels = [label.text() for label in hands.visible(hands.QtWidgets.QLabel)]
-    assert any(text.startswith("Helium lifts") for text in labels)
+
+    def tells_of_helium():
+        labels = hands.visible(hands.QtWidgets.QLabel)
+        return any(label.text().startswith("Helium lifts") for label in labels)
+
+    hands.wait_until(tells_of_helium, 30)  # a thread counts
     assert any("margin 2" in text for text in labels)
     hands.screenshot("assembly_sheet")
     hands.type_into(hands.find("AssemblyFile"), str(tmp_path / "no folder" / "x" / "sheet"), confirm=False)
