@@ -144,12 +144,12 @@ def test_nesting_library_works_beside_the_window(made):
 def test_assembly_sheet(made, tmp_path):
     run("AssemblySheet")
 
-    def tells_of_helium():
-        labels = hands.visible(hands.QtWidgets.QLabel)
-        return any(label.text().startswith("Helium lifts") for label in labels)
+    def tells(start, part=""):
+        texts = [label.text() for label in hands.visible(hands.QtWidgets.QLabel)]
+        return any(text.startswith(start) and part in text for text in texts)
 
-    hands.wait_until(tells_of_helium, 30)  # a thread counts
-    assert any("margin 2" in text for text in labels)
+    hands.wait_until(lambda: tells("Helium lifts"), 30)  # a thread counts
+    assert tells("", "margin 2")
     hands.screenshot("assembly_sheet")
     hands.type_into(hands.find("AssemblyFile"), str(tmp_path / "no folder" / "x" / "sheet"), confirm=False)
     hands.press("Ok")
