@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Break the code in the ways that tests/mutations.json lists, one after the other: a quick test must notice each.
+"""Break the code in the ways that tests/mutations.json lists, one by one: a quick test must notice each.
 
 mutations.py [WORD...]   only those whose file or test has one of these words in its name
 
