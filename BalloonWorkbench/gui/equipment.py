@@ -8,11 +8,12 @@ import FreeCAD as App
 from BalloonWorkbench import __version__
 from BalloonWorkbench.core import packages
 from BalloonWorkbench.core.errors import BalloonError
+from BalloonWorkbench.core.solver import library
 
 
 def tell_missing() -> None:
-    """A line in the report view for each package that is missing; loads none of them."""
-    for sentence in packages.missing():
+    """A line in the report view for each package that is missing, and for a damaged library; loads none."""
+    for sentence in [*packages.missing(), *library.damaged()]:
         App.Console.PrintWarning(f"Film Balloon: {sentence}\n")
 
 
@@ -32,5 +33,5 @@ def _solver() -> str:
     except BalloonError as error:
         return str(error)
     why = native.problem_with_library()
-    slower = f" The native solver, which is faster, is not available: {why}" if why else ""
+    slower = f" {library.unusable(why)}" if why else ""
     return f"Solver: {active}.{slower}"
