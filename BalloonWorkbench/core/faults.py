@@ -24,6 +24,9 @@ from BalloonWorkbench.core.packages import ABSENCES
 #: Versions of the programs around the engine, by name; who runs inside one enters it.
 surroundings: dict[str, str] = {}
 
+#: What a border in the main thread catches; KeyboardInterrupt is the user's. A thread catches everything.
+UNFORESEEN = (Exception, SystemExit)
+
 _KEPT = 20  # files in a folder; the oldest go
 
 
@@ -122,7 +125,7 @@ def _places(error: BaseException) -> str:
             for frame in traceback.extract_tb(link.__traceback__)
         ]
         link = link.__cause__ or link.__context__
-    return "\n".join(lines)
+    return "\n".join(dict.fromkeys(lines))
 
 
 def _heading(doing: str) -> str:
