@@ -4,10 +4,11 @@
 from __future__ import annotations
 
 import argparse
-from typing import NoReturn
+from typing import Any, NoReturn
 
 from BalloonWorkbench import __version__, cli_making, cli_pattern
-from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.cli_console import show
+from BalloonWorkbench.core.errors import ExportError, InputError
 from BalloonWorkbench.core.export.machine import machines
 from BalloonWorkbench.core.export.machine_pdf import TILES
 from BalloonWorkbench.core.export.results import FORMATS
@@ -24,6 +25,12 @@ class _Parser(argparse.ArgumentParser):
 
     def error(self, message: str) -> NoReturn:
         raise InputError(f"{message}. See --help.")
+
+    def _print_message(self, message: str, file: Any = None) -> None:
+        """The help and the version, which are all that it prints."""
+        problem = show(message)
+        if problem is not None:
+            raise ExportError(f"Nothing can be shown ({problem.strerror}).")
 
 
 def parser() -> argparse.ArgumentParser:

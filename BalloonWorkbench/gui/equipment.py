@@ -20,18 +20,25 @@ def tell_missing() -> None:
 def described() -> list[str]:
     """Paragraphs about this installation."""
     told = [f"Film Balloon {__version__} in FreeCAD {'.'.join(App.Version()[:3])}", _solver()]
+    why = _unusable_library()
+    told += [library.unusable(why)] if why else []
     return [*told, *(packages.missing() or ["All packages are installed."])]
 
 
 def _solver() -> str:
     try:
-        from BalloonWorkbench.core.solver import backend, native
+        from BalloonWorkbench.core.solver import backend
 
-        active = backend.active_backend()
+        return f"Solver: {backend.active_backend()}."
     except ImportError:  # without NumPy; that it is missing is said on its own
         return "No solver works here."
     except BalloonError as error:
         return str(error)
-    why = native.problem_with_library()
-    slower = f" {library.unusable(why)}" if why else ""
-    return f"Solver: {active}.{slower}"
+
+
+def _unusable_library() -> str | None:
+    try:
+        from BalloonWorkbench.core.solver import native
+    except ImportError:
+        return None
+    return native.problem_with_library()
