@@ -27,7 +27,7 @@ from BalloonWorkbench.core.errors import (
 )
 from BalloonWorkbench.core.export.fabricate import checked_files
 from BalloonWorkbench.core.export.files import check_folder, write_files
-from BalloonWorkbench.core.export.machine import Machine, machine
+from BalloonWorkbench.core.export.machine import Machine, left_out, machine
 from BalloonWorkbench.core.faults import UNFORESEEN, report_fault
 from BalloonWorkbench.core.film.filling import Filling, gas
 from BalloonWorkbench.core.film.film import Film
@@ -53,15 +53,17 @@ from BalloonWorkbench.core.units import (
     parse_volume,
 )
 
-FAULT, UNSHOWN, INTERRUPTED = 70, 74, 130
+FAULT, INTERRUPTED = 70, 130
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run a command; returns one of the exit codes of docs/command-line.md, with a line on stderr unless 0."""
+    """Run a command; returns an exit code of docs/command-line.md, with a line on stderr unless it is 0."""
     cli_console.any_letter()
     run = _Run()
     try:
         with cli_console.signals_are_errors():
+            for sentence in left_out():
+                cli_console.complain(sentence)
             return run.command(parser().parse_args(arguments))
     except BalloonError as error:
         cli_console.complain(error)
@@ -194,7 +196,7 @@ class _Run:
             return FAULT
         if problem is not None:
             cli_console.complain(f"The summary cannot be shown ({problem.strerror}); {self.outcome()}.")
-            return UNSHOWN
+            return cli_console.UNSHOWN
         return 0
 
 

@@ -11,6 +11,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from typing import Any, TextIO
 
+UNSHOWN = 74  # exit code: what was done cannot be shown
+
 
 class Ended(BaseException):
     """A signal asks the program to end: SIGTERM, or SIGHUP when its terminal is closed."""
@@ -54,7 +56,7 @@ def any_letter() -> None:
 
 
 def show(text: str) -> OSError | None:
-    """Write to where the output goes: nothing where that is closed or no longer read; why it failed, or None."""
+    """Write to where the output goes; why that failed, or None. That nobody reads it is no failure."""
     if sys.stdout is None:
         return None
     try:
@@ -64,6 +66,11 @@ def show(text: str) -> OSError | None:
         _forget(sys.stdout)
         return None if isinstance(error, BrokenPipeError) else error
     return None
+
+
+def readable(name: str) -> str:
+    """The name of a file with a sign for each byte that is no letter: for titles and labels."""
+    return os.fsencode(name).decode("utf-8", "replace")
 
 
 def complain(text: object) -> None:

@@ -10,14 +10,18 @@ import contextlib
 import importlib.util
 import os
 import pickle
+import shutil
 import subprocess
 import sys
+import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
+from BalloonWorkbench.cli_console import readable
 from BalloonWorkbench.core.errors import BalloonError, MissingPackageError, ProgramFault
+from BalloonWorkbench.core.faults import report_fault
 
 NAME = "balloon.FCStd"
 _REFUSED, _FAULT = 2, 70
@@ -90,12 +94,19 @@ def _make(request: bytes) -> bytes:
     try:
         from BalloonWorkbench.app.document import fcstd_bytes
 
-        return bytes(fcstd_bytes(drawing, settings, designs, width=width, height=height))
+        with tempfile.TemporaryDirectory() as folder:
+            return bytes(fcstd_bytes(_named(drawing, folder), settings, designs, width=width, height=height))
     except (ImportError, OSError, RuntimeError, MemoryError) as error:  # FreeCAD's own are of these kinds
         text = str(error).strip().partition("\n")[0]
         raise MissingPackageError(
             f"FreeCAD cannot make it ({text or type(error).__name__}). {_NEEDS}"
         ) from error
+
+
+def _named(drawing: str, folder: str) -> str:
+    """The drawing under a name that FreeCAD can write down: itself, or a copy."""
+    name = readable(drawing)
+    return drawing if name == drawing else shutil.copy(drawing, Path(folder, Path(name).name))
 
 
 def _main() -> int:
@@ -108,6 +119,9 @@ def _main() -> int:
     except BalloonError as error:
         sys.stderr.write(f"\n{error}\n")
         return _REFUSED
+    except Exception as error:  # noqa: BLE001 - the other process is told by a line
+        sys.stderr.write(f"\n{report_fault(error, 'making the document')}\n")
+        return _FAULT
     return 0
 
 

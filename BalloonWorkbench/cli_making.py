@@ -9,12 +9,13 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from BalloonWorkbench.cli_console import readable
 from BalloonWorkbench.core.artwork.marks import BLEED
 from BalloonWorkbench.core.artwork.sheet import DPI
 from BalloonWorkbench.core.assembly.page import PAGES
 from BalloonWorkbench.core.errors import ExportError, InputError
 from BalloonWorkbench.core.export.fabricate import checked_files
-from BalloonWorkbench.core.export.machine import ANY, Machine, machine
+from BalloonWorkbench.core.export.machine import ANY, Machine, machines
 from BalloonWorkbench.core.job import Balloon
 from BalloonWorkbench.core.making import Artwork, assembly_files, nested, print_files
 from BalloonWorkbench.core.nesting.layout import SPACING, Grain, Stock
@@ -72,7 +73,7 @@ def checked(options: argparse.Namespace, reader: Callable[[Path], Any] | None) -
         balloon: Balloon, chosen: Sequence[Machine], progress: Progress, attempt: Attempt
     ) -> tuple[dict[str, bytes], list[str]]:
         """Contents of the files by name, and lines for the user; each option is an attempt of its own."""
-        machines = list(chosen) or [machine(name) for name in ANY.values()]
+        machines = list(chosen) or [machines()[name] for name in ANY.values()]
         made: list[tuple[Mapping[str, bytes], list[str]] | None] = []
         if artwork is not None:
             progress(1.0, "printing")
@@ -85,7 +86,7 @@ def checked(options: argparse.Namespace, reader: Callable[[Path], Any] | None) -
                 )
             )
         if options.assembly is not None:
-            title = Path(options.input).stem.capitalize()
+            title = readable(Path(options.input).stem).capitalize()
             made.append(
                 attempt("assembly.pdf", lambda: (assembly_files(balloon, title, options.assembly), []))
             )

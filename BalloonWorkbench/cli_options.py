@@ -7,8 +7,8 @@ import argparse
 from typing import Any, NoReturn
 
 from BalloonWorkbench import __version__, cli_making, cli_pattern
-from BalloonWorkbench.cli_console import show
-from BalloonWorkbench.core.errors import ExportError, InputError
+from BalloonWorkbench.cli_console import UNSHOWN, complain, show
+from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.export.machine import machines
 from BalloonWorkbench.core.export.machine_pdf import TILES
 from BalloonWorkbench.core.export.results import FORMATS
@@ -30,7 +30,8 @@ class _Parser(argparse.ArgumentParser):
         """The help and the version, which are all that it prints."""
         problem = show(message)
         if problem is not None:
-            raise ExportError(f"Nothing can be shown ({problem.strerror}).")
+            complain(f"This cannot be shown ({problem.strerror}).")
+            self.exit(UNSHOWN)
 
 
 def parser() -> argparse.ArgumentParser:

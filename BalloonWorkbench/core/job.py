@@ -30,7 +30,7 @@ from BalloonWorkbench.core.design.size_goal import START_WIDTH, Buoyancy, SizeGo
 from BalloonWorkbench.core.design.to_volume import design_to_volume
 from BalloonWorkbench.core.errors import BalloonError, InputError, MissingPackageError
 from BalloonWorkbench.core.export.fabricate import machine_file
-from BalloonWorkbench.core.export.machine import ANY, machine
+from BalloonWorkbench.core.export.machine import ANY, machines
 from BalloonWorkbench.core.export.preview import preview_png
 from BalloonWorkbench.core.export.results import frame_files, results_bytes
 from BalloonWorkbench.core.export.stl import stl_bytes
@@ -144,7 +144,8 @@ def make_balloon(
     """Design a balloon for each shape in a drawing file; width and height [m] as in read_drawing.
 
     With a goal, the largest shape is brought to the size that meets it, and the others with it. decode reads
-    pictures where OpenCV is missing; attempt is asked to make what the patterns can do without. Raises BalloonError of some kind for anything a user can mend.
+    pictures where OpenCV is missing; attempt makes what the patterns can do without. Raises BalloonError of
+    some kind for anything a user can mend.
     """
     settings.filling.lightness()  # a mistake shows before the work
     if settings.goal is not None and width is None and height is None:
@@ -167,7 +168,7 @@ def make_balloon(
             outlines.append(outline)
     drawing = replace(drawing, parts=tuple(outlines))
     made = []
-    for design, outline in zip(designs, drawing.parts, strict=True):
+    for design in designs:
         pattern = make_pattern(design.pattern, settings.film.seal_width, settings.wanted)
         numbers = attempt("What it takes to make it", partial(_numbers, design, pattern, settings))
         made.append(Part(design, pattern, numbers))
@@ -286,13 +287,13 @@ def files(balloon: Balloon, results: str | None = None) -> dict[str, bytes]:
 
 
 def makers(balloon: Balloon, results: str | None = None) -> dict[str, Callable[[], bytes]]:
-    """What makes each file of a finished job but the report, by name; MissingPackageError where that needs one.
+    """What makes each file of a finished job but the report, by name.
 
-    results: as in `files`
+    results: as in `files`. They raise MissingPackageError.
     """
-    film, sheet = balloon.settings.film, balloon.sheet
+    film, sheet, known = balloon.settings.film, balloon.sheet, machines()
     named: dict[str, Callable[[], bytes]] = {
-        **{f"pattern.{kind}": partial(machine_file, sheet, machine(name)) for kind, name in ANY.items()},
+        **{f"pattern.{kind}": partial(machine_file, sheet, known[name]) for kind, name in ANY.items()},
         "balloon.stl": lambda: stl_bytes([design.inflation for design in balloon.designs]),
         "preview.png": lambda: preview_png(balloon.designs, balloon.patterns),
     }

@@ -159,6 +159,7 @@ BORDERS = {
     "BalloonWorkbench/core/faults.py": "the report itself",
     "BalloonWorkbench/core/nesting/nest.py": "the thread of the search",
     "BalloonWorkbench/cli.py": "the command line",
+    "BalloonWorkbench/cli_document.py": "FreeCAD's process beside it",
     "BalloonWorkbench/app/api.py": "the Python API",
     "BalloonWorkbench/app/guard.py": "what FreeCAD calls in our objects, views and observers",
     "BalloonWorkbench/app/status.py": "a recompute",

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Writing a set of files is interrupted at each step that changes a disk: the former set is there, or the new.
+"""Writing a set of files is interrupted at each step that changes a disk: the former set is there, or the
+new one.
 
 BALLOON_KILLS sets how many interruptions are tried (`make fuzz`: all).
 """
@@ -139,7 +140,7 @@ CASES = {
 def interruptions(base: Path, patch: pytest.MonkeyPatch) -> Iterator[tuple[str, Callable[[], None], int]]:
     every = []
     for name in CASES:
-        with prepared(base / f"count {name}", name, patch) as (place, _):
+        with Prepared(base / f"count {name}", name, patch) as (place, _):
             steps = -attempted(place, no_space, NEVER)
         assert steps > 10
         every += [(name, fault, at) for fault in FAULTS for at in range(1, steps + 1)]
@@ -147,7 +148,7 @@ def interruptions(base: Path, patch: pytest.MonkeyPatch) -> Iterator[tuple[str, 
     yield from (every[int(number * stride)] for number in range(min(COUNT, len(every))))
 
 
-class prepared:
+class Prepared:
     """A folder to write into, and what was there, on a disk that has its limits."""
 
     def __init__(self, base: Path, name: str, patch: pytest.MonkeyPatch) -> None:
@@ -162,6 +163,7 @@ class prepared:
             patch.setattr(swap, "exchange", lambda *_: False)
         if self.limit == "no links":
             patch.setattr(os, "link", self._refuse)
+        patch.setattr(os, "fsync", lambda _: None)  # only a power failure would tell
         return self.base / "out", former
 
     def _refuse(self, *_args: object, **_names: object) -> None:
@@ -177,7 +179,7 @@ def test_the_former_set_or_the_new_one(tmp_path: Path, monkeypatch: pytest.Monke
     for number, (name, fault, at) in enumerate(interruptions(tmp_path, monkeypatch)):
         where = f"{name}, {fault.__name__} at {at}"
         base = tmp_path / str(number)
-        with prepared(base, name, monkeypatch) as (place, former):
+        with Prepared(base, name, monkeypatch) as (place, former):
             ended = attempted(place, fault, at)
             assert ended == -signal.SIGKILL or fault is not kill, where
             if fault is not kill:
@@ -199,12 +201,12 @@ def test_the_former_set_or_the_new_one(tmp_path: Path, monkeypatch: pytest.Monke
 
 def test_a_failure_leaves_nothing_hidden(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """What cannot be removed at that very moment is for the next run: that is rare."""
-    with prepared(tmp_path / "count", "used folder", monkeypatch) as (place, _):
+    with Prepared(tmp_path / "count", "used folder", monkeypatch) as (place, _):
         steps = -attempted(place, no_space, NEVER)
     left = 0
     for at in range(1, steps + 1):
         base = tmp_path / str(at)
-        with prepared(base, "used folder", monkeypatch) as (place, _):
+        with Prepared(base, "used folder", monkeypatch) as (place, _):
             attempted(place, no_space, at)
             left += bool(hidden(base))
     assert left < 0.4 * steps
