@@ -7,7 +7,7 @@ from functools import lru_cache, partial
 from pathlib import Path
 
 from BalloonWorkbench.app import status
-from BalloonWorkbench.app.properties import Property
+from BalloonWorkbench.app.properties import Property, results
 from BalloonWorkbench.app.stateless import DocumentProxy
 from BalloonWorkbench.core.errors import ExportError, InputError
 
@@ -47,12 +47,13 @@ class ArtworkProxy(DocumentProxy):
     def choices(self):
         return CHOICES
 
-    def execute(self, obj):
+    def compute(self, obj):
         if status.waits_for(obj, obj.Pattern, bool(obj.Roles), "Choose the pattern to print on."):
             return
         with status.reported(obj, bool(obj.Roles)):
             _pictures(obj)
-            show(obj, self.cut_pattern(obj))
+            with results(obj) as found:
+                show(found, self.cut_pattern(obj))
             status.set_status(obj, status.READY)
         obj.positionBySupport()
 

@@ -63,11 +63,12 @@ def own_folder():
 def _own_films() -> dict:
     import FreeCAD as App
 
+    from BalloonWorkbench.core.data_file import data_files
     from BalloonWorkbench.core.errors import InputError
     from BalloonWorkbench.core.film.library import read_film
 
     found = {}
-    for path in sorted(own_folder().glob("*.json")):
+    for path in data_files(own_folder):
         try:
             found[path.stem] = read_film(path)
         except InputError as error:

@@ -7,7 +7,7 @@ import hashlib
 import json
 
 from BalloonWorkbench.app import status
-from BalloonWorkbench.app.properties import Property
+from BalloonWorkbench.app.properties import Property, results
 from BalloonWorkbench.app.stateless import DocumentProxy
 from BalloonWorkbench.core.errors import InputError
 
@@ -47,9 +47,7 @@ class FilmSheetProxy(DocumentProxy):
     def choices(self):
         return CHOICES
 
-    def execute(self, obj):
-        from BalloonWorkbench.app import hooks
-
+    def compute(self, obj):
         has_result = bool(obj.LaidOutFor)
         if not obj.Patterns:
             status.set_problem(obj, has_result, "Choose the patterns to lay out.")
@@ -58,18 +56,25 @@ class FilmSheetProxy(DocumentProxy):
             if status.waits_for(obj, pattern_obj, has_result, ""):
                 return
         with status.reported(obj, has_result):
-            pieces, stock = _pieces(obj), _stock(obj)
-            wanted = _label(pieces, stock)
-            if wanted != obj.LaidOutFor:
-                from BalloonWorkbench.core.nesting.nest import nest
-
-                layouts, remarks = hooks.work(
-                    f"Laying out {obj.Label}", lambda progress: nest(pieces, stock, progress)
-                )
-                _keep(obj, layouts)
-                obj.Warnings, obj.LaidOutFor = list(remarks), wanted
-            show(obj, pieces, stock)
+            with results(obj) as found:
+                self.lay_out(obj, found)
             status.set_status(obj, status.READY)
+
+    def lay_out(self, obj, found):
+        """The layout that is shown, laid out anew where something changed."""
+        from BalloonWorkbench.app import hooks
+
+        pieces, stock = _pieces(obj), _stock(obj)
+        wanted = _label(pieces, stock)
+        if wanted != obj.LaidOutFor:
+            from BalloonWorkbench.core.nesting.nest import nest
+
+            layouts, remarks = hooks.work(
+                f"Laying out {obj.Label}", lambda progress: nest(pieces, stock, progress)
+            )
+            _keep(found, layouts)
+            found.Warnings, found.LaidOutFor = list(remarks), wanted
+        show(found, pieces, stock)
 
     def cut_pattern(self, obj):
         """All pieces of the sheet that is shown, as one pattern."""

@@ -6,7 +6,7 @@ from __future__ import annotations
 from BalloonWorkbench.app import pattern_shape, status
 from BalloonWorkbench.app.host import is_replaying
 from BalloonWorkbench.app.pattern_shape import DIRECTION, PLACE
-from BalloonWorkbench.app.properties import Property, show_in_editor
+from BalloonWorkbench.app.properties import Property, results, show_in_editor
 from BalloonWorkbench.app.stateless import DocumentProxy
 from BalloonWorkbench.core.recent import Recent
 
@@ -114,13 +114,14 @@ class PatternProxy(DocumentProxy):
             TieTabAngle="edit" if obj.TieTab and not obj.TieTabAuto else "hide",
         )
 
-    def execute(self, obj):
+    def compute(self, obj):
         has_result = bool(obj.Roles)
         if status.waits_for(obj, obj.Balloon, has_result, "Choose the balloon that it belongs to."):
             return
         with status.reported(obj, has_result):
             _work_out(obj)
-            pattern_shape.show(obj, sheet(obj), kind_of(obj).note if obj.Intake else "")
+            with results(obj) as found:
+                pattern_shape.show(found, sheet(obj), kind_of(obj).note if obj.Intake else "")
             status.set_status(obj, status.READY)
         obj.positionBySupport()
 

@@ -109,10 +109,15 @@ def nested(
 
 
 def assembly_files(balloon: Balloon, title: str, paper: str) -> Mapping[str, bytes]:
-    """Contents of the assembly sheets by name, one for each shape. Raises what assembly_pdf raises."""
+    """Contents of the assembly sheets by name, one for each shape whose numbers are known.
+
+    Raises what assembly_pdf raises.
+    """
     count = len(balloon.parts)
     found = {}
     for number, part in enumerate(balloon.parts, 1):
+        if part.numbers is None:
+            continue
         name = title if count == 1 else f"{title} {number}"
         subject = Subject(name, balloon.settings.film, part.design.inflation, part.pattern, part.numbers)
         found["assembly.pdf" if number == 1 else f"assembly-{number}.pdf"] = assembly_pdf(subject, paper)

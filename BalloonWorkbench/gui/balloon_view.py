@@ -14,6 +14,7 @@ from BalloonWorkbench.app.host import COLOUR_PROPERTIES, is_replaying
 from BalloonWorkbench.app.properties import QT_TRANSLATE_NOOP
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.export.colour_map import TENSION
+from BalloonWorkbench.gui.borders import undo_step
 from BalloonWorkbench.gui.curves import curve_nodes
 from BalloonWorkbench.gui.film_display import FILM, MAP, FilmDisplay, look_of
 from BalloonWorkbench.gui.film_map import CHOICES, OFF
@@ -162,9 +163,9 @@ def fill_menu(obj, menu) -> None:
     from BalloonWorkbench.gui import record
 
     def inflate(_checked=False):
-        obj.Document.openTransaction(translate("Inflate now"))
-        inflate_now(obj)
-        obj.Document.commitTransaction()
+        with undo_step(obj.Document, translate("Inflate now")):
+            inflate_now(obj)
+            obj.Document.commitTransaction()
         if parts_of(obj) is not None:
             record.call("inflate", f"BalloonWorkbench.parts({record.obj(obj)})")
 

@@ -7,6 +7,7 @@ import gc
 import sys
 import time
 
+from BalloonWorkbench.core import faults
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.gui.qt import QtCore
 from BalloonWorkbench.gui.status_progress import StatusProgress
@@ -80,8 +81,8 @@ class Worker(QtCore.QThread):
         begun = time.thread_time()
         try:
             self.design = self.request.solve(self._report)
-        except BalloonError as error:
-            self.error = error
+        except BaseException as error:  # noqa: BLE001 - Qt would end the thread with Python locked
+            self.error = faults.as_balloon_error(error, f"at work on {type(self.request).__name__}")
         finally:
             self.work = time.thread_time() - begun
             self.ended.emit()

@@ -3,11 +3,11 @@
 
 from __future__ import annotations
 
-import json
 from functools import cache
 from pathlib import Path
 from typing import Any
 
+from BalloonWorkbench.core.data_file import UNUSABLE, read_data
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.maker.numbers import Numbers
@@ -60,7 +60,7 @@ def _join(film: Film) -> str:
 @cache
 def _data() -> dict[str, Any]:
     try:
-        data = json.loads(FILE.read_text(encoding="utf-8"))
+        data = read_data(FILE)
         return {"joins": dict(data["joins"]), "steps": [dict(step) for step in data["steps"]]}
-    except (OSError, ValueError, TypeError, KeyError) as error:
+    except UNUSABLE as error:
         raise InputError(f"The file {FILE.name} is of no use: {error!r}. Install it anew.") from error

@@ -6,7 +6,6 @@ One file each in resources/machines, and those of the user's own in a folder (`o
 
 from __future__ import annotations
 
-import json
 import os
 import re
 from collections.abc import Mapping
@@ -14,6 +13,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from BalloonWorkbench.core.data_file import UNUSABLE, data_files, read_data
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.export.layers import LAYERS
 from BalloonWorkbench.core.pattern.arcs import TOLERANCE
@@ -93,13 +93,29 @@ def own_folder() -> Path:
 
 def machines() -> dict[str, Machine]:
     """All machines by name: those for any program, then in alphabetical order; one of the user's own takes
-    the place of ours.
+    the place of ours. Own files of no use are left out, see `left_out`.
 
-    Raises InputError when a data file is of no use.
+    Raises InputError when a data file of ours is of no use.
     """
-    paths = {path.stem: path for folder in (FOLDER, own_folder()) for path in sorted(folder.glob("*.json"))}
-    order = sorted(paths, key=lambda name: (name not in ANY.values(), name))
-    return {name: read_machine(paths[name]) for name in order}
+    known = {path.stem: read_machine(path) for path in sorted(FOLDER.glob("*.json"))}
+    known |= {path.stem: own for path, own in _own_machines().items() if isinstance(own, Machine)}
+    return {name: known[name] for name in sorted(known, key=lambda name: (name not in ANY.values(), name))}
+
+
+def left_out() -> list[str]:
+    """A sentence for each file in the user's folder that is of no use."""
+    return [f"{error} It is left out." for error in _own_machines().values() if isinstance(error, InputError)]
+
+
+def _own_machines() -> dict[Path, Machine | InputError]:
+    """The user's machines by their files, or what is wrong with these."""
+    own: dict[Path, Machine | InputError] = {}
+    for path in data_files(own_folder):
+        try:
+            own[path] = read_machine(path)
+        except InputError as error:
+            own[path] = error
+    return own
 
 
 #: The machines that stand for any program, by format.
@@ -113,8 +129,11 @@ def machine(name: str) -> Machine:
     """
     if name.lower().endswith(".json"):
         return read_machine(Path(name))
-    known = machines()
-    found = known.get("-".join(name.lower().split()))
+    known, plain = machines(), "-".join(name.lower().split())
+    for path, own in _own_machines().items():  # never ours in the place of the user's: its numbers are others
+        if path.stem == plain and isinstance(own, InputError):
+            raise own
+    found = known.get(plain)
     if found is None:
         raise InputError(
             f'There is no machine "{name}": choose one of {", ".join(known)}, or give a .json file.'
@@ -128,11 +147,10 @@ def read_machine(path: Path) -> Machine:
     Raises InputError that names the file and the value.
     """
     try:
-        data = json.loads(path.read_text(encoding="utf-8"))
-        found = _machine_of(data)
+        found = _machine_of(read_data(path))
     except KeyError as error:
         raise InputError(f"The machine file {path.name} lacks {error}: add it.") from error
-    except (OSError, ValueError, TypeError, AttributeError, InputError) as error:
+    except (*UNUSABLE, InputError) as error:
         raise InputError(f"The machine file {path.name} is of no use: {error}") from error
     if found.name != path.stem:
         raise InputError(

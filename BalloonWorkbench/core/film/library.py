@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 import re
 from dataclasses import replace
@@ -11,6 +10,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+from BalloonWorkbench.core.data_file import UNUSABLE, read_data
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film.film import LOOKS, Film, Look
 
@@ -87,10 +87,10 @@ def read_film(path: Path) -> Film:
     Raises InputError that names the file when something is missing, mistyped or out of range.
     """
     try:
-        found = _film_of(json.loads(path.read_text(encoding="utf-8")))
+        found = _film_of(read_data(path))
     except KeyError as error:
         raise InputError(f"The film file {path.name} lacks {error}: add it.") from error
-    except (OSError, ValueError, TypeError, InputError) as error:
+    except (*UNUSABLE, InputError) as error:
         raise InputError(f"The film file {path.name} is of no use: {error}") from error
     if found.name != path.stem:
         raise InputError(f'The film file {path.name} calls itself "{found.name}": give both the same name.')

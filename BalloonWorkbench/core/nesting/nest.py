@@ -195,7 +195,7 @@ def _search(package: Any, instance: Any, config: Any, goal: float | None, progre
     bell = threading.Thread(target=_ring, args=(done,), name="nesting", daemon=True)
     bell.start()
     try:
-        found = instance.solve(config, queue)
+        found = _solved(instance, config, queue)
     except _Enough:  # the bell rang just after the search had ended
         if not best:
             raise Cancelled("The layout was stopped; nothing was changed.") from None
@@ -210,7 +210,15 @@ def _search(package: Any, instance: Any, config: Any, goal: float | None, progre
 def _beside(instance: Any, config: Any, queue: Any, look: Callable[[], None], best: list[Any]) -> Any:
     """The search in a thread beside this one."""
     ended: list[Any] = []
-    worker = threading.Thread(target=lambda: ended.append(instance.solve(config, queue)), name="nesting")
+    failed: list[BaseException] = []
+
+    def search() -> None:
+        try:
+            ended.append(_solved(instance, config, queue))
+        except BaseException as error:  # noqa: BLE001 - a thread's end is told by the one that began it
+            failed.append(error)
+
+    worker = threading.Thread(target=search, name="nesting")
     worker.start()
     try:
         while worker.is_alive():
@@ -220,9 +228,19 @@ def _beside(instance: Any, config: Any, queue: Any, look: Callable[[], None], be
         if not best:
             raise Cancelled("The layout was stopped; nothing was changed.") from None
         return best[-1]
-    if not ended:
-        raise SolverError("The layout failed: give the pieces more room.")
+    if failed:
+        raise failed[0]
     return ended[0]
+
+
+def _solved(instance: Any, config: Any, queue: Any) -> Any:
+    """What the search finds. Raises SolverError where it panics, as it does for want of room."""
+    try:
+        return instance.solve(config, queue)
+    except (Exception, KeyboardInterrupt, SystemExit):
+        raise
+    except BaseException as error:
+        raise SolverError("The layout failed: give the pieces more room.") from error
 
 
 def _ring(done: threading.Event) -> None:

@@ -8,7 +8,6 @@ width, A allowance, plain numbers millimetres.
 
 from __future__ import annotations
 
-import json
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -18,6 +17,7 @@ from typing import Any
 
 import numpy as np
 
+from BalloonWorkbench.core.data_file import UNUSABLE, read_data
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.pattern.pattern import Contour, Role
 from BalloonWorkbench.core.types import Floats
@@ -126,11 +126,11 @@ def intake_kind(name: str) -> IntakeKind:
 def read_kind(path: Path) -> IntakeKind:
     """The kind that a data file describes, checked. InputError that names the file."""
     try:
-        data = json.loads(path.read_text(encoding="utf-8"))
+        data = read_data(path)
         kind = _kind_of(data)
     except KeyError as error:
         raise InputError(f"The intake file {path.name} lacks {error}: add it.") from error
-    except (OSError, ValueError, TypeError, AttributeError, InputError) as error:
+    except (*UNUSABLE, InputError) as error:
         raise InputError(f"The intake file {path.name} is of no use: {error}") from error
     if kind.name != path.stem:
         raise InputError(f'The intake file {path.name} calls itself "{kind.name}": give both the same name.')

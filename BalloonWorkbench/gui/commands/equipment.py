@@ -6,6 +6,8 @@ from __future__ import annotations
 import FreeCADGui as Gui
 
 from BalloonWorkbench.app.properties import QT_TRANSLATE_NOOP
+from BalloonWorkbench.gui.borders import Panel
+from BalloonWorkbench.gui.panels import show
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, icon, number_of, translate
 from BalloonWorkbench.gui.sentences import tell
 
@@ -27,10 +29,10 @@ class Equipment:
         return not Gui.Control.activeDialog()
 
     def Activated(self):
-        Gui.Control.showDialog(_Panel())
+        show(_Panel())
 
 
-class _Panel:
+class _Panel(Panel):
     """Text to read and to copy."""
 
     def __init__(self):
