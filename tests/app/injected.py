@@ -11,7 +11,7 @@ from collections import Counter
 
 import BalloonWorkbench.core
 
-ERRORS = (RuntimeError, ZeroDivisionError, MemoryError, KeyError, RecursionError, AttributeError)
+ERRORS = (ZeroDivisionError, MemoryError, IndexError, RuntimeError, TypeError)
 #: What tells of faults, and what only stands for a constant.
 _LEFT_OUT = ("core.faults", "core.errors", "core.types", "core.packages", "core.recent", "core.fonts")
 
