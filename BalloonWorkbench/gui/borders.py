@@ -13,13 +13,11 @@ import time
 import traceback
 from contextlib import contextmanager
 from functools import partial, wraps
-from pathlib import Path
 from weakref import ref
 
 import FreeCAD as App
 import FreeCADGui as Gui
 
-import BalloonWorkbench
 from BalloonWorkbench.core import faults
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
@@ -27,7 +25,6 @@ from BalloonWorkbench.gui.sentences import tell as say
 
 faults.surroundings["Qt"] = QtCore.qVersion()
 
-_HERE = str(Path(BalloonWorkbench.__file__).parent)
 _ONCE = 1.0  # s in which the same sentence is told once: a picture is painted many times
 _last = ["", 0.0]  # the sentence that was told last, and when
 _surfaces: list = []  # what may be open and can say something, the newest last
@@ -137,7 +134,8 @@ def _close(panel, error: BalloonError) -> bool:
 
 def _unforeseen(others, kind, error, trace) -> None:
     """What nobody caught: ours is told, anything else goes to `others`."""
-    ours = any(frame.f_code.co_filename.startswith(_HERE) for frame, _ in traceback.walk_tb(trace))
+    modules = (frame.f_globals.get("__name__", "") for frame, _ in traceback.walk_tb(trace))
+    ours = any(name.partition(".")[0] == "BalloonWorkbench" for name in modules)
     if not ours or not isinstance(error, faults.UNFORESEEN):
         others(kind, error, trace)
         return
