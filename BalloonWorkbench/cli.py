@@ -77,7 +77,8 @@ def _run(options: argparse.Namespace) -> int:
             contents[DOCUMENT] = _document(options.input, balloon, width, height)
     finally:
         line.clear()
-    _write(options.out, contents, balloon, remarks, told)
+    notes = [f"{each.title}: {each.note}" for each in chosen]
+    _write(options.out, contents, balloon, remarks, [*notes, *told])
     return 0
 
 

@@ -109,7 +109,7 @@ def show(obj, pieces, stock) -> None:
     layout = _layout(obj, stock, pieces)
     pattern = layout.pattern(pieces)
     cuts, inner = pattern.of(Role.CUT), pattern.of(Role.CUT_INNER)
-    beside = (Role.SEAL, Role.WELD, Role.MARK, Role.ENGRAVE)
+    beside = (Role.SEAL, Role.WELD, Role.NOTCH, Role.FOLD, Role.PEN, Role.ENGRAVE)
     lines = [*cuts, *inner, *(contour for role in beside for contour in pattern.of(role))]
     edge = Part.makePlane(to_mm(layout.length), to_mm(stock.width)).OuterWire
     obj.Shape = Part.makeCompound([edge, *(wire(line.points, line.closed) for line in lines)])

@@ -17,7 +17,7 @@ def show(obj, pattern, how_to_fill: str) -> None:
     from BalloonWorkbench.core.units import to_mm
 
     cuts = _nested(pattern.of(Role.CUT), pattern.of(Role.CUT_INNER))
-    beside = (Role.SEAL, Role.WELD, Role.MARK, Role.ENGRAVE)
+    beside = (Role.SEAL, Role.WELD, Role.NOTCH, Role.FOLD, Role.PEN, Role.ENGRAVE)
     lines = [contour for role in beside for contour in pattern.of(role)]
     faces = [Part.Face([_wire(obj, each) for each in sheet]) for sheet in cuts]
     obj.Shape = Part.makeCompound([*faces, *(_wire(obj, line) for line in lines)])

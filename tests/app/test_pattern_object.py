@@ -234,7 +234,7 @@ def test_values_follow_expressions(pattern):
     assert pattern.CornerRadius.Value == pytest.approx(1.0)
     assert pattern.Roles.count("CUT") == 2
     assert build(pattern).intake.length == pytest.approx(0.040)
-    assert 2 * 6 <= pattern.Roles.count("MARK") <= 2 * 8
+    assert 2 * 6 <= pattern.Roles.count("NOTCH") <= 2 * 8
     for name in formulas:
         pattern.setExpression(name, None)
 

@@ -64,7 +64,7 @@ def test_every_kind_can_be_made(name: str, kind: str) -> None:
     opened = [contour for contour in pattern.of(Role.SEAL) if not contour.closed]
     assert len(opened) == (kind in NECKS)
     assert line(cut).distance(seals(pattern)) == pytest.approx(0.0 if opened else 0.0045, abs=2e-5)
-    for mark in pattern.of(Role.MARK):
+    for mark in (*pattern.of(Role.FOLD), *pattern.of(Role.PEN)):
         assert film.covers(line(mark))
         assert line(mark).distance(seals(pattern)) > 0.5 * SEAL - 2e-5
 
@@ -112,7 +112,7 @@ def test_only_the_front_panel_gets_the_hole_of_a_nozzle() -> None:
     pattern = make_pattern(NAMED["heart"], SEAL, wanted)
     (hole,) = pattern.of(Role.CUT_INNER)
     assert np.hypot(*(hole.points - pattern.intake.at).T) == pytest.approx(0.004)
-    assert line(pattern.of(Role.MARK)[0]).distance(seals(pattern)) > 0.5 * SEAL + 0.0029
+    assert line(pattern.of(Role.PEN)[0]).distance(seals(pattern)) > 0.5 * SEAL + 0.0029
     sheet = sheet_of(pattern, wanted)
     sizes = sorted(shapely.Polygon(cut.points).area for cut in sheet.of(Role.CUT))
     assert len(sizes) == 3
@@ -204,7 +204,7 @@ def test_other_sums_are_refused(text: str) -> None:
         ({"lines": [{"role": "SLICE", "points": []}]}, "SLICE"),
         ({"name": "other"}, "same name"),
         ({"pieces": [{"label": "A", "label_at": ["0", "0"], "each_panel": True,
-                      "lines": [{"role": "MARK", "circle": ["0", "0"], "radius": "W"}]}]}, "its CUT"),
+                      "lines": [{"role": "PEN", "circle": ["0", "0"], "radius": "W"}]}]}, "its CUT"),
     ],
 )  # fmt: skip
 def test_mistakes_in_files_are_named(tmp_path: Path, change: dict[str, object], text: str) -> None:

@@ -98,7 +98,7 @@ def test_kinds_and_values_in_the_panel(opened):
     assert (pattern.Allowance.Value, pattern.CornerRadius.Value, pattern.LabelText) == (3, 2, "B1")
     assert pattern.Roles.count("CUT") == 2 * 2 * 2
     assert pattern.Shape.isValid()
-    assert "MARK" in pattern.Roles
+    assert "NOTCH" in pattern.Roles
     hands.click(hands.find("MakeSketch"))
     (sketch,) = [obj for obj in pattern.Document.Objects if obj.isDerivedFrom("Sketcher::SketchObject")][1:]
     assert sketch.GeometryCount > sketch.ConstraintCount == len(sketch.Shape.Edges) > 10

@@ -36,7 +36,9 @@ _NAMES = {
     Role.CUT_INNER: "cut inside",
     Role.SEAL: "weld",
     Role.WELD: "weld inside",
-    Role.MARK: "mark",
+    Role.NOTCH: "notch",
+    Role.FOLD: "fold",
+    Role.PEN: "drawn mark",
 }
 #: Height of a line of the lists [mm], least width of their names, dots of the balloon's picture per mm.
 _LINE, _NAME, _DOTS = 4.2, 20.0, 6.0

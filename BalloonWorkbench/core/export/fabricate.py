@@ -10,13 +10,14 @@ from BalloonWorkbench.core.export.drawing import Drawing, draw
 from BalloonWorkbench.core.export.machine import FOLDER, Machine, read_machine
 from BalloonWorkbench.core.export.machine_dxf import drawing_dxf
 from BalloonWorkbench.core.export.machine_hpgl import drawing_hpgl
+from BalloonWorkbench.core.export.machine_lightburn import drawing_lightburn
 from BalloonWorkbench.core.export.machine_pdf import drawing_pdf, tiled_pdf
 from BalloonWorkbench.core.export.machine_svg import drawing_svg
 from BalloonWorkbench.core.export.preflight import ERROR, preflight
 from BalloonWorkbench.core.pattern.pattern import Pattern
 from BalloonWorkbench.core.types import Say, in_english
 
-_WRITERS = {"dxf": drawing_dxf, "svg": drawing_svg, "hpgl": drawing_hpgl}
+_WRITERS = {"dxf": drawing_dxf, "svg": drawing_svg, "hpgl": drawing_hpgl, "lbrn2": drawing_lightburn}
 
 
 def machine_file(

@@ -18,11 +18,18 @@ class Role(str, Enum):
     REGISTRATION = "REGISTRATION"  # control bar, marks to find the sheet again
     PRINT = "PRINT"
     ENGRAVE = "ENGRAVE"  # labels
-    MARK = "MARK"  # notches, folds, alignment
+    PEN = "PEN"  # drawn: where a part is laid, how far a straw goes in
+    FOLD = "FOLD"  # drawn: where the film is turned over
     SEAL = "SEAL"
     WELD = "WELD"  # inside the balloon
+    NOTCH = "NOTCH"  # short cuts from the edge, outside the weld
     CUT_INNER = "CUT_INNER"
     CUT = "CUT"
+
+    @property
+    def is_cut(self) -> bool:
+        """Whether a tool goes through the film there; all other lines are drawn or welded."""
+        return self in (Role.NOTCH, Role.CUT_INNER, Role.CUT)
 
 
 @dataclass(frozen=True)
