@@ -94,7 +94,10 @@ def cut_by(machine: Machine) -> set[Role]:
 
 
 def through_air(sheet: Pattern, air: shapely.Geometry, machine: Machine) -> list[tuple[str, float]]:
-    """Lines of a machine's file that would be cut through air: role and length there [mm]; but for a nozzle's bore."""
+    """Lines of a machine's file that would be cut through air: role and length there [mm].
+
+    A nozzle's bore does not count: it is meant.
+    """
     if Role.CUT not in machine.layers:
         return []
     drawing = draw(sheet, replace(machine, arcs=False))
@@ -150,7 +153,7 @@ def test_the_net_sees_a_slit() -> None:
 
 
 def test_lines_across_a_neck_are_drawn() -> None:
-    """By meaning: notches are cut, folds and marks are not; machines for knives get none of the drawn ones."""
+    """By meaning: notches are cut, folds and marks are not; knives get none of the drawn ones."""
     roles = {
         kind: {line.role for line in make_pattern(NAMED["disc"], SEAL, Wanted(intake_kind=kind)).contours}
         for kind in intake_kinds()

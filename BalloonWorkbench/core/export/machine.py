@@ -148,8 +148,8 @@ def read_machine(path: Path) -> Machine:
 #: be one that is cut, and a fold goes across the neck: only notches are written there.
 _MARK, _NOTCH = "MARK", Role.NOTCH.value
 _OLDER = (
-    "The layer MARK of the machine file {}.json now takes notches only. Rename it NOTCH, and where your machine"
-    " can draw, add the layers FOLD and PEN."
+    "The layer MARK of the machine file {}.json now takes notches only. Rename it NOTCH, and where your"
+    " machine can draw, add the layers FOLD and PEN."
 )
 #: LightBurn knows so many.
 _PROJECT_LAYERS = 32

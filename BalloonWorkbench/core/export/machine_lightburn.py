@@ -27,7 +27,8 @@ def drawing_lightburn(drawing: Drawing, machine: Machine) -> bytes:
         names.setdefault(machine.layers[role].pen, []).append(machine.layers[role].name)
     lines = [
         '<?xml version="1.0" encoding="UTF-8"?>',
-        '<LightBurnProject AppVersion="1.0.00" FormatVersion="1" MaterialHeight="0" MirrorX="False" MirrorY="False">',
+        '<LightBurnProject AppVersion="1.0.00" FormatVersion="1" MaterialHeight="0" MirrorX="False"'
+        ' MirrorY="False">',
     ]
     for priority, (number, roles) in enumerate(names.items()):
         kind = "Tool" if number >= TOOL else "Cut"
