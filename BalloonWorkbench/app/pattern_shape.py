@@ -23,7 +23,7 @@ def show(obj, pattern, how_to_fill: str) -> None:
     obj.Shape = Part.makeCompound([*faces, *(_wire(obj, line) for line in lines)])
     obj.Roles = [contour.role.value for contour in (*(each for sheet in cuts for each in sheet), *lines)]
     obj.SeamLength = to_mm(pattern.seam_length)
-    obj.PatternWidth, obj.PatternHeight = (to_mm(length) for length in pattern.size)
+    obj.PatternWidth, obj.PatternHeight = (to_mm(length) for length in pattern.of_stock("").size)
     obj.Warnings = list(pattern.warnings)
     obj.HowToFill = how_to_fill
     if pattern.intake is not None and (obj.IntakeAuto or obj.IntakeBy == PLACE):

@@ -29,7 +29,7 @@ from BalloonWorkbench.core.design.fit import fit, inflate_outline
 from BalloonWorkbench.core.design.size_goal import START_WIDTH, Buoyancy, SizeGoal, design_to_size
 from BalloonWorkbench.core.design.to_volume import design_to_volume
 from BalloonWorkbench.core.errors import InputError, MissingPackageError
-from BalloonWorkbench.core.export.fabricate import machine_file
+from BalloonWorkbench.core.export.fabricate import file_of_stock, machine_file
 from BalloonWorkbench.core.export.machine import ANY, machine
 from BalloonWorkbench.core.export.preview import preview_png
 from BalloonWorkbench.core.export.results import frame_files, results_bytes
@@ -48,7 +48,7 @@ from BalloonWorkbench.core.outline.picture import Decode
 from BalloonWorkbench.core.outline.read import read_drawing
 from BalloonWorkbench.core.outline.symmetry import AUTO, evened
 from BalloonWorkbench.core.pattern.layout import on_one_sheet
-from BalloonWorkbench.core.pattern.make import Wanted, make_pattern, sheet_of
+from BalloonWorkbench.core.pattern.make import Wanted, make_pattern, pieces_remarks, sheet_of
 from BalloonWorkbench.core.pattern.pattern import Pattern
 from BalloonWorkbench.core.rounded import rounded, rounded_outline
 from BalloonWorkbench.core.solver.animation import inflate_in_time
@@ -143,6 +143,7 @@ def make_balloon(
     pictures where OpenCV is missing. Raises BalloonError of some kind for anything a user can mend.
     """
     settings.filling.lightness()  # a mistake shows before the work
+    remarks = pieces_remarks(settings.wanted, settings.film)
     if settings.goal is not None and width is None and height is None:
         width = START_WIDTH
     drawing, kind = read_drawing(path, width, height, decode)
@@ -159,6 +160,7 @@ def make_balloon(
     made, told = [], []
     for design, outline in zip(designs, drawing.parts, strict=True):
         pattern = make_pattern(design.pattern, settings.film.seal_width, settings.wanted)
+        pattern = replace(pattern, warnings=(*pattern.warnings, *remarks))
         source = report.Source(Path(path).name, kind, outline)
         numbers = _numbers(design, pattern, settings)
         made.append(Part(design, pattern, numbers))
@@ -258,7 +260,13 @@ def files(balloon: Balloon, results: str | None = None) -> dict[str, bytes]:
     """
     sheet = balloon.sheet
     makers: dict[str, Callable[[], bytes]] = {
-        **{f"pattern.{kind}": partial(machine_file, sheet, machine(name)) for kind, name in ANY.items()},
+        **{
+            file_of_stock(f"pattern.{kind}", stock): partial(
+                machine_file, sheet.of_stock(stock), machine(name)
+            )
+            for kind, name in ANY.items()
+            for stock in sheet.stocks
+        },
         "balloon.stl": lambda: stl_bytes([design.inflation for design in balloon.designs]),
         "preview.png": lambda: preview_png(balloon.designs, balloon.patterns),
     }

@@ -166,6 +166,7 @@ def test_numbers(parts):
         1e-3 * parts.balloon.FloatsFrom.Value * 120.0 / parts.balloon.InflatedWidth.Value, rel=0.02
     )
     assert maker.numbers(parts) is found
+    parts.balloon.Film = "nylon-foil"
     parts.pattern.IntakeKind = "Self-sealing film valve"
     parts.balloon.Document.recompute()
     assert maker.numbers(parts).valve > 0.0

@@ -245,7 +245,11 @@ def test_second_panel_and_pieces_are_faces(pattern):
     pattern.Intake, pattern.Mirror = True, True
     choose_kind(pattern, "Self-sealing film valve")
     pattern.Document.recompute()
+    assert "does not weld" in pattern.Status  # to plain PET
+    pattern.Balloon.Film = "nylon-foil"
+    pattern.Document.recompute()
     assert pattern.Status == status.READY
+    assert "thin PE film" in pattern.Warnings[-1]
     assert "strips" in pattern.HowToFill
     faces = sorted(pattern.Shape.Faces, key=lambda face: face.Area)
     assert len(faces) == 4

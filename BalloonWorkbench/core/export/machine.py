@@ -34,8 +34,10 @@ _COLOUR = re.compile(r"#[0-9a-f]{6}")
 
 @dataclass(frozen=True)
 class Line:
-    """How a role is written: layer, AutoCAD colour index, RGB colour, line type; pen of a plotter, or number of
-    the layer in a LightBurn project."""
+    """How a role is written: layer, AutoCAD colour index, RGB colour, line type, pen of a plotter.
+
+    In a LightBurn project the pen is the number of the layer.
+    """
 
     name: str
     aci: int

@@ -37,12 +37,14 @@ class Contour:
     """A polyline with a role: points (n, 2) m, the first point not repeated when closed.
 
     front  only the front panel has it, as the hole of a nozzle
+    stock  the film that it is on: "" the balloon's, else a name such as "valve"
     """
 
     role: Role
     points: Floats
     closed: bool
     front: bool = False
+    stock: str = ""
 
 
 @dataclass(frozen=True)
@@ -114,6 +116,20 @@ class Pattern:
         """The roles that occur, in the order in which a machine takes them."""
         present = {contour.role for contour in self.contours}
         return tuple(role for role in Role if role in present)
+
+    @property
+    def stocks(self) -> tuple[str, ...]:
+        """The films that its pieces are cut from, the balloon's first."""
+        return tuple(sorted({contour.stock for contour in self.contours}))
+
+    def of_stock(self, stock: str) -> Pattern:
+        """What is cut from one film; the seam is that of the panels."""
+        if self.stocks == (stock,):
+            return self
+        kept = tuple(contour for contour in self.contours if contour.stock == stock)
+        if stock:
+            return replace(self, contours=kept, intake=None, more_intakes=(), seam_length=0.0)
+        return replace(self, contours=kept)
 
     def of(self, role: Role) -> tuple[Contour, ...]:
         """The contours of one role."""
