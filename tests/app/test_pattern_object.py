@@ -246,10 +246,17 @@ def test_second_panel_and_pieces_are_faces(pattern):
     choose_kind(pattern, "Self-sealing film valve")
     pattern.Document.recompute()
     assert "does not weld" in pattern.Status  # to plain PET
-    pattern.Balloon.Film = "nylon-foil"
+    pattern.Balloon.Film, pattern.Balloon.SealingSide = "Custom", ""
     pattern.Document.recompute()
     assert pattern.Status == status.READY
-    assert "thin PE film" in pattern.Warnings[-1]
+    assert any("not known" in text for text in pattern.Warnings)
+    pattern.Balloon.SealingSide = "PE"
+    pattern.Document.recompute()
+    assert pattern.Status == status.READY
+    assert not any("not known" in text for text in pattern.Warnings)
+    assert any("cut from thin PE film" in text for text in pattern.Warnings)
+    assert any("the weld closes the valve" in text or "past the weld" in text for text in pattern.Warnings)
+    assert pattern.PatternWidth.Value < pattern.Shape.BoundBox.XLength - 2 * 34  # without the strips
     assert "strips" in pattern.HowToFill
     faces = sorted(pattern.Shape.Faces, key=lambda face: face.Area)
     assert len(faces) == 4

@@ -81,7 +81,7 @@ def build_pattern(
         whole = shapely().unary_union([whole, *(neck.area for neck in necks if neck.area is not None)])
         warnings += [_advice(neck) for neck in necks if neck.way is not None]
         free = _between_welds(whole, holes, seam, seal_width)
-        closed = [closed_channel(neck.intake, free, seal_width, allowance) for neck in necks]
+        closed = [closed_channel(neck.intake, free, seal_width) for neck in necks]
         warnings += [text for text in closed if text is not None]
     inside = joined_welds(seam, 0.5 * seal_width)  # welds at the rim end in the middle of the one round it
     contours = [Contour(Role.WELD, open_line(shapely().LineString(weld)), False) for weld in inside] + [

@@ -3,7 +3,7 @@
 
 Lines are drawn beside an axis: along it from the neck's root on the seam outward, or from the middle of a
 nozzle, then across it. Each number is a sum such as "L - 10" or "0.5 W + S": L length, W inner width, S seal
-width, A allowance, plain numbers millimetres.
+width, A allowance, plain numbers millimetres. Pieces beside the panel know no A.
 """
 
 from __future__ import annotations

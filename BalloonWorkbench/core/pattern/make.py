@@ -69,7 +69,7 @@ def make_pattern(seam: Outline, seal_width: float, wanted: Wanted) -> Pattern:
 
 def sheet_of(pattern: Pattern, wanted: Wanted) -> Pattern:
     """What is cut for it: the panel with its pieces, the second panel and copies as they are wanted."""
-    return on_sheet(pattern, wanted.allowance, wanted.mirror, wanted.copies)
+    return on_sheet(pattern, wanted.mirror, wanted.copies)
 
 
 def pieces_remarks(wanted: Wanted, film: Film) -> tuple[str, ...]:
@@ -89,7 +89,7 @@ def pieces_remarks(wanted: Wanted, film: Film) -> tuple[str, ...]:
     if film.sealing_side != kind.stock.sealing_side:
         good = [each.title for each in films().values() if each.sealing_side == kind.stock.sealing_side]
         raise InputError(
-            f'The pieces of the intake "{kind.title}" are of {kind.stock.title}, which does not weld to {own}:'
-            f" choose another intake, or a film that it welds to: {'; '.join(good)}."
+            f'The pieces of the intake "{kind.title}" are of {kind.stock.title}, which does not weld to'
+            f" {own}: choose another intake, or a film that it welds to: {'; '.join(good)}."
         )
     return ()

@@ -24,19 +24,19 @@ _LETTERS = from_mm(3.0)
 _TEXT = (Role.ENGRAVE, Role.PRINT)
 
 
-def on_sheet(pattern: Pattern, allowance: float, mirror: bool, copies: int) -> Pattern:
+def on_sheet(pattern: Pattern, mirror: bool, copies: int) -> Pattern:
     """A panel with all that is cut beside it, as often as it is wanted.
 
-    allowance  the one with which the pattern was built [m]
-    mirror     the second panel beside the first, mirrored; else the sheet is cut twice. Where the front panel
-               has lines of its own, as for a nozzle, both are always there
+    mirror  the second panel beside the first, mirrored; else the sheet is cut twice. Where the front panel
+            has lines of its own, as for a nozzle, both are always there
+    Pieces on another film lie beside all panels, those of every balloon.
     Raises InputError for a number of copies that makes no sense.
     """
     if not 1 <= copies <= MOST_COPIES:
         raise InputError(f"There can be 1 to {MOST_COPIES} copies, not {copies}.")
     front = [contour for contour in pattern.contours if contour.front]
     both = mirror or bool(front)
-    pieces = _pieces(pattern, allowance)
+    pieces = _pieces(pattern)
     made = _with_pieces(pattern, [piece for piece in pieces if not piece[0].stock])
     if both:
         made = _beside(made, _mirrored(pattern))
@@ -76,8 +76,8 @@ def _of_other_film(pattern: Pattern) -> list[str]:
     """What to say about pieces that are not cut from the balloon's film."""
     kinds = {intake.kind: intake_kind(intake.kind) for intake in pattern.intakes}
     return [
-        f'The pieces of the intake "{kind.title}" are cut from {kind.stock.title}: they have a file of their own,'
-        " with all of them for each balloon."
+        f'The pieces of the intake "{kind.title}" are cut from {kind.stock.title}: they have a file of their'
+        " own, with all of them for each balloon."
         for kind in kinds.values()
         if kind.stock is not None
     ]
@@ -95,12 +95,12 @@ def _in_rows(pattern: Pattern, pieces: Sequence[list[Contour]]) -> Pattern:
     return replace(pattern, contours=tuple(laid), intake=None, more_intakes=(), seam_length=0.0)
 
 
-def _pieces(pattern: Pattern, allowance: float) -> list[list[Contour]]:
+def _pieces(pattern: Pattern) -> list[list[Contour]]:
     """The lines of each piece that the pattern's intakes need beside the panels."""
     found = []
     for intake in pattern.intakes:
         kind = intake_kind(intake.kind)
-        sizes = {"L": intake.length, "W": intake.width, "S": pattern.seal_width, "A": allowance}
+        sizes = {"L": intake.length, "W": intake.width, "S": pattern.seal_width}
         stock = "" if kind.stock is None else kind.stock.name
         for piece in kind.pieces:
             found.append([replace(line, stock=stock) for line in _drawn(piece, sizes)])

@@ -20,12 +20,12 @@ _STEP = from_mm(0.5)
 _SLACK = from_mm(0.05)
 
 
-def strips(intake: Intake, seal_width: float, allowance: float) -> tuple[tuple[Contour, ...], ...]:
+def strips(intake: Intake, seal_width: float) -> tuple[tuple[Contour, ...], ...]:
     """The lines of each piece in the intake's neck, from its mouth inward; none for other intakes."""
     kind = intake_kind(intake.kind)
     if kind.place != RIM:
         return ()
-    sizes = {"L": intake.length, "W": intake.width, "S": seal_width, "A": allowance}
+    sizes = {"L": intake.length, "W": intake.width, "S": seal_width}
     from_mouth = np.array([intake.length, 0.0])
 
     def laid(line: Contour) -> Contour:
@@ -34,12 +34,12 @@ def strips(intake: Intake, seal_width: float, allowance: float) -> tuple[tuple[C
     return tuple(tuple(laid(stroke.drawn(sizes)) for stroke in piece.strokes) for piece in kind.pieces)
 
 
-def closed_channel(intake: Intake, free: Any, seal_width: float, allowance: float) -> str | None:
+def closed_channel(intake: Intake, free: Any, seal_width: float) -> str | None:
     """A sentence on the narrowest place where the balloon's welds reach the channel's own, or None.
 
     free  the film between the balloon's welds, neck included, as an area of shapely
     """
-    pieces = strips(intake, seal_width, allowance)
+    pieces = strips(intake, seal_width)
     welds = (
         [line.points for line in pieces[0] if line.role is Role.SEAL and not line.closed] if pieces else []
     )
