@@ -152,7 +152,7 @@ class _Run:
                 self._attempt("inflation.pvd", lambda: inflation_files(balloon, options.frames, line.show))
                 or {}
             )
-        lines = []
+        lines = [f"{each.title}: {each.note}" for each in chosen]
         asked = [(each.file_name, [each], None) for each in chosen]
         if options.tiled is not None:
             asked.append((f"pattern-{options.tiled.lower()}.pdf", [], options.tiled))

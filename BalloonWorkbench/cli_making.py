@@ -144,22 +144,25 @@ def _nest(
     machines: Sequence[Machine],
     progress: Progress,
 ) -> tuple[dict[str, bytes], list[str]]:
-    layouts, pieces, remarks = nested(balloon, stock, count, progress)
     contents: dict[str, bytes] = {}
     lines: list[str] = []
-    for number, layout in enumerate(layouts, 1):
-        which = "" if number == 1 else f"-{number}"
-        for each in machines:
-            try:
-                made, doubts = checked_files(layout.pattern(pieces), [each])
-            except ExportError as error:
-                lines.append(f"Left out: {error}")
-                continue
-            contents |= {f"nested{which}-{name}": content for name, content in made.items()}
-            lines += [f"Check, film {number}: {doubt}" for doubt in doubts]
-        lines.append(
-            f"Film {number}: {len(layout.places)} pieces on {to_mm(layout.length):.0f} x"
-            f" {to_mm(stock.width):.0f} mm, {100.0 * layout.utilisation:.0f} % used"
-        )
-    lines += [f"Note: {remark}" for remark in remarks]
+    notes: list[str] = []
+    for film, (layouts, pieces, remarks) in nested(balloon, stock, count, progress).items():
+        title = f"{film} film".lstrip().capitalize()
+        notes += remarks
+        for number, layout in enumerate(layouts, 1):
+            which = "" if number == 1 else f"-{number}"
+            for each in machines:
+                try:
+                    made, doubts = checked_files(layout.pattern(pieces), [each])
+                except ExportError as error:
+                    lines.append(f"Left out: {error}")
+                    continue
+                contents |= {f"nested{which}-{name}": content for name, content in made.items()}
+                lines += [f"Check, {title.lower()} {number}: {doubt}" for doubt in doubts]
+            lines.append(
+                f"{title} {number}: {len(layout.places)} pieces on {to_mm(layout.length):.0f} x"
+                f" {to_mm(stock.width):.0f} mm, {100.0 * layout.utilisation:.0f} % used"
+            )
+    lines += [f"Note: {remark}" for remark in dict.fromkeys(notes)]
     return contents, lines

@@ -161,7 +161,7 @@ def sketch(pattern_obj):
 def nest(patterns, sheet=None, **wanted):
     """Lay out patterns closely on a new roll or sheet, or on one that is there; returns the object.
 
-    Values are film_width, film_length, spacing, balloons, grain, shown. Raises InputError.
+    Values are film, film_width, film_length, spacing, balloons, grain, shown. Raises InputError.
     """
     from BalloonWorkbench.app import film_sheet
 

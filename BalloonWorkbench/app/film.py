@@ -26,6 +26,12 @@ PROPERTIES = (
     Property("Float", "ArealDensity", "Film", "Weight of the film in kg per square metre"),
     Property("Length", "SealWidth", "Film", "Width of the weld that this film needs"),
     Property(
+        "String",
+        "SealingSide",
+        "Film",
+        "Polymer of the side that is welded, such as PE; none where it does not weld, empty: not known",
+    ),
+    Property(
         "Pressure", "Strength", "Film", "Tension over the section at which the film tears; 0: not known"
     ),
     Property(
@@ -142,6 +148,7 @@ def write(obj, film) -> None:
     obj.ArealDensity = film.areal_density
     obj.SealWidth = to_mm(film.seal_width)
     obj.Strength = kilopascals(film.max_stress or 0.0)
+    obj.SealingSide = film.sealing_side or ""
 
 
 def read(obj):
@@ -158,7 +165,12 @@ def read(obj):
         pascals(obj.YoungModulus), obj.PoissonRatio, metres(obj.Thickness), obj.ArealDensity or None
     )
     strength = pascals(obj.Strength) or None
-    own = replace(own, seal_width=metres(obj.SealWidth), max_stress=strength)
+    own = replace(
+        own,
+        seal_width=metres(obj.SealWidth),
+        max_stress=strength,
+        sealing_side=obj.SealingSide.strip() or None,
+    )
     if obj.Material:
         own = replace(own, title=obj.Material)
     across = pascals(obj.YoungModulusAcross)
@@ -168,5 +180,12 @@ def read(obj):
     return (
         own
         if known is None
-        else replace(own, name=known.name, max_stress=known.max_stress, title=known.title, look=known.look)
+        else replace(
+            own,
+            name=known.name,
+            max_stress=known.max_stress,
+            title=known.title,
+            look=known.look,
+            sealing_side=known.sealing_side,
+        )
     )

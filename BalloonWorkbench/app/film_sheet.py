@@ -12,10 +12,17 @@ from BalloonWorkbench.app.stateless import DocumentProxy
 from BalloonWorkbench.core.errors import InputError
 
 GRAINS = {"Along": "along", "Across": "across", "Any": "any"}
-CHOICES = {"Grain": list(GRAINS)}
+#: What is laid out, and the name of its film in the core.
+FILMS = {"Balloon film": "", "Valve film": "valve"}
+CHOICES = {"Grain": list(GRAINS), "Film": list(FILMS)}
+#: The valve's pieces were here before they had a film of their own.
+_OLDER = "The layout of {} is older than its patterns: recompute it."
 
 PROPERTIES = (
     Property("LinkList", "Patterns", "Film", "The patterns that are laid out"),
+    Property(
+        "Enumeration", "Film", "Film", "Which film is laid out: pieces of a valve are on one of their own"
+    ),
     Property("Integer", "Balloons", "Film", "How many balloons of each pattern", 1),
     Property("Length", "FilmWidth", "Film", "Width of the roll or sheet", 500.0),
     Property("Length", "FilmLength", "Film", "Length of a sheet; 0 is a roll"),
@@ -64,7 +71,8 @@ class FilmSheetProxy(DocumentProxy):
         """The layout that is shown, laid out anew where something changed."""
         from BalloonWorkbench.app import hooks
 
-        pieces, stock = _pieces(obj), _stock(obj)
+        parted, stock = _by_film(obj), _stock(obj)
+        pieces = _chosen(obj, parted)
         wanted = _label(pieces, stock)
         if wanted != obj.LaidOutFor:
             from BalloonWorkbench.core.nesting.nest import nest
@@ -73,13 +81,15 @@ class FilmSheetProxy(DocumentProxy):
                 f"Laying out {obj.Label}", lambda progress: nest(pieces, stock, progress)
             )
             _keep(found, layouts)
-            found.Warnings, found.LaidOutFor = list(remarks), wanted
+            found.Warnings, found.LaidOutFor = [*remarks, *_left_out(obj, parted)], wanted
         show(found, pieces, stock)
 
     def cut_pattern(self, obj):
         """All pieces of the sheet that is shown, as one pattern."""
-        pieces = _pieces(obj)
-        return _layout(obj, _stock(obj), pieces).pattern(pieces)
+        pieces, stock = _chosen(obj, _by_film(obj)), _stock(obj)
+        if _label(pieces, stock) != obj.LaidOutFor:
+            raise InputError(_OLDER.format(obj.Label))
+        return _layout(obj, stock, pieces).pattern(pieces)
 
 
 def is_film_sheet(obj) -> bool:
@@ -114,7 +124,7 @@ def show(obj, pieces, stock) -> None:
     layout = _layout(obj, stock, pieces)
     pattern = layout.pattern(pieces)
     cuts, inner = pattern.of(Role.CUT), pattern.of(Role.CUT_INNER)
-    beside = (Role.SEAL, Role.WELD, Role.MARK, Role.ENGRAVE)
+    beside = (Role.SEAL, Role.WELD, Role.NOTCH, Role.FOLD, Role.PEN, Role.ENGRAVE)
     lines = [*cuts, *inner, *(contour for role in beside for contour in pattern.of(role))]
     edge = Part.makePlane(to_mm(layout.length), to_mm(stock.width)).OuterWire
     obj.Shape = Part.makeCompound([edge, *(wire(line.points, line.closed) for line in lines)])
@@ -125,12 +135,29 @@ def show(obj, pieces, stock) -> None:
     obj.PatternWidth, obj.PatternHeight = (to_mm(length) for length in pattern.size)
 
 
-def _pieces(obj) -> list:
-    """What is laid out: the panels of each pattern and the pieces of its intake."""
+def _chosen(obj, parted) -> list:
+    """The pieces that are laid out, of those by film. InputError where the patterns have none of it."""
+    found = parted.get(FILMS[obj.Film], [])
+    if not found:
+        raise InputError(f"No pattern here has pieces of {obj.Film.lower()}: choose another film.")
+    return found
+
+
+def _left_out(obj, parted) -> list[str]:
+    """What to say about pieces of valves while the balloons' film is laid out."""
+    return [
+        f"Pieces of {title.lower()} are not here: lay them out on a sheet of their own."
+        for title, name in FILMS.items()
+        if name and title != obj.Film and name in parted
+    ]
+
+
+def _by_film(obj) -> dict:
+    """Panels, and the pieces of intakes, by the name of their film in the core."""
     from dataclasses import replace
 
     from BalloonWorkbench.app import film, pattern
-    from BalloonWorkbench.core.making import pieces_of
+    from BalloonWorkbench.core.making import by_stock, pieces_of
     from BalloonWorkbench.core.pattern.make import sheet_of
 
     if obj.Balloons < 1:
@@ -140,7 +167,7 @@ def _pieces(obj) -> list:
         panel = pattern.build(each)
         whole = sheet_of(panel, replace(pattern.values(each), mirror=True, copies=1))
         found += pieces_of(panel, whole, obj.Balloons, film.read(each.Balloon).grain_angle)
-    return found
+    return by_stock(found)
 
 
 def _stock(obj):

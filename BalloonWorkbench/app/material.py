@@ -92,6 +92,7 @@ def take(obj, card: Card) -> None:
         obj.ArealDensity = numbers["ArealDensity"]
     elif "Density" in numbers:
         obj.ArealDensity = numbers["Density"] * obj.Thickness.getValueAs("m").Value
+    obj.SealingSide = card.values.get("SealingSide", "").strip()
     obj.Material = card.name
 
 

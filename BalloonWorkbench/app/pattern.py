@@ -221,11 +221,20 @@ def usual_values():
 
 
 def build(obj):
-    """The pattern of one panel in full precision, from the balloon's seam and the object's own values."""
-    from BalloonWorkbench.app import shapes
-    from BalloonWorkbench.app.quantities import metres
+    """The pattern of one panel in full precision, from the balloon's seam and the object's own values.
 
-    return made(shapes.stored(obj.Balloon, "Seam"), metres(obj.Balloon.SealWidth), values(obj))
+    Raises InputError where the film of the intake's pieces does not weld to the balloon's.
+    """
+    from dataclasses import replace
+
+    from BalloonWorkbench.app import film, shapes
+    from BalloonWorkbench.app.quantities import metres
+    from BalloonWorkbench.core.pattern.make import pieces_remarks
+
+    wanted = values(obj)
+    remarks = pieces_remarks(wanted, film.read(obj.Balloon))
+    pattern = made(shapes.stored(obj.Balloon, "Seam"), metres(obj.Balloon.SealWidth), wanted)
+    return replace(pattern, warnings=(*pattern.warnings, *remarks))
 
 
 def _work_out(obj) -> None:

@@ -29,7 +29,7 @@ from BalloonWorkbench.core.design.fit import fit, inflate_outline
 from BalloonWorkbench.core.design.size_goal import START_WIDTH, Buoyancy, SizeGoal, design_to_size
 from BalloonWorkbench.core.design.to_volume import design_to_volume
 from BalloonWorkbench.core.errors import BalloonError, InputError, MissingPackageError
-from BalloonWorkbench.core.export.fabricate import machine_file
+from BalloonWorkbench.core.export.fabricate import file_of_stock, machine_file
 from BalloonWorkbench.core.export.machine import ANY, machines
 from BalloonWorkbench.core.export.preview import preview_png
 from BalloonWorkbench.core.export.results import frame_files, results_bytes
@@ -48,7 +48,7 @@ from BalloonWorkbench.core.outline.picture import Decode
 from BalloonWorkbench.core.outline.read import read_drawing
 from BalloonWorkbench.core.outline.symmetry import AUTO, evened
 from BalloonWorkbench.core.pattern.layout import on_one_sheet
-from BalloonWorkbench.core.pattern.make import Wanted, make_pattern, sheet_of
+from BalloonWorkbench.core.pattern.make import Wanted, make_pattern, pieces_remarks, sheet_of
 from BalloonWorkbench.core.pattern.pattern import Pattern
 from BalloonWorkbench.core.rounded import rounded, rounded_outline
 from BalloonWorkbench.core.solver.animation import inflate_in_time
@@ -148,6 +148,7 @@ def make_balloon(
     some kind for anything a user can mend.
     """
     settings.filling.lightness()  # a mistake shows before the work
+    remarks = pieces_remarks(settings.wanted, settings.film)
     if settings.goal is not None and width is None and height is None:
         width = START_WIDTH
     drawing, kind = read_drawing(path, width, height, decode)
@@ -170,6 +171,7 @@ def make_balloon(
     made = []
     for design in designs:
         pattern = make_pattern(design.pattern, settings.film.seal_width, settings.wanted)
+        pattern = replace(pattern, warnings=(*pattern.warnings, *remarks))
         numbers = attempt("What it takes to make it", partial(_numbers, design, pattern, settings))
         made.append(Part(design, pattern, numbers))
     balloon = Balloon(drawing, settings, tuple(made), {})
@@ -293,7 +295,11 @@ def makers(balloon: Balloon, results: str | None = None) -> dict[str, Callable[[
     """
     film, sheet, known = balloon.settings.film, balloon.sheet, machines()
     named: dict[str, Callable[[], bytes]] = {
-        **{f"pattern.{kind}": partial(machine_file, sheet, known[name]) for kind, name in ANY.items()},
+        **{
+            file_of_stock(f"pattern.{kind}", stock): partial(machine_file, sheet.of_stock(stock), known[name])
+            for kind, name in ANY.items()
+            for stock in sheet.stocks
+        },
         "balloon.stl": lambda: stl_bytes([design.inflation for design in balloon.designs]),
         "preview.png": lambda: preview_png(balloon.designs, balloon.patterns),
     }

@@ -94,18 +94,33 @@ def pieces_of(panel: Pattern, one_balloon: Pattern, copies: int, grain: float) -
     return [Piece(panel, copies, copies, grain), *(Piece(piece, copies) for piece in others)]
 
 
+def by_stock(pieces: Sequence[Piece]) -> dict[str, list[Piece]]:
+    """Pieces by the film that they are cut from, the balloon's first: each film is a roll of its own."""
+    parted: dict[str, list[Piece]] = {"": []}
+    for piece in pieces:
+        (stock,) = piece.pattern.stocks
+        parted.setdefault(stock, []).append(piece)
+    return parted
+
+
 def nested(
     balloon: Balloon, stock: Stock, copies: int, progress: Progress = no_progress
-) -> tuple[tuple[Layout, ...], list[Piece], tuple[str, ...]]:
-    """Layouts of so many balloons on film, their pieces, and remarks. Raises what `nest` raises."""
+) -> dict[str, tuple[tuple[Layout, ...], list[Piece], tuple[str, ...]]]:
+    """For each film, the balloon's first: layouts of so many balloons, their pieces, and remarks.
+
+    Raises what `nest` raises.
+    """
     wanted = replace(balloon.settings.wanted, mirror=True, copies=1)
     pieces = [
         piece
         for pattern in balloon.patterns
         for piece in pieces_of(pattern, sheet_of(pattern, wanted), copies, balloon.settings.film.grain_angle)
     ]
-    layouts, remarks = nest(pieces, stock, progress)
-    return layouts, pieces, remarks
+    laid = {}
+    for name, parted in by_stock(pieces).items():
+        layouts, remarks = nest(parted, stock, progress)
+        laid[name] = layouts, parted, remarks
+    return laid
 
 
 def assembly_files(balloon: Balloon, title: str, paper: str) -> Mapping[str, bytes]:

@@ -35,6 +35,7 @@ def card_of(film: dict[str, Any]) -> dict[str, Any]:
 @pytest.mark.parametrize("film", FILMS, ids=lambda film: film["name"])
 def test_card_has_the_numbers_of_the_film(film: dict[str, Any]) -> None:
     told = {name: text for name, text in card_of(film)["Models"]["Film"].items() if name != "UUID"}
+    assert told.pop("SealingSide") == film["sealing_side"]
     low, high = film["young_modulus_range_Pa"]
     expected = {
         "Thickness": film["thickness_m"],

@@ -45,6 +45,8 @@ def steps(pattern: Pattern, film: Film, numbers: Numbers, say: Say = in_english)
     for step in data["steps"]:
         if "notes" in step:
             found += [say(intake_kind(name).note) for name in names if name in step["notes"]]
+        elif "intakes" in step and not set(names) & set(step["intakes"]):
+            continue
         elif _join(film) in step.get("joins", [_join(film)]) and all(
             is_so[key] is step[key] for key in is_so if key in step
         ):

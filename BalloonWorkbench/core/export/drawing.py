@@ -80,7 +80,7 @@ def draw(pattern: Pattern, machine: Machine) -> Drawing:
 
 def _curves(contour: Contour, machine: Machine) -> Iterator[Curve]:
     """The curves [mm] of one contour: several where the kerf parts it, none where it swallows it."""
-    cuts = contour.role in (Role.CUT, Role.CUT_INNER)
+    cuts = contour.role.is_cut
     for points in without_kerf(contour, machine.kerf) if cuts else (contour.points,):
         line = polyline(points, contour.closed)
         fit = fit_curve(points, contour.closed, machine.tolerance) if machine.arcs else line

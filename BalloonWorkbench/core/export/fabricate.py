@@ -10,13 +10,14 @@ from BalloonWorkbench.core.export.drawing import Drawing, draw
 from BalloonWorkbench.core.export.machine import FOLDER, Machine, read_machine
 from BalloonWorkbench.core.export.machine_dxf import drawing_dxf
 from BalloonWorkbench.core.export.machine_hpgl import drawing_hpgl
+from BalloonWorkbench.core.export.machine_lightburn import drawing_lightburn
 from BalloonWorkbench.core.export.machine_pdf import drawing_pdf, tiled_pdf
 from BalloonWorkbench.core.export.machine_svg import drawing_svg
 from BalloonWorkbench.core.export.preflight import ERROR, preflight
 from BalloonWorkbench.core.pattern.pattern import Pattern
 from BalloonWorkbench.core.types import Say, in_english
 
-_WRITERS = {"dxf": drawing_dxf, "svg": drawing_svg, "hpgl": drawing_hpgl}
+_WRITERS = {"dxf": drawing_dxf, "svg": drawing_svg, "hpgl": drawing_hpgl, "lbrn2": drawing_lightburn}
 
 
 def machine_file(
@@ -49,19 +50,29 @@ def checked_files(
 ) -> tuple[dict[str, bytes], tuple[str, ...]]:
     """Contents of the files for several machines by name, and what is doubtful about them, a sentence each.
 
+    What is cut from another film than the balloon's has files of its own.
     paper adds the pattern on pages of "A4", "A3" or "Letter".
     Raises ExportError for what a machine cannot make.
     """
     contents: dict[str, bytes] = {}
     remarks: list[str] = []
     for machine in chosen:
-        for finding in preflight(pattern, machine):
-            if finding.severity == ERROR:
-                raise ExportError(f"No file for {machine.title}: {finding.text}")
-            remarks.append(finding.text)
-        contents[machine.file_name] = machine_file(pattern, machine)
-    if paper is not None:
-        contents[f"pattern-{paper.lower()}.pdf"] = machine_file(
-            pattern, read_machine(FOLDER / "paper.json"), paper
-        )
-    return contents, tuple(remarks)
+        for stock in pattern.stocks:
+            part = pattern.of_stock(stock)
+            for finding in preflight(part, machine):
+                if finding.severity == ERROR:
+                    raise ExportError(f"No file for {machine.title}: {finding.text}")
+                remarks.append(finding.text)
+            contents[file_of_stock(machine.file_name, stock)] = machine_file(part, machine)
+    for stock in pattern.stocks if paper is not None else ():
+        name = file_of_stock(f"pattern-{str(paper).lower()}.pdf", stock)
+        contents[name] = machine_file(pattern.of_stock(stock), read_machine(FOLDER / "paper.json"), paper)
+    return contents, tuple(dict.fromkeys(remarks))
+
+
+def file_of_stock(name: str, stock: str) -> str:
+    """The name of the file for pieces on another film than the balloon's: "pattern-valve.dxf"."""
+    if not stock:
+        return name
+    stem, _, ending = name.rpartition(".")
+    return f"{stem}-{stock}.{ending}"

@@ -23,8 +23,8 @@ from BalloonWorkbench.core.units import INCH, MILLIMETRE, from_mm, to_mm
 FOLDER = Path(__file__).resolve().parents[3] / "resources" / "machines"
 
 #: Endings of the formats, and the versions that each has.
-ENDINGS = {"dxf": "dxf", "svg": "svg", "pdf": "pdf", "hpgl": "plt"}
-_VERSIONS = {"dxf": ("R2000", "R12"), "svg": ("",), "pdf": ("",), "hpgl": ("",)}
+ENDINGS = {"dxf": "dxf", "svg": "svg", "pdf": "pdf", "hpgl": "plt", "lbrn2": "lbrn2"}
+_VERSIONS = {"dxf": ("R2000", "R12"), "svg": ("",), "pdf": ("",), "hpgl": ("",), "lbrn2": ("",)}
 UNITS = {"mm": MILLIMETRE, "in": INCH}
 LINE_TYPES = ("CONTINUOUS", "DASHED")
 _LAYER_NAME = re.compile(r"[A-Z0-9_$-]{1,31}")
@@ -34,7 +34,10 @@ _COLOUR = re.compile(r"#[0-9a-f]{6}")
 
 @dataclass(frozen=True)
 class Line:
-    """How a role is written: layer, AutoCAD colour index, RGB colour, line type, pen of a plotter."""
+    """How a role is written: layer, AutoCAD colour index, RGB colour, line type, pen of a plotter.
+
+    In a LightBurn project the pen is the number of the layer.
+    """
 
     name: str
     aci: int
@@ -56,6 +59,7 @@ class Machine:
                closed weld past its start; least_radius and least_gap it can follow [m]
     control_bar  a bar of 100 mm on the layer REGISTRATION
     file       name of its file without the ending, where it is not made from the machine's
+    remarks    on the machine's file, a sentence each
     """
 
     name: str
@@ -75,6 +79,7 @@ class Machine:
     control_bar: bool
     file: str = ""
     tolerance: float = TOLERANCE
+    remarks: tuple[str, ...] = ()
 
     @property
     def file_name(self) -> str:
@@ -159,6 +164,16 @@ def read_machine(path: Path) -> Machine:
     return found
 
 
+#: Files made before notches, folds and drawn marks had layers of their own have one for all of them. It may
+#: be one that is cut, and a fold goes across the neck: only notches are written there.
+_MARK, _NOTCH = "MARK", Role.NOTCH.value
+_OLDER = (
+    "The layer MARK of the machine file {}.json now takes notches only. Rename it NOTCH, and where your"
+    " machine can draw, add the layers FOLD and PEN."
+)
+#: LightBurn knows so many.
+_PROJECT_LAYERS = 32
+
 _KEYS = {
     "name", "title", "note", "format", "version", "unit", "arcs", "bed_mm", "kerf_mm", "knife_offset_mm",
     "overrun_mm", "control_bar", "file", "tolerance_mm", "least_radius_mm", "least_gap_mm", "layers",
@@ -170,6 +185,9 @@ def _machine_of(data: dict[str, Any]) -> Machine:
     if strange:
         raise InputError(f'nobody knows "{strange[0]}": it may be one of {", ".join(sorted(_KEYS))}.')
     kind = _one_of(data["format"], tuple(ENDINGS), "format")
+    marked = dict(data["layers"])
+    if _NOTCH in marked:
+        marked.pop(_MARK, None)
     found = Machine(
         name=str(data["name"]),
         title=str(data["title"]),
@@ -178,7 +196,7 @@ def _machine_of(data: dict[str, Any]) -> Machine:
         version=_one_of(data["version"], _VERSIONS[kind], "version"),
         unit=_one_of(data["unit"], tuple(UNITS), "unit"),
         arcs=_truth(data["arcs"], "arcs"),
-        layers=_layers(data["layers"]),
+        layers=_layers({_NOTCH if key == _MARK else key: line for key, line in marked.items()}),
         bed=_bed(data["bed_mm"]),
         kerf=_length(data["kerf_mm"], "kerf_mm", 0.0, 20.0),
         knife_offset=_length(data["knife_offset_mm"], "knife_offset_mm", 0.0, 20.0),
@@ -188,11 +206,14 @@ def _machine_of(data: dict[str, Any]) -> Machine:
         control_bar=_truth(data["control_bar"], "control_bar"),
         file=str(data.get("file", "")),
         tolerance=_length(data.get("tolerance_mm", to_mm(TOLERANCE)), "tolerance_mm", 0.005, 0.5),
+        remarks=(_OLDER.format(data["name"]),) if _MARK in data["layers"] else (),
     )
     if not _FILE_NAME.fullmatch(found.file):
         raise InputError(f'the file name "{found.file}" may have letters, digits, spaces, _, - and . only.')
-    if kind in ("hpgl", "pdf") and found.unit != "mm":
+    if kind in ("hpgl", "pdf", "lbrn2") and found.unit != "mm":
         raise InputError(f'a {kind.upper()} file has a unit of its own: give "unit": "mm".')
+    if kind == "lbrn2" and any(line.pen >= _PROJECT_LAYERS for line in found.layers.values()):
+        raise InputError(f"a LightBurn project has layers up to {_PROJECT_LAYERS - 1}: change the pen.")
     if kind == "hpgl" and found.arcs:
         raise InputError('HPGL is written as polylines: give "arcs": false.')
     return found

@@ -49,6 +49,7 @@ def preflight(pattern: Pattern, machine: Machine) -> tuple[Finding, ...]:
         findings += _radius(cuts or [contour for contour in taken if contour.role in _WELDS], machine)
         findings += _gap(taken, machine)
     findings += _size(pattern, machine)
+    findings += [Finding(WARNING, remark) for remark in machine.remarks]
     return tuple(sorted(findings, key=lambda finding: finding.severity != ERROR))
 
 

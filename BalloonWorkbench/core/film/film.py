@@ -9,6 +9,10 @@ from dataclasses import dataclass
 LOOKS = ("foil", "clear", "paper", "matt")
 
 
+#: The sealing side of a film that does not weld.
+NO_WELD = "none"
+
+
 @dataclass(frozen=True)
 class Look:
     """What a film looks like: one of LOOKS, colour as "#rrggbb", opacity from 0 to 1."""
@@ -23,6 +27,8 @@ class Film:
     """An elastic film; SI units.
 
     name   the word by which it is chosen, such as "mylar"
+    sealing_side  polymer of the side that is welded, such as "PE": films weld where it is the same; NO_WELD
+           where nothing welds to it, None where it is not known
     title  what people read; note and sources tell where it fits and where its numbers come from
 
     Isotropic unless young_modulus_across is given: then young_modulus is that along the grain, which runs at
@@ -43,6 +49,7 @@ class Film:
     shear_modulus: float | None = None  # [Pa]; None: as for an isotropic film of the mean modulus
     grain_angle: float = 0.0  # [rad]
     look: Look = Look()
+    sealing_side: str | None = None
 
     @property
     def membrane_stiffness(self) -> float:

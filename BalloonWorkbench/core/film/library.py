@@ -113,9 +113,16 @@ def _film_of(data: dict[str, Any]) -> Film:
         max_stress=_within(float(data["max_stress_Pa"]), 1e4, 1e11, "strength", "Pa", "100e6"),
         title=str(data["title"]),
         look=_look(**data["look"]),
+        sealing_side=_sealing_side(data.get("sealing_side")),
         note=str(data["note"]),
         sources=tuple(str(source) for source in data["sources"]),
     )
+
+
+def _sealing_side(value: object) -> str | None:
+    if value is not None and not (isinstance(value, str) and re.fullmatch(r"[\w/-]{1,20}", value)):
+        raise InputError(f'the sealing side {value!r} is no polymer: give one such as "PE", or "none".')
+    return value
 
 
 def _look(kind: str, colour: str, opacity: float) -> Look:

@@ -36,6 +36,7 @@ from BalloonWorkbench.core.pattern.shapes import (
     polygon,
     relieved,
 )
+from BalloonWorkbench.core.pattern.valve import closed_channel
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import mm_text, to_mm
 
@@ -79,6 +80,9 @@ def build_pattern(
         necks = _necks(seam, film, wish, seal_width, allowance)
         whole = shapely().unary_union([whole, *(neck.area for neck in necks if neck.area is not None)])
         warnings += [_advice(neck) for neck in necks if neck.way is not None]
+        free = _between_welds(whole, holes, seam, seal_width)
+        closed = [closed_channel(neck.intake, free, seal_width) for neck in necks]
+        warnings += [text for text in closed if text is not None]
     inside = joined_welds(seam, 0.5 * seal_width)  # welds at the rim end in the middle of the one round it
     contours = [Contour(Role.WELD, open_line(shapely().LineString(weld)), False) for weld in inside] + [
         Contour(Role.WELD, closed_loop(polygon(spot).exterior, False), True) for spot in seam.spots
@@ -142,6 +146,14 @@ def _necks(seam: Outline, film: Any, wish: Wish, seal_width: float, allowance: f
                 " choose another place for the first."
             )
     return necks
+
+
+def _between_welds(whole: Any, holes: list[Any], seam: Outline, seal_width: float) -> Any:
+    """The film that no weld touches, as an area of shapely."""
+    package = shapely()
+    inside = [package.LineString(weld).buffer(0.5 * seal_width) for weld in seam.welds]
+    spots = [polygon(spot) for spot in seam.spots]
+    return whole.difference(package.union_all([*holes, *inside, *spots]))
 
 
 def _advice(neck: Neck) -> str:

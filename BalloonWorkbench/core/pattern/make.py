@@ -5,10 +5,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.film.film import Film
+from BalloonWorkbench.core.film.library import films
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.pattern.build import build_pattern
 from BalloonWorkbench.core.pattern.extras import with_notches, with_tie_tab
-from BalloonWorkbench.core.pattern.intake_kinds import STRAW
+from BalloonWorkbench.core.pattern.intake_kinds import STRAW, intake_kind
 from BalloonWorkbench.core.pattern.label import with_label
 from BalloonWorkbench.core.pattern.panels import on_sheet
 from BalloonWorkbench.core.pattern.pattern import Pattern
@@ -66,4 +69,27 @@ def make_pattern(seam: Outline, seal_width: float, wanted: Wanted) -> Pattern:
 
 def sheet_of(pattern: Pattern, wanted: Wanted) -> Pattern:
     """What is cut for it: the panel with its pieces, the second panel and copies as they are wanted."""
-    return on_sheet(pattern, wanted.allowance, wanted.mirror, wanted.copies)
+    return on_sheet(pattern, wanted.mirror, wanted.copies)
+
+
+def pieces_remarks(wanted: Wanted, film: Film) -> tuple[str, ...]:
+    """What is to be said of the film of the intake's pieces, a sentence each.
+
+    Raises InputError where it does not weld to the balloon's.
+    """
+    kind = intake_kind(wanted.intake_kind)
+    if not wanted.intake or kind.stock is None:
+        return ()
+    own = film.title or film.name
+    if film.sealing_side is None:
+        return (
+            f"Whether the {kind.stock.title} of the intake's pieces welds to {own} is not known: try it on a"
+            " scrap first.",
+        )
+    if film.sealing_side != kind.stock.sealing_side:
+        good = [each.title for each in films().values() if each.sealing_side == kind.stock.sealing_side]
+        raise InputError(
+            f'The pieces of the intake "{kind.title}" are of {kind.stock.title}, which does not weld to'
+            f" {own}: choose another intake, or a film that it welds to: {'; '.join(good)}."
+        )
+    return ()

@@ -52,6 +52,7 @@ class NestPanel(ObjectPanel):
         form = QtWidgets.QFormLayout(self.form)
         form.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)
         form.addRow(translate("Patterns"), self.choice)
+        form.addRow(translate("Film"), self.fields.choice("Film"))
         form.addRow(translate("Balloons of each"), self.fields.whole("Balloons", 1, _MOST))
         form.addRow(translate("Film width"), self.fields.quantity("FilmWidth", "mm", 10.0))
         form.addRow(translate("Sheet length"), self.fields.quantity("FilmLength", "mm", 10.0))
