@@ -59,7 +59,9 @@ def line(points: np.ndarray, closed: bool) -> shapely.Geometry:
 def once_round(points: np.ndarray, overcut: float) -> shapely.Geometry:
     """The ring of a cut that goes on past its start by a length [mm], which is looked at."""
     way = shapely.LineString(points)
-    again = shapely.ops.substring(way, way.length - overcut, way.length) if overcut else way.interpolate(-1e-9)
+    again = (
+        shapely.ops.substring(way, way.length - overcut, way.length) if overcut else way.interpolate(-1e-9)
+    )
     assert way.interpolate(max(way.length - overcut, 0.0)).distance(shapely.Point(points[0])) < NEAR
     assert shapely.ops.substring(way, 0.0, overcut + NEAR).buffer(NEAR).covers(again)
     ring = shapely.get_coordinates(shapely.ops.substring(way, 0.0, way.length - overcut))

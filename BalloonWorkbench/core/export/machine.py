@@ -27,6 +27,9 @@ ENDINGS = {"dxf": "dxf", "svg": "svg", "pdf": "pdf", "hpgl": "plt"}
 _VERSIONS = {"dxf": ("R2000", "R12"), "svg": ("",), "pdf": ("",), "hpgl": ("",)}
 UNITS = {"mm": MILLIMETRE, "in": INCH}
 LINE_TYPES = ("CONTINUOUS", "DASHED")
+#: After so many offsets a knife that came down turned by 150 degrees is 8 degrees off: the tangent of half
+#: the angle falls by e for each.
+_SWING = 4.0
 _LAYER_NAME = re.compile(r"[A-Z0-9_$-]{1,31}")
 _FILE_NAME = re.compile(r"[\w .-]{0,60}")
 _COLOUR = re.compile(r"#[0-9a-f]{6}")
@@ -203,8 +206,8 @@ def _layers(data: dict[str, dict[str, Any]]) -> dict[Role, Line]:
 
 
 def _overcut(data: dict[str, Any]) -> float:
-    """As it is given, else as far as the tip of the knife can be from where it comes down."""
-    return _length(data.get("overcut_mm", 2.0 * data["knife_offset_mm"]), "overcut_mm", 0.0, 50.0)
+    """As it is given, else what a swivel knife takes to swing into its direction."""
+    return _length(data.get("overcut_mm", _SWING * data["knife_offset_mm"]), "overcut_mm", 0.0, 100.0)
 
 
 def _one_of(value: object, choices: tuple[str, ...], what: str) -> str:
