@@ -176,7 +176,13 @@ def _write(
     lines += [f"Check: {remark}" for remark in remarks]
     lines += made
     lines += [f"Wrote {path}" for path in paths]
-    sys.stdout.write("\n".join(lines) + "\n")
+    _show("\n".join(lines) + "\n")
+
+
+def _show(text: str) -> None:
+    """On the terminal; letters that it does not know as their codes."""
+    code = sys.stdout.encoding or "utf-8"
+    sys.stdout.write(text.encode(code, "backslashreplace").decode(code))
 
 
 def _lift_line(lift: dict[str, Any]) -> str:

@@ -270,7 +270,8 @@ def files(balloon: Balloon, results: str | None = None) -> dict[str, bytes]:
             left_out.append(f"{name} was left out. {error}")
     told = balloon.report | {"warnings": [*balloon.report["warnings"], *left_out]}
     text = json.dumps(told, indent=2, ensure_ascii=False, allow_nan=False)
-    contents["report.json"] = (text + "\n").encode()
+    # letters that are none, as in names of files from other systems, as JSON writes them
+    contents["report.json"] = (text + "\n").encode(errors="backslashreplace")
     if results is not None:
         for number, design in enumerate(balloon.designs):
             found = results_bytes(design.inflation, balloon.settings.film, results)

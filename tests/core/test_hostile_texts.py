@@ -3,7 +3,10 @@
 
 from __future__ import annotations
 
+import io
+import json
 import subprocess
+import sys
 import warnings
 from collections.abc import Callable
 from dataclasses import replace
@@ -19,6 +22,7 @@ from matplotlib import rc_context
 from matplotlib.font_manager import FontProperties, findfont
 from test_assembly import POPPLER, subject, told_by
 
+from BalloonWorkbench.cli import main
 from BalloonWorkbench.core.assembly.page import assembly_pdf
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.export.fabricate import machine_file
@@ -162,7 +166,9 @@ def test_preview_shows_any_label() -> None:
     design = designed(NAMED["disc"], 300)
     pattern = with_label(about.pattern, "US$5 or $6", 0.002)
     expected = preview_png([design], [pattern])
-    with rc_context({"text.usetex": True, "font.family": ["serif"], "axes.facecolor": "red", "savefig.dpi": 30}):
+    with rc_context(
+        {"text.usetex": True, "font.family": ["serif"], "axes.facecolor": "red", "savefig.dpi": 30}
+    ):
         assert preview_png([design], [pattern]) == expected
 
 
@@ -201,5 +207,23 @@ def test_assembly_sheet_takes_any_name(tmp_path: Path, names: str) -> None:
 def test_assembly_sheet_is_the_same_whatever_matplotlib_is_told() -> None:
     about = subject("disc")
     expected = assembly_pdf(about)
-    with rc_context({"text.usetex": True, "lines.linestyle": ":", "font.size": 30.0, "axes.unicode_minus": False}):
+    with rc_context(
+        {"text.usetex": True, "lines.linestyle": ":", "font.size": 30.0, "axes.unicode_minus": False}
+    ):
         assert assembly_pdf(about) == expected
+
+
+def test_command_line_takes_any_name_of_a_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Letters that are none, as in names from other systems, and a terminal that knows only plain ones."""
+    drawing = tmp_path / "$\\foo$ %s {0} 🎈é \udcff.json"
+    drawing.write_text('{"unit": "mm", "outer": [[0, 0], [120, 0], [120, 70], [0, 70]]}', "utf-8")
+    terminal = io.TextIOWrapper(io.BytesIO(), encoding="ascii")
+    monkeypatch.setattr(sys, "stdout", terminal)
+    out = tmp_path / "$$ 🎈 \udcff"
+    options = ["--label", "US$5", "--tiled", "A4", "--assembly", "A4", "--machine", "rdworks"]
+    assert main(["inflate", str(drawing), "--mesh-size", "16mm", "--out", str(out), *options]) == 0
+    terminal.flush()
+    told = terminal.buffer.getvalue().decode("ascii")
+    assert "\\udcff" in told
+    assert len([line for line in told.splitlines() if line.startswith("Wrote ")]) == len(list(out.iterdir()))
+    assert json.loads((out / "report.json").read_text("utf-8"))["input"]["file"]
