@@ -9,7 +9,7 @@ from pathlib import Path
 import FreeCAD as App
 
 from BalloonWorkbench.app import balloon, create, pattern, size_goal
-from BalloonWorkbench.app.outline import SYMMETRY, set_drawing
+from BalloonWorkbench.app.outline import SYMMETRY, in_letters, set_drawing
 from BalloonWorkbench.app.quantities import cubic_millimetres, kilopascals
 from BalloonWorkbench.core.export.files import write_files
 from BalloonWorkbench.core.units import to_mm
@@ -39,7 +39,7 @@ def fcstd_bytes(drawing, settings, designs, *, label: str = "balloon", width=Non
     """
     doc = App.newDocument("Balloon", hidden=True, temp=True)
     try:
-        parts = create.make(doc, Path(drawing).stem)
+        parts = create.make(doc, Path(in_letters(drawing)).stem)
         set_drawing(parts.outline, drawing)
         parts.outline.Width = 0.0 if width is None else to_mm(width)
         parts.outline.Height = 0.0 if height is None else to_mm(height)

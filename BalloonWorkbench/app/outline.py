@@ -120,8 +120,22 @@ def _trace_ahead(obj) -> None:
 def set_drawing(obj, path) -> None:
     """Copy a file into the document as the drawing, keeping its name; OSError if it cannot be read."""
     import os
+    import shutil
+    import tempfile
 
-    obj.Drawing = (os.fspath(path), os.path.basename(path))
+    path, plain = os.fspath(path), in_letters(path)
+    with tempfile.TemporaryDirectory() as folder:
+        if plain != path:
+            path = shutil.copy(path, os.path.join(folder, os.path.basename(plain)))
+        obj.Drawing = (path, os.path.basename(path))
+
+
+def in_letters(path) -> str:
+    """A path without what FreeCAD breaks off at, bytes that are no letters, or takes for a slash."""
+    import os
+    import re
+
+    return re.sub("[\\\\\ud800-\udfff]" if os.sep == "/" else "[\ud800-\udfff]", "_", os.fspath(path))
 
 
 def leader(obj):

@@ -1,14 +1,23 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Fonts for what people read on paper: those of Europe, and for Japanese one that the system has."""
+"""Fonts for what people read on paper and on film: DejaVu Sans, and for its other letters those of the system.
+
+A text is drawn letter by letter: what is written from right to left, and marks that stand on other letters,
+cannot be shown so.
+"""
 
 from __future__ import annotations
 
 import re
+import unicodedata
+from collections.abc import Iterator
 from dataclasses import dataclass, field
+from functools import cache
 from pathlib import Path
 from typing import Any
 
-from BalloonWorkbench.core.types import Say, in_english
+import numpy as np
+
+from BalloonWorkbench.core.types import Floats, Say, in_english
 
 _EUROPE = "DejaVu Sans"  # matplotlib has it
 #: Families with Japanese letters, those that a PDF can be searched in first.
@@ -21,6 +30,12 @@ _JAPANESE = (
 WIDE = "\u2e80-\u9fff\uf900-\ufaff\uff00-\uff60"
 _POINT = 25.4 / 72.0  # mm
 _TRIED = 1000  # size at which letters are measured
+#: Fonts that have something else in the places of letters, or the same for all of them.
+_STRANGE = re.compile(r"[a-z]+\d+|STIX(Size|NonUnicode).*|\.?Last ?Resort.*|Adobe (Not)?(De|Blank).*")
+#: Letters that only tell how others are shown, beside those of the category Cf.
+_IGNORED = re.compile("[\u034f\ufe00-\ufe0f\U000e0100-\U000e01ef]")
+_LEFTWARD = ("R", "AL", "AN")
+_UNSHOWN = "\ufffd"
 
 
 @dataclass(frozen=True)
@@ -46,27 +61,42 @@ class Fonts:
         return self._widths[letter, bold]
 
 
+def plain(text: str) -> str:
+    """A text as one line of letters: single blanks, marks joined to their letters, no invisible signs."""
+    text = unicodedata.normalize("NFC", " ".join(text.split()))
+    shown = (letter for letter in text if unicodedata.category(letter) != "Cf")
+    return " ".join(_IGNORED.sub("", "".join(shown)).split())
+
+
+def unshown(text: str) -> list[str]:
+    """Names of the letters of a plain text that cannot be drawn, each once. Needs matplotlib."""
+    return [_name(letter) for letter in dict.fromkeys(text) if _family(letter) is None]
+
+
+def shown(text: str) -> str:
+    """A text as one line, with a sign in place of each letter that cannot be drawn. Needs matplotlib."""
+    return "".join(_UNSHOWN if _family(letter) is None else letter for letter in plain(text))
+
+
+def outlines(text: str, size: float) -> list[Floats]:
+    """Closed outlines (n, 2) of a plain text whose letters can all be drawn; fine for a large size."""
+    return [np.asarray(loop) for loop in _path(text, _families(text), size).to_polygons(closed_only=True)]
+
+
 def fonts_for(language: str, others: str) -> Fonts:
     """Fonts for a page in the language that a text of it is written in, and for other texts on it.
 
     Needs matplotlib.
     """
-    japanese = _japanese() if is_wide(language) or is_wide(others) else None
-    if japanese is None:
-        return Fonts((_EUROPE,), 42)
-    families = (japanese, _EUROPE) if is_wide(language) else (_EUROPE, japanese)
-    return Fonts(families, 42 if _outlines(Path(_opened(japanese).fname)) != b"OTTO" else 3)
+    japanese = _japanese() if is_wide(language) else None
+    families = tuple(dict.fromkeys(([japanese] if japanese else []) + _families(others)))
+    whole = all(_outlines(Path(_opened(family).fname)) != b"OTTO" for family in families)
+    return Fonts(families, 42 if whole else 3)
 
 
 def drawn(text: str, bold: bool = False) -> Any:
     """A line with Japanese letters as a Path of matplotlib, one unit high, where `can_show` says yes."""
-    from matplotlib.font_manager import FontProperties
-    from matplotlib.textpath import TextPath
-    from matplotlib.transforms import Affine2D
-
-    font = FontProperties(family=[_japanese(), _EUROPE], weight="bold" if bold else "normal")
-    path = TextPath((0.0, 0.0), text, size=_TRIED, prop=font)
-    return path.transformed(Affine2D().scale(1.0 / _TRIED))
+    return _path(text, [_japanese() or _EUROPE, _EUROPE], 1.0, bold)
 
 
 def readable(say: Say, text: str) -> Say:
@@ -82,6 +112,63 @@ def can_show(text: str) -> bool:
 def is_wide(text: str) -> bool:
     """There are Japanese letters in a text."""
     return re.search(f"[{WIDE}]", text) is not None
+
+
+def _path(text: str, families: list[str], size: float, bold: bool = False) -> Any:
+    """A line as a Path of matplotlib, never read as mathematics."""
+    from matplotlib.font_manager import FontProperties
+    from matplotlib.path import Path as Lines
+    from matplotlib.textpath import text_to_path
+
+    font = FontProperties(family=families, weight="bold" if bold else "normal")
+    points, codes = text_to_path.get_text_path(font, text, ismath=False)
+    return Lines(np.reshape(points, (-1, 2)) * size / text_to_path.FONT_SCALE, codes)
+
+
+def _families(text: str) -> list[str]:
+    """DejaVu Sans, and what else draws the letters of a text."""
+    return list(dict.fromkeys([_EUROPE, *(_family(letter) or _EUROPE for letter in text)]))
+
+
+@cache
+def _family(letter: str) -> str | None:
+    """The first family that draws a letter; None for one that cannot be drawn by itself."""
+    leftward = unicodedata.bidirectional(letter) in _LEFTWARD
+    if leftward or unicodedata.category(letter).startswith(("M", "C")):
+        return None
+    return next((family for family in _tried() if _draws(_opened(family), letter)), None)
+
+
+def _tried() -> Iterator[str]:
+    """Families in the order in which a letter is looked for: DejaVu Sans, Japanese ones, all others."""
+    from matplotlib import font_manager
+
+    yield _EUROPE
+    japanese = _japanese()  # has looked for new fonts
+    if japanese is not None:
+        yield japanese
+    files: dict[str, list[str]] = {}
+    for font in font_manager.fontManager.ttflist:
+        files.setdefault(font.name, []).append(font.fname)
+    for family in sorted(files):
+        if not _STRANGE.fullmatch(family) and all(map(_goes_into_pdf, files[family])):
+            yield family
+
+
+def _draws(font: Any, letter: str) -> bool:
+    """A font has a glyph for a letter, with outlines unless it is a blank."""
+    if not font.get_char_index(ord(letter)):
+        return False
+    font.set_size(_TRIED, 72)
+    font.load_char(ord(letter))
+    return letter == " " or len(font.get_path()[0]) > 0
+
+
+def _name(letter: str) -> str:
+    """How a message names a letter."""
+    code = f"U+{ord(letter):04X}"
+    alone = letter.isprintable() and not unicodedata.category(letter).startswith("M")
+    return f"{letter} ({code})" if alone else code
 
 
 def _japanese() -> str | None:

@@ -64,14 +64,11 @@ def reportlab_canvas() -> Any:
     return Canvas
 
 
-def matplotlib_text() -> Any:
-    """A function (text, size) that gives a text as outlines in DejaVu Sans. Raises MissingPackageError."""
+def matplotlib_fonts() -> None:
+    """Ask for matplotlib, which draws letters. Raises MissingPackageError."""
     try:
-        from matplotlib.font_manager import FontProperties
-        from matplotlib.textpath import TextPath
+        import matplotlib.textpath
     except ImportError as error:
         raise MissingPackageError(
             "Labels need matplotlib: install it with pip install matplotlib, or leave the label empty."
         ) from error
-    font = FontProperties(family="DejaVu Sans")
-    return lambda text, size: TextPath((0.0, 0.0), text, size=size, prop=font).to_polygons(closed_only=True)

@@ -301,3 +301,28 @@ def test_chambers_of_a_sketch(doc):
     assert parts.pattern.Status == status.READY
     assert parts.pattern.Roles.count("WELD") == 1
     assert len(build(parts.pattern).intakes) == 2
+
+
+@pytest.mark.parametrize("text", ["US$5 or $6", "$$", "$\\foo$", "\\frac{", "_a^b", "%s {0} <b>&", "é", "☺"])
+def test_label_is_drawn_as_it_is_typed(pattern, text):
+    pattern.LabelHeight, pattern.LabelText = 0.5, text
+    pattern.Document.recompute()
+    assert pattern.Status == status.READY
+    letters = [letter for letter in text if letter != " "]
+    assert len(lengths(pattern, "ENGRAVE")) >= len(letters)
+
+
+@pytest.mark.parametrize(
+    ("text", "name"),
+    [("\U0010fffd", "U+10FFFD"), ("\x07", "U+0007"), ("שלום", "U+05E9"), ("x" * 200, "60 letters")],
+)
+def test_label_that_cannot_be_drawn_is_refused(pattern, text, name):
+    """The pattern keeps what it had, and does not claim to have the label."""
+    pattern.LabelHeight, pattern.LabelText = 0.5, "A"
+    pattern.Document.recompute()
+    before = lengths(pattern, "ENGRAVE")
+    pattern.LabelText = text
+    pattern.Document.recompute()
+    assert pattern.Status.startswith(status.STALE)
+    assert name in pattern.Status
+    assert lengths(pattern, "ENGRAVE") == before

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import io
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -18,7 +18,7 @@ from BalloonWorkbench.core.errors import ExportError, MissingPackageError
 from BalloonWorkbench.core.export.layers import LAYERS
 from BalloonWorkbench.core.export.render import balloon_picture
 from BalloonWorkbench.core.film.film import Film
-from BalloonWorkbench.core.fonts import fonts_for, readable
+from BalloonWorkbench.core.fonts import fonts_for, readable, shown
 from BalloonWorkbench.core.maker.numbers import Numbers
 from BalloonWorkbench.core.pattern.pattern import Pattern, Role
 from BalloonWorkbench.core.solver.inflation import Inflation
@@ -71,7 +71,7 @@ def assembly_pdf(subject: Subject, paper: str = "A4", say: Say = in_english) -> 
     if size is None:
         raise ExportError(f'There is no paper "{paper}" for the assembly sheet: choose A4 or Letter.')
     try:
-        from matplotlib import rc_context
+        from matplotlib import style
         from matplotlib.backends.backend_pdf import FigureCanvasPdf
         from matplotlib.figure import Figure
     except ImportError as error:
@@ -79,8 +79,11 @@ def assembly_pdf(subject: Subject, paper: str = "A4", say: Say = in_english) -> 
             "The assembly sheet needs matplotlib: install it with pip install matplotlib."
         ) from error
     say = readable(say, "Assembly sheet")
-    fonts = fonts_for(say("Assembly sheet"), subject.title + subject.film.title)
-    with rc_context({"pdf.fonttype": fonts.kind, "pdf.compression": 6, "font.family": list(fonts.families)}):
+    film = replace(subject.film, title=shown(subject.film.title), name=shown(subject.film.name))
+    subject = replace(subject, title=shown(subject.title), film=film)
+    fonts = fonts_for(say("Assembly sheet"), subject.title + say(film.title))
+    own = {"pdf.fonttype": fonts.kind, "pdf.compression": 6, "font.family": list(fonts.families)}
+    with style.context(["default", own]):  # not as the user's other diagrams
         figure = Figure(figsize=(size[0] / _INCH, size[1] / _INCH))
         canvas = FigureCanvasPdf(figure)
         axes = figure.add_axes((0.0, 0.0, 1.0, 1.0))

@@ -49,25 +49,27 @@ def preview_png(designs: Sequence[Design], patterns: Sequence[Pattern]) -> bytes
     MissingPackageError without matplotlib.
     """
     try:
+        from matplotlib import style
         from matplotlib.backends.backend_agg import FigureCanvasAgg
         from matplotlib.figure import Figure
     except ImportError as error:
         raise MissingPackageError(
             "The preview picture needs matplotlib: install it with pip install matplotlib."
         ) from error
-    figure = Figure(figsize=(_WIDTH / _DPI, _HEIGHT / _DPI), dpi=_DPI, facecolor=_PAPER)
-    canvas = FigureCanvasAgg(figure)
-    half = (_HEIGHT - 2 * _MARGIN - _GAP) // 2
-    tall = _HEIGHT - 2 * _MARGIN
-    second = _MARGIN + _LEFT + _GAP
-    third = second + _MIDDLE + _GAP
-    _drawing(_card(figure, _MARGIN, _MARGIN + half + _GAP, _LEFT, half, "Drawing"), designs)
-    _silhouette(_card(figure, _MARGIN, _MARGIN, _LEFT, half, "Inflated over the drawing"), designs)
-    _pattern(_card(figure, second, _MARGIN, _MIDDLE, tall, "Pattern, cut two"), patterns)
-    title = "Balloon" if len(designs) == 1 else f"{len(designs)} balloons"
-    _balloon(_card(figure, third, _MARGIN, _WIDTH - _MARGIN - third, tall, title), designs, patterns)
-    stream = io.BytesIO()
-    canvas.print_png(stream, metadata={"Software": None})
+    with style.context("default"):  # not as the user's other diagrams
+        figure = Figure(figsize=(_WIDTH / _DPI, _HEIGHT / _DPI), dpi=_DPI, facecolor=_PAPER)
+        canvas = FigureCanvasAgg(figure)
+        half = (_HEIGHT - 2 * _MARGIN - _GAP) // 2
+        tall = _HEIGHT - 2 * _MARGIN
+        second = _MARGIN + _LEFT + _GAP
+        third = second + _MIDDLE + _GAP
+        _drawing(_card(figure, _MARGIN, _MARGIN + half + _GAP, _LEFT, half, "Drawing"), designs)
+        _silhouette(_card(figure, _MARGIN, _MARGIN, _LEFT, half, "Inflated over the drawing"), designs)
+        _pattern(_card(figure, second, _MARGIN, _MIDDLE, tall, "Pattern, cut two"), patterns)
+        title = "Balloon" if len(designs) == 1 else f"{len(designs)} balloons"
+        _balloon(_card(figure, third, _MARGIN, _WIDTH - _MARGIN - third, tall, title), designs, patterns)
+        stream = io.BytesIO()
+        canvas.print_png(stream, metadata={"Software": None})
     return stream.getvalue()
 
 

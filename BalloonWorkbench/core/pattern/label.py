@@ -8,7 +8,8 @@ from dataclasses import replace
 import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
-from BalloonWorkbench.core.packages import matplotlib_text, shapely
+from BalloonWorkbench.core.fonts import outlines, plain, unshown
+from BalloonWorkbench.core.packages import matplotlib_fonts, shapely
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
 from BalloonWorkbench.core.pattern.shapes import closed_loop
 from BalloonWorkbench.core.types import Floats
@@ -23,9 +24,10 @@ def with_label(pattern: Pattern, text: str, height: float) -> Pattern:
     """The pattern with a line of text where the film is widest, on the layer ENGRAVE.
 
     height  of capital letters [m]
-    Raises InputError where the text is longer than the film has room, MissingPackageError without matplotlib.
+    Raises InputError where the text is longer than the film has room or has letters that cannot be drawn,
+    MissingPackageError without matplotlib.
     """
-    text = " ".join(text.split())
+    text = plain(text)
     if not text:
         return pattern
     if not (1e-4 <= height <= 10.0 and len(text) <= _MOST):
@@ -67,10 +69,13 @@ def _box(letters: list[Floats]) -> tuple[Floats, Floats]:
 
 def _letters(text: str, height: float) -> list[Floats]:
     """Closed outlines (n, 2) m of a text whose capitals are so high."""
-    draw = matplotlib_text()
-    scale = height / float(np.ptp(np.concatenate(draw("H", _FINE)), axis=0)[1])
-    loops = [np.asarray(loop) * scale for loop in draw(text, _FINE)]
-    if not loops:
-        raise InputError(f'The label "{text}" has no letter that can be drawn: write it in other letters.')
-    rings = [shapely().LinearRing(loop) for loop in loops]
+    matplotlib_fonts()
+    names = unshown(text)
+    if names:
+        raise InputError(
+            f"With the fonts of this computer {', '.join(names)} cannot be drawn, letter by letter from left to"
+            " right: leave that out of the label, or install a font that has it."
+        )
+    scale = height / float(np.ptp(np.concatenate(outlines("H", _FINE)), axis=0)[1])
+    rings = [shapely().LinearRing(loop * scale) for loop in outlines(text, _FINE)]
     return [closed_loop(ring, bool(ring.is_ccw)) for ring in rings]
