@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 import time
 
 from BalloonWorkbench.core.errors import InputError
@@ -14,9 +15,7 @@ MOST_ELEMENTS = 100_000
 #: Nested groups, blocks and copies.
 MOST_LEVELS = 200
 #: Processor time of the thread that reads [s].
-SECONDS = 7.0
-
-_ADVICE = "Simplify it in the program it comes from, or leave only the outline and its holes in it."
+SECONDS = 8.0
 
 
 class Budget:
@@ -40,26 +39,35 @@ class Budget:
         """Whether one piece of a drawing has too many points, before they are made."""
         self.check_time()
         if not count <= MOST_POINTS:
-            raise InputError(f"The drawing has more than {MOST_POINTS} points. {_ADVICE}")
+            raise InputError(
+                f"The drawing has more than {MOST_POINTS} points. Simplify it in the program it comes from, "
+                "or leave only the outline and its holes in it."
+            )
 
     def spend_elements(self, count: float = 1) -> None:
         """Take so many elements more."""
         self._elements += count
         self.check_time()
+        if count == math.inf:
+            raise InputError("The drawing has blocks or copies that show themselves. Remove those from it.")
         if not self._elements <= MOST_ELEMENTS:
             raise InputError(
                 f"The drawing has more than {MOST_ELEMENTS} elements, with those of its blocks and copies. "
-                f"{_ADVICE}"
+                "Leave only the outline and its holes in it."
             )
 
     def check_level(self, level: int) -> None:
         """Refuse groups, blocks or copies nested deeper than any program nests them."""
         if level > MOST_LEVELS:
             raise InputError(
-                f"The drawing has more than {MOST_LEVELS} groups or blocks inside each other. {_ADVICE}"
+                f"The drawing has more than {MOST_LEVELS} groups or blocks inside each other. "
+                "Take them apart in the program it comes from."
             )
 
-    def check_time(self) -> None:
-        """Refuse the drawing once its processor time is used up."""
-        if time.thread_time() - self._began > self._seconds:
-            raise InputError(f"The drawing takes more than {self._seconds:.0f} s to read. {_ADVICE}")
+    def check_time(self, share: float = 1.0) -> None:
+        """Refuse the drawing once its processor time is used up, or a share of it by the first steps."""
+        if time.thread_time() - self._began > share * self._seconds:
+            raise InputError(
+                f"The drawing takes more than {self._seconds:.0f} s to read. Simplify it in the program it "
+                "comes from, or leave only the outline and its holes in it."
+            )

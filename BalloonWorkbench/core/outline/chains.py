@@ -120,19 +120,19 @@ class _Chain:
 
     def __init__(self, piece: Floats) -> None:
         self.pieces = deque([piece])
-        self.first, self.last = piece[0], piece[-1]
+        self.first, self.last = piece[[0, -1]].tolist()
         self._points, self._length = len(piece), _length(piece)
 
     def append(self, piece: Floats) -> None:
         """Go on with a polyline."""
         self.pieces.append(piece)
-        self.last = piece[-1]
+        self.last = piece[-1].tolist()
         self._add(piece)
 
     def prepend(self, piece: Floats) -> None:
         """Begin with a polyline."""
         self.pieces.appendleft(piece)
-        self.first = piece[0]
+        self.first = piece[0].tolist()
         self._add(piece)
 
     def _add(self, piece: Floats) -> None:
@@ -153,33 +153,33 @@ class _Ends:
 
     def __init__(self, pieces: Sequence[Floats], tolerance: float) -> None:
         self.tolerance = tolerance
-        self.free = np.ones(len(pieces), dtype=np.bool_)
-        self.points = np.array([piece[[0, -1]] for piece in pieces], dtype=np.float64).reshape(-1, 2, 2)
+        self.free = [True] * len(pieces)
+        self.points = [piece[[0, -1]].tolist() for piece in pieces]
         self.cells: dict[tuple[int, int], list[tuple[int, int]]] = {}
         for number, ends in enumerate(self.points):
             for end, point in enumerate(ends):
                 self.cells.setdefault(self._cell(point), []).append((number, end))
 
-    def _cell(self, point: Floats) -> tuple[int, int]:
+    def _cell(self, point: Sequence[float]) -> tuple[int, int]:
         return int(point[0] // self.tolerance), int(point[1] // self.tolerance)
 
     def take(self, number: int) -> bool:
         """Claim a polyline; False where it is taken already."""
-        free = bool(self.free[number])
+        free = self.free[number]
         self.free[number] = False
         return free
 
-    def nearest(self, point: Floats) -> tuple[int, int] | None:
+    def nearest(self, point: Sequence[float]) -> tuple[int, int] | None:
         """Claim the free polyline that ends nearest to the point: its number, and 1 if by its last end."""
         x, y = self._cell(point)
         near = [
-            (float(np.linalg.norm(self.points[number, end] - point)), number, end)
+            (math.dist(self.points[number][end], point), number, end)
             for column in (x - 1, x, x + 1)
             for row in (y - 1, y, y + 1)
             for number, end in self.cells.get((column, row), ())
             if self.free[number]
         ]
-        away, number, end = min(near, default=(np.inf, 0, 0))
+        away, number, end = min(near, default=(math.inf, 0, 0))
         if away > self.tolerance:
             return None
         self.free[number] = False
@@ -187,6 +187,8 @@ class _Ends:
 
 
 def _length(line: Floats) -> float:
+    if len(line) == 2:
+        return math.dist(*line.tolist())
     return float(np.linalg.norm(np.diff(line, axis=0), axis=1).sum())
 
 
@@ -198,7 +200,9 @@ def _without_twins(loops: list[Floats], budget: Budget) -> list[Floats]:
         budget.check_time()
         mark = np.array([*loop.min(axis=0), *loop.max(axis=0), np.sqrt(abs(signed_area(loop)))])
         # mostly one cell; two where a number is as near to the next cell as twins may be apart
-        near = product(*zip(*((mark + [[-SAME_END], [SAME_END]]) // _CELL).astype(np.int64).tolist()))
+        near = product(
+            *zip(*(np.stack([mark - SAME_END, mark + SAME_END]) // _CELL).astype(np.int64).tolist())
+        )
         others = [other for cell in set(near) for other in cells.get(cell, ())]
         if not any(np.abs(mark - other).max() <= SAME_END for other in others):
             kept.append(loop)

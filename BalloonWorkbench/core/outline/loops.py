@@ -58,15 +58,15 @@ def check(outline: Outline, budget: Budget | None = None) -> Outline:
         raise OutlineError("The outline has a coordinate that is not a number; correct it in the drawing.")
     budget = budget or Budget()
     tolerance = _SAME_POINT * float(np.max(np.ptp(outline.outer, axis=0))) if len(outline.outer) else 0.0
-    outer = _valid_loop(outline.outer, tolerance, 1, "outline", budget)
-    cut = tuple(_valid_loop(hole, tolerance, -1, "hole", budget) for hole in outline.holes)
-    spots = tuple(_valid_loop(spot, tolerance, -1, "closed weld", budget) for spot in outline.spots)
-    holes = (*cut, *spots)
-    meeting = first_crossing([outer, *holes], (), budget) if holes else None
-    if meeting is not None:
-        raise OutlineError(
-            f"A hole meets the outline or another hole at {place_text(meeting)}; keep some film between them."
-        )
+    cleaned = []
+    for loop in outline.loops:
+        budget.check_time()
+        cleaned.append(clean(loop, tolerance))
+    kinds = ["outline", *["hole"] * len(outline.holes), *["closed weld"] * len(outline.spots)]
+    _check_crossings(cleaned, kinds, budget)
+    signs = [1, *[-1] * (len(cleaned) - 1)]
+    outer, *holes = (_turned(*each) for each in zip(cleaned, signs, kinds))
+    cut, spots = tuple(holes[: len(outline.holes)]), tuple(holes[len(outline.holes) :])
     if holes:
         _check_places(outer, holes, budget)
     welds = valid_welds(outline.welds, (outer, *holes), tolerance, budget)
@@ -157,18 +157,28 @@ def _distinct(loop: Floats, tolerance: float) -> Floats:
     return np.asarray(loop[kept])
 
 
-def _valid_loop(loop: Floats, tolerance: float, sign: int, what: str, budget: Budget) -> Floats:
-    """The loop cleaned, simple, with an area of the given sign."""
-    budget.check_time()
-    loop = clean(loop, tolerance)
-    crossing = first_crossing([loop], (), budget) if len(loop) > 2 else None
-    if crossing is not None:
-        raise OutlineError(
-            f"The {what} crosses or touches itself at {place_text(crossing)}; part the lines there."
-        )
+def _check_crossings(loops: Sequence[Floats], kinds: Sequence[str], budget: Budget) -> None:
+    """OutlineError where one of the loops of these kinds crosses itself, or two of them meet."""
+    whole = [(loop, kind) for loop, kind in zip(loops, kinds) if len(loop) > 2]
+    meeting = first_crossing([loop for loop, _ in whole], (), budget) if whole else None
+    if meeting is None:
+        return
+    for loop, kind in whole:
+        crossing = first_crossing([loop], (), budget)
+        if crossing is not None:
+            raise OutlineError(
+                f"The {kind} crosses or touches itself at {place_text(crossing)}; part the lines there."
+            )
+    raise OutlineError(
+        f"A hole meets the outline or another hole at {place_text(meeting)}; keep some film between them."
+    )
+
+
+def _turned(loop: Floats, sign: int, kind: str) -> Floats:
+    """The loop with an area of the given sign; OutlineError where it has none."""
     area = signed_area(loop) if len(loop) > 2 else 0.0
     if abs(area) <= _NO_AREA * float(np.linalg.norm(np.roll(loop, -1, axis=0) - loop, axis=1).sum()) ** 2:
-        raise OutlineError(f"The {what} encloses no area; draw a closed shape with at least three corners.")
+        raise OutlineError(f"The {kind} encloses no area; draw a closed shape with at least three corners.")
     return loop if area * sign > 0 else np.ascontiguousarray(loop[::-1])
 
 
