@@ -45,7 +45,7 @@ ODD: dict[str, Callable[[Path], object]] = {
     "dangling link": lambda path: path.symlink_to("nowhere"),
     "link to itself": lambda path: path.symlink_to(path.name),
     "folder": lambda path: path.mkdir(),
-    "pipe": lambda path: os.mkfifo(path),
+    "pipe": os.mkfifo,
     "endless": lambda path: path.symlink_to("/dev/zero"),
 }
 #: What may stand in the place of a value.
