@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from BalloonWorkbench import cli_console, cli_document, cli_making, cli_pattern
+from BalloonWorkbench.cli_home import home
 from BalloonWorkbench.cli_options import parser
 from BalloonWorkbench.cli_summary import summary
 from BalloonWorkbench.core.design.size_goal import SizeGoal
@@ -58,10 +59,10 @@ FAULT, INTERRUPTED = 70, 130
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run a command; returns an exit code of docs/command-line.md, with a line on stderr unless it is 0."""
-    cli_console.any_letter()
+    cli_console.quiet()
     run = _Run()
     try:
-        with cli_console.signals_are_errors():
+        with cli_console.signals_are_errors(), home():
             for sentence in left_out():
                 cli_console.complain(sentence)
             return run.command(parser().parse_args(arguments))
@@ -143,7 +144,8 @@ class _Run:
         """Contents of the files that can be made, by name, and lines for the user."""
         line.show(1.0, "writing files")
         contents: dict[str, bytes] = {}
-        for name, maker in makers(balloon, options.results).items():
+        usual = self._attempt("The patterns' files", lambda: makers(balloon, options.results))
+        for name, maker in (usual or {}).items():
             content = self._attempt(name, maker)
             if content is not None:
                 contents[name] = content
@@ -161,8 +163,9 @@ class _Run:
             if made is not None:
                 contents |= made[0]
                 lines += [f"Check: {remark}" for remark in made[1]]
-        made, told = make(balloon, chosen, line.show, self._attempt)
-        return contents | made, [*lines, *told]
+        more = self._attempt("What else is made", lambda: make(balloon, chosen, line.show, self._attempt))
+        files, told = more or ({}, [])
+        return contents | files, [*lines, *told]
 
     def _attempt(self, what: str, make: Callable[[], Made], /) -> Made | None:
         """Make something that the other files can do without: see core/types.py."""

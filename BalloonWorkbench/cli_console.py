@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import logging
 import os
 import signal
 import sys
@@ -48,8 +49,9 @@ def signals_are_errors() -> Iterator[None]:
             signal.signal(number, handler)
 
 
-def any_letter() -> None:
-    """Letters that the terminal does not know are shown as their codes."""
+def quiet() -> None:
+    """Letters that the terminal does not know are shown as their codes; packages keep their remarks."""
+    logging.getLogger("matplotlib").setLevel(logging.ERROR)  # on a home folder that it cannot write to
     for stream in (sys.stdout, sys.stderr):
         if hasattr(stream, "reconfigure"):
             stream.reconfigure(errors="backslashreplace")

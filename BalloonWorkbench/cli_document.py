@@ -14,6 +14,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -25,6 +26,8 @@ from BalloonWorkbench.core.faults import report_fault
 
 NAME = "balloon.FCStd"
 _REFUSED, _FAULT = 2, 70
+#: A numerical library that gets no memory may try for ever: seconds of processor time, or many times our own.
+_PATIENCE, _SHARE = 120, 4
 _NEEDS = "It needs a home folder and a temporary folder that it can write to, and memory."
 
 
@@ -34,12 +37,17 @@ class Document:
     def __init__(self, request: bytes) -> None:
         package = str(Path(__file__).resolve().parents[1])
         known = os.environ.get("PYTHONPATH")
+        environment = {**os.environ, "PYTHONPATH": os.pathsep.join([package, *([known] if known else [])])}
+        with contextlib.suppress(OSError):
+            environment["TMPDIR"] = (
+                tempfile.gettempdir()
+            )  # FreeCAD does not look for one that it can write to
         self._process = subprocess.Popen(
-            [sys.executable, "-m", __name__],
+            [sys.executable, "-m", __name__, str(_PATIENCE + int(_SHARE * time.process_time()))],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
-            env={**os.environ, "PYTHONPATH": os.pathsep.join([package, *([known] if known else [])])},
+            env=environment,
         )
         assert self._process.stdin is not None
         with contextlib.suppress(BrokenPipeError), self._process.stdin as pipe:
@@ -97,10 +105,17 @@ def _make(request: bytes) -> bytes:
         with tempfile.TemporaryDirectory() as folder:
             return bytes(fcstd_bytes(_named(drawing, folder), settings, designs, width=width, height=height))
     except (ImportError, OSError, RuntimeError, MemoryError) as error:  # FreeCAD's own are of these kinds
-        text = str(error).strip().partition("\n")[0]
+        text = _said(error)
         raise MissingPackageError(
             f"FreeCAD cannot make it ({text or type(error).__name__}). {_NEEDS}"
         ) from error
+
+
+def _said(error: BaseException) -> str:
+    """The message of an error; FreeCAD's own have it in a dictionary."""
+    said = error.args[0] if error.args else ""
+    text = said.get("sErrMsg", "") if isinstance(said, dict) else str(error)
+    return str(text).strip().partition("\n")[0]
 
 
 def _named(drawing: str, folder: str) -> str:
@@ -109,7 +124,16 @@ def _named(drawing: str, folder: str) -> str:
     return drawing if name == drawing else shutil.copy(drawing, Path(folder, Path(name).name))
 
 
+def _limit(seconds: int) -> None:
+    """End this process when it has worked so long; not on Windows."""
+    with contextlib.suppress(ImportError, OSError, ValueError):
+        import resource
+
+        resource.setrlimit(resource.RLIMIT_CPU, (seconds, resource.RLIM_INFINITY))
+
+
 def _main() -> int:
+    _limit(int(sys.argv[1]))
     output = os.dup(1)
     os.dup2(2, 1)  # what FreeCAD prints is no part of the document
     try:

@@ -73,16 +73,16 @@ def checked(options: argparse.Namespace, reader: Callable[[Path], Any] | None) -
         balloon: Balloon, chosen: Sequence[Machine], progress: Progress, attempt: Attempt
     ) -> tuple[dict[str, bytes], list[str]]:
         """Contents of the files by name, and lines for the user; each option is an attempt of its own."""
-        machines = list(chosen) or [machines()[name] for name in ANY.values()]
+        asked = list(chosen) or [machines()[name] for name in ANY.values()]
         made: list[tuple[Mapping[str, bytes], list[str]] | None] = []
         if artwork is not None:
             progress(1.0, "printing")
-            made.append(attempt("The print", lambda: _print(balloon, artwork, machines)))
+            made.append(attempt("The print", lambda: _print(balloon, artwork, asked)))
         if stock is not None:
             made.append(
                 attempt(
                     "The layout on film",
-                    lambda: _nest(balloon, stock, options.balloons, machines, progress),
+                    lambda: _nest(balloon, stock, options.balloons, asked, progress),
                 )
             )
         if options.assembly is not None:
@@ -98,13 +98,13 @@ def checked(options: argparse.Namespace, reader: Callable[[Path], Any] | None) -
 
 
 def _print(
-    balloon: Balloon, artwork: Artwork, machines: Sequence[Machine]
+    balloon: Balloon, artwork: Artwork, asked: Sequence[Machine]
 ) -> tuple[dict[str, bytes], list[str]]:
     files, remarks, front, back = print_files(balloon, artwork)
     contents = dict(files)
     lines = [f"Note: {remark}" for remark in remarks]
     for side, sheet in (("front", front), ("back", back)):
-        made, doubts = checked_files(sheet.pattern, machines)
+        made, doubts = checked_files(sheet.pattern, asked)
         contents |= {f"print-{side}-{name}": content for name, content in made.items()}
         lines += [f"Check, {side}: {doubt}" for doubt in doubts]
     width, height = front.size

@@ -86,7 +86,9 @@ def _written(error: BaseException, doing: str) -> Path | None:
 def _folders() -> Iterator[Path]:
     with suppress(RuntimeError):  # nobody knows where home is
         yield own_folder()
-    yield Path(tempfile.gettempdir()) / "film-balloon-faults"
+    with suppress(OSError):  # no temporary folder either
+        yield Path(tempfile.gettempdir()) / "film-balloon-faults"
+        yield Path(tempfile.mkdtemp(prefix="film-balloon-faults-"))  # that one is another user's
 
 
 def _write(folder: Path, name: str, content: bytes) -> Path:
