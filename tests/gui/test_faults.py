@@ -24,6 +24,7 @@ from BalloonWorkbench.app import artwork, create, film_sheet, status
 from BalloonWorkbench.core.artwork.files import png_bytes
 from BalloonWorkbench.core.job import Settings
 from BalloonWorkbench.core.nesting import nest
+from BalloonWorkbench.gui.paint import window as paint_window
 
 COUNT = int(os.environ.get("BALLOON_FAULTS", "12"))
 SAID = ("This is a fault of the program", "There is too little memory")
@@ -278,7 +279,9 @@ def close_box():
 
 
 def leave_all(run):
-    """As a user would after a fault: close what is open."""
+    """As a user would after a fault: let "Make it!" come to its end, close what is open."""
+    hands.wait_until(lambda: not any(window.making for window in paint_window._open), 60)
+    hands.wait(0.05)
     close_box()
     if hands.panel_is_open():
         hands.leave()
