@@ -104,6 +104,10 @@ class Panel:
         """Say what went wrong."""
         self.message.setText(say(str(error)))
 
+    def abandon(self) -> None:
+        """Close without touching the document."""
+        self.close()
+
 
 def _bordered(method, answer):
     @wraps(method)
@@ -124,11 +128,15 @@ def _stay(panel, error: BalloonError) -> bool:
 
 def _close(panel, error: BalloonError) -> bool:
     """Cancel: nothing is kept, whatever went wrong on the way."""
-    doc = getattr(panel, "doc", None)
-    if doc is not None and doc.Name in App.listDocuments():
-        doc.abortTransaction()
-    Gui.Control.closeDialog()
     tell(error)
+    doc = getattr(panel, "doc", None)
+    try:
+        panel.abandon()
+    except faults.UNFORESEEN as another:
+        Gui.Control.closeDialog()
+        tell(faults.as_balloon_error(another, f"closing {type(panel).__name__}"))
+    if doc is not None and doc in App.listDocuments().values():
+        doc.abortTransaction()
     return False
 
 
