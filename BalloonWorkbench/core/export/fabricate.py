@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from BalloonWorkbench.core.errors import ExportError
+from BalloonWorkbench.core.errors import ExportError, MissingPackageError
 from BalloonWorkbench.core.export.drawing import Drawing, draw
 from BalloonWorkbench.core.export.machine import FOLDER, Machine, read_machine
 from BalloonWorkbench.core.export.machine_dxf import drawing_dxf
@@ -49,19 +49,33 @@ def checked_files(
 ) -> tuple[dict[str, bytes], tuple[str, ...]]:
     """Contents of the files for several machines by name, and what is doubtful about them, a sentence each.
 
-    paper adds the pattern on pages of "A4", "A3" or "Letter".
-    Raises ExportError for what a machine cannot make.
+    A machine that cannot make the pattern, or whose format needs a package that is missing, is left out with
+    a sentence. paper adds the pattern on pages of "A4", "A3" or "Letter".
+    Raises ExportError or MissingPackageError where nothing is left for all of them.
     """
     contents: dict[str, bytes] = {}
     remarks: list[str] = []
+    left_out: list[ExportError | MissingPackageError] = []
     for machine in chosen:
-        for finding in preflight(pattern, machine):
-            if finding.severity == ERROR:
-                raise ExportError(f"No file for {machine.title}: {finding.text}")
-            remarks.append(finding.text)
-        contents[machine.file_name] = machine_file(pattern, machine)
+        try:
+            doubts = _doubts(pattern, machine)
+            contents[machine.file_name] = machine_file(pattern, machine)
+            remarks += doubts
+        except (ExportError, MissingPackageError) as error:
+            left_out.append(error)
+    if left_out and not contents:
+        raise left_out[0] if len(left_out) == 1 else ExportError(" ".join(map(str, left_out)))
     if paper is not None:
         contents[f"pattern-{paper.lower()}.pdf"] = machine_file(
             pattern, read_machine(FOLDER / "paper.json"), paper
         )
-    return contents, tuple(remarks)
+    return contents, tuple(dict.fromkeys([*remarks, *map(str, left_out)]))
+
+
+def _doubts(pattern: Pattern, machine: Machine) -> list[str]:
+    """What is doubtful about a pattern on a machine; ExportError for what it cannot make."""
+    findings = preflight(pattern, machine)
+    for finding in findings:
+        if finding.severity == ERROR:
+            raise ExportError(f"No file for {machine.title}: {finding.text}")
+    return [finding.text for finding in findings]

@@ -27,6 +27,7 @@ class Film:
 
     Isotropic unless young_modulus_across is given: then young_modulus is that along the grain, which runs at
     grain_angle from the x axis of the drawing, and poisson_ratio the contraction across under tension along.
+    grain tells that it is made with one, known to the model or not: its pieces may not be turned anyhow.
     """
 
     name: str
@@ -43,6 +44,12 @@ class Film:
     shear_modulus: float | None = None  # [Pa]; None: as for an isotropic film of the mean modulus
     grain_angle: float = 0.0  # [rad]
     look: Look = Look()
+    grain: bool = False
+
+    @property
+    def lies(self) -> float | None:
+        """Direction of the grain in the drawing [rad], None for a film without one."""
+        return self.grain_angle if self.grain or self.young_modulus_across is not None else None
 
     @property
     def membrane_stiffness(self) -> float:

@@ -113,9 +113,16 @@ def _film_of(data: dict[str, Any]) -> Film:
         max_stress=_within(float(data["max_stress_Pa"]), 1e4, 1e11, "strength", "Pa", "100e6"),
         title=str(data["title"]),
         look=_look(**data["look"]),
+        grain=_grain(data.get("grain", False)),
         note=str(data["note"]),
         sources=tuple(str(source) for source in data["sources"]),
     )
+
+
+def _grain(value: object) -> bool:
+    if not isinstance(value, bool):
+        raise InputError(f"grain is {value!r}: write true or false.")
+    return value
 
 
 def _look(kind: str, colour: str, opacity: float) -> Look:
