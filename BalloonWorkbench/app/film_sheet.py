@@ -20,12 +20,7 @@ PROPERTIES = (
     Property("Length", "FilmWidth", "Film", "Width of the roll or sheet", 500.0),
     Property("Length", "FilmLength", "Film", "Length of a sheet; 0 is a roll"),
     Property("Length", "Spacing", "Film", "Film left between pieces, and at the edges", 3.0),
-    Property(
-        "Enumeration",
-        "Grain",
-        "Film",
-        "How the grain of the pieces lies along the film; films without one lie any way",
-    ),
+    Property("Enumeration", "Grain", "Film", "How the grain of pieces lies, where their film has one"),
     Property("Integer", "Shown", "Film", "Number of the sheet that is shown and exported", 1),
     Property("Float", "Used", "Result", "Part of the film that the pieces take, in per cent", result=True),
     Property("Length", "UsedLength", "Result", "Length of the roll that is used", result=True),
