@@ -158,11 +158,19 @@ class _Run:
         asked = [(each.file_name, [each], None) for each in chosen]
         if options.tiled is not None:
             asked.append((f"pattern-{options.tiled.lower()}.pdf", [], options.tiled))
+        refused: list[ExportError] = []
         for name, machines, paper in asked:
-            made = self._attempt(name, partial(checked_files, balloon.sheet, machines, paper))
+            try:
+                made = self._attempt(name, partial(checked_files, balloon.sheet, machines, paper))
+            except ExportError as error:
+                refused.append(error)
+                continue
             if made is not None:
                 contents |= made[0]
                 lines += [f"Check: {remark}" for remark in made[1]]
+        if refused and len(refused) == len(asked):
+            raise ExportError(" ".join(map(str, refused)))
+        self._left_out += map(str, refused)
         more = self._attempt("What else is made", lambda: make(balloon, chosen, line.show, self._attempt))
         files, told = more or ({}, [])
         return contents | files, [*lines, *told]

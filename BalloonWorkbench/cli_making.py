@@ -56,7 +56,7 @@ def add_making(command: argparse.ArgumentParser) -> None:
         "--grain-lies",
         choices=[grain.value for grain in Grain],
         default=Grain.ALONG.value,
-        help="how the grain of pieces lies on the roll (default along)",
+        help="how the grain of pieces lies on the roll, for films with one (default along)",
     )
     group.add_argument("--assembly", choices=list(PAGES), help="write an assembly sheet on this paper")
 

@@ -177,15 +177,14 @@ def read(obj):
     if across:
         own = with_grain(own, across, radians(obj.GrainAngle))
     known = known_films().get(obj.Film)
-    return (
-        own
-        if known is None
-        else replace(
-            own,
-            name=known.name,
-            max_stress=known.max_stress,
-            title=known.title,
-            look=known.look,
-            sealing_side=known.sealing_side,
-        )
+    if known is None:
+        return own
+    return replace(
+        own,
+        name=known.name,
+        max_stress=known.max_stress,
+        title=known.title,
+        look=known.look,
+        grain=known.grain,
+        sealing_side=known.sealing_side,
     )

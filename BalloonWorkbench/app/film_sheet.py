@@ -27,9 +27,7 @@ PROPERTIES = (
     Property("Length", "FilmWidth", "Film", "Width of the roll or sheet", 500.0),
     Property("Length", "FilmLength", "Film", "Length of a sheet; 0 is a roll"),
     Property("Length", "Spacing", "Film", "Film left between pieces, and at the edges", 3.0),
-    Property(
-        "Enumeration", "Grain", "Film", "How the grain of the pieces lies, relative to the film's length"
-    ),
+    Property("Enumeration", "Grain", "Film", "How the grain of pieces lies, where their film has one"),
     Property("Integer", "Shown", "Film", "Number of the sheet that is shown and exported", 1),
     Property("Float", "Used", "Result", "Part of the film that the pieces take, in per cent", result=True),
     Property("Length", "UsedLength", "Result", "Length of the roll that is used", result=True),
@@ -166,7 +164,7 @@ def _by_film(obj) -> dict:
     for each in obj.Patterns:
         panel = pattern.build(each)
         whole = sheet_of(panel, replace(pattern.values(each), mirror=True, copies=1))
-        found += pieces_of(panel, whole, obj.Balloons, film.read(each.Balloon).grain_angle)
+        found += pieces_of(panel, whole, obj.Balloons, film.read(each.Balloon).lies)
     return by_stock(found)
 
 
@@ -184,7 +182,8 @@ def _label(pieces, stock) -> str:
 
     digest = hashlib.sha256()
     for piece in pieces:
-        digest.update(f"{piece.count} {piece.backs} {piece.grain:.6g}".encode())
+        grain = "any" if piece.grain is None else f"{piece.grain:.6g}"
+        digest.update(f"{piece.count} {piece.backs} {grain}".encode())
         for contour in piece.pattern.contours:
             digest.update((np.round(contour.points, 7) + 0.0).tobytes())
     numbers = (stock.width, stock.length or 0.0, stock.spacing)

@@ -79,11 +79,11 @@ def print_files(balloon: Balloon, artwork: Artwork) -> tuple[dict[str, bytes], t
     return (*artwork_files(front, back), front, back)
 
 
-def pieces_of(panel: Pattern, one_balloon: Pattern, copies: int, grain: float) -> list[Piece]:
+def pieces_of(panel: Pattern, one_balloon: Pattern, copies: int, grain: float | None) -> list[Piece]:
     """The pieces of balloons: panels and their mirror images, and what else is cut for each balloon.
 
     one_balloon  all that is cut for one, see `sheet_of` with mirror
-    grain        direction of the film's grain in the panel [rad]
+    grain        direction of the film's grain in the panel [rad], None for a film without one
     """
     area = max(abs(signed_area(cut.points)) for cut in panel.of(Role.CUT))
     others = [
@@ -91,7 +91,8 @@ def pieces_of(panel: Pattern, one_balloon: Pattern, copies: int, grain: float) -
         for piece in split(one_balloon)
         if max(abs(signed_area(cut.points)) for cut in piece.of(Role.CUT)) < 0.5 * area
     ]
-    return [Piece(panel, copies, copies, grain), *(Piece(piece, copies) for piece in others)]
+    upright = None if grain is None else 0.0
+    return [Piece(panel, copies, copies, grain), *(Piece(piece, copies, 0, upright) for piece in others)]
 
 
 def by_stock(pieces: Sequence[Piece]) -> dict[str, list[Piece]]:
@@ -114,7 +115,7 @@ def nested(
     pieces = [
         piece
         for pattern in balloon.patterns
-        for piece in pieces_of(pattern, sheet_of(pattern, wanted), copies, balloon.settings.film.grain_angle)
+        for piece in pieces_of(pattern, sheet_of(pattern, wanted), copies, balloon.settings.film.lies)
     ]
     laid = {}
     for name, parted in by_stock(pieces).items():

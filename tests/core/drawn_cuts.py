@@ -103,7 +103,7 @@ def wishes(random: np.random.Generator) -> Wanted:
         label=str(random.choice(["", "B8", "R&D"])),
         label_height=0.004,
         mirror=bool(random.random() < 0.5),
-        copies=int(random.choice([1, 1, 2, 10])),
+        copies=int(random.choice([1, 1, 1, 2, 10])),
     )
 
 

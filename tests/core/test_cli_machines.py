@@ -49,6 +49,18 @@ def test_too_large_for_the_bed(square: Path, capsys: pytest.CaptureFixture[str])
     assert not (square.parent / "out").exists()
 
 
+def test_one_unsuitable_machine_is_left_out(square: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """The others get their files, and a line tells why that one did not."""
+    own = square.parent / "small.json"
+    data = json.loads((FOLDER / "lightburn.json").read_text(encoding="utf-8"))
+    own.write_text(json.dumps({**data, "name": "small", "title": "Small laser", "bed_mm": [150, 150]}))
+    assert run(square, "--machine", str(own), "--machine", "inkscape", "--machine", "cutting-shop") == 0
+    made = {path.name for path in (square.parent / "out").iterdir()}
+    assert made >= {"pattern-inkscape.svg", "pattern-cutting-shop_mm.dxf"}
+    assert "pattern-small_mm.dxf" not in made
+    assert "Check: No file for Small laser: The pattern measures" in capsys.readouterr().out
+
+
 def test_unknown_machine_is_told_before_the_work(square: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert run(square, "--machine", "axe") == 2
     assert "lightburn" in capsys.readouterr().err

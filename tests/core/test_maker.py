@@ -9,7 +9,7 @@ from functools import cache
 
 import numpy as np
 import pytest
-from drawn_shapes import corners_of
+from drawn_shapes import NAMED, corners_of
 from solver_cases import circle
 
 from BalloonWorkbench.core.film.filling import ROOM, Filling, gas, gases
@@ -18,8 +18,11 @@ from BalloonWorkbench.core.film.library import FOLDER, film, films
 from BalloonWorkbench.core.maker.data import FILE, making
 from BalloonWorkbench.core.maker.numbers import Numbers, maker_numbers, told
 from BalloonWorkbench.core.maker.safety import FILM, WELD, safety, weld_load
+from BalloonWorkbench.core.making import pieces_of
 from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.mesh.triangulate import triangulate
+from BalloonWorkbench.core.nesting import nest as nesting
+from BalloonWorkbench.core.nesting.layout import Stock
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.outline.picture import read_picture
 from BalloonWorkbench.core.pattern.build import build_pattern
@@ -107,6 +110,23 @@ def test_film_of_the_roll() -> None:
         assert found.roll is not None
         assert found.roll == pytest.approx((width, length), abs=2e-4)
     assert maker_numbers(inflation, FOIL, outline, pattern, 0.2, Filling(), roll_width=0.1).roll is None
+
+
+@pytest.mark.parametrize("name", ["mylar", "bopp-foil"])
+def test_film_that_is_told_is_what_a_layout_takes(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Both panels of a heart, with a grain and without: no more film than the layout of one balloon. Laid by
+    the boxes round them, which may be turned, they would take 575 mm."""
+    monkeypatch.setattr(nesting, "PACKAGE", "no_such_package")
+    made_of = film(name)
+    seam = Outline(NAMED["heart"].outer * 0.3 / NAMED["heart"].size[0])
+    pattern = build_pattern(seam, made_of.seal_width)
+    found = maker_numbers(disc(0.1), made_of, seam, pattern, 0.3, Filling(), roll_width=0.5)
+    pieces = pieces_of(pattern, pattern, 1, made_of.lies)
+    (layout,), _ = nesting.nest(pieces, Stock(0.5))
+    assert found.roll == pytest.approx((0.5, layout.length), abs=1e-9)
+    assert layout.length > 2.0 * pattern.film_area / 0.5
+    if name == "mylar":
+        assert layout.length < 0.45
 
 
 def test_smallest_size_that_floats() -> None:

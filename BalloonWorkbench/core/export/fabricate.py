@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from BalloonWorkbench.core.errors import ExportError
+from BalloonWorkbench.core.errors import ExportError, MissingPackageError
 from BalloonWorkbench.core.export.drawing import Drawing, draw
 from BalloonWorkbench.core.export.machine import FOLDER, Machine, read_machine
 from BalloonWorkbench.core.export.machine_dxf import drawing_dxf
@@ -50,24 +50,41 @@ def checked_files(
 ) -> tuple[dict[str, bytes], tuple[str, ...]]:
     """Contents of the files for several machines by name, and what is doubtful about them, a sentence each.
 
-    What is cut from another film than the balloon's has files of its own.
-    paper adds the pattern on pages of "A4", "A3" or "Letter".
-    Raises ExportError for what a machine cannot make.
+    What is cut from another film than the balloon's has files of its own. A machine that cannot make the
+    pattern, or whose format needs a package that is missing, is left out with a sentence. paper adds the
+    pattern on pages of "A4", "A3" or "Letter".
+    Raises ExportError or MissingPackageError where nothing is left for all of them.
     """
     contents: dict[str, bytes] = {}
     remarks: list[str] = []
+    left_out: list[ExportError | MissingPackageError] = []
     for machine in chosen:
-        for stock in pattern.stocks:
-            part = pattern.of_stock(stock)
-            for finding in preflight(part, machine):
-                if finding.severity == ERROR:
-                    raise ExportError(f"No file for {machine.title}: {finding.text}")
-                remarks.append(finding.text)
-            contents[file_of_stock(machine.file_name, stock)] = machine_file(part, machine)
+        try:
+            files, doubts = _files(pattern, machine)
+            contents |= files
+            remarks += doubts
+        except (ExportError, MissingPackageError) as error:
+            left_out.append(error)
+    if left_out and not contents:
+        raise left_out[0] if len(left_out) == 1 else ExportError(" ".join(map(str, left_out)))
     for stock in pattern.stocks if paper is not None else ():
         name = file_of_stock(f"pattern-{str(paper).lower()}.pdf", stock)
         contents[name] = machine_file(pattern.of_stock(stock), read_machine(FOLDER / "paper.json"), paper)
-    return contents, tuple(dict.fromkeys(remarks))
+    return contents, tuple(dict.fromkeys([*remarks, *map(str, left_out)]))
+
+
+def _files(pattern: Pattern, machine: Machine) -> tuple[dict[str, bytes], list[str]]:
+    """The files for one machine, one for each film, and what is doubtful; ExportError for what it cannot."""
+    contents: dict[str, bytes] = {}
+    doubts: list[str] = []
+    for stock in pattern.stocks:
+        part = pattern.of_stock(stock)
+        for finding in preflight(part, machine):
+            if finding.severity == ERROR:
+                raise ExportError(f"No file for {machine.title}: {finding.text}")
+            doubts.append(finding.text)
+        contents[file_of_stock(machine.file_name, stock)] = machine_file(part, machine)
+    return contents, doubts
 
 
 def file_of_stock(name: str, stock: str) -> str:

@@ -11,6 +11,8 @@ from collections.abc import Sequence
 from itertools import chain
 from typing import Any, NamedTuple
 
+import numpy as np
+
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.pattern.pattern import Contour, Role
 
@@ -59,7 +61,7 @@ def _around(contours: Sequence[Contour]) -> list[int | None]:
     package = shapely()
     cuts = [number for number, contour in enumerate(contours) if _frees(contour)]
     areas = {number: package.Polygon(contours[number].points) for number in cuts}
-    places = [_place(contour) for contour in contours]
+    places = np.array([_place(contour) for contour in contours], dtype=object)
     around: list[int | None] = [None] * len(contours)
     smallest: dict[int, float] = {}
     for number, which in zip(*package.STRtree(list(areas.values())).query(places, predicate="within")):

@@ -80,7 +80,7 @@ def _simple(contours: list[Contour], machine: Machine) -> list[Finding]:
     findings = [finding for contour, points in lines for finding in _crossed(contour, points)]
     cuts = [(contour.role.value, _line(points, True)) for contour, points in lines if contour.role in CUTS]
     package = shapely()
-    shapes = [line for _, line in cuts]
+    shapes = np.array([line for _, line in cuts], dtype=object)
     for k, other in zip(*package.STRtree(shapes).query(shapes, predicate="intersects")):
         if k < other:
             place = package.get_coordinates(shapes[k].intersection(shapes[other]))[0]

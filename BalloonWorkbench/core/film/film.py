@@ -33,6 +33,7 @@ class Film:
 
     Isotropic unless young_modulus_across is given: then young_modulus is that along the grain, which runs at
     grain_angle from the x axis of the drawing, and poisson_ratio the contraction across under tension along.
+    grain tells that it is made with one, known to the model or not: its pieces may not be turned anyhow.
     """
 
     name: str
@@ -50,6 +51,12 @@ class Film:
     grain_angle: float = 0.0  # [rad]
     look: Look = Look()
     sealing_side: str | None = None
+    grain: bool = False
+
+    @property
+    def lies(self) -> float | None:
+        """Direction of the grain in the drawing [rad], None for a film without one."""
+        return self.grain_angle if self.grain or self.young_modulus_across is not None else None
 
     @property
     def membrane_stiffness(self) -> float:

@@ -114,6 +114,7 @@ def _film_of(data: dict[str, Any]) -> Film:
         title=str(data["title"]),
         look=_look(**data["look"]),
         sealing_side=_sealing_side(data.get("sealing_side")),
+        grain=_grain(data.get("grain", False)),
         note=str(data["note"]),
         sources=tuple(str(source) for source in data["sources"]),
     )
@@ -122,6 +123,12 @@ def _film_of(data: dict[str, Any]) -> Film:
 def _sealing_side(value: object) -> str | None:
     if value is not None and not (isinstance(value, str) and re.fullmatch(r"[\w/-]{1,20}", value)):
         raise InputError(f'the sealing side {value!r} is no polymer: give one such as "PE", or "none".')
+    return value
+
+
+def _grain(value: object) -> bool:
+    if not isinstance(value, bool):
+        raise InputError(f"grain is {value!r}: write true or false.")
     return value
 
 

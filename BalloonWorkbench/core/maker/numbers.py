@@ -14,7 +14,7 @@ from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.maker.data import Making, making
 from BalloonWorkbench.core.maker.safety import Safety, safety
 from BalloonWorkbench.core.maker.weight import valve_weight
-from BalloonWorkbench.core.nesting.layout import Grain, Piece, Stock, check, layout_of
+from BalloonWorkbench.core.nesting.layout import Piece, Stock, check, layout_of
 from BalloonWorkbench.core.nesting.rows import in_rows
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.pattern.pattern import Pattern
@@ -159,8 +159,7 @@ def _floating(
 
 def _roll(pattern: Pattern, film: Film, width: float) -> tuple[float, float] | None:
     """Film for both panels, by the boxes around them: nesting may need less."""
-    grain = Grain.ALONG if film.young_modulus_across is not None else Grain.ANY
-    pieces, stock = [Piece(pattern, 1, 1, film.grain_angle)], Stock(width, grain=grain)
+    pieces, stock = [Piece(pattern, 1, 1, film.lies)], Stock(width)
     try:
         check(pieces, stock)
     except InputError:

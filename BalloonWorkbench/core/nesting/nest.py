@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Laying out panels: by the nesting library spyrrow, else row by row.
+"""Laying out panels: by the nesting library spyrrow, else one piece after another, which is better for few.
 
 spyrrow (sparrow: Gardeyn, Vanden Berghe, Wauters 2025, strip packing by guided local search) looks for the
 shortest strip. With one thread and a fixed seed the way it goes is always the same, so the result is too
@@ -37,8 +37,7 @@ from BalloonWorkbench.core.units import from_mm, to_mm
 
 PACKAGE = "spyrrow"
 ROWS_NOTE = (
-    "Laid in rows, which takes more film: install the package spyrrow (pip install spyrrow) for a closer"
-    " layout."
+    "Laid one piece after another: the package spyrrow (pip install spyrrow) often finds a closer layout."
 )
 #: Outlines are grown by that, then simplified within it: they enclose their pieces [m].
 _SLACK = from_mm(0.15)
@@ -68,7 +67,10 @@ def nest(
         rows = in_rows(pieces, stock, units)
         return tuple(layout_of(stock, pieces, with_guests(places, guests)) for places in rows), (ROWS_NOTE,)
     if stock.length is None:
-        places, _ = _strip(pieces, stock, units, None, progress)
+        places, length = _strip(pieces, stock, units, None, progress)
+        (row,) = in_rows(pieces, stock, units)
+        if layout_of(stock, pieces, row).length < length:  # few pieces, or a search that was stopped early
+            places = row
         return (layout_of(stock, pieces, with_guests(places, guests)),), ()
     layouts = _sheets(pieces, stock, units, progress)
     return tuple(layout_of(stock, pieces, with_guests(layout.places, guests)) for layout in layouts), ()
