@@ -15,7 +15,7 @@ from BalloonWorkbench import cli_making, cli_pattern
 from BalloonWorkbench.cli_options import parser
 from BalloonWorkbench.core.design.size_goal import SizeGoal
 from BalloonWorkbench.core.errors import BalloonError, InputError
-from BalloonWorkbench.core.export.fabricate import checked_files
+from BalloonWorkbench.core.export.fabricate import checked_files, checked_machines
 from BalloonWorkbench.core.export.machine import machine
 from BalloonWorkbench.core.film.filling import Filling, gas
 from BalloonWorkbench.core.film.film import Film
@@ -27,6 +27,7 @@ from BalloonWorkbench.core.job import (
     inflation_files,
     make_balloon,
 )
+from BalloonWorkbench.core.maker.safety import WELD
 from BalloonWorkbench.core.outline.raster import opencv
 from BalloonWorkbench.core.solver.model import Model
 from BalloonWorkbench.core.units import (
@@ -57,6 +58,7 @@ def _run(options: argparse.Namespace) -> int:
     width, height = _length(options.width), _length(options.height)
     settings = _settings(options)
     chosen = [machine(name) for name in options.machine]  # a mistake shows before the work
+    doubts = checked_machines(settings.film, chosen)
     make = cli_making.checked(options, _decode())
     line = _StatusLine(sys.stderr)
     try:
@@ -77,7 +79,7 @@ def _run(options: argparse.Namespace) -> int:
             contents[DOCUMENT] = _document(options.input, balloon, width, height)
     finally:
         line.clear()
-    _write(options.out, contents, balloon, remarks, told)
+    _write(options.out, contents, balloon, (*doubts, *remarks), told)
     return 0
 
 
@@ -170,7 +172,7 @@ def _write(
                 f"Silhouette {error['mean']:.2f} mm off the drawing on average, {error['max']:.1f} mm at most"
             )
         lines.append(_lift_line(part["lift"]))
-        lines.append(_making_line(part["maker"]))
+        lines.append(_making_line(part["maker"], balloon.settings.film.seam))
     lines += [f"Note: {warning}" for warning in report["warnings"]]
     lines += [_advice_line(finding) for part in report["parts"] for finding in part["advice"]]
     lines += [f"Check: {remark}" for remark in remarks]
@@ -194,16 +196,17 @@ def _lift_line(lift: dict[str, Any]) -> str:
     return f"{weight}; filled with {gas_name} it floats from {lift['floats_from_width_mm']:.0f} mm width on"
 
 
-def _making_line(maker: dict[str, Any]) -> str:
+def _making_line(maker: dict[str, Any], seam: str) -> str:
     """What it takes, and how much pressure it bears."""
     strong = maker["strength"]
     told = f"Film {1e4 * maker['film_area_m2']:.0f} cm2"
     if maker["roll_length_mm"] is not None:
         told += f" from {maker['roll_length_mm']:.0f} mm of a {maker['roll_width_mm']:.0f} mm roll"
-    told += f", weld {maker['seam_length_mm']:.0f} mm"
+    told += f", {seam} {maker['seam_length_mm']:.0f} mm"
     if strong["safe_pressure_Pa"] is None:
         return told
-    return told + f"; {strong['weakest']} safe to {1e-3 * strong['safe_pressure_Pa']:.2g} kPa"
+    weakest = seam if strong["weakest"] == WELD else strong["weakest"]
+    return told + f"; {weakest} safe to {1e-3 * strong['safe_pressure_Pa']:.2g} kPa"
 
 
 def _advice_line(finding: dict[str, Any]) -> str:

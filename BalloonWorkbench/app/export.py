@@ -54,10 +54,23 @@ def check_for(pattern_obj, machine_name: str):
     """
     from BalloonWorkbench.app import hooks
     from BalloonWorkbench.core.export.machine import machine
-    from BalloonWorkbench.core.export.preflight import preflight
+    from BalloonWorkbench.core.export.preflight import ERROR, preflight
 
     made_for, pattern = machine(machine_name), sheet(pattern_obj)
-    return hooks.work("Checking the pattern", lambda progress: preflight(pattern, made_for))
+    findings = hooks.work("Checking the pattern", lambda progress: preflight(pattern, made_for))
+    both = (*_film_findings(pattern_obj, made_for), *findings)
+    return tuple(sorted(both, key=lambda finding: finding.severity != ERROR))
+
+
+def _film_findings(pattern_obj, made_for) -> tuple:
+    """What the machine does that the films of the patterns do not take: the core's findings."""
+    from BalloonWorkbench.app import film, pattern
+    from BalloonWorkbench.core.export.preflight import film_preflight
+
+    cut = getattr(pattern_obj, "Patterns", None) or [getattr(pattern_obj, "Pattern", None) or pattern_obj]
+    objects = [each for obj in cut for each in getattr(obj, "Group", [obj]) if pattern.is_pattern(each)]
+    films = dict.fromkeys(film.read(obj.Balloon) for obj in objects)
+    return tuple(finding for each in films for finding in film_preflight(each, made_for))
 
 
 def export_for(pattern_obj, machine_name: str, target, paper: str | None = None) -> Path:
@@ -73,9 +86,10 @@ def export_for(pattern_obj, machine_name: str, target, paper: str | None = None)
     from BalloonWorkbench.core.export.preflight import ERROR, preflight
 
     made_for, pattern = machine(machine_name), sheet(pattern_obj)
+    doubts = _film_findings(pattern_obj, made_for)
 
     def content(progress) -> bytes:
-        for finding in preflight(pattern, made_for):
+        for finding in (*doubts, *preflight(pattern, made_for)):
             if finding.severity == ERROR:
                 raise ExportError(finding.text)
         return machine_file(pattern, made_for, paper, hooks.say)

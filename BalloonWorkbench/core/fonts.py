@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Fonts for what people read on paper and on film: DejaVu Sans, and for its other letters those of the system.
+"""Fonts for what people read on paper and film: DejaVu Sans, and for other letters those of the system.
 
 A text is drawn letter by letter: what is written from right to left, and marks that stand on other letters,
 cannot be shown so.
@@ -17,6 +17,7 @@ from typing import Any
 
 import numpy as np
 
+from BalloonWorkbench.core.packages import matplotlib_text
 from BalloonWorkbench.core.types import Floats, Say, in_english
 
 _EUROPE = "DejaVu Sans"  # matplotlib has it
@@ -79,7 +80,11 @@ def shown(text: str) -> str:
 
 
 def outlines(text: str, size: float) -> list[Floats]:
-    """Closed outlines (n, 2) of a plain text whose letters can all be drawn; fine for a large size."""
+    """Closed outlines (n, 2) of a plain text whose letters can all be drawn; fine for a large size.
+
+    Raises MissingPackageError without matplotlib.
+    """
+    matplotlib_text()
     return [np.asarray(loop) for loop in _path(text, _families(text), size).to_polygons(closed_only=True)]
 
 
@@ -118,8 +123,8 @@ def _path(text: str, families: list[str], size: float, bold: bool = False) -> An
     """A line as a Path of matplotlib, never read as mathematics."""
     from matplotlib.font_manager import FontProperties
     from matplotlib.path import Path as Lines
-    from matplotlib.textpath import text_to_path
 
+    text_to_path = matplotlib_text()
     font = FontProperties(family=families, weight="bold" if bold else "normal")
     points, codes = text_to_path.get_text_path(font, text, ismath=False)
     return Lines(np.reshape(points, (-1, 2)) * size / text_to_path.FONT_SCALE, codes)

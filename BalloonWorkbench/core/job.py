@@ -260,7 +260,7 @@ def files(balloon: Balloon, results: str | None = None) -> dict[str, bytes]:
     makers: dict[str, Callable[[], bytes]] = {
         **{f"pattern.{kind}": partial(machine_file, sheet, machine(name)) for kind, name in ANY.items()},
         "balloon.stl": lambda: stl_bytes([design.inflation for design in balloon.designs]),
-        "preview.png": lambda: preview_png(balloon.designs, balloon.patterns),
+        "preview.png": lambda: preview_png(balloon.designs, balloon.patterns, balloon.settings.film.seam),
     }
     contents, left_out = {}, []
     for name, make in makers.items():

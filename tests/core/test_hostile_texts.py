@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A text is a text: each of its letters is drawn as a font gives it, or a sentence names those that are not."""
+"""A text is a text: each of its letters is drawn as a font gives it, or a sentence names it."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ from BalloonWorkbench.core.pattern.build import build_pattern
 from BalloonWorkbench.core.pattern.label import with_label
 from BalloonWorkbench.core.pattern.pattern import Pattern, Role
 
-ttLib = pytest.importorskip("fontTools.ttLib")
+reader = pytest.importorskip("fontTools.reader")
 HEIGHT = 0.002  # m
 
 
@@ -64,7 +64,7 @@ def font() -> tuple[Any, dict[int, str], float]:
     """The glyphs of DejaVu Sans by another reader of fonts, their names by letter, its units in a height."""
     from fontTools.pens.boundsPen import BoundsPen
 
-    opened = ttLib.TTFont(findfont(FontProperties(family="DejaVu Sans")))
+    opened = reader.TTFont(findfont(FontProperties(family="DejaVu Sans")))
     glyphs, names = opened.getGlyphSet(), opened.getBestCmap()
     pen = BoundsPen(glyphs)
     glyphs[names[ord("H")]].draw(pen)

@@ -12,7 +12,8 @@ from BalloonWorkbench.core.export.machine_dxf import drawing_dxf
 from BalloonWorkbench.core.export.machine_hpgl import drawing_hpgl
 from BalloonWorkbench.core.export.machine_pdf import drawing_pdf, tiled_pdf
 from BalloonWorkbench.core.export.machine_svg import drawing_svg
-from BalloonWorkbench.core.export.preflight import ERROR, preflight
+from BalloonWorkbench.core.export.preflight import ERROR, Finding, film_preflight, preflight
+from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.pattern.pattern import Pattern
 from BalloonWorkbench.core.types import Say, in_english
 
@@ -44,6 +45,14 @@ def drawing_file(
     return tiled_pdf(drawing, machine, tiled, say)
 
 
+def checked_machines(film: Film, chosen: Sequence[Machine]) -> tuple[str, ...]:
+    """What is doubtful about several machines for a film, a sentence each.
+
+    Raises ExportError for a machine that the film does not bear.
+    """
+    return tuple(_remark(finding, machine) for machine in chosen for finding in film_preflight(film, machine))
+
+
 def checked_files(
     pattern: Pattern, chosen: Sequence[Machine], paper: str | None = None
 ) -> tuple[dict[str, bytes], tuple[str, ...]]:
@@ -56,12 +65,16 @@ def checked_files(
     remarks: list[str] = []
     for machine in chosen:
         for finding in preflight(pattern, machine):
-            if finding.severity == ERROR:
-                raise ExportError(f"No file for {machine.title}: {finding.text}")
-            remarks.append(finding.text)
+            remarks.append(_remark(finding, machine))
         contents[machine.file_name] = machine_file(pattern, machine)
     if paper is not None:
         contents[f"pattern-{paper.lower()}.pdf"] = machine_file(
             pattern, read_machine(FOLDER / "paper.json"), paper
         )
     return contents, tuple(remarks)
+
+
+def _remark(finding: Finding, machine: Machine) -> str:
+    if finding.severity == ERROR:
+        raise ExportError(f"No file for {machine.title}: {finding.text}")
+    return finding.text

@@ -27,6 +27,8 @@ ENDINGS = {"dxf": "dxf", "svg": "svg", "pdf": "pdf", "hpgl": "plt"}
 _VERSIONS = {"dxf": ("R2000", "R12"), "svg": ("",), "pdf": ("",), "hpgl": ("",)}
 UNITS = {"mm": MILLIMETRE, "in": INCH}
 LINE_TYPES = ("CONTINUOUS", "DASHED")
+#: What a machine does to the film that not every film takes; "" where nothing is known of it.
+PROCESSES = ("", "laser", "heat-sealing")
 _LAYER_NAME = re.compile(r"[A-Z0-9_$-]{1,31}")
 _FILE_NAME = re.compile(r"[\w .-]{0,60}")
 _COLOUR = re.compile(r"#[0-9a-f]{6}")
@@ -55,6 +57,7 @@ class Machine:
     kerf       width that the beam takes away; knife_offset of a swivel knife behind its axis; overrun of a
                closed weld past its start; least_radius and least_gap it can follow [m]
     control_bar  a bar of 100 mm on the layer REGISTRATION
+    process    one of PROCESSES
     file       name of its file without the ending, where it is not made from the machine's
     """
 
@@ -75,6 +78,7 @@ class Machine:
     control_bar: bool
     file: str = ""
     tolerance: float = TOLERANCE
+    process: str = ""
 
     @property
     def file_name(self) -> str:
@@ -144,6 +148,7 @@ def read_machine(path: Path) -> Machine:
 _KEYS = {
     "name", "title", "note", "format", "version", "unit", "arcs", "bed_mm", "kerf_mm", "knife_offset_mm",
     "overrun_mm", "control_bar", "file", "tolerance_mm", "least_radius_mm", "least_gap_mm", "layers",
+    "process",
 }  # fmt: skip
 
 
@@ -170,6 +175,7 @@ def _machine_of(data: dict[str, Any]) -> Machine:
         control_bar=_truth(data["control_bar"], "control_bar"),
         file=str(data.get("file", "")),
         tolerance=_length(data.get("tolerance_mm", to_mm(TOLERANCE)), "tolerance_mm", 0.005, 0.5),
+        process=_one_of(data.get("process", ""), PROCESSES, "process"),
     )
     if not _FILE_NAME.fullmatch(found.file):
         raise InputError(f'the file name "{found.file}" may have letters, digits, spaces, _, - and . only.')

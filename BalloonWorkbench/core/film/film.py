@@ -8,6 +8,15 @@ from dataclasses import dataclass
 #: Metallic; see-through and shiny; fibres; without any shine.
 LOOKS = ("foil", "clear", "paper", "matt")
 
+#: How panels are joined, "" where nobody knows, and what people call the line along which they are.
+JOININGS = {
+    "": "seam",
+    "heat": "weld",
+    "high-frequency": "weld",
+    "glue": "glued seam",
+    "tape": "taped seam",
+}
+
 
 @dataclass(frozen=True)
 class Look:
@@ -24,6 +33,9 @@ class Film:
 
     name   the word by which it is chosen, such as "mylar"
     title  what people read; note and sources tell where it fits and where its numbers come from
+    joining      how panels are joined, a key of JOININGS; one_side: with one of its sides only
+    some_grades  those with a sealing layer can be joined so, plain film cannot
+    laser        whether a laser may cut it, None where nobody knows
 
     Isotropic unless young_modulus_across is given: then young_modulus is that along the grain, which runs at
     grain_angle from the x axis of the drawing, and poisson_ratio the contraction across under tension along.
@@ -43,6 +55,15 @@ class Film:
     shear_modulus: float | None = None  # [Pa]; None: as for an isotropic film of the mean modulus
     grain_angle: float = 0.0  # [rad]
     look: Look = Look()
+    joining: str = ""
+    one_side: bool = False
+    some_grades: bool = False
+    laser: bool | None = None
+
+    @property
+    def seam(self) -> str:
+        """What people call the line along which two panels are joined."""
+        return JOININGS[self.joining]
 
     @property
     def membrane_stiffness(self) -> float:

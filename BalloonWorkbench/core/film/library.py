@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from BalloonWorkbench.core.errors import InputError
-from BalloonWorkbench.core.film.film import LOOKS, Film, Look
+from BalloonWorkbench.core.film.film import JOININGS, LOOKS, Film, Look
 
 FOLDER = Path(__file__).resolve().parents[3] / "resources" / "films"
 DEFAULT_FILM = "mylar"
@@ -113,6 +113,10 @@ def _film_of(data: dict[str, Any]) -> Film:
         max_stress=_within(float(data["max_stress_Pa"]), 1e4, 1e11, "strength", "Pa", "100e6"),
         title=str(data["title"]),
         look=_look(**data["look"]),
+        joining=_joining(data.get("joining", "")),
+        one_side=_truth(data, "one_side", False),
+        some_grades=_truth(data, "some_grades", False),
+        laser=_truth(data, "laser", None),
         note=str(data["note"]),
         sources=tuple(str(source) for source in data["sources"]),
     )
@@ -124,6 +128,19 @@ def _look(kind: str, colour: str, opacity: float) -> Look:
     if not re.fullmatch("#[0-9a-f]{6}", colour):
         raise InputError(f'"{colour}" is no colour: give one such as "#cc294d".')
     return Look(kind, colour, _within(opacity, 0.05, 1.0, "opacity", "", "1"))
+
+
+def _joining(way: object) -> str:
+    if way not in JOININGS:
+        raise InputError(f'There is no joining "{way}": choose one of {", ".join(filter(None, JOININGS))}.')
+    return str(way)
+
+
+def _truth(data: dict[str, Any], key: str, unknown: bool | None) -> Any:
+    value = data.get(key, unknown)
+    if value is not unknown and not isinstance(value, bool):
+        raise InputError(f"{key} is {value!r}: write true or false.")
+    return value
 
 
 def _thickness(value: float) -> float:
