@@ -154,6 +154,10 @@ def test_sheet_says_nothing_against_the_film(name: str, intake: str) -> None:
         assert ("sealing sides" in text) == data["one_side"]
         assert ("sealing layer" in text) == data["some_grades"]
         assert ("grain" in text) == (one.film.young_modulus_across is not None)
+        (most,) = re.findall(r"Fill to ([\d.]+) kPa", text)
+        safety = one.numbers.safety
+        assert safety.safe_pressure is not None
+        assert 1e3 * float(most) == pytest.approx(min(safety.pressure, safety.safe_pressure), rel=0.01)
         kinds = [intake_kind(each.kind) for each in one.pattern.intakes]
         assert ("mouth of the neck" in text) == any(kind.place == "rim" for kind in kinds)
 
