@@ -74,7 +74,7 @@ def _letters(text: str, height: float) -> list[Floats]:
     if names:
         raise InputError(
             f"With the fonts of this computer {names} cannot be drawn, letter by letter from left to right:"
-            " leave that out of the label, or install a font that has it."
+            " leave that out of the label, or install a font that has it and start again."
         )
     rings = [shapely().LinearRing(loop * scale) for loop in outlines(text, _FINE)]
     return [closed_loop(ring, bool(ring.is_ccw)) for ring in rings]
