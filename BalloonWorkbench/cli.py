@@ -26,7 +26,7 @@ from BalloonWorkbench.core.errors import (
     MissingPackageError,
     ProgramFault,
 )
-from BalloonWorkbench.core.export.fabricate import checked_files
+from BalloonWorkbench.core.export.fabricate import checked_files, machines_for
 from BalloonWorkbench.core.export.files import check_folder, write_files
 from BalloonWorkbench.core.export.machine import Machine, left_out, machine
 from BalloonWorkbench.core.faults import UNFORESEEN, report_fault
@@ -100,7 +100,8 @@ class _Run:
         settings = _settings(options)
         for name in (options.input, options.artwork, options.artwork_back, *options.machine):
             _refuse_streams(name)
-        chosen = [machine(name) for name in options.machine]  # a mistake shows before the work
+        # a mistake shows before the work
+        chosen, doubts = machines_for(settings.film, [machine(name) for name in options.machine])
         make = cli_making.checked(options, _decode())
         check_folder(options.out)
         line = cli_console.StatusLine(sys.stderr)
@@ -131,7 +132,7 @@ class _Run:
         if not contents:
             raise self._fault or ExportError(f"No file could be made. {' '.join(self._left_out)}")
         write_files(options.out, contents, self._written)
-        return self._tell(balloon, lines)
+        return self._tell(balloon, [*(f"Check: {doubt}" for doubt in doubts), *lines])
 
     def _contents(
         self,
@@ -197,7 +198,7 @@ class _Run:
 
     def _tell(self, balloon: Balloon, lines: Sequence[str]) -> int:
         """Tell what was found and written; the exit code."""
-        told = summary(balloon.report, balloon.settings.correct)
+        told = summary(balloon.report, balloon.settings.correct, balloon.settings.film.seam)
         told += [f"Note: {note}" for note in self._left_out]
         slow = native.unusable_library() if balloon.settings.backend is None else None
         told += [*([f"Note: {slow}"] if slow else []), *lines, *(f"Wrote {path}" for path in self._paths)]

@@ -5,11 +5,13 @@ from __future__ import annotations
 
 from typing import Any
 
+from BalloonWorkbench.core.maker.safety import WELD
 
-def summary(report: dict[str, Any], corrected: bool) -> list[str]:
+
+def summary(report: dict[str, Any], corrected: bool, seam: str) -> list[str]:
     """Lines about the balloons, notes and advice; none where there is no report.
 
-    corrected: the pattern was, so that the silhouette tells how well
+    corrected: the pattern was, so that the silhouette tells how well; seam: what the film's seam is called
     """
     lines = []
     for part in report.get("parts", ()):
@@ -23,7 +25,7 @@ def summary(report: dict[str, Any], corrected: bool) -> list[str]:
                 f"Silhouette {error['mean']:.2f} mm off the drawing on average, {error['max']:.1f} mm at most"
             )
         lines.append(_lift_line(part["lift"]))
-        lines.append(_making_line(part["maker"]))
+        lines.append(_making_line(part["maker"], seam))
     lines += [f"Note: {warning}" for warning in report.get("warnings", ())]
     return lines + [_advice_line(finding) for part in report.get("parts", ()) for finding in part["advice"]]
 
@@ -37,16 +39,17 @@ def _lift_line(lift: dict[str, Any]) -> str:
     return f"{weight}; filled with {gas_name} it floats from {lift['floats_from_width_mm']:.0f} mm width on"
 
 
-def _making_line(maker: dict[str, Any]) -> str:
+def _making_line(maker: dict[str, Any], seam: str) -> str:
     """What it takes, and how much pressure it bears."""
     strong = maker["strength"]
     told = f"Film {1e4 * maker['film_area_m2']:.0f} cm2"
     if maker["roll_length_mm"] is not None:
         told += f" from {maker['roll_length_mm']:.0f} mm of a {maker['roll_width_mm']:.0f} mm roll"
-    told += f", weld {maker['seam_length_mm']:.0f} mm"
+    told += f", {seam} {maker['seam_length_mm']:.0f} mm"
     if strong["safe_pressure_Pa"] is None:
         return told
-    return told + f"; {strong['weakest']} safe to {1e-3 * strong['safe_pressure_Pa']:.2g} kPa"
+    weakest = seam if strong["weakest"] == WELD else strong["weakest"]
+    return told + f"; {weakest} safe to {1e-3 * strong['safe_pressure_Pa']:.2g} kPa"
 
 
 def _advice_line(finding: dict[str, Any]) -> str:

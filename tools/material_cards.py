@@ -64,7 +64,17 @@ def card(film: dict[str, Any]) -> str:
         if value is not None:
             lines.append(f'    {name}: "{f"{factor * value:.10g} {unit}".strip()}"')
     lines.append(f"    SealingSide: {_text(film['sealing_side'])}")
+    lines += [f"    {name}: {_text(text)}" for name, text in _joining(film).items() if text]
     return "\n".join(lines) + "\n"
+
+
+def _joining(film: dict[str, Any]) -> dict[str, str]:
+    """How panels are joined, and whether a laser may cut them; empty where nobody knows."""
+    return {
+        "Joining": film["joining"],
+        "OneSided": "yes" if film["one_side"] else "no",
+        "Laser": {None: "", True: "may be cut", False: "never"}[film["laser"]],
+    }
 
 
 def _text(text: str) -> str:

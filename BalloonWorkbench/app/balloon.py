@@ -17,6 +17,7 @@ CHOICES = {
     "Model": [TENSION_FIELD, PLAIN_SHELL],
     "Backend": list(BACKENDS),
     **size_goal.CHOICES,
+    **film.CHOICES,
 }
 DEFAULT_PRESSURE = 2.0  # kPa
 
@@ -121,6 +122,7 @@ class BalloonProxy(DocumentProxy):
         return CHOICES
 
     def opened(self, obj):
+        film.complete(obj)
         film.protect(obj)
         follow_load(obj)
         size_goal.follow(obj)

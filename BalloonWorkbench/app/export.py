@@ -54,14 +54,26 @@ def check_for(pattern_obj, machine_name: str):
     """
     from BalloonWorkbench.app import hooks
     from BalloonWorkbench.core.export.machine import machine
-    from BalloonWorkbench.core.export.preflight import preflight
+    from BalloonWorkbench.core.export.preflight import ERROR, preflight
 
     made_for, pattern = machine(machine_name), sheet(pattern_obj)
-    parts = [pattern.of_stock(stock) for stock in pattern.stocks]
-    return hooks.work(
-        "Checking the pattern",
-        lambda progress: [each for part in parts for each in preflight(part, made_for)],
-    )
+
+    def findings(progress) -> list:
+        return [each for stock in pattern.stocks for each in preflight(pattern.of_stock(stock), made_for)]
+
+    both = (*_film_findings(pattern_obj, made_for), *hooks.work("Checking the pattern", findings))
+    return tuple(sorted(both, key=lambda finding: finding.severity != ERROR))
+
+
+def _film_findings(pattern_obj, made_for) -> tuple:
+    """What the machine does that the films of the patterns do not take: the core's findings."""
+    from BalloonWorkbench.app import film, pattern
+    from BalloonWorkbench.core.export.preflight import film_preflight
+
+    cut = getattr(pattern_obj, "Patterns", None) or [getattr(pattern_obj, "Pattern", None) or pattern_obj]
+    objects = [each for obj in cut for each in getattr(obj, "Group", [obj]) if pattern.is_pattern(each)]
+    films = dict.fromkeys(film.read(obj.Balloon) for obj in objects)
+    return tuple(finding for each in films for finding in film_preflight(each, made_for))
 
 
 def export_for(pattern_obj, machine_name: str, target, paper: str | None = None) -> Path:
@@ -78,7 +90,7 @@ def export_for(pattern_obj, machine_name: str, target, paper: str | None = None)
     from BalloonWorkbench.core.export.preflight import ERROR, preflight
 
     made_for, pattern = machine(machine_name), sheet(pattern_obj)
-
+    doubts = _film_findings(pattern_obj, made_for)
     path = Path(target)
     if path.is_dir():
         path = path / made_for.file_name
@@ -87,7 +99,7 @@ def export_for(pattern_obj, machine_name: str, target, paper: str | None = None)
         found = {}
         for number, stock in enumerate(pattern.stocks):
             part = pattern.of_stock(stock)
-            for finding in preflight(part, made_for):
+            for finding in (*doubts, *preflight(part, made_for)):
                 if finding.severity == ERROR:
                     raise ExportError(finding.text)
             name = file_of_stock(path.name, stock) if number else path.name

@@ -6,6 +6,17 @@ from __future__ import annotations
 from BalloonWorkbench.app.properties import Property, show_in_editor
 
 CUSTOM = "Custom"
+UNKNOWN = "Unknown"
+#: How panels are joined, by the core's names; what may be done with a laser, by the core's values.
+_JOININGS = {
+    "": UNKNOWN,
+    "heat": "Heat",
+    "high-frequency": "High frequency",
+    "glue": "Glue",
+    "tape": "Tape",
+}
+_LASER = {None: UNKNOWN, True: "May be cut", False: "Never"}
+CHOICES = {"Joining": list(_JOININGS.values()), "Laser": list(_LASER.values())}
 
 PROPERTIES = (
     Property(
@@ -25,6 +36,9 @@ PROPERTIES = (
     Property("Length", "Thickness", "Film", "Thickness of the film"),
     Property("Float", "ArealDensity", "Film", "Weight of the film in kg per square metre"),
     Property("Length", "SealWidth", "Film", "Width of the weld that this film needs"),
+    Property("Enumeration", "Joining", "Film", "How two panels of this film are joined"),
+    Property("Bool", "OneSided", "Film", "Only one side of this film can be joined so", False),
+    Property("Enumeration", "Laser", "Film", "Whether a laser may cut this film"),
     Property(
         "String",
         "SealingSide",
@@ -128,6 +142,13 @@ def follow_choice(obj) -> None:
     protect(obj)
 
 
+def complete(obj) -> None:
+    """Tell how the film of an older object is joined."""
+    known = known_films().get(obj.Film)
+    if known is not None and (obj.Joining, obj.Laser) == (UNKNOWN, UNKNOWN):
+        _write_joining(obj, known)
+
+
 def protect(obj) -> None:
     """Make the values editable for Custom only."""
     show_in_editor(obj, **dict.fromkeys(VALUES, "edit" if obj.Film == CUSTOM else "show"))
@@ -149,6 +170,21 @@ def write(obj, film) -> None:
     obj.SealWidth = to_mm(film.seal_width)
     obj.Strength = kilopascals(film.max_stress or 0.0)
     obj.SealingSide = film.sealing_side or ""
+    _write_joining(obj, film)
+
+
+def _write_joining(obj, film) -> None:
+    obj.Joining, obj.OneSided, obj.Laser = _JOININGS[film.joining], film.one_side, _LASER[film.laser]
+
+
+def take_joining(obj, joining: str, one_side: bool, laser: bool | None) -> None:
+    """What a card says of these, by the core's names; what is not known there is unknown."""
+    obj.Joining, obj.OneSided, obj.Laser = _JOININGS.get(joining, UNKNOWN), one_side, _LASER[laser]
+
+
+#: What a film of the library has beyond the properties that a user may change.
+_OF_KNOWN = ("name", "max_stress", "title", "look", "grain")
+_OF_KNOWN += ("sealing_side", "joining", "one_side", "some_grades", "laser")
 
 
 def read(obj):
@@ -170,6 +206,9 @@ def read(obj):
         seal_width=metres(obj.SealWidth),
         max_stress=strength,
         sealing_side=obj.SealingSide.strip() or None,
+        joining=next(name for name, title in _JOININGS.items() if title == obj.Joining),
+        one_side=obj.OneSided,
+        laser=next(value for value, title in _LASER.items() if title == obj.Laser),
     )
     if obj.Material:
         own = replace(own, title=obj.Material)
@@ -181,10 +220,5 @@ def read(obj):
         return own
     return replace(
         own,
-        name=known.name,
-        max_stress=known.max_stress,
-        title=known.title,
-        look=known.look,
-        grain=known.grain,
-        sealing_side=known.sealing_side,
+        **{name: getattr(known, name) for name in _OF_KNOWN},
     )

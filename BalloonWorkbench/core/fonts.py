@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Fonts for what people read on paper and on film: DejaVu Sans, and for its other letters those of the system.
+"""Fonts for what people read on paper and film: DejaVu Sans, and for other letters those of the system.
 
 A text is drawn letter by letter: what is written from right to left, and marks that stand on other letters,
 cannot be shown so.
@@ -17,6 +17,7 @@ from typing import Any
 
 import numpy as np
 
+from BalloonWorkbench.core.packages import matplotlib_text
 from BalloonWorkbench.core.types import Floats, Say, in_english
 
 _EUROPE = "DejaVu Sans"  # matplotlib has it
@@ -74,12 +75,21 @@ def unshown(text: str) -> list[str]:
 
 
 def shown(text: str) -> str:
-    """A text as one line, with a sign in place of each letter that cannot be drawn. Needs matplotlib."""
-    return "".join(_UNSHOWN if _family(letter) is None else letter for letter in plain(text))
+    """A text as one line, with a sign in place of each letter that cannot be drawn, plain and bold.
+
+    Needs matplotlib.
+    """
+    letters = plain(text)
+    known = {each for each in letters if None not in (_family(each), _family(each, bold=True))}
+    return "".join(letter if letter in known else _UNSHOWN for letter in letters)
 
 
 def outlines(text: str, size: float) -> list[Floats]:
-    """Closed outlines (n, 2) of a plain text whose letters can all be drawn; fine for a large size."""
+    """Closed outlines (n, 2) of a plain text whose letters can all be drawn; fine for a large size.
+
+    Raises MissingPackageError without matplotlib.
+    """
+    matplotlib_text()
     return [np.asarray(loop) for loop in _path(text, _families(text), size).to_polygons(closed_only=True)]
 
 
@@ -118,25 +128,26 @@ def _path(text: str, families: list[str], size: float, bold: bool = False) -> An
     """A line as a Path of matplotlib, never read as mathematics."""
     from matplotlib.font_manager import FontProperties
     from matplotlib.path import Path as Lines
-    from matplotlib.textpath import text_to_path
 
+    text_to_path = matplotlib_text()
     font = FontProperties(family=families, weight="bold" if bold else "normal")
     points, codes = text_to_path.get_text_path(font, text, ismath=False)
     return Lines(np.reshape(points, (-1, 2)) * size / text_to_path.FONT_SCALE, codes)
 
 
 def _families(text: str) -> list[str]:
-    """DejaVu Sans, and what else draws the letters of a text."""
-    return list(dict.fromkeys([_EUROPE, *(_family(letter) or _EUROPE for letter in text)]))
+    """DejaVu Sans, and what else draws the letters of a text, plain and bold."""
+    found = [_family(letter, bold) for letter in text for bold in (False, True)]
+    return list(dict.fromkeys([_EUROPE, *filter(None, found)]))
 
 
 @cache
-def _family(letter: str) -> str | None:
+def _family(letter: str, bold: bool = False) -> str | None:
     """The first family that draws a letter; None for one that cannot be drawn by itself."""
     leftward = unicodedata.bidirectional(letter) in _LEFTWARD
     if leftward or unicodedata.category(letter).startswith(("M", "C")):
         return None
-    return next((family for family in _tried() if _draws(_opened(family), letter)), None)
+    return next((family for family in _tried() if _draws(family, letter, bold)), None)
 
 
 def _tried() -> Iterator[str]:
@@ -155,13 +166,20 @@ def _tried() -> Iterator[str]:
             yield family
 
 
-def _draws(font: Any, letter: str) -> bool:
-    """A font has a glyph for a letter, with outlines unless it is a blank."""
-    if not font.get_char_index(ord(letter)):
+def _draws(family: str, letter: str, bold: bool) -> bool:
+    """A family has a glyph for a letter, with outlines unless it is a blank."""
+    if ord(letter) not in _codes(family, bold):
         return False
+    font = _opened(family, bold)
     font.set_size(_TRIED, 72)
     font.load_char(ord(letter))
     return letter == " " or len(font.get_path()[0]) > 0
+
+
+@cache
+def _codes(family: str, bold: bool) -> frozenset[int]:
+    """The letters of a family."""
+    return frozenset(_opened(family, bold).get_charmap())
 
 
 def _name(letter: str) -> str:

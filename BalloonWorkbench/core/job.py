@@ -301,7 +301,7 @@ def makers(balloon: Balloon, results: str | None = None) -> dict[str, Callable[[
             for stock in sheet.stocks
         },
         "balloon.stl": lambda: stl_bytes([design.inflation for design in balloon.designs]),
-        "preview.png": lambda: preview_png(balloon.designs, balloon.patterns),
+        "preview.png": lambda: preview_png(balloon.designs, balloon.patterns, film.seam),
     }
     if results is not None:
         for number, design in enumerate(balloon.designs):

@@ -64,11 +64,12 @@ def reportlab_canvas() -> Any:
     return Canvas
 
 
-def matplotlib_fonts() -> None:
-    """Ask for matplotlib, which draws letters. Raises MissingPackageError."""
+def matplotlib_text() -> Any:
+    """What matplotlib draws letters with, its `text_to_path`. Raises MissingPackageError."""
     try:
-        import matplotlib.textpath
+        from matplotlib.textpath import text_to_path
     except ImportError as error:
         raise MissingPackageError(
             "Labels need matplotlib: install it with pip install matplotlib, or leave the label empty."
         ) from error
+    return text_to_path

@@ -15,6 +15,7 @@ from BalloonWorkbench.app.export import check_for, export_for
 from BalloonWorkbench.app.pattern import build
 from BalloonWorkbench.core.errors import ExportError
 from BalloonWorkbench.core.export.machine import FOLDER, machine
+from BalloonWorkbench.core.film.library import DEFAULT_FILM
 from BalloonWorkbench.core.pattern.pattern import Role
 
 
@@ -126,3 +127,26 @@ def test_notches_and_tab_are_in_shape_and_files(pattern, tmp_path):
     pattern.LabelText = ""
     pattern.Document.recompute()
     assert "NOTCH" not in pattern.Roles
+
+
+def test_film_that_no_laser_may_cut(pattern, tmp_path):
+    """The panel lists it as not possible, and no file is written; for any way to the pattern."""
+    balloon, document = pattern.Balloon, pattern.Document
+    balloon.Film = "Custom"
+    balloon.Laser, balloon.Joining = "Never", "Glue"
+    document.recompute()
+    try:
+        for obj in (pattern, pattern.getParentGroup()):
+            first = check_for(obj, "lightburn")[0]
+            assert first.severity == "error"
+            assert "laser" in first.text
+            with pytest.raises(ExportError, match="laser"):
+                export_for(obj, "lightburn", tmp_path)
+        assert not list(tmp_path.iterdir())
+        assert not any("laser" in finding.text for finding in check_for(pattern, "silhouette"))
+        assert any("joined by heat" in finding.text for finding in check_for(pattern, "heat-sealer"))
+    finally:
+        balloon.Film = DEFAULT_FILM
+        document.recompute()
+    assert balloon.Laser == "Unknown"
+    assert balloon.Joining == "Heat"

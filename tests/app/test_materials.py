@@ -35,6 +35,8 @@ def test_our_films_are_cards_of_freecad(balloon):
             assert getattr(taken, value) == pytest.approx(getattr(known, value), rel=1e-9)
         assert taken.max_stress == pytest.approx(known.max_stress, rel=1e-9)
         assert taken.title == names[0]
+        for value in ("joining", "one_side", "laser"):
+            assert getattr(taken, value) == getattr(known, value)
 
 
 def fits(card, known):
@@ -53,6 +55,8 @@ def test_a_material_of_freecad_keeps_the_thickness(balloon):
     assert balloon.Thickness.getValueAs("mm").Value == pytest.approx(0.04)
     assert balloon.ArealDensity == pytest.approx(1380 * 40e-6)
     assert balloon.Strength.getValueAs("MPa").Value == pytest.approx(38.8)
+    taken = film.read(balloon)
+    assert (taken.joining, taken.one_side, taken.laser) == ("", False, None)
 
 
 def test_card_survives_save_and_reopen(doc, tmp_path):

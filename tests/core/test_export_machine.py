@@ -265,3 +265,58 @@ def test_bed_in_both_units() -> None:
     assert large.severity == ERROR
     assert "700 x 710 mm (27.56 x 27.95 in)" in large.text  # with the control bar
     assert preflight(pattern_of(Contour(Role.CUT, SQUARE * 7.0, True)), machine("inkscape")) == ()
+
+
+def header_of(content: bytes) -> dict[str, list[str]]:
+    """The variables of a DXF header and the values of their groups, read line by line."""
+    lines = [line.strip() for line in content.decode("cp1252").splitlines()]
+    end = lines.index("ENDSEC")
+    found: dict[str, list[str]] = {}
+    for code, value in zip(lines[0:end:2], lines[1:end:2]):
+        if code == "9":
+            found[value] = []
+        elif found:
+            found[list(found)[-1]].append(value)
+    return found
+
+
+@pytest.mark.parametrize("name", [name for name, made_for in machines().items() if made_for.format == "dxf"])
+def test_unit_of_a_dxf_is_that_of_its_coordinates(name: str) -> None:
+    """AutoCAD's codes: 1 inches, 4 millimetres; R12 knows none. A square of 100 mm is as wide in that unit."""
+    made_for = machine(name)
+    role = Role.CUT if Role.CUT in made_for.layers else Role.SEAL
+    content = machine_file(
+        pattern_of(Contour(role, SQUARE, True)), replace(made_for, control_bar=False, overrun=0.0)
+    )
+    header = header_of(content)
+    side = {"mm": 100.0, "in": 100.0 / 25.4}[made_for.unit]
+    assert [float(value) for value in header["$EXTMAX"]] == pytest.approx([side, side, 0.0], abs=1e-5)
+    assert [float(value) for value in header["$LIMMAX"]] == pytest.approx([side, side], abs=1e-5)
+    assert header["$LUNITS"] == ["2"]
+    if made_for.version == "R12":
+        assert "$INSUNITS" not in header
+    else:
+        assert header["$INSUNITS"] == [{"mm": "4", "in": "1"}[made_for.unit]]
+        assert header["$MEASUREMENT"] == [{"mm": "1", "in": "0"}[made_for.unit]]
+
+
+def test_hpgl_repeats_no_point() -> None:
+    """Points nearer than a plotter unit of 0.025 mm are one: a plotter would dwell there, and burn or tear."""
+    turns = np.linspace(0.0, 2.0 * np.pi, 4000, endpoint=False)
+    circle = 0.005 * np.column_stack([np.cos(turns), np.sin(turns)])
+    doubled = np.repeat(SQUARE, 3, axis=0) + 1e-7 * np.arange(12)[:, None]
+    text = machine_file(
+        pattern_of(Contour(Role.CUT, circle, True), Contour(Role.CUT, doubled + 0.01, True)),
+        machine("hpgl-plotter"),
+    ).decode("ascii")
+    pen: list[tuple[int, int]] = []
+    drawn = 0
+    for command in text.replace("\n", "").split(";"):
+        numbers = [int(number) for number in command[2:].split(",")] if command[:2] in ("PU", "PD") else []
+        points = list(zip(numbers[::2], numbers[1::2]))
+        pen = points if command.startswith("PU") else pen + points
+        assert all(a != b for a, b in pairwise(pen)), command
+        if command.startswith("PD"):
+            assert len(points) <= 50
+            drawn += len(points)
+    assert drawn > 500  # the circle is still round

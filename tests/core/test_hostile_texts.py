@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A text is a text: each of its letters is drawn as a font gives it, or a sentence names those that are not."""
+"""A text is a text: each of its letters is drawn as a font gives it, or a sentence names it."""
 
 from __future__ import annotations
 
@@ -17,6 +17,7 @@ from typing import Any
 import numpy as np
 import pytest
 from drawn_shapes import NAMED
+from fontTools.ttLib import TTFont
 from hostile_texts import BLANK, LONG, PERHAPS, PLAIN, SAME, UNSHOWN
 from matplotlib import rc_context
 from matplotlib.font_manager import FontProperties, findfont
@@ -32,7 +33,6 @@ from BalloonWorkbench.core.pattern.build import build_pattern
 from BalloonWorkbench.core.pattern.label import with_label
 from BalloonWorkbench.core.pattern.pattern import Pattern, Role
 
-ttLib = pytest.importorskip("fontTools.ttLib")
 HEIGHT = 0.002  # m
 
 
@@ -64,7 +64,7 @@ def font() -> tuple[Any, dict[int, str], float]:
     """The glyphs of DejaVu Sans by another reader of fonts, their names by letter, its units in a height."""
     from fontTools.pens.boundsPen import BoundsPen
 
-    opened = ttLib.TTFont(findfont(FontProperties(family="DejaVu Sans")))
+    opened = TTFont(findfont(FontProperties(family="DejaVu Sans")))
     glyphs, names = opened.getGlyphSet(), opened.getBestCmap()
     pen = BoundsPen(glyphs)
     glyphs[names[ord("H")]].draw(pen)
@@ -179,6 +179,7 @@ NAMES = {
     "changed": (" ".join(SAME), "".join(BLANK)),
     "unshown": (" ".join(UNSHOWN), "a".join(UNSHOWN)),
     "perhaps": (" ".join(PERHAPS), PERHAPS[3]),
+    "not bold": ("sans \U0001d5a0\U0001d5a1", PLAIN[14]),
     "long": (LONG, LONG),
 }
 

@@ -21,6 +21,10 @@ MODEL = yaml.safe_load((ROOT / "resources/materials/models/Film.yml").read_text(
 UNITS = {"MPa": 1e6, "mm": 1e-3, "kg/m^2": 1.0, "kg/m^3": 1.0, "": 1.0}
 
 
+#: What is told in words.
+WORDS = ("Joining", "OneSided", "Laser")
+
+
 def in_si(text: str) -> float:
     number, _, unit = text.partition(" ")
     return float(number) * UNITS[unit]
@@ -34,8 +38,9 @@ def card_of(film: dict[str, Any]) -> dict[str, Any]:
 
 @pytest.mark.parametrize("film", FILMS, ids=lambda film: film["name"])
 def test_card_has_the_numbers_of_the_film(film: dict[str, Any]) -> None:
-    told = {name: text for name, text in card_of(film)["Models"]["Film"].items() if name != "UUID"}
-    assert told.pop("SealingSide") == film["sealing_side"]
+    known = card_of(film)["Models"]["Film"]
+    told = {name: text for name, text in known.items() if name not in (*WORDS, "SealingSide", "UUID")}
+    assert known["SealingSide"] == film["sealing_side"]
     low, high = film["young_modulus_range_Pa"]
     expected = {
         "Thickness": film["thickness_m"],
@@ -49,6 +54,14 @@ def test_card_has_the_numbers_of_the_film(film: dict[str, Any]) -> None:
         "UltimateTensileStrength": film["max_stress_Pa"],
     }
     assert {name: in_si(text) for name, text in told.items()} == pytest.approx(expected, rel=1e-9)
+
+
+@pytest.mark.parametrize("film", FILMS, ids=lambda film: film["name"])
+def test_card_says_how_the_film_is_joined(film: dict[str, Any]) -> None:
+    told = card_of(film)["Models"]["Film"]
+    assert told["Joining"] == film["joining"]
+    assert told["OneSided"] == ("yes" if film["one_side"] else "no")
+    assert told.get("Laser") == {None: None, True: "may be cut", False: "never"}[film["laser"]]
 
 
 def test_there_is_a_card_for_each_film_and_no_other() -> None:

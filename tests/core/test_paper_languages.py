@@ -113,7 +113,7 @@ def test_every_text_is_translated() -> None:
         steps(one.pattern, one.film, tight, say)
         material(one.film, one.pattern, tight, say)
     for each in (tight, lacking, carried, never):
-        figures(each, say)
+        figures(about.film, each, say)
     assert len(said) > 60
     for language in told_in.LANGUAGES:
         tell = told_in.says(language)

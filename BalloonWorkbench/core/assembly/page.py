@@ -35,8 +35,6 @@ _BAR = 50.0
 _NAMES = {
     Role.CUT: "cut",
     Role.CUT_INNER: "cut inside",
-    Role.SEAL: "weld",
-    Role.WELD: "weld inside",
     Role.NOTCH: "notch",
     Role.FOLD: "fold",
     Role.PEN: "drawn mark",
@@ -114,13 +112,13 @@ def _fill(pen: Pen, subject: Subject, size: tuple[float, float]) -> None:
         _steps(pen, told, x, steps_top)
     rows = (
         _rows(pen, material(subject.film, subject.pattern, subject.numbers, say), column),
-        _rows(pen, figures(subject.numbers, say), column),
+        _rows(pen, figures(subject.film, subject.numbers, say), column),
     )
     lists_top = steps_top + 12.0 + _LINE * max(sum(len(lines) for _, lines in each) for each in rows)
     for title, each, x in zip((say("Material"), say("Numbers")), rows, (_MARGIN, second)):
         _list(pen, title, each, x, lists_top)
     split = _MARGIN + 0.6 * (right - _MARGIN)
-    scale = _pattern(pen, subject.pattern, (_MARGIN, lists_top + 6.0, split - 4.0, top - 17.0))
+    scale = _pattern(pen, subject, (_MARGIN, lists_top + 6.0, split - 4.0, top - 17.0))
     low = lists_top + 6.0
     if has_valve(subject.pattern):
         half = low + 0.5 * (top - 17.0 - low)
@@ -140,8 +138,9 @@ def _head(pen: Pen, subject: Subject, right: float, top: float) -> None:
     pen.axes.plot([_MARGIN, right], [top - 14.6, top - 14.6], color=ACCENT, lw=1.6, solid_capstyle="butt")
 
 
-def _pattern(pen: Pen, pattern: Pattern, box: tuple[float, float, float, float]) -> float:
+def _pattern(pen: Pen, subject: Subject, box: tuple[float, float, float, float]) -> float:
     """The panel with its dimensions; returns the scale it is drawn in."""
+    pattern = subject.pattern
     axes, (left, bottom, right, top) = pen.axes, box
     pen.heading(left, top - 3.4, pen.say("Pattern, cut two (one mirrored)"), right - left)
     inside = (left + 10.0, bottom + 17.0, right, top - 7.0)
@@ -173,17 +172,19 @@ def _pattern(pen: Pen, pattern: Pattern, box: tuple[float, float, float, float])
         axes.plot([x, x], [y0 - 6.5, y0 - 1.0], color=SOFT, lw=0.4)
     for y in (y0, y1):
         axes.plot([x0 - 6.5, x0 - 1.0], [y, y], color=SOFT, lw=0.4)
-    _legend(pen, pattern, (left + 10.0, bottom + 3.0), right)
+    _legend(pen, subject, (left + 10.0, bottom + 3.0), right)
     return float(scale)
 
 
-def _legend(pen: Pen, pattern: Pattern, start: tuple[float, float], right: float) -> None:
+def _legend(pen: Pen, subject: Subject, start: tuple[float, float], right: float) -> None:
     """What the lines are; in a second row below what has no room in the first."""
     x, y = start
-    for role in pattern.roles:
-        if role not in _NAMES:
+    seam = subject.film.seam
+    names = {**_NAMES, Role.SEAL: seam, Role.WELD: f"{seam} inside"}
+    for role in subject.pattern.roles:
+        if role not in names:
             continue
-        name = pen.say(_NAMES[role])
+        name = pen.say(names[role])
         wide = pen.width(name, 7.0)
         if x + 8.5 + wide > right:
             x, y = start[0], y - 4.0

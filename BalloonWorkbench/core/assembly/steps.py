@@ -17,18 +17,19 @@ from BalloonWorkbench.core.types import Say, in_english
 from BalloonWorkbench.core.units import to_mm
 
 FILE = Path(__file__).resolve().parents[3] / "resources" / "assembly" / "steps.json"
-#: How films that are in no list are joined.
-_USUAL = "weld"
 
 
 def steps(pattern: Pattern, film: Film, numbers: Numbers, say: Say = in_english) -> list[str]:
     """What to do, a few sentences each, in order. InputError when the data file is broken."""
-    data = _data()
     kinds = [intake_kind(intake.kind) for intake in pattern.intakes]
     safe = numbers.safety.safe_pressure
     is_so = {
-        "grain": film.young_modulus_across is not None,
-        "holes": bool(pattern.of(Role.CUT_INNER)),
+        "grain": film.lies is not None,
+        "one_side": film.one_side,
+        "some_grades": film.some_grades,
+        "laser": film.laser,
+        "holes": any(not hole.front for hole in pattern.of(Role.CUT_INNER)),
+        "front_hole": any(hole.front for hole in pattern.of(Role.CUT_INNER)),
         "welds": bool(pattern.of(Role.WELD)),
         "neck": any(kind.place == RIM for kind in kinds),
         "safe": None if safe is None else safe >= numbers.safety.pressure,
@@ -42,27 +43,22 @@ def steps(pattern: Pattern, film: Film, numbers: Numbers, say: Say = in_english)
     }
     names = list(dict.fromkeys(kind.name for kind in kinds))
     found = []
-    for step in data["steps"]:
+    for step in _steps():
         if "notes" in step:
             found += [say(intake_kind(name).note) for name in names if name in step["notes"]]
         elif "intakes" in step and not set(names) & set(step["intakes"]):
             continue
-        elif _join(film) in step.get("joins", [_join(film)]) and all(
+        elif film.joining in step.get("joining", [film.joining]) and all(
             is_so[key] is step[key] for key in is_so if key in step
         ):
             found.append(say(str(step["text"]).format(**words)))
     return found
 
 
-def _join(film: Film) -> str:
-    """How the panels of a film are joined: a word of the data file."""
-    return next((join for join, names in _data()["joins"].items() if film.name in names), _USUAL)
-
-
 @cache
-def _data() -> dict[str, Any]:
+def _steps() -> list[dict[str, Any]]:
+    """A text, or intakes whose notes are said here, and under which conditions."""
     try:
-        data = read_data(FILE)
-        return {"joins": dict(data["joins"]), "steps": [dict(step) for step in data["steps"]]}
+        return [dict(step) for step in read_data(FILE)["steps"]]
     except UNUSABLE as error:
         raise InputError(f"The file {FILE.name} is of no use: {error!r}. Install it anew.") from error

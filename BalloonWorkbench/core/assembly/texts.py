@@ -9,6 +9,7 @@ from collections.abc import Callable
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.fonts import WIDE
 from BalloonWorkbench.core.maker.numbers import Numbers
+from BalloonWorkbench.core.maker.safety import WELD
 from BalloonWorkbench.core.pattern.intake_kinds import intake_kind
 from BalloonWorkbench.core.pattern.pattern import Pattern
 from BalloonWorkbench.core.types import Say, in_english
@@ -35,7 +36,7 @@ def material(film: Film, pattern: Pattern, numbers: Numbers, say: Say = in_engli
         width, length = numbers.roll
         found.append((say("Needed"), say(f"{length:.2f} m of a roll {to_mm(width):.0f} mm wide")))
     wide = to_mm(pattern.seal_width)
-    found.append((say("Weld"), say(f"{wide:.3g} mm wide, {numbers.seam_length:.2f} m long")))
+    found.append((say(film.seam.capitalize()), say(f"{wide:.3g} mm wide, {numbers.seam_length:.2f} m long")))
     intakes = pattern.intakes
     if intakes:
         kind = intake_kind(intakes[0].kind)
@@ -45,7 +46,7 @@ def material(film: Film, pattern: Pattern, numbers: Numbers, say: Say = in_engli
     return found
 
 
-def figures(numbers: Numbers, say: Say = in_english) -> list[tuple[str, str]]:
+def figures(film: Film, numbers: Numbers, say: Say = in_english) -> list[tuple[str, str]]:
     """What it takes and bears: names and values."""
     safe, weight = numbers.safety, f"{to_grams(numbers.weight):.3g} g"
     if numbers.valve:
@@ -56,7 +57,8 @@ def figures(numbers: Numbers, say: Say = in_english) -> list[tuple[str, str]]:
         (say("Pressure"), f"{1e-3 * safe.pressure:.3g} kPa"),
     ]
     if safe.safe_pressure is not None:
-        bears = say(f"{1e-3 * safe.safe_pressure:.3g} kPa ({safe.weakest}, margin {safe.margin:g})")
+        weakest = film.seam if safe.weakest == WELD else safe.weakest
+        bears = say(f"{1e-3 * safe.safe_pressure:.3g} kPa ({weakest}, margin {safe.margin:g})")
         found.append((say("Safe to"), bears))
     one = numbers.floating[0]
     gas = say(f"{1e3 * one.gas_needed:.3g} litres")

@@ -13,7 +13,8 @@ from BalloonWorkbench.core.export.machine_hpgl import drawing_hpgl
 from BalloonWorkbench.core.export.machine_lightburn import drawing_lightburn
 from BalloonWorkbench.core.export.machine_pdf import drawing_pdf, tiled_pdf
 from BalloonWorkbench.core.export.machine_svg import drawing_svg
-from BalloonWorkbench.core.export.preflight import ERROR, preflight
+from BalloonWorkbench.core.export.preflight import ERROR, Finding, film_preflight, preflight
+from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.pattern.pattern import Pattern
 from BalloonWorkbench.core.types import Say, in_english
 
@@ -43,6 +44,25 @@ def drawing_file(
             f"{machine.title} reads {machine.format.upper()}, which has no pages: choose paper."
         )
     return tiled_pdf(drawing, machine, tiled, say)
+
+
+def machines_for(film: Film, chosen: Sequence[Machine]) -> tuple[list[Machine], tuple[str, ...]]:
+    """Those of several machines that a film bears, and what is doubtful, a sentence each.
+
+    Raises ExportError where it bears none of them.
+    """
+    borne: list[Machine] = []
+    doubts: list[str] = []
+    refused: list[ExportError] = []
+    for machine in chosen:
+        try:
+            doubts += _doubts(film_preflight(film, machine), machine)
+            borne.append(machine)
+        except ExportError as error:
+            refused.append(error)
+    if refused and not borne:
+        raise ExportError(" ".join(map(str, refused)))
+    return borne, (*doubts, *map(str, refused))
 
 
 def checked_files(
@@ -79,10 +99,7 @@ def _files(pattern: Pattern, machine: Machine) -> tuple[dict[str, bytes], list[s
     doubts: list[str] = []
     for stock in pattern.stocks:
         part = pattern.of_stock(stock)
-        for finding in preflight(part, machine):
-            if finding.severity == ERROR:
-                raise ExportError(f"No file for {machine.title}: {finding.text}")
-            doubts.append(finding.text)
+        doubts += _doubts(preflight(part, machine), machine)
         contents[file_of_stock(machine.file_name, stock)] = machine_file(part, machine)
     return contents, doubts
 
@@ -93,3 +110,11 @@ def file_of_stock(name: str, stock: str) -> str:
         return name
     stem, _, ending = name.rpartition(".")
     return f"{stem}-{stock}.{ending}"
+
+
+def _doubts(findings: Sequence[Finding], machine: Machine) -> list[str]:
+    """The sentences of findings; ExportError for one that leaves no file."""
+    for finding in findings:
+        if finding.severity == ERROR:
+            raise ExportError(f"No file for {machine.title}: {finding.text}")
+    return [finding.text for finding in findings]

@@ -30,6 +30,8 @@ LINE_TYPES = ("CONTINUOUS", "DASHED")
 #: After so many offsets a knife that came down turned by 150 degrees is 8 degrees off: the tangent of half
 #: the angle falls by e for each.
 _SWING = 4.0
+#: What a machine does to the film that not every film takes; "" where nothing is known of it.
+PROCESSES = ("", "laser", "heat-sealing")
 _LAYER_NAME = re.compile(r"[A-Z0-9_$-]{1,31}")
 _FILE_NAME = re.compile(r"[\w .-]{0,60}")
 _COLOUR = re.compile(r"#[0-9a-f]{6}")
@@ -62,6 +64,7 @@ class Machine:
                closed cut and overrun of a closed weld past its start; least_radius and least_gap that it
                can follow [m]
     control_bar  a bar of 100 mm on the layer REGISTRATION
+    process    one of PROCESSES
     file       name of its file without the ending, where it is not made from the machine's
     remarks    on the machine's file, a sentence each
     """
@@ -84,6 +87,7 @@ class Machine:
     control_bar: bool
     file: str = ""
     tolerance: float = TOLERANCE
+    process: str = ""
     remarks: tuple[str, ...] = ()
 
     @property
@@ -182,7 +186,7 @@ _PROJECT_LAYERS = 32
 _KEYS = {
     "name", "title", "note", "format", "version", "unit", "arcs", "bed_mm", "kerf_mm", "knife_offset_mm",
     "overcut_mm", "overrun_mm", "control_bar", "file", "tolerance_mm", "least_radius_mm", "least_gap_mm",
-    "layers",
+    "layers", "process",
 }  # fmt: skip
 
 
@@ -213,6 +217,7 @@ def _machine_of(data: dict[str, Any]) -> Machine:
         control_bar=_truth(data["control_bar"], "control_bar"),
         file=str(data.get("file", "")),
         tolerance=_length(data.get("tolerance_mm", to_mm(TOLERANCE)), "tolerance_mm", 0.005, 0.5),
+        process=_one_of(data.get("process", ""), PROCESSES, "process"),
         remarks=(_OLDER.format(data["name"]),) if _MARK in data["layers"] else (),
     )
     if not _FILE_NAME.fullmatch(found.file):

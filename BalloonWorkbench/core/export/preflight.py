@@ -12,6 +12,7 @@ import numpy as np
 from BalloonWorkbench.core.export.drawing import BAR, BAR_ROOM, fitted
 from BalloonWorkbench.core.export.machine import Machine
 from BalloonWorkbench.core.export.order import CUTS
+from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.pattern.arcs import TOLERANCE, fit_curve
 from BalloonWorkbench.core.pattern.curves import polyline
@@ -55,6 +56,17 @@ def preflight(pattern: Pattern, machine: Machine) -> tuple[Finding, ...]:
     findings += _size(pattern, machine)
     findings += [Finding(WARNING, remark) for remark in machine.remarks]
     return tuple(sorted(findings, key=lambda finding: finding.severity != ERROR))
+
+
+def film_preflight(film: Film, machine: Machine) -> tuple[Finding, ...]:
+    """What a machine does that a film does not take."""
+    name = film.title or film.name
+    if machine.process == "laser" and film.laser is False:
+        told = "must never be cut with a laser: choose a machine with a knife."
+        return (Finding(ERROR, f"{name} {told}"),)
+    if machine.process == "heat-sealing" and film.joining not in ("", "heat"):
+        return (Finding(WARNING, f"{name} is not joined by heat: {machine.title} is not made for it."),)
+    return ()
 
 
 def _closed(contours: list[Contour]) -> list[Finding]:

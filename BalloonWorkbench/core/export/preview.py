@@ -32,8 +32,6 @@ _IN_A_ROW = 3
 _NAMES = {
     Role.CUT: "cut",
     Role.CUT_INNER: "cut inside",
-    Role.SEAL: "weld",
-    Role.WELD: "weld inside",
     Role.NOTCH: "notches",
     Role.FOLD: "fold",
     Role.PEN: "drawn",
@@ -43,9 +41,10 @@ _NAMES = {
 }
 
 
-def preview_png(designs: Sequence[Design], patterns: Sequence[Pattern]) -> bytes:
+def preview_png(designs: Sequence[Design], patterns: Sequence[Pattern], seam: str = "weld") -> bytes:
     """A PNG of 1800 x 1000 pixels of all balloons of a drawing; same bytes for same input.
 
+    seam  what the film's seam is called
     MissingPackageError without matplotlib.
     """
     try:
@@ -65,7 +64,7 @@ def preview_png(designs: Sequence[Design], patterns: Sequence[Pattern]) -> bytes
         third = second + _MIDDLE + _GAP
         _drawing(_card(figure, _MARGIN, _MARGIN + half + _GAP, _LEFT, half, "Drawing"), designs)
         _silhouette(_card(figure, _MARGIN, _MARGIN, _LEFT, half, "Inflated over the drawing"), designs)
-        _pattern(_card(figure, second, _MARGIN, _MIDDLE, tall, "Pattern, cut two"), patterns)
+        _pattern(_card(figure, second, _MARGIN, _MIDDLE, tall, "Pattern, cut two"), patterns, seam)
         title = "Balloon" if len(designs) == 1 else f"{len(designs)} balloons"
         _balloon(_card(figure, third, _MARGIN, _WIDTH - _MARGIN - third, tall, title), designs, patterns)
         stream = io.BytesIO()
@@ -167,7 +166,8 @@ def _silhouette(axes: Any, designs: Sequence[Design]) -> None:
     )
 
 
-def _pattern(axes: Any, patterns: Sequence[Pattern]) -> None:
+def _pattern(axes: Any, patterns: Sequence[Pattern], seam: str) -> None:
+    names = {**_NAMES, Role.SEAL: seam, Role.WELD: f"{seam} inside"}
     pattern = on_one_sheet(patterns)
     sheet = draw(pattern, read_machine(FOLDER / f"{ANY['svg']}.json"))
     frame = _Frame(np.zeros(2), np.array([sheet.width, sheet.height]), _box(axes, 74, 150, 40, 84))
@@ -193,13 +193,13 @@ def _pattern(axes: Any, patterns: Sequence[Pattern]) -> None:
         if number and number % _IN_A_ROW == 0:  # beside the scale bar there is room for so many
             left, height = 24, height + 24
         axes.plot([left, left + 24], [height, height], color=LAYERS[role].rgb, lw=2.0)
-        axes.text(left + 32, height, _NAMES[role], color=_SOFT, fontsize=11, va="center")
-        left += 60 + 8 * len(_NAMES[role])
+        axes.text(left + 32, height, names[role], color=_SOFT, fontsize=11, va="center")
+        left += 60 + 8 * len(names[role])
     widths = [part.intake.width for part in patterns if part.intake is not None]
     neck = f"intake {to_mm(max(widths)):.0f} mm wide inside" if widths else "no intake"
     _caption(
         axes,
-        f"weld {to_mm(pattern.seal_width):.2g} mm wide, {to_mm(pattern.seam_length):.0f} mm long, {neck}",
+        f"{seam} {to_mm(pattern.seal_width):.2g} mm wide, {to_mm(pattern.seam_length):.0f} mm long, {neck}",
     )
 
 

@@ -8,6 +8,15 @@ from dataclasses import dataclass
 #: Metallic; see-through and shiny; fibres; without any shine.
 LOOKS = ("foil", "clear", "paper", "matt")
 
+#: How panels are joined, "" where nobody knows, and what people call the line along which they are.
+JOININGS = {
+    "": "seam",
+    "heat": "weld",
+    "high-frequency": "weld",
+    "glue": "glued seam",
+    "tape": "taped seam",
+}
+
 
 #: The sealing side of a film that does not weld.
 NO_WELD = "none"
@@ -30,6 +39,9 @@ class Film:
     sealing_side  polymer of the side that is welded, such as "PE": films weld where it is the same; NO_WELD
            where nothing welds to it, None where it is not known
     title  what people read; note and sources tell where it fits and where its numbers come from
+    joining      how panels are joined, a key of JOININGS; one_side: with one of its sides only
+    some_grades  those with a sealing layer can be joined so, plain film cannot
+    laser        whether a laser may cut it, None where nobody knows
 
     Isotropic unless young_modulus_across is given: then young_modulus is that along the grain, which runs at
     grain_angle from the x axis of the drawing, and poisson_ratio the contraction across under tension along.
@@ -52,11 +64,20 @@ class Film:
     look: Look = Look()
     sealing_side: str | None = None
     grain: bool = False
+    joining: str = ""
+    one_side: bool = False
+    some_grades: bool = False
+    laser: bool | None = None
 
     @property
     def lies(self) -> float | None:
         """Direction of the grain in the drawing [rad], None for a film without one."""
         return self.grain_angle if self.grain or self.young_modulus_across is not None else None
+
+    @property
+    def seam(self) -> str:
+        """What people call the line along which two panels are joined."""
+        return JOININGS[self.joining]
 
     @property
     def membrane_stiffness(self) -> float:

@@ -12,7 +12,7 @@ from typing import Any
 
 from BalloonWorkbench.core.data_file import UNUSABLE, read_data
 from BalloonWorkbench.core.errors import InputError
-from BalloonWorkbench.core.film.film import LOOKS, Film, Look
+from BalloonWorkbench.core.film.film import JOININGS, LOOKS, Film, Look
 
 FOLDER = Path(__file__).resolve().parents[3] / "resources" / "films"
 DEFAULT_FILM = "mylar"
@@ -114,7 +114,11 @@ def _film_of(data: dict[str, Any]) -> Film:
         title=str(data["title"]),
         look=_look(**data["look"]),
         sealing_side=_sealing_side(data.get("sealing_side")),
-        grain=_grain(data.get("grain", False)),
+        grain=_truth(data, "grain", False),
+        joining=_joining(data.get("joining", "")),
+        one_side=_truth(data, "one_side", False),
+        some_grades=_truth(data, "some_grades", False),
+        laser=_truth(data, "laser", None),
         note=str(data["note"]),
         sources=tuple(str(source) for source in data["sources"]),
     )
@@ -126,18 +130,25 @@ def _sealing_side(value: object) -> str | None:
     return value
 
 
-def _grain(value: object) -> bool:
-    if not isinstance(value, bool):
-        raise InputError(f"grain is {value!r}: write true or false.")
-    return value
-
-
 def _look(kind: str, colour: str, opacity: float) -> Look:
     if kind not in LOOKS:
         raise InputError(f'There is no look "{kind}": choose one of {", ".join(LOOKS)}.')
     if not re.fullmatch("#[0-9a-f]{6}", colour):
         raise InputError(f'"{colour}" is no colour: give one such as "#cc294d".')
     return Look(kind, colour, _within(opacity, 0.05, 1.0, "opacity", "", "1"))
+
+
+def _joining(way: object) -> str:
+    if way not in JOININGS:
+        raise InputError(f'There is no joining "{way}": choose one of {", ".join(filter(None, JOININGS))}.')
+    return str(way)
+
+
+def _truth(data: dict[str, Any], key: str, unknown: bool | None) -> Any:
+    value = data.get(key, unknown)
+    if value is not unknown and not isinstance(value, bool):
+        raise InputError(f"{key} is {value!r}: write true or false.")
+    return value
 
 
 def _thickness(value: float) -> float:

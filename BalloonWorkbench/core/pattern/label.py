@@ -9,7 +9,7 @@ import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.fonts import outlines, plain, unshown
-from BalloonWorkbench.core.packages import matplotlib_fonts, shapely
+from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
 from BalloonWorkbench.core.pattern.shapes import closed_loop
 from BalloonWorkbench.core.types import Floats
@@ -69,13 +69,12 @@ def _box(letters: list[Floats]) -> tuple[Floats, Floats]:
 
 def _letters(text: str, height: float) -> list[Floats]:
     """Closed outlines (n, 2) m of a text whose capitals are so high."""
-    matplotlib_fonts()
-    names = unshown(text)
+    scale = height / float(np.ptp(np.concatenate(outlines("H", _FINE)), axis=0)[1])
+    names = ", ".join(unshown(text))
     if names:
         raise InputError(
-            f"With the fonts of this computer {', '.join(names)} cannot be drawn, letter by letter from left to"
-            " right: leave that out of the label, or install a font that has it."
+            f"With the fonts of this computer {names} cannot be drawn, letter by letter from left to right:"
+            " leave that out of the label, or install a font that has it and start again."
         )
-    scale = height / float(np.ptp(np.concatenate(outlines("H", _FINE)), axis=0)[1])
     rings = [shapely().LinearRing(loop * scale) for loop in outlines(text, _FINE)]
     return [closed_loop(ring, bool(ring.is_ccw)) for ring in rings]

@@ -79,7 +79,7 @@ class ExportPanel(Panel):
     def show_pattern(self, _index: int = 0) -> None:
         pattern = self.pattern()
         self.size.setText(
-            translate("{}, weld {}").format(
+            translate("{}, seam {}").format(
                 size_text(pattern.PatternWidth.Value, pattern.PatternHeight.Value),
                 length_text(pattern.SeamLength.Value),
             )

@@ -5,9 +5,10 @@ from __future__ import annotations
 
 from functools import partial
 
-from BalloonWorkbench.app import maker, status
+from BalloonWorkbench.app import film, maker, status
 from BalloonWorkbench.app.quantities import cubic_millimetres
 from BalloonWorkbench.core.errors import BalloonError
+from BalloonWorkbench.core.maker.safety import WELD
 from BalloonWorkbench.core.units import to_grams, to_mm
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.sentences import tell
@@ -24,6 +25,7 @@ class MakerRows:
     def __init__(self, form, short: bool = False):
         self._form, self._short = form, short
         self._wanted: Worker | None = None
+        self._seam = ""  # what the film's seam is called
 
     def show(self, parts) -> None:
         """What it takes and whether it floats; nothing while something is not up to date."""
@@ -32,6 +34,7 @@ class MakerRows:
             return
         try:
             count = maker.counting(parts, exact=False)
+            self._seam = film.read(parts.balloon).seam
         except BalloonError:
             return
         worker = self._wanted = Worker(_Counting(count))
@@ -52,7 +55,7 @@ class MakerRows:
             if fault := worker.fault():
                 self._form.addRow(value_label(tell(fault)))
             return
-        for name, text in _rows(worker.design, self._short):
+        for name, text in _rows(worker.design, self._short, self._seam):
             self._form.addRow(name, value_label(text))
 
 
@@ -74,12 +77,12 @@ def value_label(text: str):
     return label
 
 
-def _rows(numbers, short: bool) -> list[tuple[str, str]]:
+def _rows(numbers, short: bool, seam: str) -> list[tuple[str, str]]:
     found = [
         (translate("Film needed"), _film(numbers), True),
-        (translate("Weld length"), length_text(to_mm(numbers.seam_length), 3), False),
+        (translate("Seam length"), length_text(to_mm(numbers.seam_length), 3), False),
         (translate("Weight"), _weight(numbers), False),
-        (translate("Safe pressure"), _strength(numbers), True),
+        (translate("Safe pressure"), _strength(numbers, seam), True),
         (translate("Gas"), _gas(numbers), False),
         (translate("Will it float?"), tell(numbers.sentence()), True),
     ]
@@ -94,20 +97,21 @@ def _film(numbers) -> str:
 
 
 def _weight(numbers) -> str:
-    told = translate("{:.3g} g: film {:.3g}, weld and neck {:.2g}, valve {:.2g}")
+    told = translate("{:.3g} g: film {:.3g}, seam and neck {:.2g}, valve {:.2g}")
     parts = (numbers.weight, numbers.inner, numbers.border, numbers.valve)
     return told.format(*map(to_grams, parts))
 
 
-def _strength(numbers) -> str:
+def _strength(numbers, seam: str) -> str:
     safe = numbers.safety
+    weakest = tell(seam if safe.weakest == WELD else safe.weakest)
     if safe.safe_pressure is None:
         return translate("unknown: this film has no strength")
     if safe.safe_pressure < safe.pressure:
         told = translate("less than its {} with a margin of {:g} ({})")
-        return told.format(pressure_text(safe.pressure), safe.margin, tell(safe.weakest))
+        return told.format(pressure_text(safe.pressure), safe.margin, weakest)
     told = translate("{}, margin {:g} ({})")
-    return told.format(pressure_text(safe.safe_pressure), safe.margin, tell(safe.weakest))
+    return told.format(pressure_text(safe.safe_pressure), safe.margin, weakest)
 
 
 def _gas(numbers) -> str:
