@@ -15,8 +15,6 @@ GRAINS = {"Along": "along", "Across": "across", "Any": "any"}
 #: What is laid out, and the name of its film in the core.
 FILMS = {"Balloon film": "", "Valve film": "valve"}
 CHOICES = {"Grain": list(GRAINS), "Film": list(FILMS)}
-#: The valve's pieces were here before they had a film of their own.
-_OLDER = "The layout of {} is older than its patterns: recompute it."
 
 PROPERTIES = (
     Property("LinkList", "Patterns", "Film", "The patterns that are laid out"),
@@ -86,7 +84,7 @@ class FilmSheetProxy(DocumentProxy):
         """All pieces of the sheet that is shown, as one pattern."""
         pieces, stock = _chosen(obj, _by_film(obj)), _stock(obj)
         if _label(pieces, stock) != obj.LaidOutFor:
-            raise InputError(_OLDER.format(obj.Label))
+            raise InputError(f"The layout of {obj.Label} is older than its patterns: recompute it.")
         return _layout(obj, stock, pieces).pattern(pieces)
 
 
@@ -137,17 +135,15 @@ def _chosen(obj, parted) -> list:
     """The pieces that are laid out, of those by film. InputError where the patterns have none of it."""
     found = parted.get(FILMS[obj.Film], [])
     if not found:
-        raise InputError(f"No pattern here has pieces of {obj.Film.lower()}: choose another film.")
+        raise InputError(f'No pattern here has pieces of "{obj.Film}": choose another film.')
     return found
 
 
 def _left_out(obj, parted) -> list[str]:
     """What to say about pieces of valves while the balloons' film is laid out."""
-    return [
-        f"Pieces of {title.lower()} are not here: lay them out on a sheet of their own."
-        for title, name in FILMS.items()
-        if name and title != obj.Film and name in parted
-    ]
+    if FILMS[obj.Film] or len(parted) == 1:
+        return []
+    return ['The strips of valves are not here: lay them out on a sheet of their own, with "Valve film".']
 
 
 def _by_film(obj) -> dict:

@@ -163,7 +163,7 @@ def test_strips_longer_than_the_balloon_are_told() -> None:
     strip = corners_of((0.0, 0.0), (0.3, 0.0), (0.3, 0.045), (0.0, 0.045))
     found = build_pattern(strip, SEAL, intake_kind="film-valve", intake_along=0.19, intake_length=0.040)
     (text,) = [text for text in found.warnings if "valve" in text]
-    assert "reaches" in text
+    assert "reaches 60 mm" in text
     across = build_pattern(strip, SEAL, intake_kind="film-valve", intake_angle=0.0)
     assert not [text for text in across.warnings if "valve" in text]
 

@@ -83,8 +83,10 @@ def test_kinds_and_values_in_the_panel(opened):
     pattern = opened.pattern
     hands.choose(hands.find("IntakeKind"), "Self-sealing film valve")
     assert "does not weld" in hands.message()
+    hands.choose(hands.find("IntakeKind"), "Straw neck")
     opened.balloon.Film = "nylon-foil"
     pattern.Document.recompute()
+    hands.choose(hands.find("IntakeKind"), "Self-sealing film valve")
     assert pattern.IntakeWidth.Value == 24
     assert "strips" in hands.find("HowToFill").text()
     assert pattern.Roles.count("CUT") == 1 + 2

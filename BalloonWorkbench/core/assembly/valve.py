@@ -19,12 +19,6 @@ _STRIP, _INKED = "#cfe8df", "#8fb8a8"
 _BESIDE = 8.0
 #: Lines of the legend below [mm].
 _LINE = 4.2
-_ORDER = (
-    "Ink, or a slip of baking paper",
-    "Strips welded together",
-    "Tacked to one panel",
-    "Welded across, last",
-)
 
 
 def has_valve(pattern: Pattern) -> bool:
@@ -42,7 +36,13 @@ def draw_valve(pen: Pen, pattern: Pattern, box: tuple[float, float, float, float
     pieces = strips(intake, pattern.seal_width)
     ends = np.concatenate([_beside_axis(line.points, intake) for piece in pieces for line in piece])
     low, high = ends.min(axis=0) - _BESIDE, ends.max(axis=0) + _BESIDE
-    legend = _LINE * len(_ORDER) + 2.0
+    order = (
+        pen.say("Ink, or a slip of baking paper"),
+        pen.say("Strips welded together"),
+        pen.say("Tacked to one panel"),
+        pen.say("Welded across, last"),
+    )
+    legend = _LINE * len(order) + 2.0
     room = np.array([right - left, top - 7.0 - bottom - legend])
     scale = float(np.min(room / (high - low)))
     middle = np.array([0.5 * (left + right), bottom + legend + 0.5 * room[1]])
@@ -60,7 +60,7 @@ def draw_valve(pen: Pen, pattern: Pattern, box: tuple[float, float, float, float
             colour = _STRIP if contour.role is Role.CUT and number == 0 else None
             inked = contour.role is Role.PEN and contour.closed
             _line(pen.axes, contour, place, window, _INKED if inked else colour)
-    _steps(pen, pieces, place, (left, bottom + legend - 2.0 - 0.7 * _LINE))
+    _steps(pen, pieces, place, order, (left, bottom + legend - 2.0 - 0.7 * _LINE, right))
 
 
 def _beside_axis(points: Floats, intake: Intake) -> Floats:
@@ -82,9 +82,13 @@ def _line(axes: Any, contour: Contour, place: Any, window: Any, filled: str | No
 
 
 def _steps(
-    pen: Pen, pieces: tuple[tuple[Contour, ...], ...], place: Any, legend: tuple[float, float]
+    pen: Pen,
+    pieces: tuple[tuple[Contour, ...], ...],
+    place: Any,
+    order: tuple[str, ...],
+    legend: tuple[float, float, float],
 ) -> None:
-    """A letter at each place of the work, and below what it means."""
+    """A letter at each place of the work, and below what it means: x and y of the first line, last x."""
     drawn = [line for piece in pieces for line in piece if line.role is Role.PEN]
     field = place(next(line.points for line in drawn if line.closed))
     across = place(next(line.points for line in drawn if not line.closed))
@@ -99,10 +103,10 @@ def _steps(
         across[int(np.argmin(across[:, 1]))] - np.array([0.0, 1.0]),
     )
     look: dict[str, Any] = {"ha": "center", "va": "center", "color": "white", "fontweight": "bold"}
-    x, y = legend
-    for letter, at, text in zip("ABCD", places, _ORDER, strict=True):
+    x, y, right = legend
+    for letter, at, text in zip("ABCD", places, order, strict=True):
         for spot in (at, np.array([x + 1.5, y])):
             pen.axes.plot(*spot, marker="o", ms=7.5, color=ACCENT, mew=0.0)
             pen.text(float(spot[0]), float(spot[1]), letter, 6.0, **look)
-        pen.text(x + 5.0, y, pen.say(text), 7.0, va="center", color=SOFT)
+        pen.text(x + 5.0, y, text, 7.0, right - x - 5.0, va="center", color=SOFT)
         y -= _LINE

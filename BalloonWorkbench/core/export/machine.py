@@ -176,10 +176,6 @@ def read_machine(path: Path) -> Machine:
 #: Files made before notches, folds and drawn marks had layers of their own have one for all of them. It may
 #: be one that is cut, and a fold goes across the neck: only notches are written there.
 _MARK, _NOTCH = "MARK", Role.NOTCH.value
-_OLDER = (
-    "The layer MARK of the machine file {}.json now takes notches only. Rename it NOTCH, and where your"
-    " machine can draw, add the layers FOLD and PEN."
-)
 #: LightBurn knows so many.
 _PROJECT_LAYERS = 32
 
@@ -218,7 +214,7 @@ def _machine_of(data: dict[str, Any]) -> Machine:
         file=str(data.get("file", "")),
         tolerance=_length(data.get("tolerance_mm", to_mm(TOLERANCE)), "tolerance_mm", 0.005, 0.5),
         process=_one_of(data.get("process", ""), PROCESSES, "process"),
-        remarks=(_OLDER.format(data["name"]),) if _MARK in data["layers"] else (),
+        remarks=_remarks(data),
     )
     if not _FILE_NAME.fullmatch(found.file):
         raise InputError(f'the file name "{found.file}" may have letters, digits, spaces, _, - and . only.')
@@ -229,6 +225,16 @@ def _machine_of(data: dict[str, Any]) -> Machine:
     if kind == "hpgl" and found.arcs:
         raise InputError('HPGL is written as polylines: give "arcs": false.')
     return found
+
+
+def _remarks(data: dict[str, Any]) -> tuple[str, ...]:
+    """What to say about a machine's file that may be used as it is."""
+    if _MARK not in data["layers"]:
+        return ()
+    return (
+        f"The layer MARK of the machine file {data['name']}.json takes notches only. Rename it NOTCH, and"
+        " where your machine can draw, add the layers FOLD and PEN.",
+    )
 
 
 def _layers(data: dict[str, dict[str, Any]]) -> dict[Role, Line]:

@@ -59,7 +59,7 @@ def closed_channel(intake: Intake, free: Any, seal_width: float) -> str | None:
     at = place_text(intake.at + places[worst] * axis)
     if room[worst] == 0.0:
         return (
-            f"The valve reaches {mm_text(-float(places[-1]))} into the balloon, past the weld at {at}: put"
+            f"The valve reaches {mm_text(-float(along.min()))} into the balloon, past the weld at {at}: put"
             " the intake where the balloon is longer, or take another one."
         )
     return (
