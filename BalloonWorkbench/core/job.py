@@ -173,7 +173,7 @@ def make_balloon(
             numbers.valve,
         )
         of_part["maker"] = told_numbers(numbers)
-        told.append(of_part | advice_report(advise_design(design, settings.film)))
+        told.append(of_part | advice_report(advise_design(design, settings.film, wanted=settings.wanted)))
     sheet = on_one_sheet([sheet_of(part.pattern, settings.wanted) for part in made])
     return Balloon(drawing, settings, tuple(made), report.together(told, drawing, sheet))
 
