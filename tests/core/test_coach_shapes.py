@@ -81,8 +81,10 @@ def sound(outline: Outline, advice: Advice) -> None:
 
 
 def mended(outline: Outline, advice: Advice) -> Outline:
-    """The shape after repairs in turn, the worst of each rule (`make fuzz`: all); each that is offered can be made, and made twice it is refused
-    or gives a shape once more."""
+    """The shape after repairs in turn, the worst of each rule (`make fuzz`: all).
+
+    Each that is offered can be made; made twice it is refused or gives a shape once more.
+    """
     all_made = outline
     first = {finding.rule: finding for finding in reversed(advice.findings)}
     for finding in advice.findings if COUNT > 10 else first.values():
