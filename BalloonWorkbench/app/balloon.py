@@ -236,7 +236,7 @@ def describe(wanted, design) -> dict:
         source = replace(source, outline=design.target)
     plain = build_pattern(design.pattern, settings.film.seal_width, intake=False)
     told = report.build(source, settings.film, design, plain, settings.volume, goal=settings.goal)
-    told |= advice.told(design, settings.film)
+    told |= advice.told(design, settings.film, settings.wanted)
     size_goal.prepare(design.pattern, settings.film, settings.wanted)
     del told["pattern"], told["lift"]  # the Pattern object, and the properties, have their own
     return told

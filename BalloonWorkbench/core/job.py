@@ -197,7 +197,9 @@ def _report(balloon: Balloon, file: str, kind: str) -> dict[str, Any]:
             part.numbers.valve,
         )
         of_part["maker"] = told_numbers(part.numbers)
-        told.append(of_part | advice_report(advise_design(part.design, settings.film)))
+        told.append(
+            of_part | advice_report(advise_design(part.design, settings.film, wanted=settings.wanted))
+        )
     return report.together(told, balloon.drawing, balloon.sheet)
 
 

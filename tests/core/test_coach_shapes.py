@@ -30,7 +30,7 @@ from BalloonWorkbench.core.outline.loops import check
 from BalloonWorkbench.core.outline.outline import Outline
 
 FILM = film("mylar")
-COUNT = int(os.environ.get("BALLOON_COACHED", "2"))
+COUNT = int(os.environ.get("BALLOON_COACHED", "1"))
 #: Each pair of a number of holes, of arms, with and without a neck and a notch, in as few shapes.
 PAIRS = [(holes, arms, (holes + arms // 2) % 2 == 0, holes % 4 < 2) for holes in range(5) for arms in (0, 2)]
 ALL = list(product(range(5), range(3), (False, True), (False, True)))
@@ -81,10 +81,13 @@ def sound(outline: Outline, advice: Advice) -> None:
 
 
 def mended(outline: Outline, advice: Advice) -> Outline:
-    """The shape after all repairs in turn; each that is offered can be made, and made twice it is refused
-    or gives a shape once more."""
+    """The shape after repairs in turn, the worst of each rule (`make fuzz`: all).
+
+    Each that is offered can be made; made twice it is refused or gives a shape once more.
+    """
     all_made = outline
-    for finding in advice.findings:
+    first = {finding.rule: finding for finding in reversed(advice.findings)}
+    for finding in advice.findings if COUNT > 10 else first.values():
         if finding.repair is None:
             continue
         assert repair_text(finding.repair)
