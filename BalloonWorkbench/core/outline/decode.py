@@ -112,7 +112,8 @@ def _jpeg_size(head: bytes) -> tuple[int, int] | None:
 def decode(path: Path) -> NDArray[np.uint8]:
     """Pixels (h, w, 4) of a picture file as red, green, blue, alpha, upright; by OpenCV.
 
-    16-bit and grey pictures come as 8-bit colours, a very large JPEG at half its size. MissingPackageError without OpenCV, PictureError for a
+    16-bit and grey pictures come as 8-bit colours, a very large JPEG at half its size. MissingPackageError
+    without OpenCV, PictureError for a
     file that it cannot unpack.
     """
     cv2 = opencv()
