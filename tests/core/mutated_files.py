@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Valid files that something happened to: cut short, bits turned, numbers and names exchanged, parts repeated."""
+"""Valid files that something happened to: cut short, bits turned, numbers exchanged, parts repeated."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Reads files one after the other in a process of its own, and writes down what came of it, when and how large.
+"""Reads files one after the other in a process of its own, and writes down what that took.
 
 As a program: FIRST STOP reads the files of `mutated_files` with these numbers, NAME those of `too_much`.
 """
@@ -32,6 +32,11 @@ def outcomes(*words: str) -> list[dict[str, Any]]:
     return done
 
 
+def _say(what: dict[str, Any]) -> None:
+    sys.stdout.write(json.dumps(what) + "\n")
+    sys.stdout.flush()
+
+
 def _peak(reset: bool = False) -> float:
     """Most memory that this process had since the last reset [MB]."""
     if reset:
@@ -46,7 +51,7 @@ def _read(name: str, path: Path) -> dict[str, Any]:
     from BalloonWorkbench.core.errors import BalloonError
     from BalloonWorkbench.core.outline.read import read_drawing
 
-    print(json.dumps({"begin": name}), flush=True)
+    _say({"begin": name})
     used = resource.getrusage(resource.RUSAGE_SELF)
     limit = int(used.ru_utime + used.ru_stime + 2 * SECONDS) + 1
     resource.setrlimit(resource.RLIMIT_CPU, (limit, resource.RLIM_INFINITY))
@@ -74,7 +79,7 @@ def _main(words: list[str]) -> None:
         if len(words) == 1:
             import too_much
 
-            cases = [(words[0], lambda: too_much.FILES[words[0]]())]
+            cases = [(words[0], too_much.FILES[words[0]])]
         else:
             import mutated_files
 
@@ -87,7 +92,7 @@ def _main(words: list[str]) -> None:
             path = Path(folder, f"case {name}.{ending}")
             path.write_bytes(content)
             del content
-            print(json.dumps(_read(name, path)), flush=True)
+            _say(_read(name, path))
             path.unlink()
 
 

@@ -83,9 +83,8 @@ def test_the_seeds_are_valid(version: str, binary: bool, tmp_path: Path) -> None
     path.write_bytes(valid_files.dxf(version, 0, binary))
     drawing, _ = read_drawing(path)
     # the plate with two bulging sides, its hole, its weld and its spot; in the blocks two circles and more
-    assert [len(part.holes) for part in drawing.parts][0] == 1
-    assert [len(part.welds) for part in drawing.parts][0] == 1
-    assert len(drawing.largest.spots) == 1
+    plate = drawing.largest
+    assert (len(plate.holes), len(plate.welds), len(plate.spots)) == (1, 1, 1)
 
 
 def bad(one: dict) -> bool:

@@ -57,7 +57,9 @@ def _inside_itself(space) -> None:
 
 def _rows(space) -> None:
     space.doc.blocks.new("B")
-    space.add_blockref("B", (0, 0), {"row_count": 9999, "column_count": 9999})
+    insert = space.add_blockref("B", (0, 0))
+    insert.dxf.row_count, insert.dxf.column_count = 9999, 9999
+    insert.dxf.row_spacing, insert.dxf.column_spacing = 1, 1
 
 
 def _holes(count: int) -> tuple[str, bytes]:
@@ -98,7 +100,8 @@ def _grain() -> tuple[str, bytes]:
 
 
 def _two_deep(count: int) -> str:
-    return f"{'<g transform="rotate(0) translate(0 0)">' * 150}{_SQUARE * count}{'</g>' * 150}"
+    group = '<g transform="rotate(0) translate(0 0)">'
+    return group * 150 + _SQUARE * count + "</g>" * 150
 
 
 #: Each file by its name.
@@ -125,7 +128,7 @@ FILES: dict[str, Callable[[], tuple[str, bytes]]] = {
         "".join(f'<rect x="{k % 300 * 3}" y="{k // 300 * 3}" width="2" height="2"/>' for k in range(90_000))
     ),
     "attributes": lambda: _svg("<g " + " ".join(f'a{k}=""' for k in range(1_200_000)) + "/>"),
-    "rings": lambda: _rings(1500),
+    "rings": lambda: _rings(500),
     "8000 holes": lambda: _holes(8000),
     "lists of nothing": lambda: ("json", b'{"outer": [' + b"[]," * 9_000_000 + b"[]]}"),
     "large photograph": _deep_picture,

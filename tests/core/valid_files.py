@@ -28,7 +28,7 @@ def seeds() -> list[tuple[str, bytes]]:
 
 
 def dxf(version: str, kind: int, binary: bool = False) -> bytes:
-    """A drawing with loops, holes and welds (0), or with everything that is drawn in other ways as well (1)."""
+    """Loops, holes and welds (0), or with them what is drawn in other ways (1)."""
     document = ezdxf.new(version)
     document.header["$INSUNITS"] = 4
     space = document.modelspace()
@@ -87,8 +87,9 @@ _SVG = (
     'd="M10,10 C20,0 40,0 50,10 S80,20 70,40 Q40,70 20,50 T10,30 z M25,20 a5,5 0 1,0 10,0 5 5 0 1 0 -10 0z"/>'
     '<circle id="weld" cx="50" cy="30" r="2"/></g></svg>',
     f'{_HEAD}width="200" height="160"><style>/* plain */ .a {{ fill: none; stroke: black }} rect, #b '
-    '{ fill: blue }</style><defs><clipPath id="c"><rect width="90" height="70"/></clipPath><linearGradient id="g">'
-    '<stop offset="0" stop-color="red"/></linearGradient><symbol id="s"><rect width="20" height="10" rx="3"/></symbol>'
+    '{ fill: blue }</style><defs><clipPath id="c"><rect width="90" height="70"/></clipPath>'
+    '<linearGradient id="g"><stop offset="0" stop-color="red"/></linearGradient><symbol id="s">'
+    '<rect width="20" height="10" rx="3"/></symbol>'
     '</defs><rect x="10" y="10" width="100" height="90" rx="8" fill="url(#g)" clip-path="url(#c)"/>'
     '<use xlink:href="#s" x="30" y="40" transform="scale(1.5) skewX(5)"/><ellipse class="a" cx="80" cy="70" '
     'rx="12" ry="6" transform="rotate(20 80 70)"/><polyline class="a" points="120,10 150,10 150,40"/></svg>',
