@@ -58,7 +58,7 @@ def _most_pixels(head: bytes) -> int:
     """Of a picture that starts like this."""
     if head.startswith(_JPEG):
         return MOST_PIXELS
-    return _MOST_DEEP if head.startswith(b"\x89PNG") and head[24] > 8 else _MOST_PLAIN
+    return _MOST_DEEP if head.startswith(b"\x89PNG") and head[24:25] > b"\x08" else _MOST_PLAIN
 
 
 def is_picture(head: bytes) -> bool:
@@ -112,8 +112,8 @@ def _jpeg_size(head: bytes) -> tuple[int, int] | None:
 def decode(path: Path) -> NDArray[np.uint8]:
     """Pixels (h, w, 4) of a picture file as red, green, blue, alpha, upright; by OpenCV.
 
-    16-bit and grey pictures come as 8-bit colours, a very large JPEG at half its size. MissingPackageError without OpenCV, PictureError for a
-    file that it cannot unpack.
+    16-bit and grey pictures come as 8-bit colours, a very large JPEG at half its size. MissingPackageError
+    without OpenCV, PictureError for a file that it cannot unpack.
     """
     cv2 = opencv()
     if cv2 is None:

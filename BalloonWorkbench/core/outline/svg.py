@@ -132,7 +132,10 @@ def _flatten(
 ) -> list[tuple[float, float]]:
     """Points of a part of a path within `tolerance` px; the first again at the end where it is closed."""
     points: list[tuple[float, float]] = []
-    for segment in part:
+    counts = [_steps(segment, tolerance, svgelements) for segment in part]
+    budget.spend_points(sum(counts))
+    for segment, count in zip(part, counts):
+        budget.check_time()
         if not points and not isinstance(segment, svgelements.Move):
             points = [_xy(segment.start)]  # goes on where the part before it was closed
         if isinstance(segment, svgelements.Move):
@@ -141,7 +144,7 @@ def _flatten(
             if points[-1] != points[0]:
                 points.append(points[0])
         else:
-            steps = _steps(segment, tolerance, budget, svgelements)
+            steps = math.ceil(count)
             points += [_xy(segment.point(k / steps)) for k in range(1, steps)]
             points.append(_xy(segment.end))
     if len(points) > 3 and math.dist(points[0], points[-1]) < 1e-9 * max(1.0, *map(abs, points[0])):
@@ -160,7 +163,7 @@ def _xy(point: Any) -> tuple[float, float]:
     return float(point.x), float(point.y)
 
 
-def _steps(segment: Any, tolerance: float, budget: Budget, svgelements: Any) -> int:
+def _steps(segment: Any, tolerance: float, svgelements: Any) -> float:
     """Straight pieces that a segment needs; from the bound |second derivative| / 8 of a chord's error."""
     if isinstance(segment, svgelements.CubicBezier):
         a, b, c, d = (
@@ -174,8 +177,6 @@ def _steps(segment: Any, tolerance: float, budget: Budget, svgelements: Any) -> 
         bend = max(segment.rx, segment.ry) * float(segment.sweep) ** 2
     else:
         bend = 0.0
-    count = max(1.0, math.sqrt(bend / (8 * tolerance)))
-    if math.isnan(count):
+    if math.isnan(bend):
         raise ValueError("a coordinate is not a number")
-    budget.spend_points(count)
-    return math.ceil(count)
+    return max(1.0, math.sqrt(bend / (8 * tolerance)))
