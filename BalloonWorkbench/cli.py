@@ -197,7 +197,11 @@ def _making_line(maker: dict[str, Any]) -> str:
     told += f", weld {maker['seam_length_mm']:.0f} mm"
     if strong["safe_pressure_Pa"] is None:
         return told
-    return told + f"; {strong['weakest']} safe to {1e-3 * strong['safe_pressure_Pa']:.2g} kPa"
+    x, y, _ = strong["weakest_at_mm"]
+    told += (
+        f"; {strong['weakest']} at ({x:.0f}, {y:.0f}) mm safe to {1e-3 * strong['safe_pressure_Pa']:.2g} kPa"
+    )
+    return told if strong["at_rest"] else told + ", estimated: the film did not come to rest"
 
 
 def _advice_line(finding: dict[str, Any]) -> str:

@@ -11,7 +11,7 @@ from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.units import to_grams, to_mm
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.sentences import tell
-from BalloonWorkbench.gui.user_units import length_text, pressure_text, volume_text
+from BalloonWorkbench.gui.user_units import length_text, lengths_text, pressure_text, volume_text
 from BalloonWorkbench.gui.worker import Worker
 
 _METRE = 1000.0  # mm
@@ -76,6 +76,7 @@ def _rows(numbers, short: bool) -> list[tuple[str, str]]:
         (translate("Weld length"), length_text(to_mm(numbers.seam_length), 3), False),
         (translate("Weight"), _weight(numbers), False),
         (translate("Safe pressure"), _strength(numbers), True),
+        *_weakest(numbers),
         (translate("Gas"), _gas(numbers), False),
         (translate("Will it float?"), tell(numbers.sentence()), True),
     ]
@@ -104,6 +105,18 @@ def _strength(numbers) -> str:
         return told.format(pressure_text(safe.pressure), safe.margin, tell(safe.weakest))
     told = translate("{}, margin {:g} ({})")
     return told.format(pressure_text(safe.safe_pressure), safe.margin, tell(safe.weakest))
+
+
+def _weakest(numbers) -> list[tuple[str, str, bool]]:
+    """Where the balloon would give way first; nothing where no strength is known."""
+    safe = numbers.safety
+    if safe.place is None:
+        return []
+    x, y, _ = to_mm(safe.place)
+    told = translate("{} at ({})").format(tell(safe.weakest), ", ".join(lengths_text(x, y)))
+    if not safe.at_rest:
+        told += translate(", estimated: the film did not come to rest")
+    return [(translate("Weakest place"), told, False)]
 
 
 def _gas(numbers) -> str:
