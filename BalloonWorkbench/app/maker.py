@@ -43,8 +43,10 @@ def counting(parts, exact: bool = True):
 
 
 def safety_of(balloon):
-    """The core's Safety of a balloon object's result and the film it was solved with, as `numbers` has it when
-    it is not exact. Raises InputError where there is no result."""
+    """The core's Safety of a balloon object's result, with the film it was solved with; not exact.
+
+    Raises InputError where there is no result.
+    """
     from BalloonWorkbench.core.maker.safety import safety
 
     key = balloon.Document.Name, balloon.Name, balloon.SolvedWith

@@ -15,17 +15,17 @@ import numpy as np
 
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.film.film import Film
-from BalloonWorkbench.core.solver.dkt import gradients
+from BalloonWorkbench.core.mesh.panel import Panel
+from BalloonWorkbench.core.solver.dkt import gradients, rotation_stiffness
 from BalloonWorkbench.core.solver.folds import slit
-from BalloonWorkbench.core.solver.inflate import inflate
+from BalloonWorkbench.core.solver.inflate import MIRROR, inflate
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.solver.kinematics import deformation_gradients, green_strains
 from BalloonWorkbench.core.solver.model import film_problem
 from BalloonWorkbench.core.solver.problem import NewtonSettings
+from BalloonWorkbench.core.solver.start import vertex_normals
 from BalloonWorkbench.core.types import Floats, Ints
 
-#: The narrowest window [m]: also a rim that is joined without a band shares its load.
-LEAST_WINDOW = 2e-3
 #: Elements over which a load that is not gathered is averaged: what single ones pull is noise of the mesh.
 _EVEN = 2.5
 #: Cells across the round piece of film, and at most so many along the panel.
@@ -65,9 +65,14 @@ class Loads:
         return Loads(film, weld)
 
 
-def window(film: Film) -> float:
-    """Length over which loads are averaged: two seal widths [m]."""
-    return max(2.0 * film.seal_width, LEAST_WINDOW)
+def _windows(panel: Panel, film: Film) -> tuple[float, float]:
+    """Lengths [m] over which loads are averaged: two seal widths, and a few elements of the mesh.
+
+    The second one for both where there is no sealed band.
+    """
+    _, areas = gradients(panel.rest_positions[panel.triangles])
+    even = _EVEN * float(np.sqrt(4.0 / np.sqrt(3.0) * np.median(areas)))
+    return 2.0 * film.seal_width or even, even
 
 
 def settled_loads(inflation: Inflation, film: Film) -> tuple[Loads, bool]:
@@ -105,14 +110,14 @@ def loads(inflation: Inflation, film: Film) -> Loads:
     The film bears at least what it hands on to the weld.
     """
     sides = [inflation]
-    if inflation.lower is not None:
-        sides.append(replace(inflation, positions=inflation.lower))
-    films, welds = [], []
-    for side in sides:
-        films.append(_film_load(side, film))
-        welds.append(_weld_load(side, film))
-    weld = max(welds, key=lambda load: load.value)
-    return Loads(max([*films, weld], key=lambda load: load.value), weld)
+    if inflation.lower is not None:  # as the upper one of the balloon turned over
+        sides.append(replace(inflation, positions=inflation.lower * MIRROR))
+    found = []
+    for number, side in enumerate(sides):
+        for load in (_film_load(side, film), _weld_load(side, film)):
+            found.append(Load(load.value, load.place * MIRROR) if number else load)
+    weld = max(found[1::2], key=lambda load: load.value)
+    return Loads(max([*found[::2], weld], key=lambda load: load.value), weld)
 
 
 def _stress(inflation: Inflation, film: Film) -> tuple[Floats, Floats]:
@@ -132,13 +137,21 @@ def seam_forces(inflation: Inflation, film: Film) -> list[tuple[Ints, Floats, Fl
     """With what the upper film pulls at its seams, and at the edge round each weld inside.
 
     For each of these loops its vertices (k,), the length of the flat edge from each to the next (k,) [m] and
-    the film's force on each (k, 3) [N].
+    the force on each (k, 3) [N]: that of the film, and of the pressure on the film that is the vertex's.
     """
     panel = inflation.panel
     flat, origin = slit(panel)
     deformation, stress = _stress(inflation, film)
     shape, areas = gradients(panel.rest_positions[panel.triangles])
     corners = areas[:, None, None] * np.einsum("mij,mjk,mck->mci", deformation, stress, shape)
+    corners -= _pressures(inflation)
+    normals = vertex_normals(inflation.positions[origin], flat)[len(panel.rest_positions) :]
+    directors = np.concatenate([inflation.directors, normals])[flat.triangles]
+    rigidity = inflation.report.flexural_rigidity
+    stiffness = rigidity * rotation_stiffness(panel.rest_positions[panel.triangles], film.poisson_ratio)
+    rotations = np.matmul(directors, deformation).reshape(-1, 6)  # as in shell.py
+    moments = np.einsum("mij,mj->mi", stiffness, rotations).reshape(-1, 3, 2)
+    corners += np.einsum("mck,mak,mci->mai", moments, shape, directors)
     forces = _summed(flat.triangles, corners, len(origin))
     whole = _summed(origin[:, None], forces[:, None], len(panel.rest_positions))
     found = [(seam, _steps(panel.rest_positions[seam]), whole[seam]) for seam in panel.seams]
@@ -154,13 +167,16 @@ def seam_forces(inflation: Inflation, film: Film) -> list[tuple[Ints, Floats, Fl
     return found
 
 
+def _pressures(inflation: Inflation) -> Floats:
+    """Forces (m, 1, 3) [N] of the pressure at each corner of the triangles of the upper film."""
+    a, b, c = np.moveaxis(inflation.positions[inflation.panel.triangles], 1, 0)
+    return np.asarray(inflation.report.pressure / 6.0 * np.cross(b - a, c - a))[:, None]
+
+
 def _weld_load(inflation: Inflation, film: Film) -> Load:
-    panel = inflation.panel
-    _, areas = gradients(panel.rest_positions[panel.triangles])
-    element = float(np.sqrt(4.0 / np.sqrt(3.0) * np.median(areas)))
     best = Load(0.0, np.zeros(3))
     for vertices, steps, forces in seam_forces(inflation, film):
-        along = loads_along(steps, forces, window(film), _EVEN * element)
+        along = loads_along(steps, forces, *_windows(inflation.panel, film))
         place = int(np.argmax(along))
         if along[place] >= best.value:
             best = Load(float(along[place]), inflation.positions[vertices[place]])
@@ -181,9 +197,10 @@ def loads_along(steps: Floats, forces: Floats, width: float, even: float) -> Flo
     gathered = np.linalg.norm(_faded(at, around, forces, near), axis=1)
     mean = np.linalg.norm(_faded(at, around, forces, far), axis=1) / _faded(at, around, own, far)
     if far <= near:
-        return np.asarray(np.maximum(gathered, mean))
-    close = gathered / _faded(at, around, own, near)
-    share = (close / np.maximum(mean, 1e-300) - 1.0) / (far / near - 1.0)  # 1 where all is in one point
+        return np.asarray(mean)
+    lengths, all_lengths = (_faded(at, around, own, half) for half in (near, far))
+    most = far * all_lengths / (near * lengths)  # of the ratio below, where all is in one point
+    share = (gathered / lengths / np.maximum(mean, 1e-300) - 1.0) / (most - 1.0)
     return np.asarray(mean + np.clip(2.0 * share - 0.5, 0.0, 1.0) * np.maximum(gathered - mean, 0.0))
 
 
@@ -217,7 +234,7 @@ def _summed(indices: Ints, values: Floats, count: int) -> Floats:
 def _film_load(inflation: Inflation, film: Film) -> Load:
     """Largest principal tension, averaged over the film within a round piece as wide as the window."""
     panel = inflation.panel
-    width = window(film)
+    width, _ = _windows(panel, film)
     size = float(np.ptp(panel.rest_positions, axis=0).max())
     pitch = max(width / _ACROSS, size / _MOST_CELLS)
     cells, low = _in_cells(inflation, film, pitch)
