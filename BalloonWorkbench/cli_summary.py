@@ -49,7 +49,9 @@ def _making_line(maker: dict[str, Any], seam: str) -> str:
     if strong["safe_pressure_Pa"] is None:
         return told
     weakest = seam if strong["weakest"] == WELD else strong["weakest"]
-    return told + f"; {weakest} safe to {1e-3 * strong['safe_pressure_Pa']:.2g} kPa"
+    x, y, _ = strong["weakest_at_mm"]
+    told += f"; {weakest} at ({x:.0f}, {y:.0f}) mm safe to {1e-3 * strong['safe_pressure_Pa']:.2g} kPa"
+    return told if strong["at_rest"] else told + ", estimated: the film did not come to rest"
 
 
 def _advice_line(finding: dict[str, Any]) -> str:

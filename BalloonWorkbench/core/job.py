@@ -52,8 +52,6 @@ from BalloonWorkbench.core.pattern.make import Wanted, make_pattern, pieces_rema
 from BalloonWorkbench.core.pattern.pattern import Pattern
 from BalloonWorkbench.core.rounded import rounded, rounded_outline
 from BalloonWorkbench.core.solver.animation import inflate_in_time
-from BalloonWorkbench.core.solver.inflate import inflate
-from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.solver.model import Model
 from BalloonWorkbench.core.types import Attempt, Progress, insist, no_progress
 
@@ -204,12 +202,7 @@ def _report(balloon: Balloon, file: str, kind: str) -> dict[str, Any]:
 
 
 def _numbers(design: Design, pattern: Pattern, settings: Settings) -> Numbers:
-    """What a maker wants to know; a film too weak for the pressure is inflated anew at lower ones."""
-
-    def at_pressure(pressure: float) -> Inflation:
-        known = design.inflation
-        return inflate(known.panel, settings.film, pressure, start=known, model=known.report.model)
-
+    """What a maker wants to know."""
     return maker_numbers(
         design.inflation,
         settings.film,
@@ -218,7 +211,6 @@ def _numbers(design: Design, pattern: Pattern, settings: Settings) -> Numbers:
         design.target.size[0],
         settings.filling,
         pieces=sheet_of(pattern, replace(settings.wanted, mirror=True, copies=1)),
-        at_pressure=at_pressure,
     )
 
 

@@ -282,7 +282,7 @@ def header_of(content: bytes) -> dict[str, list[str]]:
 
 @pytest.mark.parametrize("name", [name for name, made_for in machines().items() if made_for.format == "dxf"])
 def test_unit_of_a_dxf_is_that_of_its_coordinates(name: str) -> None:
-    """AutoCAD's codes: 1 inches, 4 millimetres; R12 knows none. A square of 100 mm is as wide in that unit."""
+    """AutoCAD's codes: 1 inches, 4 millimetres; R12 knows none. A square of 100 mm is as wide in it."""
     made_for = machine(name)
     role = Role.CUT if Role.CUT in made_for.layers else Role.SEAL
     content = machine_file(
@@ -301,7 +301,7 @@ def test_unit_of_a_dxf_is_that_of_its_coordinates(name: str) -> None:
 
 
 def test_hpgl_repeats_no_point() -> None:
-    """Points nearer than a plotter unit of 0.025 mm are one: a plotter would dwell there, and burn or tear."""
+    """Points nearer than a plotter unit of 0.025 mm are one: a plotter would dwell there and tear."""
     turns = np.linspace(0.0, 2.0 * np.pi, 4000, endpoint=False)
     circle = 0.005 * np.column_stack([np.cos(turns), np.sin(turns)])
     doubled = np.repeat(SQUARE, 3, axis=0) + 1e-7 * np.arange(12)[:, None]

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -96,7 +95,7 @@ def maker_numbers(
     *,
     pieces: Pattern | None = None,
     roll_width: float | None = None,
-    at_pressure: Callable[[float], Inflation] | None = None,
+    exact: bool = True,
 ) -> Numbers:
     """The numbers of one balloon.
 
@@ -104,7 +103,7 @@ def maker_numbers(
     width       of the drawing [m]
     filling     the gas, and the air around it; other gases are looked at in the same air
     pieces      all that is cut for one balloon, with the pieces of its valve; None for the panels alone
-    at_pressure as in `safety`
+    exact       as in `safety`
     """
     data = making()
     grown = pattern.film_area - seam.area
@@ -124,7 +123,7 @@ def maker_numbers(
         inflation.volume,
         width,
         tuple(seen.values()),
-        safety(inflation, film, data.seal_strength(film), data.safety, at_pressure),
+        safety(inflation, film, exact=exact),
         data.currency,
     )
 
@@ -198,12 +197,14 @@ def told(numbers: Numbers) -> dict[str, Any]:
         ],
         "currency": numbers.currency,
         "strength": {
-            "film_tension_N_per_m": safe.film_load,
+            "film_tension_N_per_m": safe.film_load.value,
             "film_limit_N_per_m": safe.film_limit,
-            "weld_tension_N_per_m": safe.weld_load,
+            "weld_tension_N_per_m": safe.weld_load.value,
             "weld_limit_N_per_m": safe.weld_limit,
             "margin": safe.margin,
             "safe_pressure_Pa": safe.safe_pressure,
             "weakest": safe.weakest,
+            "weakest_at_mm": None if safe.place is None else to_mm(safe.place).tolist(),
+            "at_rest": safe.at_rest,
         },
     }
