@@ -58,7 +58,7 @@ def test_one_unsuitable_machine_is_left_out(square: Path, capsys: pytest.Capture
     made = {path.name for path in (square.parent / "out").iterdir()}
     assert made >= {"pattern-inkscape.svg", "pattern-cutting-shop_mm.dxf"}
     assert "pattern-small_mm.dxf" not in made
-    assert "Check: No file for Small laser: The pattern measures" in capsys.readouterr().out
+    assert "Note: No file for Small laser: The pattern measures" in capsys.readouterr().out
 
 
 def test_unknown_machine_is_told_before_the_work(square: Path, capsys: pytest.CaptureFixture[str]) -> None:
