@@ -58,10 +58,12 @@ def check_for(pattern_obj, machine_name: str):
 
     made_for, pattern = machine(machine_name), sheet(pattern_obj)
     parts = [pattern.of_stock(stock) for stock in pattern.stocks]
-    return hooks.work(
-        "Checking the pattern",
-        lambda progress: [each for part in parts for each in preflight(part, made_for)],
-    )
+
+    def findings(_progress) -> list:
+        found = [finding for part in parts for finding in preflight(part, made_for)]
+        return list({finding.text: finding for finding in found}.values())
+
+    return hooks.work("Checking the pattern", findings)
 
 
 def export_for(pattern_obj, machine_name: str, target, paper: str | None = None) -> Path:

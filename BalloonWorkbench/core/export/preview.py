@@ -34,7 +34,7 @@ _NAMES = {
     Role.CUT_INNER: "cut inside",
     Role.SEAL: "weld",
     Role.WELD: "weld inside",
-    Role.NOTCH: "notches",
+    Role.NOTCH: "notch",
     Role.FOLD: "fold",
     Role.PEN: "drawn",
     Role.ENGRAVE: "text",
