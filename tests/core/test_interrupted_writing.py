@@ -20,7 +20,7 @@ import pytest
 from BalloonWorkbench.core.export import swap, system
 from BalloonWorkbench.core.export.files import check_folder, write_files
 
-COUNT = int(os.environ.get("BALLOON_KILLS", "150"))
+COUNT = int(os.environ.get("BALLOON_KILLS", "100"))
 OLD = {"one": b"old 1", "two": b"old 2" * 9, "three": b"old 3"}
 NEW = {"one": b"new 1" * 5000, "two": b"new 2", "three": b"new 3", "four": b"new 4"}
 NEVER = 1 << 30
@@ -210,6 +210,25 @@ def test_a_failure_leaves_nothing_hidden(tmp_path: Path, monkeypatch: pytest.Mon
             attempted(place, no_space, at)
             left += bool(hidden(base))
     assert left < 0.4 * steps
+
+
+def test_two_runs_at_once(tmp_path: Path) -> None:
+    """They take turns: each ends well, and the last set is whole."""
+    sets = [{name: letter * 2000 + name.encode() for name in NEW} for letter in (b"a", b"b")]
+    children = []
+    for contents in sets:
+        child = os.fork()
+        if not child:
+            try:
+                for _ in range(10):
+                    write_files(tmp_path / "out", contents)
+                os._exit(0)
+            finally:
+                os._exit(1)
+        children.append(child)
+    assert [os.waitpid(child, 0)[1] for child in children] == [0, 0]
+    assert seen(tmp_path / "out") in sets
+    assert not hidden(tmp_path)
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="renameat2 is Linux's")
