@@ -173,7 +173,7 @@ def _box(text: str) -> None:
         box = QtWidgets.QMessageBox(window)
         box.setObjectName("BalloonFault")
         box.setIcon(QtWidgets.QMessageBox.Warning)
-        box.setWindowTitle(translate("Film Balloon"))
+        box.setWindowTitle(translate("Film Balloon", "Workbench"))
         box.setModal(False)
         box.setAttribute(QtCore.Qt.WA_DeleteOnClose)
         box.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
