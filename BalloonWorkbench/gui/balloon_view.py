@@ -88,8 +88,10 @@ class BalloonDisplay:
             self._soon.start(0)
         elif name in ("ColourMap", "DisplayMode") and not self._is_loading() and not self._switching:
             self._switching = True
-            self._couple(name)
-            self._switching = False
+            try:
+                self._couple(name)
+            finally:
+                self._switching = False
             self._soon.start(0)
 
     def mode_chosen(self, mode: str) -> None:

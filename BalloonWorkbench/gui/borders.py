@@ -13,13 +13,11 @@ import time
 import traceback
 from contextlib import contextmanager
 from functools import partial, wraps
-from pathlib import Path
 from weakref import ref
 
 import FreeCAD as App
 import FreeCADGui as Gui
 
-import BalloonWorkbench
 from BalloonWorkbench.core import faults
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
@@ -27,7 +25,6 @@ from BalloonWorkbench.gui.sentences import tell as say
 
 faults.surroundings["Qt"] = QtCore.qVersion()
 
-_HERE = str(Path(BalloonWorkbench.__file__).parent)
 _ONCE = 1.0  # s in which the same sentence is told once: a picture is painted many times
 _last = ["", 0.0]  # the sentence that was told last, and when
 _surfaces: list = []  # what may be open and can say something, the newest last
@@ -38,10 +35,10 @@ def watch() -> None:
     sys.excepthook = partial(_unforeseen, sys.excepthook)
 
 
-def speaks(surface, is_open) -> None:
-    """From now on, as long as it is open, `surface.fail(error)` says what went wrong."""
-    _surfaces[:] = [other for other in _surfaces if other[0]() is not None]
-    _surfaces.append((ref(surface), is_open))
+def speaks(surface) -> None:
+    """From now on, as long as `surface.is_shown()`, `surface.fail(error)` says what went wrong."""
+    _surfaces[:] = [other for other in _surfaces if other() is not None]
+    _surfaces.append(ref(surface))
 
 
 def tell(error: BalloonError) -> None:
@@ -107,6 +104,15 @@ class Panel:
         """Say what went wrong."""
         self.message.setText(say(str(error)))
 
+    def is_shown(self) -> bool:
+        """The user can see it."""
+        forms = self.form if isinstance(self.form, list) else [self.form]
+        return any(form.isVisible() for form in forms)
+
+    def abandon(self) -> None:
+        """Close without touching the document."""
+        self.close()
+
 
 def _bordered(method, answer):
     @wraps(method)
@@ -127,17 +133,22 @@ def _stay(panel, error: BalloonError) -> bool:
 
 def _close(panel, error: BalloonError) -> bool:
     """Cancel: nothing is kept, whatever went wrong on the way."""
-    doc = getattr(panel, "doc", None)
-    if doc is not None and doc.Name in App.listDocuments():
-        doc.abortTransaction()
-    Gui.Control.closeDialog()
     tell(error)
+    doc = getattr(panel, "doc", None)
+    try:
+        panel.abandon()
+    except faults.UNFORESEEN as another:
+        Gui.Control.closeDialog()
+        tell(faults.as_balloon_error(another, f"closing {type(panel).__name__}"))
+    if doc is not None and doc in App.listDocuments().values():
+        doc.abortTransaction()
     return False
 
 
 def _unforeseen(others, kind, error, trace) -> None:
     """What nobody caught: ours is told, anything else goes to `others`."""
-    ours = any(frame.f_code.co_filename.startswith(_HERE) for frame, _ in traceback.walk_tb(trace))
+    modules = (frame.f_globals.get("__name__", "") for frame, _ in traceback.walk_tb(trace))
+    ours = any(name.partition(".")[0] == "BalloonWorkbench" for name in modules)
     if not ours or not isinstance(error, faults.UNFORESEEN):
         others(kind, error, trace)
         return
@@ -148,14 +159,14 @@ def _unforeseen(others, kind, error, trace) -> None:
 
 
 def _show(error: BalloonError) -> None:
-    for surface, is_open in reversed(_surfaces):
+    for surface in reversed(_surfaces):
         shown = surface()
-        if shown is not None and is_open():
-            try:
+        try:
+            if shown is not None and shown.is_shown():
                 shown.fail(error)
                 return
-            except faults.UNFORESEEN:  # it cannot even say so: the box can
-                break
+        except faults.UNFORESEEN:  # Qt has deleted it, or it cannot even say so
+            continue
     _box(say(str(error)))
 
 
@@ -167,7 +178,7 @@ def _box(text: str) -> None:
         box = QtWidgets.QMessageBox(window)
         box.setObjectName("BalloonFault")
         box.setIcon(QtWidgets.QMessageBox.Warning)
-        box.setWindowTitle(translate("Film Balloon"))
+        box.setWindowTitle(translate("Film Balloon", "Workbench"))
         box.setModal(False)
         box.setAttribute(QtCore.Qt.WA_DeleteOnClose)
         box.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)

@@ -7,8 +7,10 @@ import gc
 import sys
 import time
 
+import FreeCAD as App
+
 from BalloonWorkbench.core import faults
-from BalloonWorkbench.core.errors import BalloonError
+from BalloonWorkbench.core.errors import BalloonError, ProgramFault
 from BalloonWorkbench.gui.qt import QtCore
 from BalloonWorkbench.gui.status_progress import StatusProgress
 
@@ -87,6 +89,14 @@ class Worker(QtCore.QThread):
             self.work = time.thread_time() - begun
             self.ended.emit()
             _sharing.ended.emit()
+
+    def fault(self) -> str:
+        """The sentence on a fault, which goes into the report view as well: a newer answer may hide it; else
+        empty. Call it in the main thread."""
+        if not isinstance(self.error, ProgramFault):
+            return ""
+        App.Console.PrintError(f"{self.error}\n")
+        return str(self.error)
 
     def stop(self):
         """Ask the engine to stop at its next step."""

@@ -41,7 +41,7 @@ class _Panel(Panel):
         self.form = QtWidgets.QWidget()
         self.form.setWindowTitle(translate("What works here"))
         self.form.setWindowIcon(QtGui.QIcon(icon("workbench")))
-        text = QtWidgets.QLabel("\n\n".join(map(tell, described())))
+        self.message = text = QtWidgets.QLabel("\n\n".join(map(tell, described())))
         text.setObjectName("Equipment")
         text.setWordWrap(True)
         text.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
@@ -51,5 +51,8 @@ class _Panel(Panel):
         return number_of(QtWidgets.QDialogButtonBox.Close)
 
     def reject(self):
-        Gui.Control.closeDialog()
+        self.close()
         return True
+
+    def close(self) -> None:
+        Gui.Control.closeDialog()

@@ -12,7 +12,7 @@ import time
 from pathlib import Path
 
 from BalloonWorkbench.app import preferences
-from BalloonWorkbench.core.errors import Cancelled, ProgramFault
+from BalloonWorkbench.core.errors import Cancelled
 from BalloonWorkbench.gui.paint.look import Look
 from BalloonWorkbench.gui.paint.painting import Painting
 from BalloonWorkbench.gui.paint.requests import Counsel, Glance, Study
@@ -192,7 +192,7 @@ class Live(QtCore.QObject):
                 self._pause.start()
         elif worker.design is not None and not self.is_settled():
             self.advised.emit(worker.design)
-        elif isinstance(worker.error, ProgramFault):
+        elif worker.fault():
             self.failed.emit(str(worker.error))
 
     def _study_done(self, worker: Worker) -> None:
@@ -212,7 +212,7 @@ class Live(QtCore.QObject):
             self.found.emit(worker.design)
         elif not isinstance(worker.error, Cancelled):
             self.latest = None
-            self.refused.emit(str(worker.error))
+            self.refused.emit(worker.fault() or str(worker.error))
 
     def drop_study(self) -> None:
         """Nobody wants it any more: let the engine stop by itself, nobody waits for it."""

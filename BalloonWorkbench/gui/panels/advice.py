@@ -105,11 +105,13 @@ class AdvicePanel(Panel):
             self.found, measured = [], False
             self.message.setText(tell(str(error)))
         self.source.setText(self._source(measured))
+        items = []
+        for finding in self.found:
+            items.append(QtWidgets.QListWidgetItem(_dot(finding.severity.value), tell(finding.text)))
+            items[-1].setToolTip(tell(finding.severity.value))
         self.list.blockSignals(True)
         self.list.clear()
-        for finding in self.found:
-            item = QtWidgets.QListWidgetItem(_dot(finding.severity.value), tell(finding.text))
-            item.setToolTip(tell(finding.severity.value))
+        for item in items:
             self.list.addItem(item)
         self.list.blockSignals(False)
         if not self.found and not self.message.text():

@@ -7,7 +7,7 @@ from functools import partial
 
 from BalloonWorkbench.app import maker, status
 from BalloonWorkbench.app.quantities import cubic_millimetres
-from BalloonWorkbench.core.errors import BalloonError, ProgramFault
+from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.units import to_grams, to_mm
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.sentences import tell
@@ -48,9 +48,9 @@ class MakerRows:
         worker.deleteLater()
         if worker is not self._wanted:
             return
-        if isinstance(worker.error, ProgramFault):
-            self._form.addRow(value_label(tell(str(worker.error))))
         if worker.design is None:
+            if fault := worker.fault():
+                self._form.addRow(value_label(tell(fault)))
             return
         for name, text in _rows(worker.design, self._short):
             self._form.addRow(name, value_label(text))
