@@ -43,7 +43,7 @@ def open_for(doc, parts=None) -> PaintWindow:
     if not _open:
         load()
         _open.append(PaintWindow(doc, parts))
-        borders.speaks(_open[0], lambda: bool(_open))
+        borders.speaks(_open[0])
     _open[0].reveal()
     return _open[0]
 
@@ -285,6 +285,9 @@ class PaintWindow(PaintDock):
         self._nothing()
         self._is_refused = True
         self.form.tell(text)
+
+    def is_shown(self) -> bool:
+        return self in _open and self.isVisible()
 
     def fail(self, error: BalloonError) -> None:
         """Something went wrong in the window itself; the painting is as it is."""
