@@ -18,7 +18,7 @@ from BalloonWorkbench.core.outline.decode import picture_size
 from BalloonWorkbench.core.outline.drawing import SPECK, Drawing, checked, speck_note
 from BalloonWorkbench.core.outline.loops import scale_to
 from BalloonWorkbench.core.outline.outline import Outline
-from BalloonWorkbench.core.outline.segment import segment
+from BalloonWorkbench.core.outline.segment import AUTO, segment
 from BalloonWorkbench.core.outline.trace import STEP, trace
 from BalloonWorkbench.core.types import Floats
 
@@ -40,30 +40,37 @@ def read_picture(
 
 
 def picture_drawing(
-    path: str | Path, width: float | None, height: float | None, decode: Decode | None = None
+    path: str | Path,
+    width: float | None,
+    height: float | None,
+    decode: Decode | None = None,
+    drawn_as: str = AUTO,
 ) -> Drawing:
     """The shapes in a picture file, `width` or `height` m large (inside both where both are given).
 
     The lower left corner of their bounding box is the origin. Remarks on what was left out or closed are in
     the notes.
 
-    decode  pixels (h, w, 4) uint8 as red, green, blue, alpha of a file; OpenCV's without it
+    decode    pixels (h, w, 4) uint8 as red, green, blue, alpha of a file; OpenCV's without it
+    drawn_as  AUTO, SHAPE or PEN of segment.py
     Errors: InputError (file, size), PictureError (no shape), MissingPackageError (neither OpenCV nor decode)
     """
     path = Path(path)
     if width is None and height is None:
         raise InputError("A picture has no size of its own. Give the width or the height of the balloon.")
     picture_size(path)
-    drawing = drawing_of(shrunk((decode or decode_with_opencv)(path)))
+    drawing = drawing_of(shrunk((decode or decode_with_opencv)(path)), drawn_as)
     return checked(scale_to(drawing, width, height))
 
 
-def drawing_of(rgba: NDArray[np.uint8]) -> Drawing:
+def drawing_of(rgba: NDArray[np.uint8], drawn_as: str = AUTO) -> Drawing:
     """The shapes in pixels (h, w, 4) with the pixel as unit and their lower left corner as origin."""
-    return placed_drawing(rgba)[0]
+    return placed_drawing(rgba, drawn_as=drawn_as)[0]
 
 
-def placed_drawing(rgba: NDArray[np.uint8], step: float = STEP) -> tuple[Drawing, Floats]:
+def placed_drawing(
+    rgba: NDArray[np.uint8], step: float = STEP, drawn_as: str = AUTO
+) -> tuple[Drawing, Floats]:
     """The drawing of `drawing_of`, and where its origin lies in the picture (2,) px, y up.
 
     step  of the walk along the boundary, of the picture's longer side; 0 leaves it out, for a quick look
@@ -72,7 +79,7 @@ def placed_drawing(rgba: NDArray[np.uint8], step: float = STEP) -> tuple[Drawing
         raise PictureError(
             f"The picture is too small to see a shape. Use {_SMALLEST_SIDE} pixels or more across."
         )
-    silhouette, notes = segment(rgba)
+    silhouette, notes = segment(rgba, drawn_as)
     loops = contours(silhouette)
     if not loops:
         raise PictureError(
