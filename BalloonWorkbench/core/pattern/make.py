@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.pattern.build import build_pattern
 from BalloonWorkbench.core.pattern.extras import with_notches, with_tie_tab
-from BalloonWorkbench.core.pattern.intake import FARTHEST, Wish
 from BalloonWorkbench.core.pattern.intake_kinds import STRAW
 from BalloonWorkbench.core.pattern.intake_kinds import intake_kind as kind_named
+from BalloonWorkbench.core.pattern.intake_places import FARTHEST, Wish
 from BalloonWorkbench.core.pattern.label import with_label
 from BalloonWorkbench.core.pattern.panels import on_sheet
 from BalloonWorkbench.core.pattern.pattern import Pattern
