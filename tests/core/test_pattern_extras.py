@@ -120,3 +120,10 @@ def test_hole_of_the_tab_keeps_off_the_weld() -> None:
         (weld,) = pattern.of(Role.SEAL)
         room = shapely.LinearRing(weld.points).distance(shapely.Polygon(hole.points)) - 0.5 * seal
         assert room == pytest.approx(0.002, abs=2e-5)
+
+
+def test_one_notch_is_one() -> None:
+    plain = made("square", intake=False)
+    pattern = with_notches(plain, 1, 0.001)
+    assert len(pattern.contours) == len(plain.contours) + 1
+    assert with_notches(plain, 0, 0.001) is plain
