@@ -70,7 +70,7 @@ def test_same_label_same_outlines() -> None:
 
 
 def test_label_takes_the_room_that_there_is() -> None:
-    """As high as its box still goes into the circle inside the weld, in whose middle it is; from 0.1 mm to 10 m."""
+    """Its box goes into the circle inside the weld, in whose middle it is; from 0.1 mm to 10 m high."""
     pattern = build_pattern(NAMED["disc"], 0.005, intake=False)
     (weld,) = pattern.of(Role.SEAL)
     radius = np.hypot(*(weld.points - weld.points.mean(axis=0)).T).min() - 0.0025
