@@ -35,11 +35,13 @@ class BalloonWorkbench(Gui.Workbench):
 def _plug_in():
     """Let the document objects use the window."""
     from BalloonWorkbench.app import hooks
-    from BalloonWorkbench.gui import patience, preferences_page, qt, sentences, view
+    from BalloonWorkbench.gui import borders, patience, preferences_page, qt, sentences, view
 
     hooks.dress = view.dress
     hooks.work = patience.work
     hooks.say = sentences.tell
+    hooks.tell = borders.tell
+    borders.watch()
     Gui.addIconPath(qt.ICONS)
     Gui.addLanguagePath(str(qt.TRANSLATIONS))
     Gui.updateLocale()

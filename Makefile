@@ -5,7 +5,7 @@ SHELL := /bin/bash
 .DEFAULT_GOAL := help
 PYTHON := .venv/bin/python
 
-.PHONY: help setup native readers demo test test-core test-app test-gui matrix lint format validation bench fuzz pythons coverage tidy docs examples pictures release release-check translations freecad clean
+.PHONY: help setup native readers demo test test-core test-app test-gui matrix lint format validation bench fuzz mutations pythons coverage tidy docs examples pictures release release-check translations freecad clean
 
 help: ## List these targets
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' $(MAKEFILE_LIST) | expand -t 12
@@ -68,6 +68,9 @@ fuzz: native ## Inflate 2 000 random outlines, read 10 000 broken files
 	@BALLOON_OUTLINES=2000 BALLOON_FILES=10000 BALLOON_VALUES=1000 $(PYTHON) -m pytest -q -o faulthandler_timeout=0 \
 	    --log-cli-level=INFO tests/core/test_random_outlines.py \
 	    tests/core/test_broken_files.py tests/core/test_value_limits.py
+
+mutations: native ## Break the code in known ways, one after the other: a quick test must notice each
+	@$(PYTHON) tools/mutations.py
 
 pythons: native readers ## Try the engine with Python 3.10 and 3.12, where they are
 	@tools/pythons.sh

@@ -4,32 +4,48 @@
 from __future__ import annotations
 
 import argparse
-import importlib.util
-import json
+import contextlib
 import math
+import os
+import stat
 import sys
-from collections.abc import Sequence
-from typing import Any, TextIO
+from collections.abc import Callable, Sequence
+from functools import partial
+from pathlib import Path
+from typing import Any
 
-from BalloonWorkbench import cli_making, cli_pattern
+from BalloonWorkbench import cli_console, cli_document, cli_making, cli_pattern
+from BalloonWorkbench.cli_home import home
 from BalloonWorkbench.cli_options import parser
+from BalloonWorkbench.cli_summary import summary
 from BalloonWorkbench.core.design.size_goal import SizeGoal
-from BalloonWorkbench.core.errors import BalloonError, InputError
-from BalloonWorkbench.core.export.fabricate import checked_files, checked_machines
-from BalloonWorkbench.core.export.machine import machine
+from BalloonWorkbench.core.errors import (
+    BalloonError,
+    ExportError,
+    InputError,
+    MissingPackageError,
+    ProgramFault,
+)
+from BalloonWorkbench.core.export.fabricate import checked_files, machines_for
+from BalloonWorkbench.core.export.files import check_folder, write_files
+from BalloonWorkbench.core.export.machine import Machine, left_out, machine
+from BalloonWorkbench.core.faults import UNFORESEEN, report_fault
 from BalloonWorkbench.core.film.filling import Filling, gas
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.film.library import DEFAULT_FILM, custom_film, film, with_grain
 from BalloonWorkbench.core.job import (
     Balloon,
     Settings,
-    files,
     inflation_files,
+    left_out_text,
     make_balloon,
+    makers,
+    report_bytes,
 )
-from BalloonWorkbench.core.maker.safety import WELD
 from BalloonWorkbench.core.outline.raster import opencv
+from BalloonWorkbench.core.solver import native
 from BalloonWorkbench.core.solver.model import Model
+from BalloonWorkbench.core.types import Made
 from BalloonWorkbench.core.units import (
     parse_length,
     parse_mass,
@@ -38,49 +54,170 @@ from BalloonWorkbench.core.units import (
     parse_volume,
 )
 
-DOCUMENT = "balloon.FCStd"
+FAULT, INTERRUPTED = 70, 130
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run a command; 0 when all files are written, 2 with one line on stderr when something is wrong."""
+    """Run a command; returns an exit code of docs/command-line.md, with a line on stderr unless it is 0."""
+    cli_console.quiet()
+    run = _Run()
     try:
-        options = parser().parse_args(arguments)
-        return _run(options)
+        with cli_console.signals_are_errors(), home():
+            for sentence in left_out():
+                cli_console.complain(sentence)
+            return run.command(parser().parse_args(arguments))
     except BalloonError as error:
-        sys.stderr.write(f"balloon: {' '.join(str(error).split())}\n")
-        return 2
+        cli_console.complain(error)
+        return FAULT if isinstance(error, ProgramFault) else 2
     except KeyboardInterrupt:
-        sys.stderr.write("\nballoon: stopped; no file was written.\n")
-        return 130
+        cli_console.complain(f"stopped; {run.outcome()}.")
+        return INTERRUPTED
+    except cli_console.Ended as ended:
+        cli_console.complain(f"stopped; {run.outcome()}.")
+        return ended.end()
+    except Exception as error:  # noqa: BLE001 - the command line is a border
+        cli_console.complain(report_fault(error, "designing a balloon"))
+        return FAULT
 
 
-def _run(options: argparse.Namespace) -> int:
-    width, height = _length(options.width), _length(options.height)
-    settings = _settings(options)
-    chosen = [machine(name) for name in options.machine]  # a mistake shows before the work
-    doubts = checked_machines(settings.film, chosen)
-    make = cli_making.checked(options, _decode())
-    line = _StatusLine(sys.stderr)
-    try:
-        balloon = make_balloon(
-            options.input, settings, width=width, height=height, decode=_decode(), progress=line.show
+class _Run:
+    """One run: the files that were written, what was left out, and the first fault of the program."""
+
+    def __init__(self) -> None:
+        self._paths: tuple[Path, ...] = ()
+        self._left_out: list[str] = []
+        self._fault: ProgramFault | None = None
+
+    def outcome(self) -> str:
+        """Whether files were written, as the end of a sentence."""
+        if not self._paths:
+            return "no file was written"
+        return f"all files were written before to {self._paths[0].parent}"
+
+    def command(self, options: argparse.Namespace) -> int:
+        """Do what the options say."""
+        width, height = _length(options.width), _length(options.height)
+        settings = _settings(options)
+        for name in (options.input, options.artwork, options.artwork_back, *options.machine):
+            _refuse_streams(name)
+        # a mistake shows before the work
+        chosen, doubts = machines_for(settings.film, [machine(name) for name in options.machine])
+        make = cli_making.checked(options, _decode())
+        check_folder(options.out)
+        line = cli_console.StatusLine(sys.stderr)
+        try:
+            balloon = make_balloon(
+                options.input,
+                settings,
+                width=width,
+                height=height,
+                decode=_decode(),
+                progress=line.show,
+                attempt=self._attempt,
+            )
+            if settings.goal is not None:
+                width = balloon.drawing.size[0]
+            with cli_document.document(options.input, settings, balloon.designs, width, height) as document:
+                contents, lines = self._contents(balloon, chosen, options, make, line)
+                made = document and self._attempt(cli_document.NAME, document.content)
+            if made:
+                contents[cli_document.NAME] = made
+        finally:
+            line.clear()
+        report = balloon.report and self._attempt(
+            "report.json", lambda: report_bytes(balloon, self._left_out)
         )
+        if report:
+            contents["report.json"] = report
+        if not contents:
+            raise self._fault or ExportError(f"No file could be made. {' '.join(self._left_out)}")
+        write_files(options.out, contents, self._written)
+        return self._tell(balloon, [*(f"Check: {doubt}" for doubt in doubts), *lines])
+
+    def _contents(
+        self,
+        balloon: Balloon,
+        chosen: Sequence[Machine],
+        options: argparse.Namespace,
+        make: Callable[..., Any],
+        line: cli_console.StatusLine,
+    ) -> tuple[dict[str, bytes], list[str]]:
+        """Contents of the files that can be made, by name, and lines for the user."""
         line.show(1.0, "writing files")
-        contents = files(balloon, options.results)
+        contents: dict[str, bytes] = {}
+        usual = self._attempt("The patterns' files", lambda: makers(balloon, options.results))
+        for name, maker in (usual or {}).items():
+            content = self._attempt(name, maker)
+            if content is not None:
+                contents[name] = content
         if options.frames is not None:
-            contents.update(inflation_files(balloon, options.frames, line.show))
-        made, remarks = checked_files(balloon.sheet, chosen, options.tiled)
-        contents.update(made)
-        made, told = make(balloon, chosen, line.show)
-        contents.update(made)
-        if settings.goal is not None:
-            width = balloon.drawing.size[0]
-        if importlib.util.find_spec("FreeCAD") is not None:
-            contents[DOCUMENT] = _document(options.input, balloon, width, height)
-    finally:
-        line.clear()
-    _write(options.out, contents, balloon, (*doubts, *remarks), told)
-    return 0
+            contents |= (
+                self._attempt("inflation.pvd", lambda: inflation_files(balloon, options.frames, line.show))
+                or {}
+            )
+        lines = [f"{each.title}: {each.note}" for each in chosen]
+        asked = [(each.file_name, [each], None) for each in chosen]
+        if options.tiled is not None:
+            asked.append((f"pattern-{options.tiled.lower()}.pdf", [], options.tiled))
+        refused: list[ExportError] = []
+        for name, machines, paper in asked:
+            try:
+                made = self._attempt(name, partial(checked_files, balloon.sheet, machines, paper))
+            except ExportError as error:
+                refused.append(error)
+                continue
+            if made is not None:
+                contents |= made[0]
+                lines += [f"Check: {remark}" for remark in made[1]]
+        if refused and len(refused) == len(asked):
+            raise ExportError(" ".join(map(str, refused)))
+        self._left_out += map(str, refused)
+        more = self._attempt("What else is made", lambda: make(balloon, chosen, line.show, self._attempt))
+        files, told = more or ({}, [])
+        return contents | files, [*lines, *told]
+
+    def _attempt(self, what: str, make: Callable[[], Made], /) -> Made | None:
+        """Make something that the other files can do without: see core/types.py."""
+        try:
+            return make()
+        except ProgramFault as fault:
+            error = fault
+        except MissingPackageError as missing:
+            self._left_out.append(left_out_text(what, missing))
+            return None
+        except BalloonError:
+            raise
+        except UNFORESEEN as unforeseen:
+            error = report_fault(unforeseen, f"making {what}")
+        self._left_out.append(left_out_text(what, error))
+        self._fault = self._fault or error
+        return None
+
+    def _written(self, paths: tuple[Path, ...]) -> None:
+        self._paths = paths
+
+    def _tell(self, balloon: Balloon, lines: Sequence[str]) -> int:
+        """Tell what was found and written; the exit code."""
+        told = summary(balloon.report, balloon.settings.correct, balloon.settings.film.seam)
+        told += [f"Note: {note}" for note in self._left_out]
+        slow = native.unusable_library() if balloon.settings.backend is None else None
+        told += [*([f"Note: {slow}"] if slow else []), *lines, *(f"Wrote {path}" for path in self._paths)]
+        problem = cli_console.show("\n".join(told) + "\n")
+        if self._fault is not None:
+            cli_console.complain(self._fault)
+            return FAULT
+        if problem is not None:
+            cli_console.complain(f"The summary cannot be shown ({problem.strerror}); {self.outcome()}.")
+            return cli_console.UNSHOWN
+        return 0
+
+
+def _refuse_streams(name: str | None) -> None:
+    """Pipes and devices may never end, and are read more than once. InputError."""
+    with contextlib.suppress(OSError):  # who reads it says what is wrong
+        mode = os.stat(name or "").st_mode
+        if not (stat.S_ISREG(mode) or stat.S_ISDIR(mode)):
+            raise InputError(f"'{name}' is a pipe or a device: save what comes from it, and name that file.")
 
 
 def _settings(options: argparse.Namespace) -> Settings:
@@ -145,90 +282,3 @@ def _decode() -> Any:
     except ImportError:
         return None  # the reader of pictures says what to install
     return qt_picture.decode
-
-
-def _document(drawing: str, balloon: Balloon, width: float | None, height: float | None) -> bytes:
-    from BalloonWorkbench.app.document import fcstd_bytes
-
-    return fcstd_bytes(drawing, balloon.settings, balloon.designs, width=width, height=height)
-
-
-def _write(
-    folder: str, contents: dict[str, bytes], balloon: Balloon, remarks: Sequence[str], made: Sequence[str]
-) -> None:
-    from BalloonWorkbench.core.export.files import write_files
-
-    paths = write_files(folder, contents)
-    report = json.loads(contents["report.json"])  # as written: it also tells what was left out
-    lines = []
-    for part in report["parts"]:
-        inflated, error = part["inflated"], part["design"]["silhouette_error_mm"]
-        size = f"{inflated['width_mm']:.0f} x {inflated['height_mm']:.0f} x {inflated['thickness_mm']:.0f} mm"
-        lines.append(f"Balloon {size}, {1e3 * inflated['volume_m3']:.2f} l, solver {report['backend']}")
-        if balloon.settings.volume is not None:
-            lines.append(f"Pressure {part['pressure_Pa']:.4g} Pa")
-        if balloon.settings.correct:
-            lines.append(
-                f"Silhouette {error['mean']:.2f} mm off the drawing on average, {error['max']:.1f} mm at most"
-            )
-        lines.append(_lift_line(part["lift"]))
-        lines.append(_making_line(part["maker"], balloon.settings.film.seam))
-    lines += [f"Note: {warning}" for warning in report["warnings"]]
-    lines += [_advice_line(finding) for part in report["parts"] for finding in part["advice"]]
-    lines += [f"Check: {remark}" for remark in remarks]
-    lines += made
-    lines += [f"Wrote {path}" for path in paths]
-    _show("\n".join(lines) + "\n")
-
-
-def _show(text: str) -> None:
-    """On the terminal; letters that it does not know as their codes."""
-    code = sys.stdout.encoding or "utf-8"
-    sys.stdout.write(text.encode(code, "backslashreplace").decode(code))
-
-
-def _lift_line(lift: dict[str, Any]) -> str:
-    weight, gas_name = f"Weight {lift['weight_g']:.3g} g", lift["gas"]
-    if lift["floats"]:
-        return f"{weight}; filled with {gas_name} it carries {lift['lift_g']:.3g} g"
-    if lift["floats_from_width_mm"] is None:
-        return f"{weight}; it does not float with {gas_name}"
-    return f"{weight}; filled with {gas_name} it floats from {lift['floats_from_width_mm']:.0f} mm width on"
-
-
-def _making_line(maker: dict[str, Any], seam: str) -> str:
-    """What it takes, and how much pressure it bears."""
-    strong = maker["strength"]
-    told = f"Film {1e4 * maker['film_area_m2']:.0f} cm2"
-    if maker["roll_length_mm"] is not None:
-        told += f" from {maker['roll_length_mm']:.0f} mm of a {maker['roll_width_mm']:.0f} mm roll"
-    told += f", {seam} {maker['seam_length_mm']:.0f} mm"
-    if strong["safe_pressure_Pa"] is None:
-        return told
-    weakest = seam if strong["weakest"] == WELD else strong["weakest"]
-    return told + f"; {weakest} safe to {1e-3 * strong['safe_pressure_Pa']:.2g} kPa"
-
-
-def _advice_line(finding: dict[str, Any]) -> str:
-    x, y = finding["at_mm"]
-    return f"Advice, {finding['severity']}, at ({x:.0f}, {y:.0f}) mm: {finding['text']}"
-
-
-class _StatusLine:
-    """Progress on a terminal: one line that is written over; nothing elsewhere."""
-
-    def __init__(self, stream: TextIO) -> None:
-        self._stream = stream if stream.isatty() else None
-
-    def show(self, fraction: float, text: str) -> bool:
-        """Show the progress; never asks to stop."""
-        if self._stream is not None:
-            self._stream.write(f"\r\033[K{100.0 * fraction:3.0f} %  {text}")
-            self._stream.flush()
-        return True
-
-    def clear(self) -> None:
-        """Leave an empty line behind."""
-        if self._stream is not None:
-            self._stream.write("\r\033[K")
-            self._stream.flush()

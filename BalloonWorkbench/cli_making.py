@@ -5,21 +5,22 @@ from __future__ import annotations
 
 import argparse
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from BalloonWorkbench.cli_console import readable
 from BalloonWorkbench.core.artwork.marks import BLEED
 from BalloonWorkbench.core.artwork.sheet import DPI
 from BalloonWorkbench.core.assembly.page import PAGES
 from BalloonWorkbench.core.errors import ExportError, InputError
 from BalloonWorkbench.core.export.fabricate import checked_files
-from BalloonWorkbench.core.export.machine import ANY, Machine, machine
+from BalloonWorkbench.core.export.machine import ANY, Machine, machines
 from BalloonWorkbench.core.job import Balloon
 from BalloonWorkbench.core.making import Artwork, assembly_files, nested, print_files
 from BalloonWorkbench.core.nesting.layout import SPACING, Grain, Stock
 from BalloonWorkbench.core.outline.decode import decode, picture_size
-from BalloonWorkbench.core.types import Progress
+from BalloonWorkbench.core.types import Attempt, Progress
 from BalloonWorkbench.core.units import mm_text, parse_length, to_mm
 
 
@@ -55,7 +56,7 @@ def add_making(command: argparse.ArgumentParser) -> None:
         "--grain-lies",
         choices=[grain.value for grain in Grain],
         default=Grain.ALONG.value,
-        help="how the grain of pieces lies on the roll (default along)",
+        help="how the grain of pieces lies on the roll, for films with one (default along)",
     )
     group.add_argument("--assembly", choices=list(PAGES), help="write an assembly sheet on this paper")
 
@@ -69,32 +70,46 @@ def checked(options: argparse.Namespace, reader: Callable[[Path], Any] | None) -
     stock = None if options.nest is None else _stock(options)
 
     def make(
-        balloon: Balloon, chosen: Sequence[Machine], progress: Progress
+        balloon: Balloon, chosen: Sequence[Machine], progress: Progress, attempt: Attempt
     ) -> tuple[dict[str, bytes], list[str]]:
-        """Contents of the files by name, and lines for the user."""
-        machines = list(chosen) or [machine(name) for name in ANY.values()]
-        contents: dict[str, bytes] = {}
-        lines: list[str] = []
+        """Contents of the files by name, and lines for the user; each option is an attempt of its own."""
+        asked = list(chosen) or [machines()[name] for name in ANY.values()]
+        made: list[tuple[Mapping[str, bytes], list[str]] | None] = []
         if artwork is not None:
             progress(1.0, "printing")
-            files, remarks, front, back = print_files(balloon, artwork)
-            contents |= files
-            lines += [f"Note: {remark}" for remark in remarks]
-            for side, sheet in (("front", front), ("back", back)):
-                made, doubts = checked_files(sheet.pattern, machines)
-                contents |= {f"print-{side}-{name}": content for name, content in made.items()}
-                lines += [f"Check, {side}: {doubt}" for doubt in doubts]
-            width, height = front.size
-            lines.append(
-                f"Print {to_mm(width):.0f} x {to_mm(height):.0f} mm at {front.dpi:g} dpi, front and back"
-            )
+            made.append(attempt("The print", lambda: _print(balloon, artwork, asked)))
         if stock is not None:
-            contents |= _nest(balloon, stock, options.balloons, machines, progress, lines)
+            made.append(
+                attempt(
+                    "The layout on film",
+                    lambda: _nest(balloon, stock, options.balloons, asked, progress),
+                )
+            )
         if options.assembly is not None:
-            contents |= assembly_files(balloon, Path(options.input).stem.capitalize(), options.assembly)
-        return contents, lines
+            title = readable(Path(options.input).stem).capitalize()
+            made.append(
+                attempt("assembly.pdf", lambda: (assembly_files(balloon, title, options.assembly), []))
+            )
+        done = [each for each in made if each is not None]
+        contents = {name: content for files, _ in done for name, content in files.items()}
+        return contents, [line for _, lines in done for line in lines]
 
     return make
+
+
+def _print(
+    balloon: Balloon, artwork: Artwork, asked: Sequence[Machine]
+) -> tuple[dict[str, bytes], list[str]]:
+    files, remarks, front, back = print_files(balloon, artwork)
+    contents = dict(files)
+    lines = [f"Note: {remark}" for remark in remarks]
+    for side, sheet in (("front", front), ("back", back)):
+        made, doubts = checked_files(sheet.pattern, asked)
+        contents |= {f"print-{side}-{name}": content for name, content in made.items()}
+        lines += [f"Check, {side}: {doubt}" for doubt in doubts]
+    width, height = front.size
+    lines.append(f"Print {to_mm(width):.0f} x {to_mm(height):.0f} mm at {front.dpi:g} dpi, front and back")
+    return contents, lines
 
 
 def _artwork(options: argparse.Namespace, reader: Callable[[Path], Any]) -> Artwork | None:
@@ -128,23 +143,26 @@ def _nest(
     count: int,
     machines: Sequence[Machine],
     progress: Progress,
-    lines: list[str],
-) -> dict[str, bytes]:
-    layouts, pieces, remarks = nested(balloon, stock, count, progress)
+) -> tuple[dict[str, bytes], list[str]]:
     contents: dict[str, bytes] = {}
-    for number, layout in enumerate(layouts, 1):
-        which = "" if number == 1 else f"-{number}"
-        for each in machines:
-            try:
-                made, doubts = checked_files(layout.pattern(pieces), [each])
-            except ExportError as error:
-                lines.append(f"Left out: {error}")
-                continue
-            contents |= {f"nested{which}-{name}": content for name, content in made.items()}
-            lines += [f"Check, film {number}: {doubt}" for doubt in doubts]
-        lines.append(
-            f"Film {number}: {len(layout.places)} pieces on {to_mm(layout.length):.0f} x"
-            f" {to_mm(stock.width):.0f} mm, {100.0 * layout.utilisation:.0f} % used"
-        )
-    lines += [f"Note: {remark}" for remark in remarks]
-    return contents
+    lines: list[str] = []
+    notes: list[str] = []
+    for film, (layouts, pieces, remarks) in nested(balloon, stock, count, progress).items():
+        title = f"{film} film".lstrip().capitalize()
+        notes += remarks
+        for number, layout in enumerate(layouts, 1):
+            which = "" if number == 1 else f"-{number}"
+            for each in machines:
+                try:
+                    made, doubts = checked_files(layout.pattern(pieces), [each])
+                except ExportError as error:
+                    lines.append(f"Left out: {error}")
+                    continue
+                contents |= {f"nested{which}-{name}": content for name, content in made.items()}
+                lines += [f"Check, {title.lower()} {number}: {doubt}" for doubt in doubts]
+            lines.append(
+                f"{title} {number}: {len(layout.places)} pieces on {to_mm(layout.length):.0f} x"
+                f" {to_mm(stock.width):.0f} mm, {100.0 * layout.utilisation:.0f} % used"
+            )
+    lines += [f"Note: {remark}" for remark in dict.fromkeys(notes)]
+    return contents, lines

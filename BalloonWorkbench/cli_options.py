@@ -4,9 +4,10 @@
 from __future__ import annotations
 
 import argparse
-from typing import NoReturn
+from typing import Any, NoReturn
 
 from BalloonWorkbench import __version__, cli_making, cli_pattern
+from BalloonWorkbench.cli_console import UNSHOWN, complain, show
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.export.machine import machines
 from BalloonWorkbench.core.export.machine_pdf import TILES
@@ -24,6 +25,13 @@ class _Parser(argparse.ArgumentParser):
 
     def error(self, message: str) -> NoReturn:
         raise InputError(f"{message}. See --help.")
+
+    def _print_message(self, message: str, file: Any = None) -> None:
+        """The help and the version, which are all that it prints."""
+        problem = show(message)
+        if problem is not None:
+            complain(f"This cannot be shown ({problem.strerror}).")
+            self.exit(UNSHOWN)
 
 
 def parser() -> argparse.ArgumentParser:

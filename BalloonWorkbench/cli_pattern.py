@@ -7,6 +7,7 @@ import argparse
 import math
 
 from BalloonWorkbench.core.outline.passages import PASSAGE
+from BalloonWorkbench.core.pattern.intake import FARTHEST, PLACES
 from BalloonWorkbench.core.pattern.intake_kinds import STRAW, intake_kinds
 from BalloonWorkbench.core.pattern.make import Wanted
 from BalloonWorkbench.core.units import mm_text, parse_length
@@ -38,12 +39,19 @@ def add_pattern(command: argparse.ArgumentParser) -> None:
         "--intake-angle",
         metavar="DEGREES",
         type=float,
-        help="direction from the centre; by default to the farthest point",
+        help="direction from the centre in which it sits",
     )
     place.add_argument(
         "--intake-along",
         metavar="LENGTH",
         help="its place instead: counter-clockwise along the seam from its rightmost point",
+    )
+    place.add_argument(
+        "--intake-place",
+        choices=PLACES,
+        default=FARTHEST,
+        help="where it is found: at the point farthest from the centre (the default), or low, where a tied"
+        " balloon hangs straight",
     )
     length("--passage", "left open in welds that would cut off a part; 0 gives each its own intake", PASSAGE)
     group.add_argument(
@@ -80,6 +88,7 @@ def wanted(options: argparse.Namespace) -> Wanted:
         intake_length=given(options.intake_length),
         intake_angle=None if angle is None else math.radians(angle),
         intake_along=given(options.intake_along),
+        intake_place=options.intake_place,
         corner_radius=given(options.corner_relief) or 0.0,
         notches=options.notches,
         notch_depth=given(options.notch_depth, _USUAL.notch_depth) or 0.0,

@@ -16,10 +16,14 @@ import re
 import subprocess
 import sys
 import tempfile
+import zipfile
 from pathlib import Path
 
 import lief
 from native_libraries import PLATFORMS, ROOT, build, zig
+
+sys.path.insert(0, str(ROOT))
+from BalloonWorkbench.core.solver.library import damage
 
 _HEADER = ROOT / "BalloonWorkbench" / "native" / "include" / "film_solver.h"
 INTERFACE = set(re.findall(r"\b(film_\w+)\(", _HEADER.read_text(encoding="utf-8")))
@@ -112,6 +116,18 @@ def run(name: str, path: Path, folder: Path) -> str:
     return told.read_text(encoding="utf-8").strip()
 
 
+def sums_inside(packed: Path) -> int:
+    """How many libraries in an addon or wheel the loader would refuse; there has to be one that it takes."""
+    with zipfile.ZipFile(packed) as archive, tempfile.TemporaryDirectory() as folder:
+        archive.extractall(folder)
+        files = {platform.file for platform in PLATFORMS.values()}
+        libraries = sorted(path for path in Path(folder).rglob("*") if path.name in files)
+        wrong = [told for told in map(damage, libraries) if told is not None]
+    for told in wrong or ([] if libraries else ["it holds no library"]):
+        print(f"FAILED {packed.name}: {told}")
+    return len(wrong) or int(not libraries)
+
+
 def main(arguments: list[str]) -> int:
     """Check all libraries and the sums; one of them is compiled once more, from nothing."""
     libraries, release = (Path(each).resolve() for each in arguments)
@@ -139,6 +155,7 @@ def main(arguments: list[str]) -> int:
         if hashlib.sha256((release / file).read_bytes()).hexdigest() != digest:
             print(f"FAILED {file} is not the one that was summed up")
             failed += 1
+        failed += sums_inside(release / file)
     return min(failed, 1)
 
 

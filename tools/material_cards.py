@@ -63,6 +63,7 @@ def card(film: dict[str, Any]) -> str:
         value = known.get(name, film.get(key))
         if value is not None:
             lines.append(f'    {name}: "{f"{factor * value:.10g} {unit}".strip()}"')
+    lines.append(f"    SealingSide: {_text(film['sealing_side'])}")
     lines += [f"    {name}: {_text(text)}" for name, text in _joining(film).items() if text]
     return "\n".join(lines) + "\n"
 

@@ -60,6 +60,12 @@ def packed(contents: Mapping[str, bytes], date: tuple[int, int, int]) -> bytes:
     return stream.getvalue()
 
 
+def with_sum(place: str, library: bytes) -> dict[str, bytes]:
+    """A library and its sum beside it, which the loader asks for: see core/solver/library.py."""
+    sum_of_it = f"{hashlib.sha256(library).hexdigest()}  {place.rpartition('/')[2]}\n"
+    return {place: library, f"{place}.sha256": sum_of_it.encode()}
+
+
 def addon(libraries: Path, date: tuple[int, int, int]) -> bytes:
     """The workbench with the libraries of all platforms."""
     listed = subprocess.run(
@@ -69,7 +75,7 @@ def addon(libraries: Path, date: tuple[int, int, int]) -> bytes:
     contents = {f"{ADDON}/{name}": (ROOT / name).read_bytes() for name in names}
     for name, platform in PLATFORMS.items():
         place = f"{ADDON}/BalloonWorkbench/native/lib/{name}/{platform.file}"
-        contents[place] = (libraries / name / platform.file).read_bytes()
+        contents |= with_sum(place, (libraries / name / platform.file).read_bytes())
     return packed(dict(sorted(contents.items())), date)
 
 
@@ -86,7 +92,7 @@ def wheel(library: Path, tag: str, version: str, date: tuple[int, int, int]) -> 
     tags = "".join(f"Tag: py3-none-{each}\n" for each in tag.split("."))
     contents = {
         f"{WHEEL}/__init__.py": b'# SPDX-License-Identifier: LGPL-2.1-or-later\n"""Holds a library."""\n',
-        f"{WHEEL}/{library.name}": library.read_bytes(),
+        **with_sum(f"{WHEEL}/{library.name}", library.read_bytes()),
         f"{about}/METADATA": metadata.encode(),
         f"{about}/WHEEL": f"Wheel-Version: 1.0\nGenerator: release\nRoot-Is-Purelib: false\n{tags}".encode(),
         **{f"{about}/{name}": (ROOT / name).read_bytes() for name in _LICENCES},

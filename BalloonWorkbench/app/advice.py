@@ -12,8 +12,10 @@ from dataclasses import replace
 from functools import lru_cache
 
 from BalloonWorkbench.app import status
+from BalloonWorkbench.app.pattern_shape import DIRECTION, LOW
 from BalloonWorkbench.app.properties import Property
 from BalloonWorkbench.core.errors import OutlineError
+from BalloonWorkbench.core.recent import Recent
 
 OUTLINE_PROPERTIES = (
     Property(
@@ -31,7 +33,9 @@ BALLOON_PROPERTIES = (
     Property("StringList", "Advice", "Result", "What would make the balloon better", result=True),
 )
 
-_MOVED_INTAKE = "hidden_intake"
+#: What is said of the intake, which may change without the balloon.
+_intakes = Recent(8)  # findings about the intake, by what they came from
+_OF_INTAKE = ("hidden_intake", "delicate_intake")
 
 
 def findings(parts) -> list:
@@ -40,16 +44,29 @@ def findings(parts) -> list:
     Those of its simulation where that is up to date, else those predicted from its outline. Raises
     BalloonError where the outline is of no use.
     """
+    from BalloonWorkbench.app.pattern import values
+
     outline, balloon, pattern = parts
     if not status.is_ready(outline):
         return []
-    if status.is_ready(balloon) and is_solved(balloon):
-        found = stored(balloon)
-        if pattern.IntakeAuto or not pattern.Intake:
-            return found
-        own = [finding for finding in predicted(parts) if finding.rule == _MOVED_INTAKE]
-        return [finding for finding in found if finding.rule != _MOVED_INTAKE] + own
-    return predicted(parts)
+    if not (status.is_ready(balloon) and is_solved(balloon)):
+        return predicted(parts)
+    found = [finding for finding in stored(balloon) if finding.rule not in _OF_INTAKE]
+    found += _of_intake(balloon, values(pattern))
+    return sorted(found, key=lambda finding: -finding.severity.rank)
+
+
+def _of_intake(balloon, wanted) -> list:
+    """The findings about the intake of a balloon that has a result, on the outline."""
+    from BalloonWorkbench.app import film_result, shapes
+    from BalloonWorkbench.core.coach.coach import intake_findings
+
+    key = balloon.Document.Name, balloon.Name, balloon.SolvedFor, balloon.SolvedWith, wanted
+    if key not in _intakes:
+        inflation, film = film_result.stored(balloon)
+        seam, drawn = shapes.stored(balloon, "Seam"), film_result.drawing(balloon)
+        _intakes[key] = intake_findings(drawn, film, inflation, seam, balloon.Passes > 0, wanted)
+    return _on_outline(balloon, _intakes[key])
 
 
 def is_solved(balloon) -> bool:
@@ -62,14 +79,19 @@ def is_solved(balloon) -> bool:
 def stored(balloon) -> list:
     """The findings kept with a result, on the outline; a goal may have made the balloon larger."""
     from BalloonWorkbench.core.advice import finding_from
-    from BalloonWorkbench.core.coach.repairs import finding_scaled
 
     report = json.loads(balloon.Report)
-    found = [finding_from(data) for data in report.get("advice", [])]
+    return _on_outline(balloon, [finding_from(data) for data in report.get("advice", [])])
+
+
+def _on_outline(balloon, found: list) -> list:
+    """Findings in the frame of the drawing, in that of the outline."""
+    from BalloonWorkbench.core.coach.repairs import finding_scaled
+
     outline = balloon.Outline
     if not found or not outline.SizeX:
         return found
-    factor = outline.SizeX.Value / report["input"]["width_mm"]
+    factor = outline.SizeX.Value / json.loads(balloon.Report)["input"]["width_mm"]
     return [finding_scaled(finding, factor) for finding in found]
 
 
@@ -81,12 +103,9 @@ def predicted(parts) -> list:
 def advice_before(parts):
     """The core's advice from the outline alone, with the map of the thickness to be expected."""
     from BalloonWorkbench.app.balloon import request
-    from BalloonWorkbench.app.quantities import metres, radians
+    from BalloonWorkbench.app.pattern import values
 
-    pattern = parts.pattern
-    wanted = request(parts.balloon)
-    angle = None if pattern.IntakeAuto else radians(pattern.IntakeAngle)
-    return _predicted(_Key(wanted), metres(pattern.IntakeWidth), angle)
+    return _predicted(_Key(request(parts.balloon)), values(parts.pattern))
 
 
 class _Key:
@@ -104,25 +123,19 @@ class _Key:
 
 
 @lru_cache(maxsize=8)
-def _predicted(key: _Key, intake_width: float, intake_angle: float | None):
+def _predicted(key: _Key, wanted):
     from BalloonWorkbench.core.coach.coach import advise
 
     settings = key.wanted.settings
-    return advise(
-        key.wanted.source.outline,
-        settings.film,
-        fitted=settings.correct,
-        intake_width=intake_width,
-        intake_angle=intake_angle,
-    )
+    return advise(key.wanted.source.outline, settings.film, fitted=settings.correct, wanted=wanted)
 
 
-def told(design, film) -> dict:
+def told(design, film, wanted) -> dict:
     """The advice on a design as plain data, for a report."""
     from BalloonWorkbench.core.advice import advice_report
     from BalloonWorkbench.core.coach.coach import advise_design
 
-    return advice_report(advise_design(design, film))
+    return advice_report(advise_design(design, film, wanted=wanted))
 
 
 def sentences(data: list[dict]) -> list[str]:
@@ -139,7 +152,12 @@ def take(parts, repair) -> None:
 
     if repair.kind is RepairKind.MOVE_INTAKE:
         parts.pattern.IntakeAuto = False
+        parts.pattern.IntakeBy = DIRECTION
         parts.pattern.IntakeAngle = math.degrees(repair.size)
+        return
+    if repair.kind is RepairKind.LOWER_INTAKE:
+        parts.pattern.IntakeAuto = True
+        parts.pattern.IntakeAutoPlace = LOW
         return
     entry = {**repair_data(repair), "of_mm": parts.outline.DrawnSize}
     parts.outline.Repairs = [*parts.outline.Repairs, json.dumps(entry)]

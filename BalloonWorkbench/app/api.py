@@ -8,19 +8,43 @@ letters, such as mesh_size for MeshSize: as numbers in FreeCAD's units, quantiti
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from contextlib import contextmanager
+from functools import wraps
+from inspect import signature
 from pathlib import Path
+from typing import TypeVar
 
 from BalloonWorkbench.app import advice as coach
 from BalloonWorkbench.app import balloon, create, values
 from BalloonWorkbench.app import export as writer
 from BalloonWorkbench.app.create import Parts
 from BalloonWorkbench.app.parts import parts_of
-from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core import faults
+from BalloonWorkbench.core.errors import BalloonError, InputError
 
+_Result = TypeVar("_Result")
 _done: list = []  # what the window has made already and a call being recorded shall return
 
 
+def _bordered(function: Callable[..., _Result]) -> Callable[..., _Result]:
+    """The function with a border: what nobody foresaw is raised as ProgramFault, from what it was."""
+    taken = signature(function)
+
+    @wraps(function)
+    def call(*given, **named):
+        taken.bind(*given, **named)  # a call that does not fit is the caller's TypeError
+        try:
+            return function(*given, **named)
+        except BalloonError:
+            raise
+        except faults.UNFORESEEN as error:
+            raise faults.report_fault(error, f"running {function.__name__} of the Python API") from error
+
+    return call
+
+
+@_bordered
 def from_picture(doc, path, width=None, height=None, **wanted) -> Parts:
     """A new balloon from a picture, SVG, DXF or JSON file; pictures need a width or a height.
 
@@ -30,6 +54,7 @@ def from_picture(doc, path, width=None, height=None, **wanted) -> Parts:
     return _done[-1] if _done else create.balloon_from_picture(doc, path, width, height, values=wanted)
 
 
+@_bordered
 def from_sketch(doc, source, elements=(), **wanted) -> Parts:
     """A new balloon that follows a sketch, wire or face; elements such as ["Face6"] pick a part of it.
 
@@ -38,6 +63,7 @@ def from_sketch(doc, source, elements=(), **wanted) -> Parts:
     return _done[-1] if _done else create.balloon_from_sketch(doc, source, elements, values=wanted)
 
 
+@_bordered
 def parts(obj) -> Parts:
     """The balloon that an object or its group belongs to; InputError for other objects."""
     found = parts_of(obj)
@@ -46,6 +72,7 @@ def parts(obj) -> Parts:
     return found
 
 
+@_bordered
 def change(made: Parts, **wanted) -> None:
     """Change values of a balloon and bring the document up to date; InputError for unknown names."""
     if not _done:
@@ -53,17 +80,20 @@ def change(made: Parts, **wanted) -> None:
         made.balloon.Document.recompute()
 
 
+@_bordered
 def inflate(made: Parts) -> None:
     """Inflate a balloon that does not do so by itself, `live` being off; its Status tells what came of it."""
     if not _done:
         balloon.inflate_now(made.balloon)
 
 
+@_bordered
 def findings(made: Parts) -> list:
     """What the coach says about a balloon, the worst first: rule, severity, text, place and repair."""
     return coach.findings(made)
 
 
+@_bordered
 def repair(made: Parts, rule: str, near=(0.0, 0.0)) -> None:
     """Take the coach's repair of a finding: the one of this rule whose place is nearest to `near` [mm].
 
@@ -82,6 +112,7 @@ def repair(made: Parts, rule: str, near=(0.0, 0.0)) -> None:
     made.balloon.Document.recompute()
 
 
+@_bordered
 def export(obj, path, machine: str | None = None, paper: str | None = None) -> Path:
     """Write a pattern, or all of a group, to a DXF or SVG file, or as a machine reads it; returns the file.
 
@@ -101,6 +132,7 @@ def export(obj, path, machine: str | None = None, paper: str | None = None) -> P
     return (writer.export_results if results else writer.export_pattern)(obj, path)
 
 
+@_bordered
 def artwork(pattern_obj, **wanted):
     """The artwork of a pattern, made if there is none, with these values: picture, back_picture, bleed ...
 
@@ -117,6 +149,7 @@ def artwork(pattern_obj, **wanted):
     return made
 
 
+@_bordered
 def sketch(pattern_obj):
     """A new Sketcher sketch of a pattern's cuts, of lines and arcs; InputError while it is not up to date."""
     from BalloonWorkbench.app.pattern_sketch import make_sketch
@@ -124,10 +157,11 @@ def sketch(pattern_obj):
     return _done[-1] if _done else make_sketch(pattern_obj)
 
 
+@_bordered
 def nest(patterns, sheet=None, **wanted):
     """Lay out patterns closely on a new roll or sheet, or on one that is there; returns the object.
 
-    Values are film_width, film_length, spacing, balloons, grain, shown. Raises InputError.
+    Values are film, film_width, film_length, spacing, balloons, grain, shown. Raises InputError.
     """
     from BalloonWorkbench.app import film_sheet
 
@@ -140,6 +174,7 @@ def nest(patterns, sheet=None, **wanted):
     return made
 
 
+@_bordered
 def assembly_sheet(made: Parts, path, paper: str = "A4") -> Path:
     """Write the page on how to make a balloon, a PDF on A4 or Letter; returns it. Raises ExportError."""
     from BalloonWorkbench.app import maker

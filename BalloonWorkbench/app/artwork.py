@@ -7,7 +7,7 @@ from functools import lru_cache, partial
 from pathlib import Path
 
 from BalloonWorkbench.app import status
-from BalloonWorkbench.app.properties import Property
+from BalloonWorkbench.app.properties import Property, results
 from BalloonWorkbench.app.stateless import DocumentProxy
 from BalloonWorkbench.core.errors import ExportError, InputError
 
@@ -47,12 +47,13 @@ class ArtworkProxy(DocumentProxy):
     def choices(self):
         return CHOICES
 
-    def execute(self, obj):
+    def compute(self, obj):
         if status.waits_for(obj, obj.Pattern, bool(obj.Roles), "Choose the pattern to print on."):
             return
         with status.reported(obj, bool(obj.Roles)):
             _pictures(obj)
-            show(obj, self.cut_pattern(obj))
+            with results(obj) as found:
+                show(found, self.cut_pattern(obj))
             status.set_status(obj, status.READY)
         obj.positionBySupport()
 
@@ -155,9 +156,11 @@ def _printing(obj, dpi: float):
 def write(obj, folder, machine_names=("any-dxf", "any-svg")) -> list[Path]:
     """Write both sides as PNG and PDF, and what cutters read, with the same marks; returns the files.
 
-    Without reportlab there is no PDF. Raises ExportError, and writes nothing, when something is not up to
-    date or cannot be made.
+    Without reportlab there is no PDF. A machine that cannot make it is left out, which the report view tells.
+    Raises ExportError, and writes nothing, when something is not up to date or cannot be made.
     """
+    import FreeCAD as App
+
     from BalloonWorkbench.app import hooks
     from BalloonWorkbench.core.artwork.files import artwork_files
     from BalloonWorkbench.core.export.fabricate import checked_files
@@ -166,15 +169,21 @@ def write(obj, folder, machine_names=("any-dxf", "any-svg")) -> list[Path]:
 
     printing = _printing(obj, obj.Resolution)
 
+    doubts: list[str] = []
+
     def made(_progress) -> dict[str, bytes]:
         front, back = printing()
         contents, _ = artwork_files(front, back)
         for side, sheet in (("front", front), ("back", back)):
-            cut, _ = checked_files(sheet.pattern, [machine(name) for name in machine_names])
+            cut, remarks = checked_files(sheet.pattern, [machine(name) for name in machine_names])
             contents |= {f"print-{side}-{name}": content for name, content in cut.items()}
+            doubts.extend(remarks)
         return contents
 
-    return list(write_files(folder, hooks.work(f"Writing {obj.Label}", made)))
+    written = list(write_files(folder, hooks.work(f"Writing {obj.Label}", made)))
+    for doubt in dict.fromkeys(doubts):
+        App.Console.PrintWarning(f"{doubt}\n")
+    return written
 
 
 def show(obj, pattern) -> None:

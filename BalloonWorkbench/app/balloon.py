@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from BalloonWorkbench.app import advice, film, film_result, size_goal, status
-from BalloonWorkbench.app.properties import Property, show_in_editor
+from BalloonWorkbench.app.properties import Property, results, show_in_editor
 from BalloonWorkbench.app.stateless import DocumentProxy
 
 FIT, INFLATE = "Fit to drawing", "Inflate as drawn"
@@ -142,7 +142,7 @@ class BalloonProxy(DocumentProxy):
                 size_goal.begin(obj)
             size_goal.follow(obj)
 
-    def execute(self, obj):
+    def compute(self, obj):
         from BalloonWorkbench.app import hooks
 
         if status.waits_for(obj, obj.Outline, bool(obj.SolvedFor), "Choose the outline to inflate."):
@@ -236,7 +236,7 @@ def describe(wanted, design) -> dict:
         source = replace(source, outline=design.target)
     plain = build_pattern(design.pattern, settings.film.seal_width, intake=False)
     told = report.build(source, settings.film, design, plain, settings.volume, goal=settings.goal)
-    told |= advice.told(design, settings.film)
+    told |= advice.told(design, settings.film, settings.wanted)
     size_goal.prepare(design.pattern, settings.film, settings.wanted)
     del told["pattern"], told["lift"]  # the Pattern object, and the properties, have their own
     return told
@@ -255,15 +255,16 @@ def show(obj, wanted, design, told: dict | None = None) -> None:
     from BalloonWorkbench.core.units import to_mm
 
     told = told or describe(wanted, design)
-    positions, triangles = balloon_mesh(design.inflation)
-    obj.Mesh = mesh_from_arrays(to_mm(positions), triangles)
-    shapes.store(obj, "Seam", design.pattern)
-    _show_measures(obj, told)
-    obj.Warnings = list(design.warnings)
-    obj.Advice, obj.Puffiness = advice.sentences(told["advice"]), told["puffiness"]
-    obj.Report = json.dumps(told, ensure_ascii=False)
-    film_result.store(obj, design.inflation, wanted.settings.film, _values(obj))
-    obj.SolvedFor = wanted.key()
+    with results(obj) as found:
+        positions, triangles = balloon_mesh(design.inflation)
+        found.Mesh = mesh_from_arrays(to_mm(positions), triangles)
+        shapes.store(found, "Seam", design.pattern)
+        _show_measures(found, told)
+        found.Warnings = list(design.warnings)
+        found.Advice, found.Puffiness = advice.sentences(told["advice"]), told["puffiness"]
+        found.Report = json.dumps(told, ensure_ascii=False)
+        film_result.store(found, design.inflation, wanted.settings.film, _values(obj))
+        found.SolvedFor = wanted.key()
 
 
 def _values(obj) -> dict:

@@ -57,8 +57,11 @@ def check_for(pattern_obj, machine_name: str):
     from BalloonWorkbench.core.export.preflight import ERROR, preflight
 
     made_for, pattern = machine(machine_name), sheet(pattern_obj)
-    findings = hooks.work("Checking the pattern", lambda progress: preflight(pattern, made_for))
-    both = (*_film_findings(pattern_obj, made_for), *findings)
+
+    def findings(progress) -> list:
+        return [each for stock in pattern.stocks for each in preflight(pattern.of_stock(stock), made_for)]
+
+    both = (*_film_findings(pattern_obj, made_for), *hooks.work("Checking the pattern", findings))
     return tuple(sorted(both, key=lambda finding: finding.severity != ERROR))
 
 
@@ -76,28 +79,34 @@ def _film_findings(pattern_obj, made_for) -> tuple:
 def export_for(pattern_obj, machine_name: str, target, paper: str | None = None) -> Path:
     """Write the file that a machine reads, to a file or under its usual name into a folder; returns the file.
 
+    What is cut from another film than the balloon's goes into a file of its own beside it.
     paper divides a PDF into pages of "A4", "A3" or "Letter". Raises ExportError, and writes nothing, when the
     machine cannot make the pattern.
     """
     from BalloonWorkbench.app import hooks
-    from BalloonWorkbench.core.export.fabricate import machine_file
+    from BalloonWorkbench.core.export.fabricate import file_of_stock, machine_file
     from BalloonWorkbench.core.export.files import write_files
     from BalloonWorkbench.core.export.machine import machine
     from BalloonWorkbench.core.export.preflight import ERROR, preflight
 
     made_for, pattern = machine(machine_name), sheet(pattern_obj)
     doubts = _film_findings(pattern_obj, made_for)
-
-    def content(progress) -> bytes:
-        for finding in (*doubts, *preflight(pattern, made_for)):
-            if finding.severity == ERROR:
-                raise ExportError(finding.text)
-        return machine_file(pattern, made_for, paper, hooks.say)
-
     path = Path(target)
     if path.is_dir():
         path = path / made_for.file_name
-    write_files(path.parent, {path.name: hooks.work(f"Writing {path.name}", content)})
+
+    def contents(progress) -> dict[str, bytes]:
+        found = {}
+        for number, stock in enumerate(pattern.stocks):
+            part = pattern.of_stock(stock)
+            for finding in (*doubts, *preflight(part, made_for)):
+                if finding.severity == ERROR:
+                    raise ExportError(finding.text)
+            name = file_of_stock(path.name, stock) if number else path.name
+            found[name] = machine_file(part, made_for, paper, hooks.say)
+        return found
+
+    write_files(path.parent, hooks.work(f"Writing {path.name}", contents))
     return path
 
 

@@ -40,6 +40,12 @@ PROPERTIES = (
     Property("Bool", "OneSided", "Film", "Only one side of this film can be joined so", False),
     Property("Enumeration", "Laser", "Film", "Whether a laser may cut this film"),
     Property(
+        "String",
+        "SealingSide",
+        "Film",
+        "Polymer of the side that is welded, such as PE; none where it does not weld, empty: not known",
+    ),
+    Property(
         "Pressure", "Strength", "Film", "Tension over the section at which the film tears; 0: not known"
     ),
     Property(
@@ -77,11 +83,12 @@ def own_folder():
 def _own_films() -> dict:
     import FreeCAD as App
 
+    from BalloonWorkbench.core.data_file import data_files
     from BalloonWorkbench.core.errors import InputError
     from BalloonWorkbench.core.film.library import read_film
 
     found = {}
-    for path in sorted(own_folder().glob("*.json")):
+    for path in data_files(own_folder):
         try:
             found[path.stem] = read_film(path)
         except InputError as error:
@@ -162,6 +169,7 @@ def write(obj, film) -> None:
     obj.ArealDensity = film.areal_density
     obj.SealWidth = to_mm(film.seal_width)
     obj.Strength = kilopascals(film.max_stress or 0.0)
+    obj.SealingSide = film.sealing_side or ""
     _write_joining(obj, film)
 
 
@@ -172,6 +180,11 @@ def _write_joining(obj, film) -> None:
 def take_joining(obj, joining: str, one_side: bool, laser: bool | None) -> None:
     """What a card says of these, by the core's names; what is not known there is unknown."""
     obj.Joining, obj.OneSided, obj.Laser = _JOININGS.get(joining, UNKNOWN), one_side, _LASER[laser]
+
+
+#: What a film of the library has beyond the properties that a user may change.
+_OF_KNOWN = ("name", "max_stress", "title", "look", "grain")
+_OF_KNOWN += ("sealing_side", "joining", "one_side", "some_grades", "laser")
 
 
 def read(obj):
@@ -192,6 +205,7 @@ def read(obj):
         own,
         seal_width=metres(obj.SealWidth),
         max_stress=strength,
+        sealing_side=obj.SealingSide.strip() or None,
         joining=next(name for name, title in _JOININGS.items() if title == obj.Joining),
         one_side=obj.OneSided,
         laser=next(value for value, title in _LASER.items() if title == obj.Laser),
@@ -206,8 +220,5 @@ def read(obj):
         return own
     return replace(
         own,
-        **{
-            name: getattr(known, name)
-            for name in ("name", "max_stress", "title", "look", "joining", "one_side", "some_grades", "laser")
-        },
+        **{name: getattr(known, name) for name in _OF_KNOWN},
     )

@@ -7,22 +7,25 @@ import hashlib
 import json
 
 from BalloonWorkbench.app import status
-from BalloonWorkbench.app.properties import Property
+from BalloonWorkbench.app.properties import Property, results
 from BalloonWorkbench.app.stateless import DocumentProxy
 from BalloonWorkbench.core.errors import InputError
 
 GRAINS = {"Along": "along", "Across": "across", "Any": "any"}
-CHOICES = {"Grain": list(GRAINS)}
+#: What is laid out, and the name of its film in the core.
+FILMS = {"Balloon film": "", "Valve film": "valve"}
+CHOICES = {"Grain": list(GRAINS), "Film": list(FILMS)}
 
 PROPERTIES = (
     Property("LinkList", "Patterns", "Film", "The patterns that are laid out"),
+    Property(
+        "Enumeration", "Film", "Film", "Which film is laid out: pieces of a valve are on one of their own"
+    ),
     Property("Integer", "Balloons", "Film", "How many balloons of each pattern", 1),
     Property("Length", "FilmWidth", "Film", "Width of the roll or sheet", 500.0),
     Property("Length", "FilmLength", "Film", "Length of a sheet; 0 is a roll"),
     Property("Length", "Spacing", "Film", "Film left between pieces, and at the edges", 3.0),
-    Property(
-        "Enumeration", "Grain", "Film", "How the grain of the pieces lies, relative to the film's length"
-    ),
+    Property("Enumeration", "Grain", "Film", "How the grain of pieces lies, where their film has one"),
     Property("Integer", "Shown", "Film", "Number of the sheet that is shown and exported", 1),
     Property("Float", "Used", "Result", "Part of the film that the pieces take, in per cent", result=True),
     Property("Length", "UsedLength", "Result", "Length of the roll that is used", result=True),
@@ -47,9 +50,7 @@ class FilmSheetProxy(DocumentProxy):
     def choices(self):
         return CHOICES
 
-    def execute(self, obj):
-        from BalloonWorkbench.app import hooks
-
+    def compute(self, obj):
         has_result = bool(obj.LaidOutFor)
         if not obj.Patterns:
             status.set_problem(obj, has_result, "Choose the patterns to lay out.")
@@ -58,23 +59,33 @@ class FilmSheetProxy(DocumentProxy):
             if status.waits_for(obj, pattern_obj, has_result, ""):
                 return
         with status.reported(obj, has_result):
-            pieces, stock = _pieces(obj), _stock(obj)
-            wanted = _label(pieces, stock)
-            if wanted != obj.LaidOutFor:
-                from BalloonWorkbench.core.nesting.nest import nest
-
-                layouts, remarks = hooks.work(
-                    f"Laying out {obj.Label}", lambda progress: nest(pieces, stock, progress)
-                )
-                _keep(obj, layouts)
-                obj.Warnings, obj.LaidOutFor = list(remarks), wanted
-            show(obj, pieces, stock)
+            with results(obj) as found:
+                self.lay_out(obj, found)
             status.set_status(obj, status.READY)
+
+    def lay_out(self, obj, found):
+        """The layout that is shown, laid out anew where something changed."""
+        from BalloonWorkbench.app import hooks
+
+        parted, stock = _by_film(obj), _stock(obj)
+        pieces = _chosen(obj, parted)
+        wanted = _label(pieces, stock)
+        if wanted != obj.LaidOutFor:
+            from BalloonWorkbench.core.nesting.nest import nest
+
+            layouts, remarks = hooks.work(
+                f"Laying out {obj.Label}", lambda progress: nest(pieces, stock, progress)
+            )
+            _keep(found, layouts)
+            found.Warnings, found.LaidOutFor = [*remarks, *_left_out(obj, parted)], wanted
+        show(found, pieces, stock)
 
     def cut_pattern(self, obj):
         """All pieces of the sheet that is shown, as one pattern."""
-        pieces = _pieces(obj)
-        return _layout(obj, _stock(obj), pieces).pattern(pieces)
+        pieces, stock = _chosen(obj, _by_film(obj)), _stock(obj)
+        if _label(pieces, stock) != obj.LaidOutFor:
+            raise InputError(f"The layout of {obj.Label} is older than its patterns: recompute it.")
+        return _layout(obj, stock, pieces).pattern(pieces)
 
 
 def is_film_sheet(obj) -> bool:
@@ -109,7 +120,7 @@ def show(obj, pieces, stock) -> None:
     layout = _layout(obj, stock, pieces)
     pattern = layout.pattern(pieces)
     cuts, inner = pattern.of(Role.CUT), pattern.of(Role.CUT_INNER)
-    beside = (Role.SEAL, Role.WELD, Role.MARK, Role.ENGRAVE)
+    beside = (Role.SEAL, Role.WELD, Role.NOTCH, Role.FOLD, Role.PEN, Role.ENGRAVE)
     lines = [*cuts, *inner, *(contour for role in beside for contour in pattern.of(role))]
     edge = Part.makePlane(to_mm(layout.length), to_mm(stock.width)).OuterWire
     obj.Shape = Part.makeCompound([edge, *(wire(line.points, line.closed) for line in lines)])
@@ -120,12 +131,27 @@ def show(obj, pieces, stock) -> None:
     obj.PatternWidth, obj.PatternHeight = (to_mm(length) for length in pattern.size)
 
 
-def _pieces(obj) -> list:
-    """What is laid out: the panels of each pattern and the pieces of its intake."""
+def _chosen(obj, parted) -> list:
+    """The pieces that are laid out, of those by film. InputError where the patterns have none of it."""
+    found = parted.get(FILMS[obj.Film], [])
+    if not found:
+        raise InputError(f'No pattern here has pieces of "{obj.Film}": choose another film.')
+    return found
+
+
+def _left_out(obj, parted) -> list[str]:
+    """What to say about pieces of valves while the balloons' film is laid out."""
+    if FILMS[obj.Film] or len(parted) == 1:
+        return []
+    return ['The strips of valves are not here: lay them out on a sheet of their own, with "Valve film".']
+
+
+def _by_film(obj) -> dict:
+    """Panels, and the pieces of intakes, by the name of their film in the core."""
     from dataclasses import replace
 
     from BalloonWorkbench.app import film, pattern
-    from BalloonWorkbench.core.making import pieces_of
+    from BalloonWorkbench.core.making import by_stock, pieces_of
     from BalloonWorkbench.core.pattern.make import sheet_of
 
     if obj.Balloons < 1:
@@ -134,8 +160,8 @@ def _pieces(obj) -> list:
     for each in obj.Patterns:
         panel = pattern.build(each)
         whole = sheet_of(panel, replace(pattern.values(each), mirror=True, copies=1))
-        found += pieces_of(panel, whole, obj.Balloons, film.read(each.Balloon).grain_angle)
-    return found
+        found += pieces_of(panel, whole, obj.Balloons, film.read(each.Balloon).lies)
+    return by_stock(found)
 
 
 def _stock(obj):
@@ -152,7 +178,8 @@ def _label(pieces, stock) -> str:
 
     digest = hashlib.sha256()
     for piece in pieces:
-        digest.update(f"{piece.count} {piece.backs} {piece.grain:.6g}".encode())
+        grain = "any" if piece.grain is None else f"{piece.grain:.6g}"
+        digest.update(f"{piece.count} {piece.backs} {grain}".encode())
         for contour in piece.pattern.contours:
             digest.update((np.round(contour.points, 7) + 0.0).tobytes())
     numbers = (stock.width, stock.length or 0.0, stock.spacing)

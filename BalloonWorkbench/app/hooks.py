@@ -6,6 +6,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+import FreeCAD as App
+
+from BalloonWorkbench.core.errors import BalloonError
+
 
 def dress(obj) -> None:
     """Give a document object its view provider; without a window there is none."""
@@ -14,6 +18,11 @@ def dress(obj) -> None:
 def say(text: str) -> str:
     """A text of the engine in the user's language; without a window it stays English."""
     return text
+
+
+def tell(error: BalloonError) -> None:
+    """Say what went wrong where nobody waits for an answer; the window says it where the user looks."""
+    App.Console.PrintError(f"{error}\n")
 
 
 def work(title: str, job: Callable[..., Any]) -> Any:

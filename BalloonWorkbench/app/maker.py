@@ -12,6 +12,7 @@ from BalloonWorkbench.core.errors import ExportError
 from BalloonWorkbench.core.recent import Recent
 
 _counted = Recent(8)  # numbers of balloons by all that they come from
+_safe = Recent(8)  # what holds balloons together, by their results
 
 
 def numbers(parts, exact: bool = True):
@@ -41,6 +42,19 @@ def counting(parts, exact: bool = True):
     )
 
 
+def safety_of(balloon):
+    """The core's Safety of a balloon object's result, with the film it was solved with; not exact.
+
+    Raises InputError where there is no result.
+    """
+    from BalloonWorkbench.core.maker.safety import safety
+
+    key = balloon.Document.Name, balloon.Name, balloon.SolvedWith
+    if key not in _safe:
+        _safe[key] = safety(*film_result.stored(balloon), exact=False)
+    return _safe[key]
+
+
 def panel_key(pattern) -> bytes:
     """The same for the same lines."""
     import hashlib
@@ -54,10 +68,6 @@ def panel_key(pattern) -> bytes:
 def _count(key, inflation, own, seam, panel, wanted, width: float, filling, exact: bool):
     from BalloonWorkbench.core.maker.numbers import maker_numbers
     from BalloonWorkbench.core.pattern.make import sheet_of
-    from BalloonWorkbench.core.solver.inflate import inflate
-
-    def again(pressure: float):
-        return inflate(inflation.panel, own, pressure, start=inflation, model=inflation.report.model)
 
     found = maker_numbers(
         inflation,
@@ -67,7 +77,7 @@ def _count(key, inflation, own, seam, panel, wanted, width: float, filling, exac
         width,
         filling,
         pieces=sheet_of(panel, replace(wanted, mirror=True, copies=1)),
-        at_pressure=again if exact else None,
+        exact=exact,
     )
     _counted[key] = found
     return found

@@ -92,6 +92,7 @@ def take(obj, card: Card) -> None:
         obj.ArealDensity = numbers["ArealDensity"]
     elif "Density" in numbers:
         obj.ArealDensity = numbers["Density"] * obj.Thickness.getValueAs("m").Value
+    obj.SealingSide = card.values.get("SealingSide", "").strip()
     laser = {"never": False, "may be cut": True}.get(card.values.get("Laser", ""))
     film.take_joining(obj, card.values.get("Joining", ""), card.values.get("OneSided") == "yes", laser)
     obj.Material = card.name

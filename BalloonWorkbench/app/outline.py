@@ -6,7 +6,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from BalloonWorkbench.app import advice, status
-from BalloonWorkbench.app.properties import Property, show_in_editor
+from BalloonWorkbench.app.properties import Property, results, show_in_editor
 from BalloonWorkbench.app.stateless import DocumentProxy
 
 SYMMETRY = {"Automatic": "auto", "Off": "off", "Forced": "force"}
@@ -85,7 +85,7 @@ class OutlineProxy(DocumentProxy):
         shared = "hide" if obj.Leader else "edit"
         show_in_editor(obj, Source=shared, Symmetry=shared, Passage=shared)
 
-    def execute(self, obj):
+    def compute(self, obj):
         from BalloonWorkbench.app.quantities import metres
         from BalloonWorkbench.core.outline.passages import linked
 
@@ -196,10 +196,11 @@ def show(obj, outline, kind: str) -> None:
     from BalloonWorkbench.app import shapes
     from BalloonWorkbench.core.units import to_mm
 
-    shapes.store(obj, "Loop", outline)
-    width, height = outline.size
-    obj.Shape = shapes.face(outline)
-    obj.Kind = kind
-    obj.SizeX, obj.SizeY = to_mm(width), to_mm(height)
-    obj.HoleCount = len(outline.holes)
-    obj.Notes = list(outline.notes)
+    with results(obj) as found:
+        shapes.store(found, "Loop", outline)
+        width, height = outline.size
+        found.Shape = shapes.face(outline)
+        found.Kind = kind
+        found.SizeX, found.SizeY = to_mm(width), to_mm(height)
+        found.HoleCount = len(outline.holes)
+        found.Notes = list(outline.notes)

@@ -3,15 +3,15 @@
 
 from __future__ import annotations
 
-from BalloonWorkbench.app import pattern_shape, status
+from BalloonWorkbench.app import pattern_shape, size_goal, status
 from BalloonWorkbench.app.host import is_replaying
-from BalloonWorkbench.app.pattern_shape import DIRECTION, PLACE
-from BalloonWorkbench.app.properties import Property, show_in_editor
+from BalloonWorkbench.app.pattern_shape import DIRECTION, FARTHEST, LOW, PLACE
+from BalloonWorkbench.app.properties import Property, results, show_in_editor
 from BalloonWorkbench.app.stateless import DocumentProxy
 from BalloonWorkbench.core.recent import Recent
 
-#: What the weight of a balloon depends on, in small letters.
-_WEIGHS = {"sealwidth", "allowance", "intake", "intakekind", "intakewidth", "intakelength", "tietab"}
+#: Where the intake sits by itself: what the core calls it.
+INTAKE_PLACES = {FARTHEST: "farthest", LOW: "low"}
 _made = Recent(8)  # patterns, by what they were made from
 
 PROPERTIES = (
@@ -39,7 +39,13 @@ PROPERTIES = (
         "Intake",
         "Length of the neck from the seam outward, or diameter of the flange; 0 takes the usual one",
     ),
-    Property("Bool", "IntakeAuto", "Intake", "Point the neck from the centre to the farthest point", True),
+    Property("Bool", "IntakeAuto", "Intake", "Find the place of the intake", True),
+    Property(
+        "Enumeration",
+        "IntakeAutoPlace",
+        "Intake",
+        "Where it is found: farthest from the centre, or low, where a tied balloon hangs straight",
+    ),
     Property("Enumeration", "IntakeBy", "Intake", "What tells where the intake is"),
     Property("Angle", "IntakeAngle", "Intake", "Direction of the neck, counter-clockwise from the x axis"),
     Property(
@@ -94,8 +100,14 @@ class PatternProxy(DocumentProxy):
             return
         if name in followed:
             self.follow_intake(obj)
-        if name.lower() in _WEIGHS and obj.Balloon is not None and not is_replaying(obj.Document):
+        own = any(item.name == name and not item.result for item in PROPERTIES)
+        edited = own and obj.Balloon is not None and not is_replaying(obj.Document)
+        if edited and size_goal.weighs_anew(obj.Balloon, values(obj)):
             obj.Balloon.touch()  # it tells what it weighs, and may have its size from that
+
+    def onBeforeChange(self, obj, name):
+        if name == "Balloon" and obj.Balloon is not None and not is_replaying(obj.Document):
+            obj.Balloon.touch()  # it weighs what the usual pattern weighs from now on
 
     def follow_intake(self, obj):
         """Offer only what has an effect."""
@@ -104,6 +116,7 @@ class PatternProxy(DocumentProxy):
             **dict.fromkeys(
                 ("IntakeKind", "IntakeWidth", "IntakeLength", "IntakeAuto"), "edit" if obj.Intake else "hide"
             ),
+            IntakeAutoPlace="edit" if obj.Intake and obj.IntakeAuto else "hide",
             IntakeBy="edit" if obj.Intake and not obj.IntakeAuto else "hide",
             IntakeAngle=_mode(obj, DIRECTION),
             IntakeAlong=_mode(obj, PLACE),
@@ -114,13 +127,14 @@ class PatternProxy(DocumentProxy):
             TieTabAngle="edit" if obj.TieTab and not obj.TieTabAuto else "hide",
         )
 
-    def execute(self, obj):
+    def compute(self, obj):
         has_result = bool(obj.Roles)
         if status.waits_for(obj, obj.Balloon, has_result, "Choose the balloon that it belongs to."):
             return
         with status.reported(obj, has_result):
             _work_out(obj)
-            pattern_shape.show(obj, sheet(obj), kind_of(obj).note if obj.Intake else "")
+            with results(obj) as found:
+                pattern_shape.show(found, sheet(obj), kind_of(obj).note if obj.Intake else "")
             status.set_status(obj, status.READY)
         obj.positionBySupport()
 
@@ -135,6 +149,7 @@ def _choices() -> dict[str, list[str]]:
 
     return {
         "IntakeKind": [kind.title for kind in intake_kinds().values()],
+        "IntakeAutoPlace": list(INTAKE_PLACES),
         "IntakeBy": [DIRECTION, PLACE],
     }
 
@@ -177,6 +192,7 @@ def values(obj):
         intake_length=metres(obj.IntakeLength) or None,
         intake_angle=radians(obj.IntakeAngle) if by == DIRECTION else None,
         intake_along=metres(obj.IntakeAlong) if by == PLACE else None,
+        intake_place=INTAKE_PLACES[obj.IntakeAutoPlace if obj.IntakeAuto else FARTHEST],
         corner_radius=metres(obj.CornerRadius),
         notches=obj.Notches,
         notch_depth=metres(obj.NotchDepth),
@@ -202,6 +218,9 @@ def set_values(obj, wanted) -> None:
     obj.IntakeWidth = to_mm(kind.width if wanted.intake_width is None else wanted.intake_width)
     obj.IntakeLength = to_mm(wanted.intake_length or 0.0)
     obj.IntakeAuto = wanted.intake_angle is None and wanted.intake_along is None
+    obj.IntakeAutoPlace = next(
+        title for title, place in INTAKE_PLACES.items() if place == wanted.intake_place
+    )
     obj.IntakeBy = DIRECTION if wanted.intake_along is None else PLACE
     obj.IntakeAngle = degrees(wanted.intake_angle or 0.0)
     obj.IntakeAlong = to_mm(wanted.intake_along or 0.0)
@@ -220,11 +239,20 @@ def usual_values():
 
 
 def build(obj):
-    """The pattern of one panel in full precision, from the balloon's seam and the object's own values."""
-    from BalloonWorkbench.app import shapes
-    from BalloonWorkbench.app.quantities import metres
+    """The pattern of one panel in full precision, from the balloon's seam and the object's own values.
 
-    return made(shapes.stored(obj.Balloon, "Seam"), metres(obj.Balloon.SealWidth), values(obj))
+    Raises InputError where the film of the intake's pieces does not weld to the balloon's.
+    """
+    from dataclasses import replace
+
+    from BalloonWorkbench.app import film, shapes
+    from BalloonWorkbench.app.quantities import metres
+    from BalloonWorkbench.core.pattern.make import pieces_remarks
+
+    wanted = values(obj)
+    remarks = pieces_remarks(wanted, film.read(obj.Balloon))
+    pattern = made(shapes.stored(obj.Balloon, "Seam"), metres(obj.Balloon.SealWidth), wanted)
+    return replace(pattern, warnings=(*pattern.warnings, *remarks))
 
 
 def _work_out(obj) -> None:

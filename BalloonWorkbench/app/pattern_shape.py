@@ -5,6 +5,8 @@ from __future__ import annotations
 
 #: What may tell where an intake is.
 DIRECTION, PLACE = "Direction", "Place on the seam"
+#: Where it is found unless it is told.
+FARTHEST, LOW = "Farthest point", "Low"
 
 
 def show(obj, pattern, how_to_fill: str) -> None:
@@ -17,13 +19,13 @@ def show(obj, pattern, how_to_fill: str) -> None:
     from BalloonWorkbench.core.units import to_mm
 
     cuts = _nested(pattern.of(Role.CUT), pattern.of(Role.CUT_INNER))
-    beside = (Role.SEAL, Role.WELD, Role.MARK, Role.ENGRAVE)
+    beside = (Role.SEAL, Role.WELD, Role.NOTCH, Role.FOLD, Role.PEN, Role.ENGRAVE)
     lines = [contour for role in beside for contour in pattern.of(role)]
     faces = [Part.Face([_wire(obj, each) for each in sheet]) for sheet in cuts]
     obj.Shape = Part.makeCompound([*faces, *(_wire(obj, line) for line in lines)])
     obj.Roles = [contour.role.value for contour in (*(each for sheet in cuts for each in sheet), *lines)]
     obj.SeamLength = to_mm(pattern.seam_length)
-    obj.PatternWidth, obj.PatternHeight = (to_mm(length) for length in pattern.size)
+    obj.PatternWidth, obj.PatternHeight = (to_mm(length) for length in pattern.of_stock("").size)
     obj.Warnings = list(pattern.warnings)
     obj.HowToFill = how_to_fill
     if pattern.intake is not None and (obj.IntakeAuto or obj.IntakeBy == PLACE):

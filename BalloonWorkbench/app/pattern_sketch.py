@@ -23,7 +23,7 @@ from BalloonWorkbench.core.pattern.pattern import Role
 from BalloonWorkbench.core.units import MILLIMETRE
 
 #: What lies beside the cuts as construction geometry.
-_BESIDE = (Role.SEAL, Role.WELD, Role.MARK)
+_BESIDE = (Role.SEAL, Role.WELD, Role.NOTCH, Role.FOLD, Role.PEN)
 
 
 def make_sketch(obj):

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from contextlib import contextmanager
 from typing import Any, NamedTuple
 
 READ_ONLY, OUTPUT = 1, 8
@@ -53,3 +54,25 @@ def show_in_editor(obj, **modes: str) -> None:
     """Set how properties appear in the editor: "edit", "show" (read-only) or "hide"."""
     for name, mode in modes.items():
         obj.setEditorMode(name, {"edit": 0, "show": 1, "hide": 2}[mode])
+
+
+class _Results:
+    """Stands for an object while its results are worked out: keeps what is written, else reads as it does."""
+
+    def __init__(self, obj):
+        vars(self).update(_obj=obj, _values={})
+
+    def __setattr__(self, name, value):
+        self._values[name] = value
+
+    def __getattr__(self, name):
+        return self._values[name] if name in self._values else getattr(self._obj, name)
+
+
+@contextmanager
+def results(obj):
+    """Results of an object that are written together at the end: an error on the way leaves it as it was."""
+    found = _Results(obj)
+    yield found
+    for name, value in found._values.items():
+        setattr(obj, name, value)

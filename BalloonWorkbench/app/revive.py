@@ -11,6 +11,8 @@ from importlib import import_module
 
 import FreeCAD as App
 
+from BalloonWorkbench.app.guard import Guarded
+
 #: By a property that no other kind has: module and class.
 _KINDS = {
     "KeepAspect": ("outline", "OutlineProxy"),
@@ -22,7 +24,7 @@ _KINDS = {
 _GROUP = ("group", "GroupProxy")
 
 
-class _Watch:
+class _Watch(Guarded):
     """Told by FreeCAD of each document that was opened."""
 
     def slotActivateDocument(self, document) -> None:

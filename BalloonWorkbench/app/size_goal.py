@@ -43,6 +43,7 @@ RESULTS = (
 
 
 _weights = Recent(8)
+_weighed = Recent(1000)  # what each balloon was weighed with, by its document and name
 
 
 def follow(obj) -> None:
@@ -121,6 +122,13 @@ def film_and_valve(seam, film, wanted) -> tuple[float, float]:
     return _weights[key]
 
 
+def weighs_anew(obj, wanted) -> bool:
+    """Whether a balloon was weighed with a pattern that weighs something else, or not at all."""
+    from BalloonWorkbench.core.maker.weight import weighing
+
+    return _weighed.get((obj.Document.Name, obj.Name)) != weighing(wanted)
+
+
 def _weight_key(seam, film, wanted) -> tuple:
     from BalloonWorkbench.core.maker.weight import weighing
 
@@ -145,9 +153,11 @@ def show_lift(obj) -> None:
     from BalloonWorkbench.app.film import read
     from BalloonWorkbench.app.quantities import cubic_metres, metres, pascals
     from BalloonWorkbench.core.design.size_goal import Buoyancy, Scaling
+    from BalloonWorkbench.core.maker.weight import weighing
     from BalloonWorkbench.core.units import to_grams, to_mm
 
     own, seam, wanted = read(obj), shapes.stored(obj, "Seam"), wanted_of(obj)
+    _weighed[obj.Document.Name, obj.Name] = weighing(wanted)
     if _weight_key(seam, own, wanted) in _weights:
         area, valve = film_and_valve(seam, own, wanted)
     else:

@@ -7,6 +7,7 @@ import FreeCAD as App
 import numpy as np
 
 from BalloonWorkbench.core.errors import OutlineError
+from BalloonWorkbench.core.outline.budget import Budget
 from BalloonWorkbench.core.outline.chains import drawing_from
 from BalloonWorkbench.core.outline.drawing import Drawing, checked
 from BalloonWorkbench.core.units import from_mm
@@ -30,11 +31,16 @@ def drawing_of(source, elements: tuple[str, ...] = ()) -> tuple[Drawing, App.Pla
         raise OutlineError(f"{source.Label} is empty: draw a closed line in it.")
     if len(shape.Faces) > 1:
         raise OutlineError(f"{source.Label} has several faces: select one of them.")
-    lines = [_polyline(edge, size) for edge in shape.Edges]
+    budget = Budget()
+    lines = []
+    for edge in shape.Edges:
+        lines.append(_polyline(edge, size))
+        budget.spend_points(len(lines[-1]))
     frame = _frame(shape, np.concatenate(lines), size, source.Label)
     back = np.array(frame.inverse().Matrix.A).reshape(4, 4)
     flat = [from_mm(line @ back[:2, :3].T + back[:2, 3]) for line in lines]
-    return checked(drawing_from(flat, open_are_welds=True)), source.getGlobalPlacement() * frame
+    drawing = checked(drawing_from(flat, open_are_welds=True, budget=budget), budget)
+    return drawing, source.getGlobalPlacement() * frame
 
 
 def _shape(source, elements: tuple[str, ...]):

@@ -3,11 +3,12 @@
 
 from __future__ import annotations
 
-from BalloonWorkbench.app import migrate
+from BalloonWorkbench.app import migrate, status
+from BalloonWorkbench.app.guard import Guarded
 from BalloonWorkbench.app.properties import add_missing, offer_choices
 
 
-class Stateless:
+class Stateless(Guarded):
     """Base of all proxies; FreeCAD asks these methods what to save beside the properties."""
 
     def dumps(self):
@@ -34,6 +35,14 @@ class DocumentProxy(Stateless):
     def choices(self):
         """The entries of each enumeration."""
         return {}
+
+    def execute(self, obj):
+        """FreeCAD asks for the result; whatever goes wrong, the object keeps the one it had and says why."""
+        with status.reported(obj, status.has_result(obj)):
+            self.compute(obj)
+
+    def compute(self, obj):
+        """Bring the object up to date with its values."""
 
     def onDocumentRestored(self, obj):
         from BalloonWorkbench.app import hooks

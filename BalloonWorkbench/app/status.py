@@ -11,7 +11,7 @@ from contextlib import contextmanager
 
 import FreeCAD as App
 
-from BalloonWorkbench.core.errors import BalloonError
+from BalloonWorkbench.core import faults
 
 READY = "up to date"
 STALE = "stale: "  # what is shown belongs to earlier values
@@ -33,6 +33,11 @@ def problem(obj) -> str:
         if obj.Status.startswith(word):
             return obj.Status[len(word) :]
     return obj.Status
+
+
+def has_result(obj) -> bool:
+    """Something is shown, as the object's own words tell."""
+    return bool(obj.Status) and not obj.Status.startswith(EMPTY)
 
 
 def set_status(obj, text: str) -> None:
@@ -61,9 +66,10 @@ def waits_for(obj, source, has_result: bool, missing: str) -> bool:
 
 @contextmanager
 def reported(obj, has_result: bool):
-    """Turn a BalloonError into a status and one line of the report view."""
+    """Turn an error into a status and one line of the report view; a fault has its details in a file."""
     try:
         yield
-    except BalloonError as error:
-        set_problem(obj, has_result, str(error))
-        App.Console.PrintError(f"{obj.Label}: {error}\n")
+    except faults.UNFORESEEN as error:
+        told = faults.as_balloon_error(error, f"bringing {obj.Name} up to date")
+        set_problem(obj, has_result, str(told))
+        App.Console.PrintError(f"{obj.Label}: {told}\n")

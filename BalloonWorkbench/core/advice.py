@@ -54,6 +54,8 @@ def repair_data(repair: Repair) -> dict[str, Any]:
     data: dict[str, Any] = {"kind": repair.kind.value, "points_mm": _points(repair.points)}
     if repair.kind is RepairKind.MOVE_INTAKE:
         return {**data, "angle_deg": round(float(np.degrees(repair.size)), _DIGITS)}
+    if repair.kind is RepairKind.LOWER_INTAKE:
+        return data
     return {**data, "size_mm": _mm(repair.size), "was_mm": _mm(repair.was)}
 
 
@@ -62,6 +64,8 @@ def repair_from(data: dict[str, Any]) -> Repair:
     kind, points = RepairKind(data["kind"]), _from_points(data["points_mm"])
     if kind is RepairKind.MOVE_INTAKE:
         return Repair(kind, points, float(np.radians(data["angle_deg"])))
+    if kind is RepairKind.LOWER_INTAKE:
+        return Repair(kind, points, 0.0)
     return Repair(kind, points, from_mm(float(data["size_mm"])), from_mm(float(data["was_mm"])))
 
 
@@ -69,6 +73,8 @@ def repair_text(repair: Repair) -> str:
     """What a repair does, for a button."""
     if repair.kind is RepairKind.MOVE_INTAKE:
         return f"Move the intake to {np.degrees(repair.size):.0f}°"
+    if repair.kind is RepairKind.LOWER_INTAKE:
+        return "Put the intake low"
     what = "Round with a radius of" if repair.kind is RepairKind.ROUND else "Widen to"
     return f"{what} {_short(repair.size)} mm"
 

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The errors a user can meet. Each text says what happened and what to do."""
 
+from pathlib import Path
+
 
 class BalloonError(Exception):
     """Base of every failure that a user can cause or repair."""
@@ -43,3 +45,14 @@ class MissingPackageError(BalloonError):
 
 class Cancelled(BalloonError):
     """The user stopped the work; nothing was changed."""
+
+
+class ProgramFault(BalloonError):
+    """Something nobody foresaw: a fault of the program, not of the user.
+
+    file  where its details are, None where they could not be written
+    """
+
+    def __init__(self, text: str, file: Path | None = None) -> None:
+        super().__init__(text)
+        self.file = file

@@ -15,7 +15,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
@@ -28,9 +28,9 @@ from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.design.fit import fit, inflate_outline
 from BalloonWorkbench.core.design.size_goal import START_WIDTH, Buoyancy, SizeGoal, design_to_size
 from BalloonWorkbench.core.design.to_volume import design_to_volume
-from BalloonWorkbench.core.errors import InputError, MissingPackageError
-from BalloonWorkbench.core.export.fabricate import machine_file
-from BalloonWorkbench.core.export.machine import ANY, machine
+from BalloonWorkbench.core.errors import BalloonError, InputError, MissingPackageError
+from BalloonWorkbench.core.export.fabricate import file_of_stock, machine_file
+from BalloonWorkbench.core.export.machine import ANY, machines
 from BalloonWorkbench.core.export.preview import preview_png
 from BalloonWorkbench.core.export.results import frame_files, results_bytes
 from BalloonWorkbench.core.export.stl import stl_bytes
@@ -48,14 +48,12 @@ from BalloonWorkbench.core.outline.picture import Decode
 from BalloonWorkbench.core.outline.read import read_drawing
 from BalloonWorkbench.core.outline.symmetry import AUTO, evened
 from BalloonWorkbench.core.pattern.layout import on_one_sheet
-from BalloonWorkbench.core.pattern.make import Wanted, make_pattern, sheet_of
+from BalloonWorkbench.core.pattern.make import Wanted, make_pattern, pieces_remarks, sheet_of
 from BalloonWorkbench.core.pattern.pattern import Pattern
 from BalloonWorkbench.core.rounded import rounded, rounded_outline
 from BalloonWorkbench.core.solver.animation import inflate_in_time
-from BalloonWorkbench.core.solver.inflate import inflate
-from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.solver.model import Model
-from BalloonWorkbench.core.types import Progress, no_progress
+from BalloonWorkbench.core.types import Attempt, Progress, insist, no_progress
 
 DEFAULT_PRESSURE = 2000.0  # Pa
 
@@ -91,16 +89,19 @@ class Settings:
 
 @dataclass(frozen=True)
 class Part:
-    """One shape of the drawing as a balloon."""
+    """One shape of the drawing as a balloon; numbers: None where an attempt to find them failed."""
 
     design: Design
     pattern: Pattern
-    numbers: Numbers
+    numbers: Numbers | None
 
 
 @dataclass(frozen=True)
 class Balloon:
-    """A finished job: what was drawn, what was found, and the report for people and programs."""
+    """A finished job: what was drawn, what was found, and the report for people and programs.
+
+    The report is empty where an attempt to make it failed.
+    """
 
     drawing: Drawing
     settings: Settings
@@ -136,13 +137,16 @@ def make_balloon(
     height: float | None = None,
     decode: Decode | None = None,
     progress: Progress = no_progress,
+    attempt: Attempt = insist,
 ) -> Balloon:
     """Design a balloon for each shape in a drawing file; width and height [m] as in read_drawing.
 
     With a goal, the largest shape is brought to the size that meets it, and the others with it. decode reads
-    pictures where OpenCV is missing. Raises BalloonError of some kind for anything a user can mend.
+    pictures where OpenCV is missing; attempt makes what the patterns can do without. Raises BalloonError of
+    some kind for anything a user can mend.
     """
     settings.filling.lightness()  # a mistake shows before the work
+    remarks = pieces_remarks(settings.wanted, settings.film)
     if settings.goal is not None and width is None and height is None:
         width = START_WIDTH
     drawing, kind = read_drawing(path, width, height, decode)
@@ -154,37 +158,51 @@ def make_balloon(
         scale = max(designs[0].target.size) / max(drawing.largest.size)
         drawing = drawing.map(lambda loop: loop * scale)
     alike = replace(settings, goal=None)
+    outlines = [drawing.largest]
     for number, outline in enumerate(drawing.parts[1:], start=1):
-        designs.append(design_outline(outline, alike, _share(progress, number, count)))
-    made, told = [], []
-    for design, outline in zip(designs, drawing.parts, strict=True):
+        shared = _share(progress, number, count)
+        design = attempt(f"Balloon {number + 1}", partial(design_outline, outline, alike, shared))
+        if design is not None:
+            designs.append(design)
+            outlines.append(outline)
+    drawing = replace(drawing, parts=tuple(outlines))
+    made = []
+    for design in designs:
         pattern = make_pattern(design.pattern, settings.film.seal_width, settings.wanted)
-        source = report.Source(Path(path).name, kind, outline)
-        numbers = _numbers(design, pattern, settings)
+        pattern = replace(pattern, warnings=(*pattern.warnings, *remarks))
+        numbers = attempt("What it takes to make it", partial(_numbers, design, pattern, settings))
         made.append(Part(design, pattern, numbers))
+    balloon = Balloon(drawing, settings, tuple(made), {})
+    told = attempt("report.json", partial(_report, balloon, Path(path).name, kind))
+    return replace(balloon, report=told or {})
+
+
+def _report(balloon: Balloon, file: str, kind: str) -> dict[str, Any]:
+    """The report; empty where the numbers of a balloon are missing."""
+    told, settings = [], balloon.settings
+    for part, outline in zip(balloon.parts, balloon.drawing.parts, strict=True):
+        if part.numbers is None:
+            return {}
+        source = report.Source(file, kind, outline)
         of_part = report.build(
             source,
             settings.film,
-            design,
-            pattern,
+            part.design,
+            part.pattern,
             settings.volume,
             settings.filling,
             settings.goal,
-            numbers.valve,
+            part.numbers.valve,
         )
-        of_part["maker"] = told_numbers(numbers)
-        told.append(of_part | advice_report(advise_design(design, settings.film)))
-    sheet = on_one_sheet([sheet_of(part.pattern, settings.wanted) for part in made])
-    return Balloon(drawing, settings, tuple(made), report.together(told, drawing, sheet))
+        of_part["maker"] = told_numbers(part.numbers)
+        told.append(
+            of_part | advice_report(advise_design(part.design, settings.film, wanted=settings.wanted))
+        )
+    return report.together(told, balloon.drawing, balloon.sheet)
 
 
 def _numbers(design: Design, pattern: Pattern, settings: Settings) -> Numbers:
-    """What a maker wants to know; a film too weak for the pressure is inflated anew at lower ones."""
-
-    def at_pressure(pressure: float) -> Inflation:
-        known = design.inflation
-        return inflate(known.panel, settings.film, pressure, start=known, model=known.report.model)
-
+    """What a maker wants to know."""
     return maker_numbers(
         design.inflation,
         settings.film,
@@ -193,7 +211,6 @@ def _numbers(design: Design, pattern: Pattern, settings: Settings) -> Numbers:
         design.target.size[0],
         settings.filling,
         pieces=sheet_of(pattern, replace(settings.wanted, mirror=True, copies=1)),
-        at_pressure=at_pressure,
     )
 
 
@@ -256,27 +273,48 @@ def files(balloon: Balloon, results: str | None = None) -> dict[str, bytes]:
     A file that needs a package that is missing is left out; a warning in the report says so.
     results: "vtu" or "npz" adds a file about every triangle.
     """
-    sheet = balloon.sheet
-    makers: dict[str, Callable[[], bytes]] = {
-        **{f"pattern.{kind}": partial(machine_file, sheet, machine(name)) for kind, name in ANY.items()},
-        "balloon.stl": lambda: stl_bytes([design.inflation for design in balloon.designs]),
-        "preview.png": lambda: preview_png(balloon.designs, balloon.patterns, balloon.settings.film.seam),
-    }
     contents, left_out = {}, []
-    for name, make in makers.items():
+    for name, make in makers(balloon, results).items():
         try:
             contents[name] = make()
         except MissingPackageError as error:
-            left_out.append(f"{name} was left out. {error}")
+            left_out.append(left_out_text(name, error))
+    return contents | {"report.json": report_bytes(balloon, left_out)}
+
+
+def makers(balloon: Balloon, results: str | None = None) -> dict[str, Callable[[], bytes]]:
+    """What makes each file of a finished job but the report, by name.
+
+    results: as in `files`. They raise MissingPackageError.
+    """
+    film, sheet, known = balloon.settings.film, balloon.sheet, machines()
+    named: dict[str, Callable[[], bytes]] = {
+        **{
+            file_of_stock(f"pattern.{kind}", stock): partial(machine_file, sheet.of_stock(stock), known[name])
+            for kind, name in ANY.items()
+            for stock in sheet.stocks
+        },
+        "balloon.stl": lambda: stl_bytes([design.inflation for design in balloon.designs]),
+        "preview.png": lambda: preview_png(balloon.designs, balloon.patterns, film.seam),
+    }
+    if results is not None:
+        for number, design in enumerate(balloon.designs):
+            name = f"{_numbered('results', number)}.{results}"
+            named[name] = partial(results_bytes, design.inflation, film, results)
+    return named
+
+
+def left_out_text(name: str, why: BalloonError | str) -> str:
+    """A warning about a file that could not be made."""
+    return f"{name} was left out. {why}"
+
+
+def report_bytes(balloon: Balloon, left_out: Sequence[str] = ()) -> bytes:
+    """The content of report.json, with warnings about what was left out."""
     told = balloon.report | {"warnings": [*balloon.report["warnings"], *left_out]}
     text = json.dumps(told, indent=2, ensure_ascii=False, allow_nan=False)
     # letters that are none, as in names of files from other systems, as JSON writes them
-    contents["report.json"] = (text + "\n").encode(errors="backslashreplace")
-    if results is not None:
-        for number, design in enumerate(balloon.designs):
-            found = results_bytes(design.inflation, balloon.settings.film, results)
-            contents[f"{_numbered('results', number)}.{results}"] = found
-    return contents
+    return (text + "\n").encode(errors="backslashreplace")
 
 
 def inflation_files(balloon: Balloon, frames: int, progress: Progress = no_progress) -> dict[str, bytes]:

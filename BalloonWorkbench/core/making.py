@@ -79,11 +79,11 @@ def print_files(balloon: Balloon, artwork: Artwork) -> tuple[dict[str, bytes], t
     return (*artwork_files(front, back), front, back)
 
 
-def pieces_of(panel: Pattern, one_balloon: Pattern, copies: int, grain: float) -> list[Piece]:
+def pieces_of(panel: Pattern, one_balloon: Pattern, copies: int, grain: float | None) -> list[Piece]:
     """The pieces of balloons: panels and their mirror images, and what else is cut for each balloon.
 
     one_balloon  all that is cut for one, see `sheet_of` with mirror
-    grain        direction of the film's grain in the panel [rad]
+    grain        direction of the film's grain in the panel [rad], None for a film without one
     """
     area = max(abs(signed_area(cut.points)) for cut in panel.of(Role.CUT))
     others = [
@@ -91,28 +91,49 @@ def pieces_of(panel: Pattern, one_balloon: Pattern, copies: int, grain: float) -
         for piece in split(one_balloon)
         if max(abs(signed_area(cut.points)) for cut in piece.of(Role.CUT)) < 0.5 * area
     ]
-    return [Piece(panel, copies, copies, grain), *(Piece(piece, copies) for piece in others)]
+    upright = None if grain is None else 0.0
+    return [Piece(panel, copies, copies, grain), *(Piece(piece, copies, 0, upright) for piece in others)]
+
+
+def by_stock(pieces: Sequence[Piece]) -> dict[str, list[Piece]]:
+    """Pieces by the film that they are cut from, the balloon's first: each film is a roll of its own."""
+    parted: dict[str, list[Piece]] = {"": []}
+    for piece in pieces:
+        (stock,) = piece.pattern.stocks
+        parted.setdefault(stock, []).append(piece)
+    return parted
 
 
 def nested(
     balloon: Balloon, stock: Stock, copies: int, progress: Progress = no_progress
-) -> tuple[tuple[Layout, ...], list[Piece], tuple[str, ...]]:
-    """Layouts of so many balloons on film, their pieces, and remarks. Raises what `nest` raises."""
+) -> dict[str, tuple[tuple[Layout, ...], list[Piece], tuple[str, ...]]]:
+    """For each film, the balloon's first: layouts of so many balloons, their pieces, and remarks.
+
+    Raises what `nest` raises.
+    """
     wanted = replace(balloon.settings.wanted, mirror=True, copies=1)
     pieces = [
         piece
         for pattern in balloon.patterns
-        for piece in pieces_of(pattern, sheet_of(pattern, wanted), copies, balloon.settings.film.grain_angle)
+        for piece in pieces_of(pattern, sheet_of(pattern, wanted), copies, balloon.settings.film.lies)
     ]
-    layouts, remarks = nest(pieces, stock, progress)
-    return layouts, pieces, remarks
+    laid = {}
+    for name, parted in by_stock(pieces).items():
+        layouts, remarks = nest(parted, stock, progress)
+        laid[name] = layouts, parted, remarks
+    return laid
 
 
 def assembly_files(balloon: Balloon, title: str, paper: str) -> Mapping[str, bytes]:
-    """Contents of the assembly sheets by name, one for each shape. Raises what assembly_pdf raises."""
+    """Contents of the assembly sheets by name, one for each shape whose numbers are known.
+
+    Raises what assembly_pdf raises.
+    """
     count = len(balloon.parts)
     found = {}
     for number, part in enumerate(balloon.parts, 1):
+        if part.numbers is None:
+            continue
         name = title if count == 1 else f"{title} {number}"
         subject = Subject(name, balloon.settings.film, part.design.inflation, part.pattern, part.numbers)
         found["assembly.pdf" if number == 1 else f"assembly-{number}.pdf"] = assembly_pdf(subject, paper)

@@ -45,7 +45,7 @@ def together(parts: Sequence[dict[str, Any]], drawing: Drawing, sheet: Pattern) 
     What is told of a single shape is that of the largest one; `parts` has it for all, the largest first.
     """
     width, height = drawing.size
-    sheet_width, sheet_height = sheet.size
+    sheet_width, sheet_height = sheet.of_stock("").size
     corner = np.concatenate([part.outer for part in drawing.parts]).min(axis=0)
     return {
         **parts[0],

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Protocol, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +20,21 @@ Progress = Callable[[float, str], bool]
 def no_progress(fraction: float, text: str) -> bool:
     """Ignore progress and never ask to stop."""
     return True
+
+
+Made = TypeVar("Made")
+
+
+class Attempt(Protocol):
+    """Makes a part of the work that the rest can do without: None where that failed as nobody foresaw."""
+
+    def __call__(self, what: str, make: Callable[[], Made], /) -> Made | None:
+        """What make() gives; what: how it is called when people are told that it is missing."""
+
+
+def insist(what: str, make: Callable[[], Made], /) -> Made | None:
+    """Any failure is one of the whole work."""
+    return make()
 
 
 #: Gives a text in the language of the reader.

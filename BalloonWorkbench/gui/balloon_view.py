@@ -14,6 +14,7 @@ from BalloonWorkbench.app.host import COLOUR_PROPERTIES, is_replaying
 from BalloonWorkbench.app.properties import QT_TRANSLATE_NOOP
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.export.colour_map import TENSION
+from BalloonWorkbench.gui.borders import undo_step
 from BalloonWorkbench.gui.curves import curve_nodes
 from BalloonWorkbench.gui.film_display import FILM, MAP, FilmDisplay, look_of
 from BalloonWorkbench.gui.film_map import CHOICES, OFF
@@ -87,8 +88,10 @@ class BalloonDisplay:
             self._soon.start(0)
         elif name in ("ColourMap", "DisplayMode") and not self._is_loading() and not self._switching:
             self._switching = True
-            self._couple(name)
-            self._switching = False
+            try:
+                self._couple(name)
+            finally:
+                self._switching = False
             self._soon.start(0)
 
     def mode_chosen(self, mode: str) -> None:
@@ -162,9 +165,9 @@ def fill_menu(obj, menu) -> None:
     from BalloonWorkbench.gui import record
 
     def inflate(_checked=False):
-        obj.Document.openTransaction(translate("Inflate now"))
-        inflate_now(obj)
-        obj.Document.commitTransaction()
+        with undo_step(obj.Document, translate("Inflate now")):
+            inflate_now(obj)
+            obj.Document.commitTransaction()
         if parts_of(obj) is not None:
             record.call("inflate", f"BalloonWorkbench.parts({record.obj(obj)})")
 

@@ -8,29 +8,37 @@ import FreeCAD as App
 from BalloonWorkbench import __version__
 from BalloonWorkbench.core import packages
 from BalloonWorkbench.core.errors import BalloonError
+from BalloonWorkbench.core.solver import library
 
 
 def tell_missing() -> None:
-    """A line in the report view for each package that is missing; loads none of them."""
-    for sentence in packages.missing():
+    """A line in the report view for each package that is missing, and for a damaged library; loads none."""
+    for sentence in [*packages.missing(), *library.damaged()]:
         App.Console.PrintWarning(f"Film Balloon: {sentence}\n")
 
 
 def described() -> list[str]:
     """Paragraphs about this installation."""
     told = [f"Film Balloon {__version__} in FreeCAD {'.'.join(App.Version()[:3])}", _solver()]
+    why = _unusable_library()
+    told += [library.unusable(why)] if why else []
     return [*told, *(packages.missing() or ["All packages are installed."])]
 
 
 def _solver() -> str:
     try:
-        from BalloonWorkbench.core.solver import backend, native
+        from BalloonWorkbench.core.solver import backend
 
-        active = backend.active_backend()
+        return f"Solver: {backend.active_backend()}."
     except ImportError:  # without NumPy; that it is missing is said on its own
         return "No solver works here."
     except BalloonError as error:
         return str(error)
-    why = native.problem_with_library()
-    slower = f" The native solver, which is faster, is not available: {why}" if why else ""
-    return f"Solver: {active}.{slower}"
+
+
+def _unusable_library() -> str | None:
+    try:
+        from BalloonWorkbench.core.solver import native
+    except ImportError:
+        return None
+    return native.problem_with_library()

@@ -3,18 +3,20 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
-from BalloonWorkbench.app import film_result, status
+from BalloonWorkbench.app import film_result, maker, status
 from BalloonWorkbench.app.properties import QT_TRANSLATE_NOOP
 from BalloonWorkbench.core.export import colour_map
 from BalloonWorkbench.core.export.results import results
 from BalloonWorkbench.core.solver.film_state import FilmState, State, film_state
-from BalloonWorkbench.core.solver.strength import strength
 from BalloonWorkbench.core.units import to_mm
 from BalloonWorkbench.gui.legend import TOP, Legend, label_node
 from BalloonWorkbench.gui.legend_row import legend_node, title
 from BalloonWorkbench.gui.qt import translate
+from BalloonWorkbench.gui.sentences import tell
 from BalloonWorkbench.gui.skin import SkinNodes, skin_from
 from BalloonWorkbench.gui.user_units import lengths_text, pressure_text, user_unit
 
@@ -45,17 +47,21 @@ def map_nodes(obj, kind: str) -> list:
     if kind == colour_map.RESIDUAL:
         return _residual_nodes(obj, inflation, skin)
     shown = colour_map.film_map(found, kind)
+    safe = maker.safety_of(obj) if kind == colour_map.TENSION else None
+    if safe is not None:  # single triangles say more of the mesh than of the film
+        shown = replace(shown, largest=safe.load.value, place=to_mm(safe.load.place))
     factor, unit = user_unit(shown.unit, shown.top)
     legend = Legend(
         _title(obj, kind, unit),
         () if kind == colour_map.STATE else _ticks(shown.top * factor),
         _states(film_state(inflation, film)) if kind == colour_map.STATE else (),
-        _notes(kind, inflation, film, shown, factor, unit),
+        _notes(safe, shown, factor, unit),
         warnings_of(obj),
     )
     nodes = [_film(SkinNodes(skin, shown.shares), _scale_nodes()), legend_node(obj, legend, TOP)]
     if shown.place is not None:
-        nodes.append(label_node(shown.place, f"{shown.largest * factor:.4g} {unit}"))
+        name = f"{tell(safe.weakest)} " if safe is not None and safe.weakest else ""
+        nodes.append(label_node(shown.place, f"{name}{shown.largest * factor:.4g} {unit}"))
     return nodes
 
 
@@ -150,19 +156,16 @@ def _states(found: FilmState) -> tuple:
     )
 
 
-def _notes(kind: str, inflation, film, shown, factor: float, unit: str) -> tuple[str, ...]:
+def _notes(safe, shown, factor: float, unit: str) -> tuple[str, ...]:
     told = []
     if shown.largest > 1.05 * shown.top:
         told.append(translate("at most {:.4g} {}").format(shown.largest * factor, unit))
-    if kind == colour_map.TENSION:
-        weakest = strength(inflation, film)
-        if weakest.safe_pressure is None:
+    if safe is not None:
+        if safe.safe_pressure is None:
             told.append(translate("strength of the film not known"))
         else:
             told.append(
-                translate("safe to {}, margin {:.2g}").format(
-                    pressure_text(weakest.safe_pressure), weakest.margin
-                )
+                translate("safe to {}, margin {:.2g}").format(pressure_text(safe.safe_pressure), safe.margin)
             )
     return tuple(told)
 

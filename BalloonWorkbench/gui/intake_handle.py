@@ -9,6 +9,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 
 from BalloonWorkbench.app import shapes
+from BalloonWorkbench.core.pattern.fairing import faired
 from BalloonWorkbench.core.pattern.rim import Rim
 from BalloonWorkbench.core.units import from_mm, to_mm
 from BalloonWorkbench.gui.qt import QtCore, position
@@ -29,7 +30,7 @@ class IntakeHandle(QtCore.QObject):
         super().__init__()
         self.pattern = pattern
         self._dropped = dropped
-        self._rim = Rim(shapes.stored(pattern.Balloon, "Seam").outer)
+        self._rim = Rim(faired(shapes.stored(pattern.Balloon, "Seam").outer))
         self._along = from_mm(pattern.IntakeAlong.Value)
         self._held = False
         self._document = pattern.Document.Name

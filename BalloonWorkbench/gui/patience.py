@@ -4,8 +4,7 @@ window stays alive. The document is not touched before the work is done, and the
 
 from __future__ import annotations
 
-from BalloonWorkbench.core.errors import Cancelled
-from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
+from BalloonWorkbench.gui.qt import QtCore, QtWidgets
 from BalloonWorkbench.gui.worker import Worker
 
 _USER_INPUT = frozenset(
@@ -65,8 +64,6 @@ def work(title: str, job):
         worker.wait()
     if worker.error is not None:
         raise worker.error
-    if worker.design is None:
-        raise Cancelled(translate("The solver stopped; the report view tells why."))
     return worker.design[0]
 
 

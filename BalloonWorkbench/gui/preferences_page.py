@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from BalloonWorkbench.app import preferences
+from BalloonWorkbench.app.guard import Guarded
 from BalloonWorkbench.gui.panels.fields import new_quantity_box
 from BalloonWorkbench.gui.qt import QtWidgets, translate
 from BalloonWorkbench.gui.sentences import tell
@@ -11,7 +12,7 @@ from BalloonWorkbench.gui.sentences import tell
 _UNITS = {"Width": "mm", "Pressure": "kPa", "SealWidth": "mm", "Allowance": "mm", "MeshSize": "mm"}
 
 
-class PreferencesPage:
+class PreferencesPage(Guarded):
     """FreeCAD makes one for each opening of the dialog, and asks it to load and to save."""
 
     def __init__(self, _parent=None):

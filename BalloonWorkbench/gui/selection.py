@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import FreeCADGui as Gui
 
+from BalloonWorkbench.app.guard import Guarded
 from BalloonWorkbench.app.parts import parts_of
 
 
@@ -20,7 +21,7 @@ def selected_source():
     return None
 
 
-class SelectionWatch:
+class SelectionWatch(Guarded):
     """Calls `changed` whenever the selection has changed, until removed."""
 
     def __init__(self, changed):

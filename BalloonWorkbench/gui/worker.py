@@ -7,7 +7,10 @@ import gc
 import sys
 import time
 
-from BalloonWorkbench.core.errors import BalloonError
+import FreeCAD as App
+
+from BalloonWorkbench.core import faults
+from BalloonWorkbench.core.errors import BalloonError, ProgramFault
 from BalloonWorkbench.gui.qt import QtCore
 from BalloonWorkbench.gui.status_progress import StatusProgress
 
@@ -80,12 +83,20 @@ class Worker(QtCore.QThread):
         begun = time.thread_time()
         try:
             self.design = self.request.solve(self._report)
-        except BalloonError as error:
-            self.error = error
+        except BaseException as error:  # noqa: BLE001 - Qt would end the thread with Python locked
+            self.error = faults.as_balloon_error(error, f"at work on {type(self.request).__name__}")
         finally:
             self.work = time.thread_time() - begun
             self.ended.emit()
             _sharing.ended.emit()
+
+    def fault(self) -> str:
+        """The sentence on a fault, which goes into the report view as well: a newer answer may hide it; else
+        empty. Call it in the main thread."""
+        if not isinstance(self.error, ProgramFault):
+            return ""
+        App.Console.PrintError(f"{self.error}\n")
+        return str(self.error)
 
     def stop(self):
         """Ask the engine to stop at its next step."""

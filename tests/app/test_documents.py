@@ -125,6 +125,7 @@ def test_steps_of_migration_run_in_order(reopened, monkeypatch):
     taken = []
     monkeypatch.setattr(migrate, "STEPS", (lambda obj: taken.append(2), lambda obj: taken.append(3)))
     monkeypatch.setattr(migrate, "SCHEMA", 3)
+    reopened.Pattern.SchemaVersion = 1
     reopened.Pattern.Proxy.onDocumentRestored(reopened.Pattern)
     assert taken == [2, 3]
     assert reopened.Pattern.SchemaVersion == 3

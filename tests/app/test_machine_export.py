@@ -112,9 +112,9 @@ def test_too_large_is_refused_and_nothing_written(pattern, tmp_path, monkeypatch
 def test_notches_and_tab_are_in_shape_and_files(pattern, tmp_path):
     pattern.Notches, pattern.TieTab = 8, True
     pattern.Document.recompute()
-    assert pattern.Roles.count("MARK") == 7  # none at the mouth of the intake
+    assert pattern.Roles.count("NOTCH") == 7  # none at the mouth of the intake
     assert pattern.Roles.count("CUT_INNER") == 2
-    marks = [wire for wire, role in zip(pattern.Shape.Wires, pattern.Roles, strict=True) if role == "MARK"]
+    marks = [wire for wire, role in zip(pattern.Shape.Wires, pattern.Roles, strict=True) if role == "NOTCH"]
     assert all(abs(mark.Length - 1.5) < 1e-6 for mark in marks)
     assert export_for(pattern, "inkscape", tmp_path).read_bytes().count(b"<path") == 3 + 7 + 2 + 2 + 1
     pattern.NotchDepth = 3
@@ -126,7 +126,7 @@ def test_notches_and_tab_are_in_shape_and_files(pattern, tmp_path):
     assert pattern.Shape.Faces[0].isValid()
     pattern.LabelText = ""
     pattern.Document.recompute()
-    assert "MARK" not in pattern.Roles
+    assert "NOTCH" not in pattern.Roles
 
 
 def test_film_that_no_laser_may_cut(pattern, tmp_path):

@@ -12,7 +12,7 @@ import sketches
 from BalloonWorkbench.app import artwork, create, film_sheet, maker, status
 from BalloonWorkbench.app.export import check_for, export_for
 from BalloonWorkbench.core.artwork.files import png_bytes
-from BalloonWorkbench.core.errors import ExportError
+from BalloonWorkbench.core.errors import ExportError, InputError
 from BalloonWorkbench.core.nesting import nest as nesting
 
 HEART = Path("resources/examples/pictures/heart.png").resolve()
@@ -166,6 +166,7 @@ def test_numbers(parts):
         1e-3 * parts.balloon.FloatsFrom.Value * 120.0 / parts.balloon.InflatedWidth.Value, rel=0.02
     )
     assert maker.numbers(parts) is found
+    parts.balloon.Film = "nylon-foil"
     parts.pattern.IntakeKind = "Self-sealing film valve"
     parts.balloon.Document.recompute()
     assert maker.numbers(parts).valve > 0.0
@@ -202,3 +203,40 @@ def test_saved_and_opened(parts, rows, picture, tmp_path):
         assert art.Status == sheet.Status == status.READY
     finally:
         App.closeDocument(again.Name)
+
+
+def test_the_valve_is_on_another_film(parts, rows, tmp_path):
+    """Panels on one sheet of film, strips on another; two files for a pattern, one for each sheet."""
+    parts.balloon.Film = "nylon-foil"
+    parts.pattern.IntakeKind = "Self-sealing film valve"
+    doc = parts.balloon.Document
+    foil, valve = film_sheet.make(doc, [parts.pattern]), film_sheet.make(doc, [parts.pattern])
+    valve.Film = "Valve film"
+    foil.Balloons = valve.Balloons = 2
+    doc.recompute()
+    assert (foil.Status, valve.Status) == (status.READY, status.READY)
+    assert (foil.Pieces, valve.Pieces) == (4, 4)
+    assert any("Valve film" in text for text in foil.Warnings)
+    assert not any("Valve film" in text for text in valve.Warnings)
+    (tmp_path / "one").mkdir()
+    export_for(parts.pattern, "any-dxf", tmp_path / "one" / "fish.dxf")
+    assert sorted(path.name for path in (tmp_path / "one").iterdir()) == ["fish-valve.dxf", "fish.dxf"]
+    (tmp_path / "two").mkdir()
+    for sheet in (foil, valve):
+        export_for(sheet, "silhouette", tmp_path / "two" / f"{sheet.Name}.dxf")
+    assert len(list((tmp_path / "two").iterdir())) == 2
+    parts.pattern.IntakeKind = "Straw neck"
+    doc.recompute()
+    assert "pieces of" in valve.Status
+    assert foil.Status == status.READY
+    assert not any("Valve film" in text for text in foil.Warnings)
+
+
+def test_a_layout_of_an_older_release_is_not_cut(parts, rows, tmp_path):
+    """Strips once lay among the panels: such a layout is made anew before it is written."""
+    doc = parts.balloon.Document
+    sheet = film_sheet.make(doc, [parts.pattern])
+    doc.recompute()
+    sheet.LaidOutFor = "that of another list of pieces"
+    with pytest.raises(InputError, match="recompute"):
+        export_for(sheet, "any-dxf", tmp_path)

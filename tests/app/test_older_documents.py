@@ -99,3 +99,18 @@ App.closeDocument(document.Name)  # FreeCAD 1.1 crashes when it closes a mesh at
         assert document.Balloon.InflatedWidth.Value == pytest.approx(100, rel=0.03)
     finally:
         App.closeDocument(document.Name)
+
+
+def test_marks_of_the_first_schema_are_parted(older):
+    """Lines that all were MARK: those that begin on the cut are notches, all others are drawn."""
+    pattern = older.Pattern
+    pattern.Notches, pattern.Allowance = 8, 4
+    pattern.IntakeKind = "One-way tail"
+    older.recompute()
+    roles = list(pattern.Roles)
+    assert {"NOTCH", "FOLD", "PEN"} <= set(roles)
+    pattern.Roles = ["MARK" if role in ("NOTCH", "FOLD", "PEN") else role for role in roles]
+    pattern.SchemaVersion = 1
+    pattern.Proxy.onDocumentRestored(pattern)
+    assert list(pattern.Roles) == ["PEN" if role == "FOLD" else role for role in roles]
+    assert pattern.SchemaVersion == migrate.SCHEMA

@@ -234,7 +234,7 @@ def test_values_follow_expressions(pattern):
     assert pattern.CornerRadius.Value == pytest.approx(1.0)
     assert pattern.Roles.count("CUT") == 2
     assert build(pattern).intake.length == pytest.approx(0.040)
-    assert 2 * 6 <= pattern.Roles.count("MARK") <= 2 * 8
+    assert 2 * 6 <= pattern.Roles.count("NOTCH") <= 2 * 8
     for name in formulas:
         pattern.setExpression(name, None)
 
@@ -245,7 +245,18 @@ def test_second_panel_and_pieces_are_faces(pattern):
     pattern.Intake, pattern.Mirror = True, True
     choose_kind(pattern, "Self-sealing film valve")
     pattern.Document.recompute()
+    assert "does not weld" in pattern.Status  # to plain PET
+    pattern.Balloon.Film, pattern.Balloon.SealingSide = "Custom", ""
+    pattern.Document.recompute()
     assert pattern.Status == status.READY
+    assert any("not known" in text for text in pattern.Warnings)
+    pattern.Balloon.SealingSide = "PE"
+    pattern.Document.recompute()
+    assert pattern.Status == status.READY
+    assert not any("not known" in text for text in pattern.Warnings)
+    assert any("cut from thin PE film" in text for text in pattern.Warnings)
+    assert any("the weld closes the valve" in text or "past the weld" in text for text in pattern.Warnings)
+    assert pattern.PatternWidth.Value < pattern.Shape.BoundBox.XLength - 2 * 34  # without the strips
     assert "strips" in pattern.HowToFill
     faces = sorted(pattern.Shape.Faces, key=lambda face: face.Area)
     assert len(faces) == 4

@@ -49,7 +49,7 @@ def test_sketch_solves_and_is_the_pattern(pattern):
         assert sketch.getParentGroup() == pattern.getParentGroup()
         cuts = [contour for role in (Role.CUT, Role.CUT_INNER) for contour in build(pattern).of(role)]
         curves = [fit_curve(contour.points, True) for contour in cuts]
-        beside = [contour for role in (Role.SEAL, Role.MARK) for contour in build(pattern).of(role)]
+        beside = [contour for role in (Role.SEAL, Role.NOTCH) for contour in build(pattern).of(role)]
         lines = [fit_curve(contour.points, contour.closed) for contour in beside]
         assert sketch.GeometryCount == sum(map(len, curves)) + sum(map(len, lines))
         construction = [sketch.getConstruction(k) for k in range(sketch.GeometryCount)]

@@ -10,6 +10,7 @@ What makes a finding true is measured on the inflated mesh at a place, by means 
     warping_ring  both panels simulated, started twisted: the seam leaves its plane by 8 % of the size
     flat_shape    V / A^1.5 below 0.4 of the disc's
     hidden_intake necks with less room than the intake part it from more than half of the film
+    delicate_intake  within 15 % of the size of the place nothing is 0.3 times as thick as the balloon
 """
 
 from __future__ import annotations
@@ -24,13 +25,14 @@ from drawn_flaws import Flawed
 from scipy.interpolate import LinearNDInterpolator
 from scipy.spatial import cKDTree
 
-from BalloonWorkbench.core.coach.coach import INTAKE_WIDTH, advise
+from BalloonWorkbench.core.coach.coach import advise
 from BalloonWorkbench.core.coach.findings import Advice, Finding
 from BalloonWorkbench.core.design.fit import fit
 from BalloonWorkbench.core.film.library import film
 from BalloonWorkbench.core.mesh.quality import signed_areas
 from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.mesh.triangulate import triangulate
+from BalloonWorkbench.core.pattern.make import Wanted, intake_of
 from BalloonWorkbench.core.solver.inflate import inflate
 from BalloonWorkbench.core.solver.model import Model
 from BalloonWorkbench.core.types import Floats
@@ -39,6 +41,7 @@ FILM = film("mylar")
 PRESSURE = 2000.0
 VERTICES = 500
 SEALS = 2.0 * FILM.seal_width
+INTAKE_WIDTH = intake_of(Wanted()).width
 DISC = 1.218524 / np.pi**1.5
 TWIST = 0.3
 
@@ -128,6 +131,11 @@ class Truth:
         entered = min(shapely.get_parts(rooms), key=at.distance)
         return float(entered.area / self.film.area)
 
+    def thickest_near(self, place: Floats) -> float:
+        """Greatest thickness within 15 % of the size of a place, over the balloon's."""
+        near = np.linalg.norm(self.flat - place, axis=1) < 0.15 * self.size
+        return float(self.thick[near].max() / self.thick.max()) if near.any() else 0.0
+
     def holds(self, rule: str, place: Floats) -> bool:
         """Whether the simulation shows at a place (k, 2) what a rule says."""
         where = place[0]
@@ -139,6 +147,7 @@ class Truth:
             "warping_ring": lambda: self.warp() > 0.08,
             "flat_shape": lambda: self.puffiness() < 0.4,
             "hidden_intake": lambda: self.entered() < 0.5,
+            "delicate_intake": lambda: self.thickest_near(where) < 0.3,
         }
         return measured[rule]()
 
@@ -197,7 +206,7 @@ def count(case: Flawed, truth: Truth, advice: Advice, scores: dict[str, Score], 
 
 
 def _near(finding: Finding, line: Floats, size: float) -> bool:
-    if finding.rule in ("flat_shape", "hidden_intake", "warping_ring"):
+    if finding.rule in ("flat_shape", "hidden_intake", "delicate_intake", "warping_ring"):
         return True
     return float(cKDTree(line).query(finding.place)[0]) < size / 15.0
 

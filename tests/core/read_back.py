@@ -13,6 +13,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import shapely
+import shapely.ops
 
 from BalloonWorkbench.core.export.drawing import BAR
 from BalloonWorkbench.core.export.machine import Machine
@@ -53,6 +54,18 @@ def wanted(pattern: Pattern, made_for: Machine) -> Lines:
 
 def line(points: np.ndarray, closed: bool) -> shapely.Geometry:
     return (shapely.LinearRing if closed else shapely.LineString)(points)
+
+
+def once_round(points: np.ndarray, overcut: float) -> shapely.Geometry:
+    """The ring of a cut that goes on past its start by a length [mm], which is looked at."""
+    way = shapely.LineString(points)
+    again = (
+        shapely.ops.substring(way, way.length - overcut, way.length) if overcut else way.interpolate(-1e-9)
+    )
+    assert way.interpolate(max(way.length - overcut, 0.0)).distance(shapely.Point(points[0])) < NEAR
+    assert shapely.ops.substring(way, 0.0, overcut + NEAR).buffer(NEAR).covers(again)
+    ring = shapely.get_coordinates(shapely.ops.substring(way, 0.0, way.length - overcut))
+    return shapely.LinearRing(ring[:-1])
 
 
 def apart(one: shapely.Geometry, other: shapely.Geometry) -> float:

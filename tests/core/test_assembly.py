@@ -117,11 +117,42 @@ def test_each_intake_has_its_step(name: str) -> None:
     work = steps(about.pattern, about.film, about.numbers)
     notes = [number for number, step in enumerate(work) if name != "none" and intake_kind(name).note in step]
     weld = next(number for number, step in enumerate(work) if step.startswith("Weld along"))
-    assert len(notes) == (name != "none")
+    assert len(notes) == (name not in ("none", "film-valve"))  # which has steps of its own
     if notes:
-        assert (notes[0] < weld) == (name in ("nozzle", "film-valve"))
+        assert (notes[0] < weld) == (name == "nozzle")
     assert ("all the way round" in work[weld]) == (name in ("none", "nozzle"))
     assert any("holes inside" in step for step in work) == (name == "none")
+
+
+def test_the_valve_is_welded_in_an_order_that_keeps_it_open() -> None:
+    """Ink, strips to each other, tacked to one panel, the panels, round the balloon, then across the neck."""
+    about = subject("disc", "nylon-foil", "film-valve")
+    work = steps(about.pattern, about.film, about.numbers)
+    begins = (
+        "Lay both valve strips",
+        "Lay the strips into the neck of one panel",
+        "Lay the panels on each other",
+        "Weld along the dashed line",
+        "Weld across the neck",
+        "Fill through a tube",
+    )
+    places = [[k for k, step in enumerate(work) if step.startswith(begin)] for begin in begins]
+    assert [len(each) for each in places] == [1] * len(begins)
+    assert places == sorted(places)
+    assert "heat-resistant ink" in work[places[0][0]]
+    assert "this panel only" in work[places[1][0]]
+    straw = subject("disc", "nylon-foil")
+    assert not [step for step in steps(straw.pattern, straw.film, straw.numbers) if "valve" in step]
+
+
+def test_the_valve_is_drawn(tmp_path: Path) -> None:
+    """Strips in their neck, with the order of the work and the film that they are cut from."""
+    for kind in ("film-valve", "straw"):
+        path = tmp_path / f"{kind}.pdf"
+        path.write_bytes(assembly_pdf(subject("disc", "nylon-foil", kind)))
+        told = told_by("pdftotext", "-layout", path, "-")
+        for text in ("Valve, on one panel", "Tacked to one panel", "Welded across, last", "thin PE film"):
+            assert (text in told) == (kind == "film-valve"), text
 
 
 def test_unknown_paper_is_refused() -> None:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Whatever is in a file: an outline comes out of it, or a sentence that says what to do; soon, in bounds.
 
-BALLOON_FILES sets how many files are tried (`make fuzz`: 10 000).
+BALLOON_FILES sets how many files of either sort are tried (`make fuzz`: 10 000).
 """
 
 from __future__ import annotations
@@ -13,7 +13,14 @@ import time
 from pathlib import Path
 
 import broken_files
+import ezdxf
 import numpy as np
+import pytest
+import too_much
+import valid_files
+from read_files import MEGABYTES as MOST_MEGABYTES
+from read_files import SECONDS as MOST_SECONDS
+from read_files import outcomes
 
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.mesh.sizing import size_for
@@ -27,7 +34,7 @@ MEGABYTES = 1500
 
 _ADVICE = re.compile(
     r"\b(Save|Choose|Use|Write|Check|Make|Simplify|Leave|Give|Draw|Close|Part|Join|Remove|Install|Enlarge|"
-    r"bring|keep|part|join|close|separate|remove|enlarge|leave|choose|draw|give|make|use|move)\b"
+    r"Take|bring|keep|part|join|close|correct|separate|remove|enlarge|leave|choose|draw|give|make|use|move)\b"
 )
 
 
@@ -65,3 +72,74 @@ def test_no_file_does_more_than_complain(tmp_path: Path) -> None:
     assert not slow
     assert 0.02 * COUNT < read < 0.7 * COUNT
     assert resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024 < MEGABYTES
+
+
+@pytest.mark.parametrize("binary", [False, True])
+@pytest.mark.parametrize("version", valid_files.VERSIONS)
+def test_the_seeds_are_valid(version: str, binary: bool, tmp_path: Path) -> None:
+    path = tmp_path / "seed.dxf"
+    path.write_bytes(valid_files.dxf(version, 1, binary))
+    assert ezdxf.readfile(path).dxfversion
+    path.write_bytes(valid_files.dxf(version, 0, binary))
+    drawing, _ = read_drawing(path)
+    # the plate with two bulging sides, its hole, its weld and its spot; in the blocks two circles and more
+    plate = drawing.largest
+    assert (len(plate.holes), len(plate.welds), len(plate.spots)) == (1, 1, 1)
+
+
+def bad(one: dict) -> bool:
+    """Whether reading a file took too much, or ended in words that do not help."""
+    refusal = one["refusal"]
+    if refusal is not None and ("\n" in refusal or not _ADVICE.search(refusal)):
+        return True
+    return not one["finite"] or one["seconds"] > MOST_SECONDS or one["megabytes"] > MOST_MEGABYTES
+
+
+def test_no_change_to_a_valid_file_does_more_than_refuse_it() -> None:
+    read = 0
+    for first in range(0, COUNT, 500):
+        done = outcomes(str(first), str(min(first + 500, COUNT)))
+        assert len(done) == min(500, COUNT - first)
+        assert not [one for one in done if bad(one)]
+        read += sum(one["refusal"] is None for one in done)
+    assert 0.1 * COUNT < read < 0.9 * COUNT
+
+
+@pytest.mark.parametrize(
+    ("name", "words"),
+    [
+        ("spline at 1e12", "more than 200000 points"),
+        ("nested empty blocks", "more than 100000 elements"),
+        ("nested skew blocks", "more than 100000 elements"),
+        ("nested full blocks", "more than 100000 elements"),
+        ("block in itself", "show themselves"),
+        ("rows and columns", "more than 100000 elements"),
+        ("through many points", "a curve through more than 5000 points"),
+        ("tags without end", "more than 8 s"),
+        ("circles", "more than"),
+        ("blanks of a style", None),
+        ("style without rules", None),
+        ("style of many", "too much text"),
+        ("blanks of a transform", "endless length"),
+        ("digits", "endless length"),
+        ("deep transforms", "too much text"),
+        ("tiny subpaths", "more than 200000 points"),
+        ("many rectangles", "more than"),
+        ("attributes", "too many attributes"),
+        ("rings", None),
+        ("8000 holes", None),
+        ("lists of nothing", "more than 200000 points"),
+        ("large photograph", None),
+        ("grain", "A|The"),
+    ],
+)
+def test_too_much_is_refused_in_time(name: str, words: str | None) -> None:
+    """In 10 s of processor time and 1 GB; what people have is read."""
+    [one] = outcomes(name)
+    assert not bad(one), one
+    assert one["refusal"] is None if words is None else re.search(words, one["refusal"] or ""), one
+
+
+def test_each_of_too_much_is_tried() -> None:
+    [marks] = [mark for mark in test_too_much_is_refused_in_time.pytestmark if mark.name == "parametrize"]
+    assert {name for name, _ in marks.args[1]} == set(too_much.FILES)

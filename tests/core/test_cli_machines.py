@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from BalloonWorkbench import cli
-from BalloonWorkbench.core.export.machine import FOLDER
+from BalloonWorkbench.core.export.machine import FOLDER, machine
 
 
 @pytest.fixture
@@ -31,7 +31,11 @@ def test_files_for_machines(square: Path, capsys: pytest.CaptureFixture[str]) ->
     made = {path.name for path in (square.parent / "out").iterdir()}
     machines = ("lightburn_mm.dxf", "cutting-shop_mm.dxf", "inkscape.svg", "hpgl-plotter.plt", "paper.pdf")
     assert made >= {"pattern.dxf", "pattern-a4.pdf", *(f"pattern-{name}" for name in machines)}
-    assert "pattern-a4.pdf" in capsys.readouterr().out
+    told = capsys.readouterr().out
+    assert "pattern-a4.pdf" in told
+    assert "Silhouette" not in told
+    for name in ("lightburn", "cutting-shop", "inkscape", "hpgl-plotter", "paper"):
+        assert machine(name).note in told
 
 
 def test_too_large_for_the_bed(square: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -43,6 +47,18 @@ def test_too_large_for_the_bed(square: Path, capsys: pytest.CaptureFixture[str])
     assert "bed" in text
     assert "(5.91 x 5.91 in)" in text
     assert not (square.parent / "out").exists()
+
+
+def test_one_unsuitable_machine_is_left_out(square: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """The others get their files, and a line tells why that one did not."""
+    own = square.parent / "small.json"
+    data = json.loads((FOLDER / "lightburn.json").read_text(encoding="utf-8"))
+    own.write_text(json.dumps({**data, "name": "small", "title": "Small laser", "bed_mm": [150, 150]}))
+    assert run(square, "--machine", str(own), "--machine", "inkscape", "--machine", "cutting-shop") == 0
+    made = {path.name for path in (square.parent / "out").iterdir()}
+    assert made >= {"pattern-inkscape.svg", "pattern-cutting-shop_mm.dxf"}
+    assert "pattern-small_mm.dxf" not in made
+    assert "Note: No file for Small laser: The pattern measures" in capsys.readouterr().out
 
 
 def test_unknown_machine_is_told_before_the_work(square: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -57,6 +73,7 @@ def test_the_pattern_is_made_as_it_is_told(square: Path, capsys: pytest.CaptureF
         "--intake-along": "250mm", "--notches": "12", "--notch-depth": "2mm", "--tie-tab": "0",
         "--label": "B1", "--label-height": "8mm", "--copies": "2",
     }  # fmt: skip
+    options["--material"] = "nylon-foil"  # to which the valve welds
     assert run(square, *(word for pair in options.items() for word in pair), "--mirror") == 0
     told = json.loads((square.parent / "out" / "report.json").read_text())
     intake = told["pattern"]["intake"]
@@ -66,9 +83,9 @@ def test_the_pattern_is_made_as_it_is_told(square: Path, capsys: pytest.CaptureF
     text = (square.parent / "out" / "pattern.svg").read_text()
     layers = {layer: part.count("<path") for layer, part in
               ((part.split('"')[0], part) for part in text.split('<g id="')[1:])}  # fmt: skip
-    assert layers["CUT"] == 2 * 2 * 2
+    assert layers["CUT"] == 2 * 2
     assert layers["CUT_INNER"] == 2 * 2
-    assert layers["MARK"] >= 2 * 2 * (8 + 1 + 1)
+    assert layers["NOTCH"] >= 2 * 2 * 8
     # the box of 200 mm, both welds and allowances, the tab beside it
     assert told["pattern"]["width_mm"] > 200 + 2 * (4 + 3)
     assert "Wrote" in capsys.readouterr().out

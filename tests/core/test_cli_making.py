@@ -46,6 +46,7 @@ def test_everything_at_once(folder: Path, capsys: pytest.CaptureFixture[str]) ->
         folder, "two.json", "--artwork", str(folder / "colours.png"),
         "--artwork-back", str(folder / "grey.png"), "--dpi", "60", "--nest", "250mm x 300mm",
         "--balloons", "2", "--machine", "hpgl-plotter", "--intake", "film-valve",
+        "--material", "nylon-foil",
     )  # fmt: skip
     told = capsys.readouterr().out
     assert made == 0
@@ -62,6 +63,8 @@ def test_everything_at_once(folder: Path, capsys: pytest.CaptureFixture[str]) ->
     assert (out / "artwork.pdf").read_bytes().startswith(b"%PDF")
     for name in ("print-front", "print-back", "nested", "nested-2"):
         assert (out / f"{name}-pattern-hpgl-plotter.plt").stat().st_size > 500, name
+    assert (out / "nested-pattern-hpgl-plotter-valve.plt").stat().st_size > 500
+    assert "Valve film 1: 8 pieces" in told  # two strips for each of two balloons of two shapes
     assert "at 60 dpi, front and back" in told
     assert "% used" in told
     assert "spyrrow" in told

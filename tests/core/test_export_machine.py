@@ -17,7 +17,7 @@ from drawn_shapes import NAMED
 from BalloonWorkbench.core.errors import ExportError, InputError
 from BalloonWorkbench.core.export.compensate import overrun, trailing_knife, without_kerf
 from BalloonWorkbench.core.export.drawing import BAR, draw
-from BalloonWorkbench.core.export.fabricate import machine_file
+from BalloonWorkbench.core.export.fabricate import checked_files, machine_file
 from BalloonWorkbench.core.export.machine import FOLDER, machine, machines, read_machine
 from BalloonWorkbench.core.export.preflight import ERROR, WARNING, preflight
 from BalloonWorkbench.core.pattern.arcs import fit_curve
@@ -175,6 +175,55 @@ def test_open_and_crossing_lines_are_errors() -> None:
     hole = Contour(Role.CUT_INNER, SQUARE[::-1] + 0.05, True)
     findings = preflight(pattern_of(Contour(Role.CUT, SQUARE, True), hole), machine("lightburn"))
     assert "meet" in findings[0].text
+
+
+def test_what_is_written_is_what_is_checked() -> None:
+    """The fault that a file would have is named where it is: a crack in a tip, lines that kerf or arcs let
+    cross."""
+    turn = np.linspace(0.2, 2.0 * np.pi - 0.2, 90)
+    drop = np.stack([0.01 * np.cos(turn), 0.01 * np.sin(turn)], axis=1)[::-1] + 0.05
+    crack = np.concatenate([drop, [[0.0598, 0.05], [0.075, 0.05 + 1e-9], [0.0599, 0.05 + 1e-9]]])
+    pattern = pattern_of(Contour(Role.CUT_INNER, crack, True), Contour(Role.CUT, SQUARE, True))
+    for name in ("any-dxf", "lightburn"):
+        errors = [each for each in preflight(pattern, machine(name)) if each.severity == ERROR]
+        assert errors, name
+        assert "itself" in errors[0].text
+        assert errors[0].place == pytest.approx([0.067, 0.05], abs=0.009)
+    near = Contour(Role.CUT, SQUARE + np.array([0.1004, 0.0]), True)
+    two = pattern_of(Contour(Role.CUT, SQUARE, True), near)
+    tool = replace(machine("any-dxf"), kerf=0.0003)
+    assert preflight(two, tool) == ()
+    (finding,) = preflight(two, replace(tool, kerf=0.0005))
+    assert finding.severity == ERROR
+    assert "CUT and CUT lines meet" in finding.text
+
+
+def test_knives_run_past_their_start(tmp_path: Path) -> None:
+    """As far as the file says; else as far as a knife takes to swing round. Nothing else does."""
+    assert {name for name, known in machines().items() if known.overcut} == {"hpgl-plotter"}
+    assert read_machine(changed(tmp_path, knife_offset_mm=0.25)).overcut == pytest.approx(0.001)
+    assert read_machine(changed(tmp_path, knife_offset_mm=0.25, overcut_mm=0)).overcut == 0.0
+    knife = read_machine(changed(tmp_path, overcut_mm=2))
+    pattern = pattern_of(Contour(Role.SEAL, SQUARE * 0.9 + 0.005, True), Contour(Role.CUT, SQUARE, True))
+    (cut,), (seal,) = (draw(pattern, knife).of(role) for role in (Role.CUT, Role.SEAL))
+    assert (cut.curve.closed, seal.curve.closed) == (False, True)
+    assert cut.curve.length == pytest.approx(402.0)
+    with pytest.raises(InputError, match="overcut_mm"):
+        read_machine(changed(tmp_path, overcut_mm=-1))
+
+
+def test_unsuitable_machines_are_left_out() -> None:
+    """The others get their files; only where nothing is left it is an error."""
+    pattern = pattern_of(Contour(Role.CUT, SQUARE * 7.0, True))
+    chosen = [machine(name) for name in ("glowforge", "inkscape", "heat-sealer", "cutting-shop")]
+    contents, remarks = checked_files(pattern, chosen)
+    assert set(contents) == {"pattern-inkscape.svg", "pattern-cutting-shop_mm.dxf"}
+    large, empty = remarks
+    assert large.startswith("No file for Glowforge: The pattern measures 700 x 710 mm")
+    assert empty.startswith("The pattern has no lines for Heat sealer on a plotter")
+    with pytest.raises(ExportError, match=r"Glowforge.*Heat sealer"):
+        checked_files(pattern, [chosen[0], chosen[2]])
+    assert checked_files(pattern, []) == ({}, ())
 
 
 def test_narrow_places_are_found() -> None:

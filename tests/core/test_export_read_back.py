@@ -13,13 +13,27 @@ import numpy as np
 import pytest
 import shapely
 from drawn_shapes import NAMED
-from read_back import NEAR, POINT, Lines, apart, compare, line, page_lines, run, same, svg_lines, wanted
+from read_back import (
+    NEAR,
+    POINT,
+    Lines,
+    apart,
+    compare,
+    line,
+    once_round,
+    page_lines,
+    run,
+    same,
+    svg_lines,
+    wanted,
+)
 
 from BalloonWorkbench.core.export.drawing import BAR, draw
 from BalloonWorkbench.core.export.fabricate import drawing_file, machine_file
 from BalloonWorkbench.core.export.machine import machine
 from BalloonWorkbench.core.pattern.build import build_pattern
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
+from BalloonWorkbench.core.units import to_mm
 
 PATTERNS = {name: build_pattern(NAMED[name], 0.005) for name in ("heart", "holes")}
 SMALL = build_pattern(NAMED["heart"].map(lambda loop: 0.5 * loop), 0.005)  # fits on A3 with the control bar
@@ -213,22 +227,19 @@ def test_hpgl_by_hp2xx(pattern: Pattern, bytes_of: dict, tmp_path: Path) -> None
     scale = BAR / np.linalg.norm(bar[1] - bar[0])
     bottom = max(points[:, 1].max() for points in lines)
     read = [np.stack([points[:, 0], bottom - points[:, 1]], axis=1) * scale for points in lines]
+    overcut = to_mm(machine("hpgl-plotter").overcut)
     for _, contour in wanted(pattern, machine("hpgl-plotter")):
-        assert any(
-            np.abs(points[0] - points[-1]).max() < NEAR and same(line(points[:-1], True), contour)
-            for points in read
-            if len(points) > 3
-        )
+        assert any(same(once_round(points, overcut), contour) for points in read if len(points) > 3)
 
 
 def test_hpgl_by_hand() -> None:
-    """A square of 100 mm: 4000 plotter units, pen 3, closed."""
+    """A square of 100 mm: 4000 plotter units, pen 3, begun amid an edge, 1 mm past its start."""
     square = np.array([[0.0, 0.0], [0.1, 0.0], [0.1, 0.1], [0.0, 0.1]])
     text = machine_file(
         Pattern((Contour(Role.CUT, square, True),), None, 0.005, 0.4), machine("hpgl-plotter")
     )
     assert text.startswith(b"IN;\nPA;\nSP1;\n")
-    assert b"SP3;\nPU0,400;\nPD4000,400,4000,4400,0,4400,0,400;\n" in text
+    assert b"SP3;\nPU1620,400;\nPD4000,400,4000,4400,0,4400,0,400,1620,400,1660,400;\n" in text
     assert text.endswith(b"PU0,0;\nSP0;\n")
 
 

@@ -137,7 +137,7 @@ def changed(folder: Path, **changes: object) -> Path:
         ({"sources": None}, "sources"),
         ({"thickness_m": "thick"}, "thick"),
         ({"thickness_m": 25}, "thickness"),
-        ({"poisson_ratio": math.nan}, "Poisson"),
+        ({"poisson_ratio": math.nan}, "NaN"),
         ({"young_modulus_Pa": 6e9}, "own range"),
         ({"young_modulus_range_Pa": 5}, "mylar.json"),
         ({"max_stress_Pa": -1}, "strength"),

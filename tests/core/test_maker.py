@@ -9,7 +9,7 @@ from functools import cache
 
 import numpy as np
 import pytest
-from drawn_shapes import corners_of
+from drawn_shapes import NAMED, corners_of
 from solver_cases import circle
 
 from BalloonWorkbench.core.film.filling import ROOM, Filling, gas, gases
@@ -17,9 +17,12 @@ from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.film.library import FOLDER, film, films
 from BalloonWorkbench.core.maker.data import FILE, making
 from BalloonWorkbench.core.maker.numbers import Numbers, maker_numbers, told
-from BalloonWorkbench.core.maker.safety import FILM, WELD, safety, weld_load
+from BalloonWorkbench.core.maker.safety import FILM, WELD, safety_with
+from BalloonWorkbench.core.making import pieces_of
 from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.mesh.triangulate import triangulate
+from BalloonWorkbench.core.nesting import nest as nesting
+from BalloonWorkbench.core.nesting.layout import Stock
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.outline.picture import read_picture
 from BalloonWorkbench.core.pattern.build import build_pattern
@@ -27,6 +30,7 @@ from BalloonWorkbench.core.pattern.make import Wanted, make_pattern, sheet_of
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
 from BalloonWorkbench.core.solver.inflate import inflate
 from BalloonWorkbench.core.solver.inflation import Inflation
+from BalloonWorkbench.core.solver.strength import loads
 
 INCH, FOOT = 0.0254, 0.3048
 FOIL = film("nylon-foil")
@@ -109,6 +113,23 @@ def test_film_of_the_roll() -> None:
     assert maker_numbers(inflation, FOIL, outline, pattern, 0.2, Filling(), roll_width=0.1).roll is None
 
 
+@pytest.mark.parametrize("name", ["mylar", "bopp-foil"])
+def test_film_that_is_told_is_what_a_layout_takes(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Both panels of a heart, with a grain and without: no more film than the layout of one balloon. Laid by
+    the boxes round them, which may be turned, they would take 575 mm."""
+    monkeypatch.setattr(nesting, "PACKAGE", "no_such_package")
+    made_of = film(name)
+    seam = Outline(NAMED["heart"].outer * 0.3 / NAMED["heart"].size[0])
+    pattern = build_pattern(seam, made_of.seal_width)
+    found = maker_numbers(disc(0.1), made_of, seam, pattern, 0.3, Filling(), roll_width=0.5)
+    pieces = pieces_of(pattern, pattern, 1, made_of.lies)
+    (layout,), _ = nesting.nest(pieces, Stock(0.5))
+    assert found.roll == pytest.approx((0.5, layout.length), abs=1e-9)
+    assert layout.length > 2.0 * pattern.film_area / 0.5
+    if name == "mylar":
+        assert layout.length < 0.45
+
+
 def test_smallest_size_that_floats() -> None:
     """Volume grows with L^3, film with L^2: without a border the size follows in closed form."""
     outline = Outline(circle(0.12, 240))
@@ -170,12 +191,6 @@ def test_gas_as_it_is_sold() -> None:
     assert one.cost == pytest.approx(one.gas_needed * making().prices["helium"])
 
 
-def test_load_of_the_weld() -> None:
-    """A disc: the seam holds p pi r^2 along its flat length 2 pi a, so N = 0.2909 p a (r = 0.76276 a)."""
-    load = weld_load(disc(0.15), FOIL)
-    assert load == pytest.approx(0.5 * 0.762760**2 * PRESSURE * 0.15, rel=0.15)
-
-
 def test_tension_and_safe_pressure_of_the_mylar_balloon() -> None:
     """Pole tension 1.178 p a at k = 200, 1.030 at k = 100 (axisymmetric solution, nu = 0.3)."""
     thick, radius = 25e-6, 0.15
@@ -185,8 +200,10 @@ def test_tension_and_safe_pressure_of_the_mylar_balloon() -> None:
     pole = 1.178 * PRESSURE * radius
     assert float(inflation.tensions.max()) == pytest.approx(pole, rel=0.04)
     strong = replace(made_of, max_stress=4.0 * pole / thick)
-    found = safety(inflation, strong, None, 2.0)
+    found = safety_with(inflation, strong, None, 2.0)
     assert found.weakest == FILM
+    assert found.place is not None
+    assert np.linalg.norm(found.place[:2]) < 0.2 * radius
     assert found.safe_pressure == pytest.approx(2.0 * PRESSURE, rel=0.04)
     # at twice the pressure k is half as large, and the tension less than twice as large: the bound holds
     twice = disc(radius, found.safe_pressure, strong)
@@ -196,31 +213,27 @@ def test_tension_and_safe_pressure_of_the_mylar_balloon() -> None:
 
 def test_too_weak_a_film_is_inflated_anew() -> None:
     """In proportion alone the pressure would be a little too high; at the one told, the margin is there."""
-    radius = 0.15
-    inflation = disc(radius)
-    weak = replace(FOIL, max_stress=float(inflation.tensions.max()) / FOIL.thickness)
-    asked: list[float] = []
-
-    def at_pressure(pressure: float) -> Inflation:
-        asked.append(pressure)
-        return inflate(inflation.panel, weak, pressure, start=inflation)
-
-    rough = safety(inflation, weak, None, 2.0)
-    found = safety(inflation, weak, None, 2.0, at_pressure)
-    assert asked
-    assert rough.safe_pressure == pytest.approx(0.5 * PRESSURE)
+    inflation = disc(0.15)
+    limit = loads(inflation, FOIL).film.value
+    weak = replace(FOIL, max_stress=limit / FOIL.thickness)
+    rough = safety_with(inflation, weak, None, 2.0, exact=False)
+    found = safety_with(inflation, weak, None, 2.0)
+    assert rough.safe_pressure == pytest.approx(0.5 * PRESSURE, rel=1e-3)
     assert found.safe_pressure < 0.97 * rough.safe_pressure
     there = inflate(inflation.panel, weak, found.safe_pressure, start=inflation)
-    assert float(there.tensions.max()) == pytest.approx(0.5 * weak.max_stress * weak.thickness, rel=0.02)
-    assert found.film_load == rough.film_load
+    assert loads(there, weak).film.value == pytest.approx(0.5 * limit, rel=0.02)
+    assert found.film_load.value == rough.film_load.value
 
 
 def test_weld_may_be_the_weakest() -> None:
-    found = safety(disc(0.15), FOIL, 50.0, 2.0)
+    found = safety_with(disc(0.15), FOIL, 50.0, 2.0, exact=False)
     assert found.weakest == WELD
-    assert found.safe_pressure == pytest.approx(PRESSURE * 50.0 / weld_load(disc(0.15), FOIL) / 2.0)
-    unknown = safety(disc(0.15), replace(FOIL, max_stress=None), None, 2.0)
+    assert found.safe_pressure == pytest.approx(
+        PRESSURE * 50.0 / loads(disc(0.15), FOIL).weld.value / 2.0, rel=0.01
+    )
+    unknown = safety_with(disc(0.15), replace(FOIL, max_stress=None), None, 2.0)
     assert unknown.safe_pressure is None
+    assert unknown.place is None
     assert unknown.weakest == ""
 
 
@@ -245,3 +258,5 @@ def test_told_is_plain_data() -> None:
     assert [entry["gas"] for entry in found["floating"]] == ["helium", "hydrogen", "warm air"]
     assert found["strength"]["weakest"] in (FILM, WELD)
     assert np.isfinite(found["strength"]["safe_pressure_Pa"])
+    assert len(found["strength"]["weakest_at_mm"]) == 3
+    assert found["strength"]["at_rest"] is True

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import platform
 import shutil
 import sys
@@ -40,6 +41,8 @@ def put(folder: Path, name: str, content: bytes = b"") -> Path:
         (folder / name).write_bytes(content)
     else:
         shutil.copy(BUILT, folder / name)
+    digest = hashlib.sha256((folder / name).read_bytes()).hexdigest()
+    library.sum_file(folder / name).write_text(f"{digest}  {name}\n", encoding="ascii")
     return folder / name
 
 

@@ -19,7 +19,10 @@ from shapely import affinity
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.export.fabricate import machine_file
 from BalloonWorkbench.core.export.machine import machines
+from BalloonWorkbench.core.film.library import film, with_grain
+from BalloonWorkbench.core.making import pieces_of
 from BalloonWorkbench.core.nesting import nest as nesting
+from BalloonWorkbench.core.nesting.holes import into_holes
 from BalloonWorkbench.core.nesting.layout import Grain, Layout, Piece, Stock
 from BalloonWorkbench.core.nesting.nest import ROWS_NOTE, nest
 from BalloonWorkbench.core.pattern.build import build_pattern
@@ -60,6 +63,8 @@ def hold(layout: Layout, pieces: list[Piece]) -> None:
         wanted = 0.5 * math.pi if stock.grain is Grain.ACROSS else 0.0
         for place in layout.places:
             own = pieces[place.piece].grain
+            if own is None:
+                continue
             grain = (math.pi - own if place.mirrored else own) + place.angle
             assert math.sin(grain - wanted) == pytest.approx(0.0, abs=1e-6)
     whole = layout.pattern(pieces)
@@ -185,6 +190,31 @@ def test_small_pieces_lie_in_holes(package: str, monkeypatch: pytest.MonkeyPatch
         assert math.sin((math.pi - own if place.mirrored else own) + place.angle) == pytest.approx(
             0.0, abs=1e-6
         )
+
+
+def test_film_without_a_grain_may_be_turned(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A long strip lies across the roll where its film lets it; on one with a grain it lies along."""
+    monkeypatch.setattr(nesting, "PACKAGE", "no_such_package")
+    strip = build_pattern(corners_of((0, 0), (0.3, 0), (0.3, 0.02), (0, 0.02)), 0.005, intake=False)
+    lengths = {}
+    for name in ("mylar", "bopp-foil", "kraft-paper"):
+        pieces = pieces_of(strip, strip, 2, film(name).lies)
+        (layout,), _ = nest(pieces, Stock(0.5))
+        hold(layout, pieces)
+        lengths[name] = layout.length
+    assert lengths["mylar"] < 0.2 < strip.size[0] < lengths["bopp-foil"] == lengths["kraft-paper"]
+    turned = with_grain(film("mylar"), 2e9, 0.5)
+    assert [piece.grain for piece in pieces_of(strip, strip, 1, turned.lies)] == [0.5]
+
+
+def test_guests_bear_what_their_hosts_do() -> None:
+    """In a ring that may be turned anyhow lies nothing that may not."""
+    ring = build_pattern(NAMED["ring"].map(lambda loop: 0.8 * loop), 0.004, intake=False)
+    heart = build_pattern(NAMED["heart"].map(lambda loop: 0.15 * loop), 0.004, intake=False)
+    units = [(0, False), (1, False)]
+    for host, guest, left in ((None, 0.3, 2), (None, None, 1), (0.2, 0.3, 1), (0.2, None, 1)):
+        alone, _ = into_holes([Piece(ring, grain=host), Piece(heart, grain=guest)], Stock(0.4), units)
+        assert len(alone) == left, (host, guest)
 
 
 def test_back_leaves_out_what_only_the_front_has() -> None:

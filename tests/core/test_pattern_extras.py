@@ -28,7 +28,7 @@ def film(pattern: Pattern) -> shapely.Polygon:
 @pytest.mark.parametrize("name", ["disc", "heart", "S"])
 def test_notches_stay_between_cut_and_weld(name: str) -> None:
     pattern = with_notches(made(name), 24, 0.002)
-    marks = pattern.of(Role.MARK)
+    marks = pattern.of(Role.NOTCH)
     assert 18 <= len(marks) <= 24  # none at the mouth
     whole = film(pattern)
     for mark in marks:
@@ -45,13 +45,13 @@ def test_notches_are_even() -> None:
     pattern = with_notches(made("disc", intake=False), 12, 0.001)
     (cut,) = pattern.of(Role.CUT)
     line = shapely.LinearRing(cut.points)
-    places = np.array([line.project(shapely.Point(mark.points[0])) for mark in pattern.of(Role.MARK)])
+    places = np.array([line.project(shapely.Point(mark.points[0])) for mark in pattern.of(Role.NOTCH)])
     places = np.sort(places % line.length)
     assert np.diff(places) == pytest.approx(np.full(11, line.length / 12), abs=1e-6)
 
 
 def test_senseless_notches_are_refused() -> None:
-    assert not with_notches(made("disc"), 0, 1.0).of(Role.MARK)
+    assert not with_notches(made("disc"), 0, 1.0).of(Role.NOTCH)
     with pytest.raises(InputError, match="weld"):
         with_notches(made("disc"), 5, 0.004)
     with pytest.raises(InputError, match="fewer"):

@@ -53,7 +53,7 @@ def test_second_panel_is_the_mirror_image() -> None:
     assert signed_area(one.points) > 0.0
     assert signed_area(two.points) > 0.0
     assert two.points[:, 0].min() - one.points[:, 0].max() == pytest.approx(0.005)
-    assert len(pattern.of(Role.MARK)) % 2 == 0
+    assert len(pattern.of(Role.NOTCH)) % 2 == 0
     assert pattern.contours[-1].role is pattern.contours[-2].role is Role.CUT
     # letters are not mirrored: the same outlines, in the same order from left to right
     letters = pattern.of(Role.ENGRAVE)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Which solver is taken, and what is said when one is missing."""
 
+import hashlib
 import importlib.util
 from collections.abc import Iterator
 from pathlib import Path
@@ -56,7 +57,9 @@ def test_without_a_library_numpy_is_taken(no_library: Path) -> None:
 
 
 def test_library_that_does_not_load(no_library: Path) -> None:
-    (no_library / "libfilm_solver.so").write_bytes(b"not a library")
+    content = b"not a library"
+    (no_library / "libfilm_solver.so").write_bytes(content)
+    (no_library / "libfilm_solver.so.sha256").write_text(hashlib.sha256(content).hexdigest())
     assert backend.active_backend() == "numpy"
     assert "cannot be loaded" in str(native.problem_with_library())
 

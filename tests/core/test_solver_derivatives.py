@@ -11,6 +11,7 @@ from solver_cases import PRESSURE, film, needs_native, panel
 from BalloonWorkbench.core.mesh.triangulate import triangulate
 from BalloonWorkbench.core.solver import native, newton
 from BalloonWorkbench.core.solver.model import film_problem
+from BalloonWorkbench.core.solver.orthotropic import Grain
 from BalloonWorkbench.core.solver.problem import FilmProblem
 from BalloonWorkbench.core.solver.shell import Shell, tangent_frames, turned
 from BalloonWorkbench.core.solver.start import dome
@@ -113,11 +114,14 @@ def test_energy_does_not_see_a_rigid_motion() -> None:
     assert tilted[:2] == pytest.approx(before[:2], rel=1e-9)
 
 
+@pytest.mark.parametrize("grain", [None, Grain(0.4, 0.25, 0.3, 0.7)], ids=["alike", "grain"])
+@pytest.mark.parametrize("tension_field", [True, False], ids=["film", "plain-shell"])
 @pytest.mark.parametrize("seed", range(4))
 @needs_native
-def test_both_solvers_see_the_same_energy(seed: int) -> None:
-    state = random_state(seed, problem())
-    one, other = (parts(solver.energies(problem(), *state)) for solver in (native, newton))
+def test_both_solvers_see_the_same_energy(seed: int, tension_field: bool, grain: Grain | None) -> None:
+    one_film = replace(problem(), tension_field=tension_field, grain=grain)
+    state = random_state(seed, one_film)
+    one, other = (parts(solver.energies(one_film, *state)) for solver in (native, newton))
     assert one == pytest.approx(other, rel=1e-9)
     assert all(abs(part) > 1e-6 for part in one)
 

@@ -82,9 +82,14 @@ def test_intake_is_dragged_along_the_outline(opened):
 def test_kinds_and_values_in_the_panel(opened):
     pattern = opened.pattern
     hands.choose(hands.find("IntakeKind"), "Self-sealing film valve")
+    assert "does not weld" in hands.message()
+    hands.choose(hands.find("IntakeKind"), "Straw neck")
+    opened.balloon.Film = "nylon-foil"
+    pattern.Document.recompute()
+    hands.choose(hands.find("IntakeKind"), "Self-sealing film valve")
     assert pattern.IntakeWidth.Value == 24
     assert "strips" in hands.find("HowToFill").text()
-    assert pattern.Roles.count("CUT") == 2
+    assert pattern.Roles.count("CUT") == 1 + 2
     assert not hands.find("NotchDepth").isVisible()
     hands.find("Notches").setValue(8)
     assert hands.find("NotchDepth").isVisible()
@@ -98,7 +103,7 @@ def test_kinds_and_values_in_the_panel(opened):
     assert (pattern.Allowance.Value, pattern.CornerRadius.Value, pattern.LabelText) == (3, 2, "B1")
     assert pattern.Roles.count("CUT") == 2 * 2 * 2
     assert pattern.Shape.isValid()
-    assert "MARK" in pattern.Roles
+    assert "NOTCH" in pattern.Roles
     hands.click(hands.find("MakeSketch"))
     (sketch,) = [obj for obj in pattern.Document.Objects if obj.isDerivedFrom("Sketcher::SketchObject")][1:]
     assert sketch.GeometryCount > sketch.ConstraintCount == len(sketch.Shape.Edges) > 10

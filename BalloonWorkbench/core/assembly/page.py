@@ -13,6 +13,7 @@ import numpy as np
 from BalloonWorkbench.core.assembly.pen import ACCENT, BAND, INK, RULE, SOFT, Pen
 from BalloonWorkbench.core.assembly.steps import steps
 from BalloonWorkbench.core.assembly.texts import figures, material
+from BalloonWorkbench.core.assembly.valve import draw_valve, has_valve
 from BalloonWorkbench.core.errors import ExportError, MissingPackageError
 from BalloonWorkbench.core.export.layers import LAYERS
 from BalloonWorkbench.core.export.render import balloon_picture
@@ -34,7 +35,9 @@ _BAR = 50.0
 _NAMES = {
     Role.CUT: "cut",
     Role.CUT_INNER: "cut inside",
-    Role.MARK: "mark",
+    Role.NOTCH: "notch",
+    Role.FOLD: "fold",
+    Role.PEN: "drawn mark",
 }
 #: Height of a line of the lists [mm], least width of their names, dots of the balloon's picture per mm.
 _LINE, _NAME, _DOTS = 4.2, 20.0, 6.0
@@ -116,7 +119,12 @@ def _fill(pen: Pen, subject: Subject, size: tuple[float, float]) -> None:
         _list(pen, title, each, x, lists_top)
     split = _MARGIN + 0.6 * (right - _MARGIN)
     scale = _pattern(pen, subject, (_MARGIN, lists_top + 6.0, split - 4.0, top - 17.0))
-    _balloon(pen, subject, (split + 4.0, lists_top + 6.0, right, top - 17.0), size)
+    low = lists_top + 6.0
+    if has_valve(subject.pattern):
+        half = low + 0.5 * (top - 17.0 - low)
+        draw_valve(pen, subject.pattern, (split + 4.0, low, right, half))
+        low = half + 2.0
+    _balloon(pen, subject, (split + 4.0, low, right, top - 17.0), size)
     _foot(pen, scale, foot, right)
 
 

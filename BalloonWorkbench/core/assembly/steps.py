@@ -3,11 +3,11 @@
 
 from __future__ import annotations
 
-import json
 from functools import cache
 from pathlib import Path
 from typing import Any
 
+from BalloonWorkbench.core.data_file import UNUSABLE, read_data
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.maker.numbers import Numbers
@@ -24,7 +24,7 @@ def steps(pattern: Pattern, film: Film, numbers: Numbers, say: Say = in_english)
     kinds = [intake_kind(intake.kind) for intake in pattern.intakes]
     safe = numbers.safety.safe_pressure
     is_so = {
-        "grain": film.young_modulus_across is not None,
+        "grain": film.lies is not None,
         "one_side": film.one_side,
         "some_grades": film.some_grades,
         "laser": film.laser,
@@ -46,6 +46,8 @@ def steps(pattern: Pattern, film: Film, numbers: Numbers, say: Say = in_english)
     for step in _steps():
         if "notes" in step:
             found += [say(intake_kind(name).note) for name in names if name in step["notes"]]
+        elif "intakes" in step and not set(names) & set(step["intakes"]):
+            continue
         elif film.joining in step.get("joining", [film.joining]) and all(
             is_so[key] is step[key] for key in is_so if key in step
         ):
@@ -57,6 +59,6 @@ def steps(pattern: Pattern, film: Film, numbers: Numbers, say: Say = in_english)
 def _steps() -> list[dict[str, Any]]:
     """A text, or intakes whose notes are said here, and under which conditions."""
     try:
-        return [dict(step) for step in json.loads(FILE.read_text(encoding="utf-8"))["steps"]]
-    except (OSError, ValueError, TypeError, KeyError) as error:
+        return [dict(step) for step in read_data(FILE)["steps"]]
+    except UNUSABLE as error:
         raise InputError(f"The file {FILE.name} is of no use: {error!r}. Install it anew.") from error

@@ -39,8 +39,10 @@ def material(film: Film, pattern: Pattern, numbers: Numbers, say: Say = in_engli
     found.append((say(film.seam.capitalize()), say(f"{wide:.3g} mm wide, {numbers.seam_length:.2f} m long")))
     intakes = pattern.intakes
     if intakes:
-        kind = intake_kind(intakes[0].kind).title
-        found.append((say("Intake"), f"{say(kind)}, {to_mm(intakes[0].width):.3g} mm"))
+        kind = intake_kind(intakes[0].kind)
+        found.append((say("Intake"), f"{say(kind.title)}, {to_mm(intakes[0].width):.3g} mm"))
+        if kind.stock is not None:
+            found.append((say("Strips"), say(kind.stock.title)))
     return found
 
 

@@ -11,69 +11,58 @@ from collections.abc import Iterator
 
 from BalloonWorkbench.core.coach import shape, thin
 from BalloonWorkbench.core.coach.findings import Advice, Finding
-from BalloonWorkbench.core.coach.gauge import Gauge, Measured, Predicted
+from BalloonWorkbench.core.coach.gauge import Measured, Predicted
 from BalloonWorkbench.core.coach.subject import Subject
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.outline.loops import check
 from BalloonWorkbench.core.outline.outline import Outline
-from BalloonWorkbench.core.units import from_mm
+from BalloonWorkbench.core.pattern.fairing import faired_seam
+from BalloonWorkbench.core.pattern.make import Wanted
+from BalloonWorkbench.core.solver.inflation import Inflation
 
-INTAKE_WIDTH = from_mm(10.0)
+_USUAL = Wanted()
 
 
-def advise(
-    outline: Outline,
-    film: Film,
-    *,
-    fitted: bool = True,
-    intake_width: float = INTAKE_WIDTH,
-    intake_angle: float | None = None,
-) -> Advice:
+def advise(outline: Outline, film: Film, *, fitted: bool = True, wanted: Wanted = _USUAL) -> Advice:
     """Advice from the outline alone, within a fraction of a second.
 
-    fitted        the pattern will be corrected until the balloon looks like the outline; else the outline is
-                  the pattern
-    intake_width  of the neck through which the balloon is filled [m]
-    intake_angle  its direction from the centre of the film [rad]; None for the farthest point
+    fitted  the pattern will be corrected until the balloon looks like the outline; else the outline is the
+            pattern
+    wanted  how the pattern will be made
 
     Raises OutlineError for an outline that is not valid, MeshError where it is too thin to be meshed.
     """
     outline = check(outline)
-    return _advice(outline, film, Predicted(outline, fitted), fitted, intake_width, intake_angle)
+    return _advice(Subject(outline, film, Predicted(outline, fitted), fitted, outline, wanted))
 
 
-def advise_design(
-    design: Design,
-    film: Film,
-    *,
-    intake_width: float = INTAKE_WIDTH,
-    intake_angle: float | None = None,
-) -> Advice:
+def advise_design(design: Design, film: Film, *, wanted: Wanted = _USUAL) -> Advice:
     """Advice from a finished design, in the frame of its drawing; arguments as for `advise`."""
     fitted = design.passes > 0
     gauge = Measured(design.inflation, fitted)
-    return _advice(design.target, film, gauge, fitted, intake_width, intake_angle)
+    return _advice(Subject(design.target, film, gauge, fitted, faired_seam(design.pattern), wanted))
 
 
-def _advice(
-    outline: Outline,
-    film: Film,
-    gauge: Gauge,
-    fitted: bool,
-    intake_width: float,
-    intake_angle: float | None,
-) -> Advice:
-    subject = Subject(outline, film, gauge, fitted, intake_width)
-    findings = sorted(_found(subject, intake_angle), key=lambda finding: -finding.severity.rank)
+def intake_findings(
+    outline: Outline, film: Film, inflation: Inflation, seam: Outline, fitted: bool, wanted: Wanted
+) -> list[Finding]:
+    """What there is to say about the intake of a finished balloon alone; seam: of its pattern."""
+    gauge = Measured(inflation, fitted)
+    return list(shape.intake(Subject(outline, film, gauge, fitted, faired_seam(seam), wanted)))
+
+
+def _advice(subject: Subject) -> Advice:
+    findings = sorted(_found(subject), key=lambda finding: -finding.severity.rank)
+    gauge = subject.gauge
     return Advice(gauge.puffiness, tuple(findings), gauge.map, gauge.inflated)
 
 
-def _found(subject: Subject, intake_angle: float | None) -> Iterator[Finding]:
+def _found(subject: Subject) -> Iterator[Finding]:
     yield from thin.necks(subject)
     yield from thin.arms(subject)
     yield from shape.sharp_notches(subject)
     yield from thin.tips(subject)
     yield from shape.rings(subject)
     yield from shape.roundness(subject)
-    yield from shape.intake(subject, intake_angle)
+    yield from shape.intake(subject)

@@ -28,6 +28,12 @@ class RepairKind(str, Enum):
     ROUND = "round"  # a corner or notch, with a radius
     WIDEN = "widen"  # an arm or neck, to a width
     MOVE_INTAKE = "move intake"  # to another place of the outline
+    LOWER_INTAKE = "lower intake"  # to the lowest place that has room for it
+
+    @property
+    def is_of_intake(self) -> bool:
+        """It changes the pattern, not the outline."""
+        return self in (RepairKind.MOVE_INTAKE, RepairKind.LOWER_INTAKE)
 
 
 @dataclass(frozen=True)
@@ -35,7 +41,7 @@ class Repair:
     """An edit that would help.
 
     points  (k, 2) m: the corner; the middle line of the part to be widened; where the intake shall sit
-    size    m, radius or wanted width; for an intake its direction from the centre of the film [rad]
+    size    m, radius or wanted width; for an intake to be moved its direction from the centre [rad]
     was     m, present width of a part to be widened
     """
 

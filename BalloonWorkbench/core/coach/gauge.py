@@ -13,6 +13,8 @@ from BalloonWorkbench.core.mesh.quality import signed_areas
 from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.mesh.triangulate import triangulate
 from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.outline.sampling import line_lengths
+from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.solver.dkt import gradients
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.solver.start import DOME, dome
@@ -65,6 +67,10 @@ class Gauge(ABC):
 
         A tube of flat width w has the cross-section w^2 / pi.
         """
+
+    def drawn(self, place: Floats) -> Floats:
+        """Where in the drawing a place (2,) m of the seam lies; the same where neither was moved."""
+        return place
 
     @abstractmethod
     def peak(self, place: Floats, reach: float, radius: float) -> float:
@@ -135,6 +141,10 @@ class Measured(Gauge):
         flat = inflation.positions[:, :2] if fitted else panel.rest_positions
         self.map = ThicknessMap(flat, panel.triangles, 2.0 * inflation.positions[:, 2])
         self._positions = inflation.positions
+        rim = panel.seams[0]
+        self._cut, self._seen = (
+            np.vstack([line[rim], line[rim[:1]]]) for line in (panel.rest_positions, flat)
+        )
         self._located = Located(flat, panel.triangles)
         self._centres = flat[panel.triangles].mean(axis=1)
         self._areas = areas
@@ -151,6 +161,13 @@ class Measured(Gauge):
         x, y, z = self._located.values(self._positions, line).T
         room = float((z[1:] + z[:-1]) @ np.hypot(np.diff(x), np.diff(y)))  # twice the mean height
         return float(np.sqrt(np.pi * max(room, 0.0)))
+
+    def drawn(self, place: Floats) -> Floats:
+        """The place of the outline that the same vertices of the seam are near to."""
+        package = shapely()
+        along = package.line_locate_point(package.linestrings(self._cut), package.Point(place))
+        lengths = line_lengths(self._cut)
+        return np.array([np.interp(along, lengths, self._seen[:, k]) for k in range(2)])
 
     def peak(self, place: Floats, reach: float, radius: float) -> float:
         """Mean tension round a place over the median."""

@@ -164,7 +164,8 @@ def _length(line: Floats) -> float:
 def rim_near(outline: Outline, area: Any, reach: float) -> tuple[Floats, ...]:
     """The stretches (k, 2) of the outline that bound an area, or come within `reach` [m] of it."""
     package = shapely()
-    loops = package.multilinestrings([np.vstack([loop, loop[:1]]) for loop in outline.loops])
+    rings = [package.linestrings(np.vstack([loop, loop[:1]])) for loop in outline.loops]
+    loops = package.multilinestrings(rings)
     lines = package.line_merge(loops.intersection(area.buffer(reach)))
     return tuple(
         package.get_coordinates(line)

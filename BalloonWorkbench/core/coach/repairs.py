@@ -28,14 +28,14 @@ def repaired(outline: Outline, repair: Repair) -> Outline:
     Raises OutlineError where the outline has changed so that the repair no longer fits, or where parts of it
     would meet.
     """
-    if repair.kind is RepairKind.MOVE_INTAKE:
+    if repair.kind.is_of_intake:
         return outline
     return check(_rounded(outline, repair) if repair.kind is RepairKind.ROUND else _widened(outline, repair))
 
 
 def scaled(repair: Repair, factor: float) -> Repair:
     """The same repair on an outline that was scaled about the origin."""
-    length = 1.0 if repair.kind is RepairKind.MOVE_INTAKE else factor
+    length = 1.0 if repair.kind.is_of_intake else factor
     return Repair(repair.kind, repair.points * factor, repair.size * length, repair.was * factor)
 
 

@@ -3,13 +3,13 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 from typing import Any
 
 from BalloonWorkbench.core.coach.findings import Severity
+from BalloonWorkbench.core.data_file import UNUSABLE, read_data
 from BalloonWorkbench.core.errors import InputError
 
 FILE = Path(__file__).resolve().parents[3] / "resources" / "advice" / "rules.json"
@@ -59,9 +59,9 @@ class Rule:
 def rules() -> dict[str, Rule]:
     """All rules by name. Raises InputError when the file is broken."""
     try:
-        data: dict[str, Any] = json.loads(FILE.read_text(encoding="utf-8"))
+        data: dict[str, Any] = read_data(FILE)
         return {name: _rule(name, entry) for name, entry in data.items()}
-    except (OSError, ValueError, TypeError, KeyError) as error:
+    except UNUSABLE as error:
         raise InputError(
             f"The file of rules {FILE.name} is of no use: {error!r}. Install it anew."
         ) from error

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -13,12 +14,16 @@ from BalloonWorkbench.core.coach.places import NOTCH_REACH, bodies, notches, who
 from BalloonWorkbench.core.coach.rules import rules
 from BalloonWorkbench.core.coach.subject import Subject, mm, percent
 from BalloonWorkbench.core.outline.outline import Outline, signed_area
+from BalloonWorkbench.core.outline.passages import chambers
 from BalloonWorkbench.core.packages import shapely
+from BalloonWorkbench.core.pattern.intake import FARTHEST, LOW
 from BalloonWorkbench.core.types import Floats
 
 #: Tension is averaged over this part of the size round a notch: nearer it grows without end.
 PEAK_REACH = 2.0 * NOTCH_REACH
 _LARGEST_RADIUS = 0.06  # of the size, for rounding
+#: How much of the balloon, of its size, holds the intake.
+_HELD_BY = 0.15
 _ANGLES = np.radians(np.arange(0.0, 360.0, 5.0))
 
 
@@ -70,16 +75,25 @@ def roundness(subject: Subject) -> Iterator[Finding]:
         yield found
 
 
-def intake(subject: Subject, angle: float | None) -> Iterator[Finding]:
-    """An intake, in a direction [rad] or at the farthest point, that opens into a side part."""
-    area = whole(subject.outline)
+def intake(subject: Subject) -> Iterator[Finding]:
+    """Intakes that open into a side part; else one that the pattern has put on a thin part."""
+    if not subject.wanted.intake:
+        return
+    places = subject.intakes(subject.wish)
+    hidden = [found for at in places for found in _hidden(subject, at, len(places) == 1)]
+    yield from hidden
+    if not hidden and subject.wish.is_found and subject.wish.place == FARTHEST:
+        for at in places[:1]:
+            yield from _delicate(subject, at)
+
+
+def _hidden(subject: Subject, at: Floats, alone: bool) -> Iterator[Finding]:
+    """An intake that opens into a side part, of its chamber where it is not alone."""
+    point = shapely().Point(at)
+    area = whole(subject.outline) if alone else min(chambers(subject.outline), key=point.distance)
     rooms = bodies(area, subject.intake_width / subject.growth)
     if len(rooms) < 2:
         return
-    at = _farthest(area) if angle is None else _ray_hit(area, angle)
-    if at is None:
-        return
-    point = shapely().Point(at)
     entered = min(rooms, key=point.distance)
     largest = max(rooms, key=lambda room: float(room.area))
     if entered is largest:
@@ -90,41 +104,53 @@ def intake(subject: Subject, angle: float | None) -> Iterator[Finding]:
         share,
         at,
         (at[None],),
-        _moved(area, rooms, largest, at, subject.intake_width),
+        _moved(subject, area, rooms, largest, at) if alone else None,
         percent=percent(share),
     )
     if found is not None:
         yield found
 
 
-def _moved(area: Any, rooms: list[Any], largest: Any, at: Floats, width: float) -> Repair | None:
+def _moved(subject: Subject, area: Any, rooms: list[Any], largest: Any, at: Floats) -> Repair | None:
     """The direction nearest to the present one in which the intake opens into the largest part."""
     package = shapely()
     centre = np.asarray(area.centroid.coords[0])
     present = float(np.arctan2(*(at - centre)[::-1]))
     turned = np.abs(np.angle(np.exp(1j * (_ANGLES - present))))
     for angle in _ANGLES[np.argsort(turned, kind="stable")]:
-        place = _ray_hit(area, float(angle))
-        if place is None:
-            continue
-        point = package.Point(place)
-        if min(rooms, key=point.distance) is largest and point.distance(largest) < 0.25 * width:
-            return Repair(RepairKind.MOVE_INTAKE, place[None], float(angle))
+        for place in subject.intakes(replace(subject.wish, angle=float(angle), along=None)):
+            point = package.Point(place)
+            near = point.distance(largest) < 0.25 * subject.intake_width
+            if near and min(rooms, key=point.distance) is largest:
+                return Repair(RepairKind.MOVE_INTAKE, place[None], float(angle))
     return None
 
 
-def _ray_hit(area: Any, angle: float) -> Floats | None:
-    """Where the ray from the centre leaves the outline for good, as the intake is placed."""
-    package = shapely()
-    centre = np.asarray(area.centroid.coords[0])
-    low_x, low_y, high_x, high_y = area.bounds
-    direction = np.array([np.cos(angle), np.sin(angle)])
-    ray = package.LineString([centre, centre + 2.0 * np.hypot(high_x - low_x, high_y - low_y) * direction])
-    points = package.get_coordinates(ray.intersection(area.exterior))
-    return points[np.argmax((points - centre) @ direction)] if len(points) else None
+def _delicate(subject: Subject, at: Floats) -> Iterator[Finding]:
+    """An intake at the farthest point where that is a thin part: the balloon would hang from it."""
+    rule, measured = rules()["delicate_intake"], _thickness_round(subject, at)
+    if rule.judge(measured, subject.scales) is None:
+        return
+    better = [
+        place
+        for place in subject.intakes(replace(subject.wish, place=LOW))
+        if rule.judge(_thickness_round(subject, place), subject.scales) is None
+    ]
+    found = subject.finding(
+        "delicate_intake",
+        measured,
+        at,
+        (at[None],),
+        Repair(RepairKind.LOWER_INTAKE, better[0][None], 0.0) if better else None,
+        measured=percent(measured),
+    )
+    if found is not None:
+        yield found
 
 
-def _farthest(area: Any) -> Floats:
-    """Where an intake sits by itself: the point of the outline farthest from the centre of the film."""
-    rim = np.asarray(area.exterior.coords)
-    return np.asarray(rim[np.argmax(np.linalg.norm(rim - np.asarray(area.centroid.coords[0]), axis=1))])
+def _thickness_round(subject: Subject, at: Floats) -> float:
+    """Greatest thickness within reach of a place, over that of the balloon."""
+    away, turn = np.meshgrid(np.linspace(0.0, _HELD_BY, 13), _ANGLES)
+    points = at + subject.size * (away * np.array([np.cos(turn), np.sin(turn)])).reshape(2, -1).T
+    inside = points[np.asarray(shapely().contains_xy(whole(subject.outline), points[:, 0], points[:, 1]))]
+    return float(subject.gauge.thickness(inside).max() / subject.gauge.thickest) if len(inside) else 0.0

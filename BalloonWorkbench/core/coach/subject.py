@@ -13,9 +13,11 @@ from BalloonWorkbench.core.coach.gauge import FITTED_THICKNESS, NARROW_GROWTH, G
 from BalloonWorkbench.core.coach.places import ThinPart, simple_line, thin_parts
 from BalloonWorkbench.core.coach.repairs import repaired
 from BalloonWorkbench.core.coach.rules import rules
-from BalloonWorkbench.core.errors import OutlineError
+from BalloonWorkbench.core.errors import InputError, OutlineError
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.pattern.intake import Places, Wish
+from BalloonWorkbench.core.pattern.make import Wanted, intake_of
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import to_mm
 
@@ -30,13 +32,38 @@ class Subject:
     """A balloon to be judged; lengths in m.
 
     fitted  the pattern is corrected until the balloon looks like the outline; else the outline is the pattern
+    seam    of the pattern, faired; the outline where it is not known yet
+    wanted  how the pattern is made
     """
 
     outline: Outline
     film: Film
     gauge: Gauge
     fitted: bool
-    intake_width: float
+    seam: Outline
+    wanted: Wanted
+
+    @cached_property
+    def wish(self) -> Wish:
+        """The intake as it is wanted."""
+        return intake_of(self.wanted)
+
+    @property
+    def intake_width(self) -> float:
+        """Inner width of the intake [m]."""
+        return self.wish.width
+
+    @cached_property
+    def _places(self) -> Places:
+        seal_width = self.film.seal_width if self.wanted.seal_width is None else self.wanted.seal_width
+        return Places(self.seam, seal_width + self.wanted.allowance)
+
+    def intakes(self, wish: Wish) -> list[Floats]:
+        """Where in the drawing the intakes sit (2,) [m]; none where the pattern refuses them."""
+        try:
+            return [self.gauge.drawn(place) for place in self._places.of(wish)]
+        except (InputError, OutlineError):
+            return []
 
     @property
     def size(self) -> float:

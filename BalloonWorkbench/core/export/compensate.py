@@ -51,7 +51,7 @@ def trailing_knife(curve: Curve, behind: float) -> Curve:
 
 
 def overrun(curve: Curve, length: float) -> Curve:
-    """A closed curve that runs on past its start by a length, so that a weld overlaps itself."""
+    """A closed curve that runs on past its start by a length: a weld overlaps itself, a cut parts."""
     if length == 0.0:
         return curve
     joints, bulges = [*curve.joints, curve.joints[0]], list(curve.bulges)

@@ -11,6 +11,8 @@ import numpy as np
 from BalloonWorkbench.core.errors import ExportError
 from BalloonWorkbench.core.export.compensate import overrun, trailing_knife, without_kerf
 from BalloonWorkbench.core.export.machine import Machine
+from BalloonWorkbench.core.export.order import CUTS, RANKS, in_order
+from BalloonWorkbench.core.export.start import begun_on_straight
 from BalloonWorkbench.core.pattern.arcs import fit_curve
 from BalloonWorkbench.core.pattern.curves import Curve, polyline
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
@@ -28,15 +30,16 @@ _SAME = 0.01
 
 @dataclass(frozen=True)
 class Path:
-    """A curve on the sheet [mm] and what is done along it."""
+    """A curve on the sheet [mm], what is done along it, and in which turn through the layers, see Step."""
 
     role: Role
     curve: Curve
+    turn: int = 0
 
 
 @dataclass(frozen=True)
 class Drawing:
-    """Paths in the order of the work, lower left corner at the origin, and the size of it all [mm]."""
+    """Paths in the order of the work; lower left corner at the origin, and the size of it all [mm]."""
 
     paths: tuple[Path, ...]
     width: float
@@ -48,6 +51,11 @@ class Drawing:
         present = {path.role for path in self.paths}
         return tuple(role for role in Role if role in present)
 
+    @property
+    def by_layer(self) -> tuple[Path, ...]:
+        """The paths with as few changes of the layer as the order of the work allows."""
+        return tuple(sorted(self.paths, key=lambda path: (path.turn, RANKS[path.role])))
+
     def of(self, role: Role) -> tuple[Path, ...]:
         """The paths of one role."""
         return tuple(path for path in self.paths if path.role is role)
@@ -58,12 +66,13 @@ def draw(pattern: Pattern, machine: Machine) -> Drawing:
 
     Raises ExportError when the pattern has none of the lines that the machine wants.
     """
+    ends = [contour.points[[0, -1]] for contour in pattern.contours if not contour.closed]
+    ends_mm = to_mm(np.concatenate(ends)) if ends else np.empty((0, 2))
     paths = [
-        Path(contour.role, curve)
-        for role in Role
-        for contour in pattern.of(role)
-        if role in machine.layers
-        for curve in _curves(contour, machine)
+        Path(contour.role, curve, turn)
+        for contour, turn in in_order(pattern.contours)
+        if contour.role in machine.layers
+        for curve in _curves(contour, machine, ends_mm)
     ]
     if not paths:
         wanted = ", ".join(role.value for role in machine.layers)
@@ -78,17 +87,23 @@ def draw(pattern: Pattern, machine: Machine) -> Drawing:
     return Drawing(tuple(replace(path, curve=path.curve.moved(-low)) for path in paths), width, height)
 
 
-def _curves(contour: Contour, machine: Machine) -> Iterator[Curve]:
-    """The curves [mm] of one contour: several where the kerf parts it, none where it swallows it."""
-    cuts = contour.role in (Role.CUT, Role.CUT_INNER)
-    for points in without_kerf(contour, machine.kerf) if cuts else (contour.points,):
-        line = polyline(points, contour.closed)
-        fit = fit_curve(points, contour.closed, machine.tolerance) if machine.arcs else line
-        curve = fit.moved(np.zeros(2), 1.0 / MILLIMETRE)
-        if contour.role is Role.SEAL and contour.closed:
-            curve = overrun(curve, to_mm(machine.overrun))
-        if cuts:
+def fitted(contour: Contour, machine: Machine) -> Iterator[Curve]:
+    """The curves [m] that a tool follows: several where the kerf parts a cut, none where it swallows it."""
+    for points in without_kerf(contour, machine.kerf) if contour.role in CUTS else (contour.points,):
+        straight = polyline(points, contour.closed)
+        yield fit_curve(points, contour.closed, machine.tolerance) if machine.arcs else straight
+
+
+def _curves(contour: Contour, machine: Machine, ends: Floats) -> Iterator[Curve]:
+    """The curves [mm] of a contour as a machine goes along them; ends (n, 2) mm of the open lines."""
+    for followed in fitted(contour, machine):
+        curve = followed.moved(np.zeros(2), 1.0 / MILLIMETRE)
+        if contour.role.is_cut:
+            if curve.closed and (machine.overcut or machine.knife_offset):
+                curve = overrun(begun_on_straight(curve, ends), to_mm(machine.overcut))
             curve = trailing_knife(curve, to_mm(machine.knife_offset))
+        elif contour.role is Role.SEAL and contour.closed:
+            curve = overrun(curve, to_mm(machine.overrun))
         yield curve
 
 

@@ -5,11 +5,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from BalloonWorkbench.core.errors import ExportError
+from BalloonWorkbench.core.errors import ExportError, MissingPackageError
 from BalloonWorkbench.core.export.drawing import Drawing, draw
 from BalloonWorkbench.core.export.machine import FOLDER, Machine, read_machine
 from BalloonWorkbench.core.export.machine_dxf import drawing_dxf
 from BalloonWorkbench.core.export.machine_hpgl import drawing_hpgl
+from BalloonWorkbench.core.export.machine_lightburn import drawing_lightburn
 from BalloonWorkbench.core.export.machine_pdf import drawing_pdf, tiled_pdf
 from BalloonWorkbench.core.export.machine_svg import drawing_svg
 from BalloonWorkbench.core.export.preflight import ERROR, Finding, film_preflight, preflight
@@ -17,7 +18,7 @@ from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.pattern.pattern import Pattern
 from BalloonWorkbench.core.types import Say, in_english
 
-_WRITERS = {"dxf": drawing_dxf, "svg": drawing_svg, "hpgl": drawing_hpgl}
+_WRITERS = {"dxf": drawing_dxf, "svg": drawing_svg, "hpgl": drawing_hpgl, "lbrn2": drawing_lightburn}
 
 
 def machine_file(
@@ -45,12 +46,23 @@ def drawing_file(
     return tiled_pdf(drawing, machine, tiled, say)
 
 
-def checked_machines(film: Film, chosen: Sequence[Machine]) -> tuple[str, ...]:
-    """What is doubtful about several machines for a film, a sentence each.
+def machines_for(film: Film, chosen: Sequence[Machine]) -> tuple[list[Machine], tuple[str, ...]]:
+    """Those of several machines that a film bears, and what is doubtful, a sentence each.
 
-    Raises ExportError for a machine that the film does not bear.
+    Raises ExportError where it bears none of them.
     """
-    return tuple(_remark(finding, machine) for machine in chosen for finding in film_preflight(film, machine))
+    borne: list[Machine] = []
+    doubts: list[str] = []
+    refused: list[ExportError] = []
+    for machine in chosen:
+        try:
+            doubts += _doubts(film_preflight(film, machine), machine)
+            borne.append(machine)
+        except ExportError as error:
+            refused.append(error)
+    if refused and not borne:
+        raise ExportError(" ".join(map(str, refused)))
+    return borne, (*doubts, *map(str, refused))
 
 
 def checked_files(
@@ -58,23 +70,51 @@ def checked_files(
 ) -> tuple[dict[str, bytes], tuple[str, ...]]:
     """Contents of the files for several machines by name, and what is doubtful about them, a sentence each.
 
-    paper adds the pattern on pages of "A4", "A3" or "Letter".
-    Raises ExportError for what a machine cannot make.
+    What is cut from another film than the balloon's has files of its own. A machine that cannot make the
+    pattern, or whose format needs a package that is missing, is left out with a sentence. paper adds the
+    pattern on pages of "A4", "A3" or "Letter".
+    Raises ExportError or MissingPackageError where nothing is left for all of them.
     """
     contents: dict[str, bytes] = {}
     remarks: list[str] = []
+    left_out: list[ExportError | MissingPackageError] = []
     for machine in chosen:
-        for finding in preflight(pattern, machine):
-            remarks.append(_remark(finding, machine))
-        contents[machine.file_name] = machine_file(pattern, machine)
-    if paper is not None:
-        contents[f"pattern-{paper.lower()}.pdf"] = machine_file(
-            pattern, read_machine(FOLDER / "paper.json"), paper
-        )
-    return contents, tuple(remarks)
+        try:
+            files, doubts = _files(pattern, machine)
+            contents |= files
+            remarks += doubts
+        except (ExportError, MissingPackageError) as error:
+            left_out.append(error)
+    if left_out and not contents:
+        raise left_out[0] if len(left_out) == 1 else ExportError(" ".join(map(str, left_out)))
+    for stock in pattern.stocks if paper is not None else ():
+        name = file_of_stock(f"pattern-{str(paper).lower()}.pdf", stock)
+        contents[name] = machine_file(pattern.of_stock(stock), read_machine(FOLDER / "paper.json"), paper)
+    return contents, tuple(dict.fromkeys([*remarks, *map(str, left_out)]))
 
 
-def _remark(finding: Finding, machine: Machine) -> str:
-    if finding.severity == ERROR:
-        raise ExportError(f"No file for {machine.title}: {finding.text}")
-    return finding.text
+def _files(pattern: Pattern, machine: Machine) -> tuple[dict[str, bytes], list[str]]:
+    """The files for one machine, one for each film, and what is doubtful; ExportError for what it cannot."""
+    contents: dict[str, bytes] = {}
+    doubts: list[str] = []
+    for stock in pattern.stocks:
+        part = pattern.of_stock(stock)
+        doubts += _doubts(preflight(part, machine), machine)
+        contents[file_of_stock(machine.file_name, stock)] = machine_file(part, machine)
+    return contents, doubts
+
+
+def file_of_stock(name: str, stock: str) -> str:
+    """The name of the file for pieces on another film than the balloon's: "pattern-valve.dxf"."""
+    if not stock:
+        return name
+    stem, _, ending = name.rpartition(".")
+    return f"{stem}-{stock}.{ending}"
+
+
+def _doubts(findings: Sequence[Finding], machine: Machine) -> list[str]:
+    """The sentences of findings; ExportError for one that leaves no file."""
+    for finding in findings:
+        if finding.severity == ERROR:
+            raise ExportError(f"No file for {machine.title}: {finding.text}")
+    return [finding.text for finding in findings]

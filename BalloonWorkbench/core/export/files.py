@@ -3,83 +3,94 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
-import tempfile
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 
 from BalloonWorkbench.core.errors import ExportError
+from BalloonWorkbench.core.export.swap import PART, beside, make_folder, put_files, recover
+from BalloonWorkbench.core.export.system import locked, signals_wait
 
 
-def write_files(folder: str | os.PathLike[str], contents: Mapping[str, bytes]) -> tuple[Path, ...]:
+def _nothing(_paths: tuple[Path, ...]) -> None: ...
+
+
+def write_files(
+    folder: str | os.PathLike[str],
+    contents: Mapping[str, bytes],
+    done: Callable[[tuple[Path, ...]], None] = _nothing,
+) -> tuple[Path, ...]:
     """Write contents by file name into a folder, made if it is missing; all of them or none.
 
-    Existing files of these names are replaced. Returns the paths. Raises ExportError, and then no file
-    has changed and nothing new is left behind.
+    Existing files of these names are replaced; their modes stay, and symbolic links to them. Another run that
+    writes into this folder is waited for. What a run that was killed left is put in order before.
+
+    Returns the paths; calls done(paths) as soon as they are there, before an interruption that came meanwhile
+    takes effect. Raises ExportError, and then no file has changed and nothing new is left behind.
     """
-    place = Path(folder)
+    shown = Path(folder)
+    paths = tuple(shown / name for name in contents)
+    for name in contents:
+        if not name or Path(name).name != name or name.startswith(".film-balloon"):
+            raise ExportError(f"'{name}' is not a file name: leave out the folder.")
     made: list[Path] = []
-    waiting: dict[Path, Path] = {}
     try:
-        made = _missing_folders(place)
-        place.mkdir(parents=True, exist_ok=True)
-        for name, content in contents.items():
-            if Path(name).name != name:
-                raise ExportError(f"'{name}' is not a file name: leave out the folder.")
-            handle, temporary = tempfile.mkstemp(prefix=".", suffix=f"-{name}", dir=place)
-            waiting[place / name] = Path(temporary)
-            with os.fdopen(handle, "wb") as stream:
-                stream.write(content)
-                stream.flush()
-                os.fsync(stream.fileno())
-            Path(temporary).chmod(_ordinary_mode())
-        _replace_all(waiting)
-    except OSError as error:
-        _discard(waiting, made)
-        raise ExportError(
-            f"Cannot write to {place}: {error.strerror or error}. Choose another folder, or make room there."
-        ) from error
-    except ExportError:
-        _discard(waiting, made)
-        raise
-    return tuple(waiting)
-
-
-def _replace_all(waiting: Mapping[Path, Path]) -> None:
-    """Rename the temporary files; where one fails, the former files come back."""
-    for target in waiting:
-        if target.is_dir():
-            raise IsADirectoryError(21, f"{target.name} is a folder")
-    former: dict[Path, bytes | None] = {}
-    try:
-        for target, temporary in waiting.items():
-            kept = target.read_bytes() if target.exists() else None
-            temporary.replace(target)
-            former[target] = kept
-    except OSError:
-        for target, content in former.items():
-            if content is None:
-                target.unlink(missing_ok=True)
+        place = Path(os.path.realpath(shown))
+        made = _missing_folders(place.parent)
+        place.parent.mkdir(parents=True, exist_ok=True)
+        with locked(place.parent), signals_wait():
+            recover(place)
+            if os.path.lexists(place):
+                _insist_on_folder(place)
+                put_files(place, contents)
             else:
-                target.write_bytes(content)
-        raise
+                make_folder(place, contents)
+            made = []
+            done(paths)
+    except OSError as error:
+        raise _refused(shown, error) from error
+    finally:
+        _discard(made)
+    return paths
 
 
-def _discard(waiting: Mapping[Path, Path], made: list[Path]) -> None:
-    for temporary in waiting.values():
-        temporary.unlink(missing_ok=True)
-    for folder in made:
-        if folder.is_dir() and not any(folder.iterdir()):
+def check_folder(folder: str | os.PathLike[str]) -> None:
+    """Find out before the work whether files can be written there; leaves nothing.
+
+    What a run that was killed left there is put in order. Raises ExportError.
+    """
+    try:
+        place = Path(os.path.realpath(folder))
+        nearest = next(path for path in (place, *place.parents) if os.path.lexists(path))
+        _insist_on_folder(nearest)
+        with locked(place.parent if place.parent.is_dir() else nearest), signals_wait():
+            if place.parent.is_dir():
+                recover(place)
+            trial = place / PART if nearest == place else beside(nearest / place.name)
+            os.mkdir(trial)
+            os.rmdir(trial)
+    except OSError as error:
+        raise _refused(Path(folder), error) from error
+
+
+def _insist_on_folder(place: Path) -> None:
+    if not place.is_dir():
+        raise NotADirectoryError(20, f"{place.name} is a file")
+
+
+def _refused(folder: Path, error: OSError) -> ExportError:
+    return ExportError(
+        f"Cannot write to {folder}: {error.strerror or error}. Choose another folder, or make room there."
+    )
+
+
+def _discard(made: list[Path]) -> None:
+    with contextlib.suppress(OSError):  # others may have put something there
+        for folder in made:
             folder.rmdir()
 
 
 def _missing_folders(place: Path) -> list[Path]:
     """The folders that will be made, the innermost first."""
     return [folder for folder in (place, *place.parents) if not folder.exists()]
-
-
-def _ordinary_mode() -> int:
-    """What a file made in the ordinary way may do: mkstemp's are private."""
-    mask = os.umask(0)
-    os.umask(mask)
-    return 0o666 & ~mask

@@ -6,7 +6,6 @@ One file each in resources/machines, and those of the user's own in a folder (`o
 
 from __future__ import annotations
 
-import json
 import os
 import re
 from collections.abc import Mapping
@@ -14,6 +13,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from BalloonWorkbench.core.data_file import UNUSABLE, data_files, read_data
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.export.layers import LAYERS
 from BalloonWorkbench.core.pattern.arcs import TOLERANCE
@@ -23,10 +23,13 @@ from BalloonWorkbench.core.units import INCH, MILLIMETRE, from_mm, to_mm
 FOLDER = Path(__file__).resolve().parents[3] / "resources" / "machines"
 
 #: Endings of the formats, and the versions that each has.
-ENDINGS = {"dxf": "dxf", "svg": "svg", "pdf": "pdf", "hpgl": "plt"}
-_VERSIONS = {"dxf": ("R2000", "R12"), "svg": ("",), "pdf": ("",), "hpgl": ("",)}
+ENDINGS = {"dxf": "dxf", "svg": "svg", "pdf": "pdf", "hpgl": "plt", "lbrn2": "lbrn2"}
+_VERSIONS = {"dxf": ("R2000", "R12"), "svg": ("",), "pdf": ("",), "hpgl": ("",), "lbrn2": ("",)}
 UNITS = {"mm": MILLIMETRE, "in": INCH}
 LINE_TYPES = ("CONTINUOUS", "DASHED")
+#: After so many offsets a knife that came down turned by 150 degrees is 8 degrees off: the tangent of half
+#: the angle falls by e for each.
+_SWING = 4.0
 #: What a machine does to the film that not every film takes; "" where nothing is known of it.
 PROCESSES = ("", "laser", "heat-sealing")
 _LAYER_NAME = re.compile(r"[A-Z0-9_$-]{1,31}")
@@ -36,7 +39,10 @@ _COLOUR = re.compile(r"#[0-9a-f]{6}")
 
 @dataclass(frozen=True)
 class Line:
-    """How a role is written: layer, AutoCAD colour index, RGB colour, line type, pen of a plotter."""
+    """How a role is written: layer, AutoCAD colour index, RGB colour, line type, pen of a plotter.
+
+    In a LightBurn project the pen is the number of the layer.
+    """
 
     name: str
     aci: int
@@ -54,11 +60,13 @@ class Machine:
     arcs       arcs where they fit, else polylines only; tolerance how far they may be from the points [m]
     layers     the roles that are written
     bed        width and height that it can work on [m], None where there is no limit
-    kerf       width that the beam takes away; knife_offset of a swivel knife behind its axis; overrun of a
-               closed weld past its start; least_radius and least_gap it can follow [m]
+    kerf       width that the beam takes away; knife_offset of a swivel knife behind its axis; overcut of a
+               closed cut and overrun of a closed weld past its start; least_radius and least_gap that it
+               can follow [m]
     control_bar  a bar of 100 mm on the layer REGISTRATION
     process    one of PROCESSES
     file       name of its file without the ending, where it is not made from the machine's
+    remarks    on the machine's file, a sentence each
     """
 
     name: str
@@ -72,6 +80,7 @@ class Machine:
     bed: tuple[float, float] | None
     kerf: float
     knife_offset: float
+    overcut: float
     overrun: float
     least_radius: float
     least_gap: float
@@ -79,6 +88,7 @@ class Machine:
     file: str = ""
     tolerance: float = TOLERANCE
     process: str = ""
+    remarks: tuple[str, ...] = ()
 
     @property
     def file_name(self) -> str:
@@ -97,13 +107,29 @@ def own_folder() -> Path:
 
 def machines() -> dict[str, Machine]:
     """All machines by name: those for any program, then in alphabetical order; one of the user's own takes
-    the place of ours.
+    the place of ours. Own files of no use are left out, see `left_out`.
 
-    Raises InputError when a data file is of no use.
+    Raises InputError when a data file of ours is of no use.
     """
-    paths = {path.stem: path for folder in (FOLDER, own_folder()) for path in sorted(folder.glob("*.json"))}
-    order = sorted(paths, key=lambda name: (name not in ANY.values(), name))
-    return {name: read_machine(paths[name]) for name in order}
+    known = {path.stem: read_machine(path) for path in sorted(FOLDER.glob("*.json"))}
+    known |= {path.stem: own for path, own in _own_machines().items() if isinstance(own, Machine)}
+    return {name: known[name] for name in sorted(known, key=lambda name: (name not in ANY.values(), name))}
+
+
+def left_out() -> list[str]:
+    """A sentence for each file in the user's folder that is of no use."""
+    return [f"{error} It is left out." for error in _own_machines().values() if isinstance(error, InputError)]
+
+
+def _own_machines() -> dict[Path, Machine | InputError]:
+    """The user's machines by their files, or what is wrong with these."""
+    own: dict[Path, Machine | InputError] = {}
+    for path in data_files(own_folder):
+        try:
+            own[path] = read_machine(path)
+        except InputError as error:
+            own[path] = error
+    return own
 
 
 #: The machines that stand for any program, by format.
@@ -117,8 +143,11 @@ def machine(name: str) -> Machine:
     """
     if name.lower().endswith(".json"):
         return read_machine(Path(name))
-    known = machines()
-    found = known.get("-".join(name.lower().split()))
+    known, plain = machines(), "-".join(name.lower().split())
+    for path, own in _own_machines().items():  # never ours in the place of the user's: its numbers are others
+        if path.stem == plain and isinstance(own, InputError):
+            raise own
+    found = known.get(plain)
     if found is None:
         raise InputError(
             f'There is no machine "{name}": choose one of {", ".join(known)}, or give a .json file.'
@@ -132,11 +161,10 @@ def read_machine(path: Path) -> Machine:
     Raises InputError that names the file and the value.
     """
     try:
-        data = json.loads(path.read_text(encoding="utf-8"))
-        found = _machine_of(data)
+        found = _machine_of(read_data(path))
     except KeyError as error:
         raise InputError(f"The machine file {path.name} lacks {error}: add it.") from error
-    except (OSError, ValueError, TypeError, AttributeError, InputError) as error:
+    except (*UNUSABLE, InputError) as error:
         raise InputError(f"The machine file {path.name} is of no use: {error}") from error
     if found.name != path.stem:
         raise InputError(
@@ -145,10 +173,16 @@ def read_machine(path: Path) -> Machine:
     return found
 
 
+#: Files made before notches, folds and drawn marks had layers of their own have one for all of them. It may
+#: be one that is cut, and a fold goes across the neck: only notches are written there.
+_MARK, _NOTCH = "MARK", Role.NOTCH.value
+#: LightBurn knows so many.
+_PROJECT_LAYERS = 32
+
 _KEYS = {
     "name", "title", "note", "format", "version", "unit", "arcs", "bed_mm", "kerf_mm", "knife_offset_mm",
-    "overrun_mm", "control_bar", "file", "tolerance_mm", "least_radius_mm", "least_gap_mm", "layers",
-    "process",
+    "overcut_mm", "overrun_mm", "control_bar", "file", "tolerance_mm", "least_radius_mm", "least_gap_mm",
+    "layers", "process",
 }  # fmt: skip
 
 
@@ -157,6 +191,9 @@ def _machine_of(data: dict[str, Any]) -> Machine:
     if strange:
         raise InputError(f'nobody knows "{strange[0]}": it may be one of {", ".join(sorted(_KEYS))}.')
     kind = _one_of(data["format"], tuple(ENDINGS), "format")
+    marked = dict(data["layers"])
+    if _NOTCH in marked:
+        marked.pop(_MARK, None)
     found = Machine(
         name=str(data["name"]),
         title=str(data["title"]),
@@ -165,10 +202,11 @@ def _machine_of(data: dict[str, Any]) -> Machine:
         version=_one_of(data["version"], _VERSIONS[kind], "version"),
         unit=_one_of(data["unit"], tuple(UNITS), "unit"),
         arcs=_truth(data["arcs"], "arcs"),
-        layers=_layers(data["layers"]),
+        layers=_layers({_NOTCH if key == _MARK else key: line for key, line in marked.items()}),
         bed=_bed(data["bed_mm"]),
         kerf=_length(data["kerf_mm"], "kerf_mm", 0.0, 20.0),
         knife_offset=_length(data["knife_offset_mm"], "knife_offset_mm", 0.0, 20.0),
+        overcut=_overcut(data),
         overrun=_length(data["overrun_mm"], "overrun_mm", 0.0, 1000.0),
         least_radius=_length(data["least_radius_mm"], "least_radius_mm", 0.0),
         least_gap=_length(data["least_gap_mm"], "least_gap_mm", 0.0),
@@ -176,14 +214,27 @@ def _machine_of(data: dict[str, Any]) -> Machine:
         file=str(data.get("file", "")),
         tolerance=_length(data.get("tolerance_mm", to_mm(TOLERANCE)), "tolerance_mm", 0.005, 0.5),
         process=_one_of(data.get("process", ""), PROCESSES, "process"),
+        remarks=_remarks(data),
     )
     if not _FILE_NAME.fullmatch(found.file):
         raise InputError(f'the file name "{found.file}" may have letters, digits, spaces, _, - and . only.')
-    if kind in ("hpgl", "pdf") and found.unit != "mm":
+    if kind in ("hpgl", "pdf", "lbrn2") and found.unit != "mm":
         raise InputError(f'a {kind.upper()} file has a unit of its own: give "unit": "mm".')
+    if kind == "lbrn2" and any(line.pen >= _PROJECT_LAYERS for line in found.layers.values()):
+        raise InputError(f"a LightBurn project has layers up to {_PROJECT_LAYERS - 1}: change the pen.")
     if kind == "hpgl" and found.arcs:
         raise InputError('HPGL is written as polylines: give "arcs": false.')
     return found
+
+
+def _remarks(data: dict[str, Any]) -> tuple[str, ...]:
+    """What to say about a machine's file that may be used as it is."""
+    if _MARK not in data["layers"]:
+        return ()
+    return (
+        f"The layer MARK of the machine file {data['name']}.json takes notches only. Rename it NOTCH, and"
+        " where your machine can draw, add the layers FOLD and PEN.",
+    )
 
 
 def _layers(data: dict[str, dict[str, Any]]) -> dict[Role, Line]:
@@ -202,6 +253,11 @@ def _layers(data: dict[str, dict[str, Any]]) -> dict[Role, Line]:
             raise InputError(f"colour index {aci} and pen {pen} of {name} must be from 1 to 255.")
         layers[role] = Line(name, aci, rgb, _one_of(line.get("line", LINE_TYPES[0]), LINE_TYPES, "line"), pen)
     return layers
+
+
+def _overcut(data: dict[str, Any]) -> float:
+    """As it is given, else what a swivel knife takes to swing into its direction."""
+    return _length(data.get("overcut_mm", _SWING * data["knife_offset_mm"]), "overcut_mm", 0.0, 100.0)
 
 
 def _one_of(value: object, choices: tuple[str, ...], what: str) -> str:

@@ -1,7 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A drawing as SVG at its real size, with real arcs and a layer for each role."""
+"""A drawing as SVG at its real size, with real arcs and a layer for each role.
+
+A role has a second layer where one layer after the other would cut film that is free already.
+"""
 
 from __future__ import annotations
+
+from itertools import groupby
 
 from BalloonWorkbench.core.export.drawing import Drawing, in_unit
 from BalloonWorkbench.core.export.machine import UNITS, Machine
@@ -25,14 +30,15 @@ def drawing_svg(drawing: Drawing, machine: Machine) -> bytes:
         f' version="1.1" width="{width}{machine.unit}" height="{height}{machine.unit}"'
         f' viewBox="0 0 {width} {height}">',
     ]
-    for role in scaled.roles:
+    for (turn, role), paths in groupby(scaled.by_layer, lambda path: (path.turn, path.role)):
         line = machine.layers[role]
+        own = f"{line.name}-{turn + 1}" if turn else line.name
         dash = f' stroke-dasharray="{_number(_DASH * scale)}"' if line.line == "DASHED" else ""
         lines.append(
-            f'  <g id="{line.name}" inkscape:groupmode="layer" inkscape:label="{line.name}"'
+            f'  <g id="{own}" inkscape:groupmode="layer" inkscape:label="{own}"'
             f' fill="none" stroke="{line.rgb}" stroke-width="{_number(_HAIRLINE * scale)}"{dash}>'
         )
-        lines += [f'    <path d="{_course(path.curve, scaled.height)}"/>' for path in scaled.of(role)]
+        lines += [f'    <path d="{_course(path.curve, scaled.height)}"/>' for path in paths]
         lines.append("  </g>")
     lines.append("</svg>")
     return ("\n".join(lines) + "\n").encode("utf-8")

@@ -3,16 +3,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from BalloonWorkbench.core.export.drawing import BAR, BAR_ROOM
+from BalloonWorkbench.core.export.drawing import BAR, BAR_ROOM, fitted
 from BalloonWorkbench.core.export.machine import Machine
+from BalloonWorkbench.core.export.order import CUTS
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.pattern.arcs import TOLERANCE, fit_curve
+from BalloonWorkbench.core.pattern.curves import polyline
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import INCH, from_mm, mm_text, place_text, to_mm
@@ -25,9 +28,10 @@ _SPACING = from_mm(0.25)
 _WAY_ROUND = 3.0
 #: Share of the tolerance with which a radius that is too small is measured once more.
 _FINE = 0.25
+#: A line that turns by more goes back where it came from [rad].
+_BACK = np.radians(179.95)
 #: Half of a turn beyond which a bend is as good as a corner [rad].
 _SHARPEST = 1.4
-_CUTS = (Role.CUT_INNER, Role.CUT)
 #: Lines whose bends matter to a machine that only welds; to one that cuts they are marks.
 _WELDS = (Role.SEAL, Role.WELD)
 
@@ -44,12 +48,13 @@ class Finding:
 def preflight(pattern: Pattern, machine: Machine) -> tuple[Finding, ...]:
     """Everything that is wrong or doubtful about a pattern on a machine, errors first."""
     taken = [contour for contour in pattern.contours if contour.role in machine.layers]
-    findings = [*_closed(taken), *_simple(taken)]
+    findings = [*_closed(taken), *_simple(taken, machine)]
     if not any(finding.severity == ERROR for finding in findings):
-        cuts = [contour for contour in taken if contour.role in _CUTS]
+        cuts = [contour for contour in taken if contour.role in CUTS]
         findings += _radius(cuts or [contour for contour in taken if contour.role in _WELDS], machine)
         findings += _gap(taken, machine)
     findings += _size(pattern, machine)
+    findings += [Finding(WARNING, remark) for remark in machine.remarks]
     return tuple(sorted(findings, key=lambda finding: finding.severity != ERROR))
 
 
@@ -72,41 +77,52 @@ def _closed(contours: list[Contour]) -> list[Finding]:
             contour.points[0],
         )
         for contour in contours
-        if contour.role in _CUTS and not contour.closed
+        if contour.role in CUTS and not contour.closed
     ]
 
 
-def _simple(contours: list[Contour]) -> list[Finding]:
-    """Lines that cross themselves or each other."""
+def _simple(contours: list[Contour], machine: Machine) -> list[Finding]:
+    """Lines that cross themselves or each other, as they are written."""
+    lines = [
+        (contour, curve.flattened(_FINE * machine.tolerance))
+        for contour in contours
+        for curve in fitted(contour, machine)
+    ]
+    findings = [finding for contour, points in lines for finding in _crossed(contour, points)]
+    cuts = [(contour.role.value, _line(points, True)) for contour, points in lines if contour.role in CUTS]
     package = shapely()
-    findings = []
-    lines = [_line(contour) for contour in contours]
-    for contour, line in zip(contours, lines):
-        if not line.is_simple:
-            place = _crossing(contour)
-            findings.append(
-                Finding(
-                    ERROR,
-                    f"The {contour.role.value} line crosses itself near {place_text(place)}:"
-                    " simplify the drawing there.",
-                    place,
-                )
+    shapes = np.array([line for _, line in cuts], dtype=object)
+    for k, other in zip(*package.STRtree(shapes).query(shapes, predicate="intersects")):
+        if k < other:
+            place = package.get_coordinates(shapes[k].intersection(shapes[other]))[0]
+            text = (
+                f"{cuts[k][0]} and {cuts[other][0]} lines meet near {place_text(place)}:"
+                " move the hole inward or make the allowance narrower."
             )
-    cuts = [(contour, line) for contour, line in zip(contours, lines) if contour.role in _CUTS]
-    for k, (contour, line) in enumerate(cuts):
-        for other, other_line in cuts[k + 1 :]:
-            met = line.intersection(other_line)
-            if not met.is_empty:
-                place = package.get_coordinates(met)[0]
-                findings.append(
-                    Finding(
-                        ERROR,
-                        f"{contour.role.value} and {other.role.value} lines meet near {place_text(place)}:"
-                        " move the hole inward or make the allowance narrower.",
-                        place,
-                    )
-                )
+            findings.append(Finding(ERROR, text, place))
     return findings
+
+
+def _crossed(contour: Contour, points: Floats) -> Iterator[Finding]:
+    """What is wrong with a single line."""
+    if not _line(points, contour.closed).is_simple:
+        place = _crossing(points, contour.closed)
+        yield Finding(
+            ERROR,
+            f"The {contour.role.value} line crosses itself near {place_text(place)}:"
+            " simplify the drawing there.",
+            place,
+        )
+        return
+    turns = polyline(points, contour.closed).joint_turns
+    back = int(np.argmax(np.abs(turns)))
+    if abs(turns[back]) > _BACK:
+        yield Finding(
+            ERROR,
+            f"The {contour.role.value} line runs back along itself near {place_text(points[back])}:"
+            " simplify the drawing there.",
+            points[back],
+        )
 
 
 def _radius(contours: list[Contour], machine: Machine) -> list[Finding]:
@@ -149,7 +165,7 @@ def _tightest(contour: Contour, tolerance: float, followed: float) -> tuple[floa
 
 def _gap(contours: list[Contour], machine: Machine) -> list[Finding]:
     """The narrowest bridge between cuts, or between parts of one cut."""
-    points, along, line, lengths = _samples([contour for contour in contours if contour.role in _CUTS])
+    points, along, line, lengths = _samples([contour for contour in contours if contour.role in CUTS])
     package = shapely()
     nodes = package.points(points)
     first, second = package.STRtree(nodes).query(nodes, predicate="dwithin", distance=machine.least_gap)
@@ -210,19 +226,19 @@ def _both(width: float, height: float) -> str:
     )
 
 
-def _line(contour: Contour) -> Any:
+def _line(points: Floats, closed: bool) -> Any:
     package = shapely()
-    return (package.LinearRing if contour.closed else package.LineString)(contour.points)
+    return (package.LinearRing if closed else package.LineString)(points)
 
 
-def _crossing(contour: Contour) -> Floats:
-    """The first point (2,) where a line meets itself."""
+def _crossing(points: Floats, closed: bool) -> Floats:
+    """The first point (2,) where a line (n, 2) meets itself."""
     package = shapely()
-    points = np.concatenate([contour.points, contour.points[:1]]) if contour.closed else contour.points
+    points = np.concatenate([points, points[:1]]) if closed else points
     edges = package.linestrings(np.stack([points[:-1], points[1:]], axis=1))
     first, second = package.STRtree(edges).query(edges, predicate="intersects")
     apart = np.abs(first - second)
-    strange = (first < second) & (apart > 1) & ~(contour.closed & (apart == len(edges) - 1))
+    strange = (first < second) & (apart > 1) & ~(closed & (apart == len(edges) - 1))
     for a, b in zip(first[strange], second[strange]):
         return np.asarray(package.get_coordinates(package.intersection(edges[a], edges[b]))[0])
-    return contour.points[0]
+    return points[0]

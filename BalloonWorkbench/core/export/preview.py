@@ -32,7 +32,9 @@ _IN_A_ROW = 3
 _NAMES = {
     Role.CUT: "cut",
     Role.CUT_INNER: "cut inside",
-    Role.MARK: "marks",
+    Role.NOTCH: "notches",
+    Role.FOLD: "fold",
+    Role.PEN: "drawn",
     Role.ENGRAVE: "text",
     Role.PRINT: "print",
     Role.REGISTRATION: "registration",

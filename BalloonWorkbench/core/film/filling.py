@@ -7,12 +7,12 @@ Ideal gases; the air's pressure follows from the altitude as in the Internationa
 
 from __future__ import annotations
 
-import json
 from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 from typing import Any
 
+from BalloonWorkbench.core.data_file import UNUSABLE, read_data
 from BalloonWorkbench.core.errors import InputError
 
 FILE = Path(__file__).resolve().parents[3] / "resources" / "gases.json"
@@ -103,9 +103,9 @@ def gas(name: str) -> Gas:
 @cache
 def _library() -> dict[str, Gas]:
     try:
-        data = json.loads(FILE.read_text(encoding="utf-8"))
+        data = read_data(FILE)
         return {name: _gas_of(name, entry) for name, entry in data.items()}
-    except (OSError, ValueError, TypeError, KeyError) as error:
+    except UNUSABLE as error:
         raise InputError(
             f"The file of gases {FILE.name} is of no use: {error!r}. Install it anew."
         ) from error

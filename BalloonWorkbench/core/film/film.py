@@ -18,6 +18,10 @@ JOININGS = {
 }
 
 
+#: The sealing side of a film that does not weld.
+NO_WELD = "none"
+
+
 @dataclass(frozen=True)
 class Look:
     """What a film looks like: one of LOOKS, colour as "#rrggbb", opacity from 0 to 1."""
@@ -32,6 +36,8 @@ class Film:
     """An elastic film; SI units.
 
     name   the word by which it is chosen, such as "mylar"
+    sealing_side  polymer of the side that is welded, such as "PE": films weld where it is the same; NO_WELD
+           where nothing welds to it, None where it is not known
     title  what people read; note and sources tell where it fits and where its numbers come from
     joining      how panels are joined, a key of JOININGS; one_side: with one of its sides only
     some_grades  those with a sealing layer can be joined so, plain film cannot
@@ -39,6 +45,7 @@ class Film:
 
     Isotropic unless young_modulus_across is given: then young_modulus is that along the grain, which runs at
     grain_angle from the x axis of the drawing, and poisson_ratio the contraction across under tension along.
+    grain tells that it is made with one, known to the model or not: its pieces may not be turned anyhow.
     """
 
     name: str
@@ -55,10 +62,17 @@ class Film:
     shear_modulus: float | None = None  # [Pa]; None: as for an isotropic film of the mean modulus
     grain_angle: float = 0.0  # [rad]
     look: Look = Look()
+    sealing_side: str | None = None
+    grain: bool = False
     joining: str = ""
     one_side: bool = False
     some_grades: bool = False
     laser: bool | None = None
+
+    @property
+    def lies(self) -> float | None:
+        """Direction of the grain in the drawing [rad], None for a film without one."""
+        return self.grain_angle if self.grain or self.young_modulus_across is not None else None
 
     @property
     def seam(self) -> str:

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 import re
 from dataclasses import replace
@@ -11,6 +10,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+from BalloonWorkbench.core.data_file import UNUSABLE, read_data
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film.film import JOININGS, LOOKS, Film, Look
 
@@ -87,10 +87,10 @@ def read_film(path: Path) -> Film:
     Raises InputError that names the file when something is missing, mistyped or out of range.
     """
     try:
-        found = _film_of(json.loads(path.read_text(encoding="utf-8")))
+        found = _film_of(read_data(path))
     except KeyError as error:
         raise InputError(f"The film file {path.name} lacks {error}: add it.") from error
-    except (OSError, ValueError, TypeError, InputError) as error:
+    except (*UNUSABLE, InputError) as error:
         raise InputError(f"The film file {path.name} is of no use: {error}") from error
     if found.name != path.stem:
         raise InputError(f'The film file {path.name} calls itself "{found.name}": give both the same name.')
@@ -113,6 +113,8 @@ def _film_of(data: dict[str, Any]) -> Film:
         max_stress=_within(float(data["max_stress_Pa"]), 1e4, 1e11, "strength", "Pa", "100e6"),
         title=str(data["title"]),
         look=_look(**data["look"]),
+        sealing_side=_sealing_side(data.get("sealing_side")),
+        grain=_truth(data, "grain", False),
         joining=_joining(data.get("joining", "")),
         one_side=_truth(data, "one_side", False),
         some_grades=_truth(data, "some_grades", False),
@@ -120,6 +122,12 @@ def _film_of(data: dict[str, Any]) -> Film:
         note=str(data["note"]),
         sources=tuple(str(source) for source in data["sources"]),
     )
+
+
+def _sealing_side(value: object) -> str | None:
+    if value is not None and not (isinstance(value, str) and re.fullmatch(r"[\w/-]{1,20}", value)):
+        raise InputError(f'the sealing side {value!r} is no polymer: give one such as "PE", or "none".')
+    return value
 
 
 def _look(kind: str, colour: str, opacity: float) -> Look:

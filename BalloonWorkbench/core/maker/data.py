@@ -3,12 +3,12 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
+from BalloonWorkbench.core.data_file import UNUSABLE, read_data
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.units import from_mm
@@ -43,7 +43,7 @@ class Making:
 def making() -> Making:
     """The figures. Raises InputError when the file is broken."""
     try:
-        data = json.loads(FILE.read_text(encoding="utf-8"))
+        data = read_data(FILE)
         return Making(
             from_mm(float(data["roll_width_mm"])),
             float(data["safety"]),
@@ -55,5 +55,5 @@ def making() -> Making:
             str(data["note"]),
             tuple(str(source) for source in data["sources"]),
         )
-    except (OSError, ValueError, TypeError, KeyError, AttributeError) as error:
+    except UNUSABLE as error:
         raise InputError(f"The file {FILE.name} is of no use: {error!r}. Install it anew.") from error

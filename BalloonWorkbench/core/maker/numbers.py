@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -14,7 +13,7 @@ from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.maker.data import Making, making
 from BalloonWorkbench.core.maker.safety import Safety, safety
 from BalloonWorkbench.core.maker.weight import valve_weight
-from BalloonWorkbench.core.nesting.layout import Grain, Piece, Stock, check, layout_of
+from BalloonWorkbench.core.nesting.layout import Piece, Stock, check, layout_of
 from BalloonWorkbench.core.nesting.rows import in_rows
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.pattern.pattern import Pattern
@@ -96,7 +95,7 @@ def maker_numbers(
     *,
     pieces: Pattern | None = None,
     roll_width: float | None = None,
-    at_pressure: Callable[[float], Inflation] | None = None,
+    exact: bool = True,
 ) -> Numbers:
     """The numbers of one balloon.
 
@@ -104,7 +103,7 @@ def maker_numbers(
     width       of the drawing [m]
     filling     the gas, and the air around it; other gases are looked at in the same air
     pieces      all that is cut for one balloon, with the pieces of its valve; None for the panels alone
-    at_pressure as in `safety`
+    exact       as in `safety`
     """
     data = making()
     grown = pattern.film_area - seam.area
@@ -124,7 +123,7 @@ def maker_numbers(
         inflation.volume,
         width,
         tuple(seen.values()),
-        safety(inflation, film, data.seal_strength(film), data.safety, at_pressure),
+        safety(inflation, film, exact=exact),
         data.currency,
     )
 
@@ -159,8 +158,7 @@ def _floating(
 
 def _roll(pattern: Pattern, film: Film, width: float) -> tuple[float, float] | None:
     """Film for both panels, by the boxes around them: nesting may need less."""
-    grain = Grain.ALONG if film.young_modulus_across is not None else Grain.ANY
-    pieces, stock = [Piece(pattern, 1, 1, film.grain_angle)], Stock(width, grain=grain)
+    pieces, stock = [Piece(pattern, 1, 1, film.lies)], Stock(width)
     try:
         check(pieces, stock)
     except InputError:
@@ -199,12 +197,14 @@ def told(numbers: Numbers) -> dict[str, Any]:
         ],
         "currency": numbers.currency,
         "strength": {
-            "film_tension_N_per_m": safe.film_load,
+            "film_tension_N_per_m": safe.film_load.value,
             "film_limit_N_per_m": safe.film_limit,
-            "weld_tension_N_per_m": safe.weld_load,
+            "weld_tension_N_per_m": safe.weld_load.value,
             "weld_limit_N_per_m": safe.weld_limit,
             "margin": safe.margin,
             "safe_pressure_Pa": safe.safe_pressure,
             "weakest": safe.weakest,
+            "weakest_at_mm": None if safe.place is None else to_mm(safe.place).tolist(),
+            "at_rest": safe.at_rest,
         },
     }

@@ -10,8 +10,7 @@ from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.maker.data import making
 from BalloonWorkbench.core.outline.outline import Outline, signed_area
 from BalloonWorkbench.core.pattern.build import usual_pattern
-from BalloonWorkbench.core.pattern.intake_kinds import intake_kind
-from BalloonWorkbench.core.pattern.make import Wanted, make_pattern, sheet_of
+from BalloonWorkbench.core.pattern.make import Wanted, intake_of, make_pattern, sheet_of
 from BalloonWorkbench.core.pattern.pattern import Pattern, Role
 from BalloonWorkbench.core.rounded import rounded
 
@@ -21,12 +20,11 @@ def weighing(wanted: Wanted) -> Wanted:
 
     Equal for patterns that weigh the same but for the last digits of their sizes.
     """
-    width = intake_kind(wanted.intake_kind).width if wanted.intake_width is None else wanted.intake_width
     usual = Wanted()
     return rounded(
         replace(
             wanted,
-            intake_width=width,
+            intake_width=intake_of(wanted).width,
             notches=0,
             notch_depth=usual.notch_depth,
             label="",

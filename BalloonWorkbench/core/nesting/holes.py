@@ -75,8 +75,10 @@ def _fitting(
     """The first of some units that fits into a room of a host."""
     first = pieces[host[0]].angles(host[1], stock.grain)[0]
     middles = [_middle(room), np.asarray(room.centroid.coords[0])]
+    turnable = len(pieces[host[0]].angles(host[1], stock.grain))
     for unit in dict.fromkeys(units):
-        if areas[unit] > room.area:
+        # a guest turns with its host, so it must bear all that the host may do
+        if areas[unit] > room.area or len(pieces[unit[0]].angles(unit[1], stock.grain)) < turnable:
             continue
         for degrees in pieces[unit[0]].angles(unit[1], stock.grain):
             angle = float(np.radians(degrees - first))

@@ -40,7 +40,7 @@ class Stock:
     width    of the roll or sheet [m]
     length   of a sheet [m]; None for a roll
     spacing  between pieces, and to the edges [m]
-    grain    how pieces lie
+    grain    how pieces lie whose film has one
     """
 
     width: float
@@ -60,13 +60,13 @@ class Piece:
 
     count     how often the front is cut
     backs     how often the back is, mirrored: a film that seals on one side needs that
-    grain     direction of the film's grain in the pattern, from x [rad]
+    grain     direction of the film's grain in the pattern, from x [rad]; None for a film without one
     """
 
     pattern: Pattern
     count: int = 1
     backs: int = 0
-    grain: float = 0.0
+    grain: float | None = 0.0
 
     def panel(self, mirrored: bool) -> Pattern:
         """The front, or the back."""
@@ -74,7 +74,7 @@ class Piece:
 
     def angles(self, mirrored: bool, grain: Grain) -> list[float]:
         """Angles by which it may be turned [degrees], from -180 to 180."""
-        if grain is Grain.ANY:
+        if grain is Grain.ANY or self.grain is None:
             return [float(angle) for angle in range(-165, 181, 15)]
         own = np.degrees(np.pi - self.grain if mirrored else self.grain)
         first = (90.0 if grain is Grain.ACROSS else 0.0) - own

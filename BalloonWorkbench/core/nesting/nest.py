@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Laying out panels: by the nesting library spyrrow, else row by row.
+"""Laying out panels: by the nesting library spyrrow, else one piece after another, which is better for few.
 
 spyrrow (sparrow: Gardeyn, Vanden Berghe, Wauters 2025, strip packing by guided local search) looks for the
 shortest strip. With one thread and a fixed seed the way it goes is always the same, so the result is too
@@ -37,8 +37,7 @@ from BalloonWorkbench.core.units import from_mm, to_mm
 
 PACKAGE = "spyrrow"
 ROWS_NOTE = (
-    "Laid in rows, which takes more film: install the package spyrrow (pip install spyrrow) for a closer"
-    " layout."
+    "Laid one piece after another: the package spyrrow (pip install spyrrow) often finds a closer layout."
 )
 #: Outlines are grown by that, then simplified within it: they enclose their pieces [m].
 _SLACK = from_mm(0.15)
@@ -68,7 +67,10 @@ def nest(
         rows = in_rows(pieces, stock, units)
         return tuple(layout_of(stock, pieces, with_guests(places, guests)) for places in rows), (ROWS_NOTE,)
     if stock.length is None:
-        places, _ = _strip(pieces, stock, units, None, progress)
+        places, length = _strip(pieces, stock, units, None, progress)
+        (row,) = in_rows(pieces, stock, units)
+        if layout_of(stock, pieces, row).length < length:  # few pieces, or a search that was stopped early
+            places = row
         return (layout_of(stock, pieces, with_guests(places, guests)),), ()
     layouts = _sheets(pieces, stock, units, progress)
     return tuple(layout_of(stock, pieces, with_guests(layout.places, guests)) for layout in layouts), ()
@@ -195,7 +197,7 @@ def _search(package: Any, instance: Any, config: Any, goal: float | None, progre
     bell = threading.Thread(target=_ring, args=(done,), name="nesting", daemon=True)
     bell.start()
     try:
-        found = instance.solve(config, queue)
+        found = _solved(instance, config, queue)
     except _Enough:  # the bell rang just after the search had ended
         if not best:
             raise Cancelled("The layout was stopped; nothing was changed.") from None
@@ -210,7 +212,15 @@ def _search(package: Any, instance: Any, config: Any, goal: float | None, progre
 def _beside(instance: Any, config: Any, queue: Any, look: Callable[[], None], best: list[Any]) -> Any:
     """The search in a thread beside this one."""
     ended: list[Any] = []
-    worker = threading.Thread(target=lambda: ended.append(instance.solve(config, queue)), name="nesting")
+    failed: list[BaseException] = []
+
+    def search() -> None:
+        try:
+            ended.append(_solved(instance, config, queue))
+        except BaseException as error:  # noqa: BLE001 - a thread's end is told by the one that began it
+            failed.append(error)
+
+    worker = threading.Thread(target=search, name="nesting")
     worker.start()
     try:
         while worker.is_alive():
@@ -220,9 +230,19 @@ def _beside(instance: Any, config: Any, queue: Any, look: Callable[[], None], be
         if not best:
             raise Cancelled("The layout was stopped; nothing was changed.") from None
         return best[-1]
-    if not ended:
-        raise SolverError("The layout failed: give the pieces more room.")
+    if failed:
+        raise failed[0]
     return ended[0]
+
+
+def _solved(instance: Any, config: Any, queue: Any) -> Any:
+    """What the search finds. Raises SolverError where it panics, as it does for want of room."""
+    try:
+        return instance.solve(config, queue)
+    except (Exception, KeyboardInterrupt, SystemExit):
+        raise
+    except BaseException as error:
+        raise SolverError("The layout failed: give the pieces more room.") from error
 
 
 def _ring(done: threading.Event) -> None:

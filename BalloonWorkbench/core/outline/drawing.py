@@ -9,7 +9,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from BalloonWorkbench.core.errors import OutlineError
-from BalloonWorkbench.core.outline.crossings import contains, first_crossing
+from BalloonWorkbench.core.outline.budget import Budget
+from BalloonWorkbench.core.outline.crossings import box_pairs, contains, first_crossing
 from BalloonWorkbench.core.outline.loops import check
 from BalloonWorkbench.core.outline.outline import Outline, signed_area
 from BalloonWorkbench.core.outline.welds import spot
@@ -50,34 +51,35 @@ class Drawing:
         return Drawing(tuple(part.map(transform) for part in self.parts))
 
 
-def checked(drawing: Drawing) -> Drawing:
+def checked(drawing: Drawing, budget: Budget | None = None) -> Drawing:
     """The drawing with each outline checked, see `check`; OutlineError also where two of them meet."""
-    parts = tuple(check(part) for part in drawing.parts)
-    place = first_crossing([loop for part in parts for loop in part.loops]) if len(parts) > 1 else None
+    budget = budget or Budget()
+    parts = tuple(check(part, budget) for part in drawing.parts)
+    every = [loop for part in parts for loop in part.loops]
+    place = first_crossing(every, (), budget) if len(parts) > 1 else None
     if place is not None:
         raise OutlineError(f"Two shapes meet at {place_text(place)}; part them, or join them into one.")
     return Drawing(parts)
 
 
-def arranged(loops: Sequence[Floats], notes: Sequence[str] = ()) -> Drawing:
+def arranged(loops: Sequence[Floats], notes: Sequence[str] = (), budget: Budget | None = None) -> Drawing:
     """The drawing that closed loops (n, 2) of any sense make: what lies in a shape is a hole of it, what lies
     in a hole is a shape again. Specks are dropped; the remarks then say so.
     """
+    budget = budget or Budget()
     loops = sorted(loops, key=lambda loop: -abs(signed_area(loop)))
-    depth: list[int] = []
+    smaller = _overlapped(loops, budget)
+    around: list[list[int]] = [[] for _ in loops]
     holes: dict[int, list[Floats]] = {}
     for number, loop in enumerate(loops):
-        around = [
-            other
-            for other in range(number)
-            if _boxed(loops[other], loop) and _within(loops[other], loop, other in holes)
-        ]
-        depth.append(len(around))
-        shapes = [other for other in around if other in holes]
-        if depth[-1] % 2 and shapes:
+        budget.check_time()
+        shapes = [other for other in around[number] if other in holes]
+        if len(around[number]) % 2 and shapes:
             holes[shapes[-1]].append(loop)
         else:
             holes[number] = []
+        for inner in _within(loop, loops, smaller[number], number in holes):
+            around[inner].append(number)
     most = abs(signed_area(loops[0]))
     kept = [number for number in holes if abs(signed_area(loops[number])) >= SPECK * most]
     remarks = (*notes, *speck_note(len(holes) - len(kept)))
@@ -86,14 +88,16 @@ def arranged(loops: Sequence[Floats], notes: Sequence[str] = ()) -> Drawing:
     )
 
 
-def with_welds(drawing: Drawing, welds: Sequence[Floats]) -> Drawing:
+def with_welds(drawing: Drawing, welds: Sequence[Floats], budget: Budget | None = None) -> Drawing:
     """The drawing with welds in the shapes in which they lie; a remark tells of those that lie in none.
 
     welds: lines (n, 2) m; one whose first point is repeated at the end is a spot, and so is a single point
     """
     inside: list[list[Floats]] = [[] for _ in drawing.parts]
     astray = 0
+    budget = budget or Budget()
     for weld in welds:
+        budget.check_time()
         owners = [
             number
             for number, part in enumerate(drawing.parts)
@@ -128,18 +132,26 @@ def speck_note(count: int) -> list[str]:
     return [f"{count} small speck{'s were' if count > 1 else ' was'} dropped."] if count else []
 
 
-def _boxed(outer: Floats, inner: Floats) -> bool:
-    """Whether the bounding boxes overlap."""
-    return bool(
-        (outer.min(axis=0) <= inner.max(axis=0)).all() and (inner.min(axis=0) <= outer.max(axis=0)).all()
-    )
+def _overlapped(loops: Sequence[Floats], budget: Budget) -> list[list[int]]:
+    """For each loop the later ones whose bounding boxes overlap its own, in order."""
+    low = np.array([loop.min(axis=0) for loop in loops])
+    high = np.array([loop.max(axis=0) for loop in loops])
+    later: list[list[int]] = [[] for _ in loops]
+    for one, two in box_pairs(low, high, budget):
+        for first, second in zip(np.minimum(one, two).tolist(), np.maximum(one, two).tolist()):
+            later[first].append(second)
+    return [sorted(numbers) for numbers in later]
 
 
-def _within(outer: Floats, inner: Floats, shape: bool) -> bool:
-    """Whether a loop lies in another one.
+def _within(outer: Floats, loops: Sequence[Floats], numbers: list[int], shape: bool) -> list[int]:
+    """Those of the loops with these numbers that lie in another one, which is a shape or a hole.
 
     One that crosses a shape counts as its hole, one that crosses a hole does not lie in it: the check for
     crossings then tells the user where.
     """
-    inside = contains(outer, inner)
-    return bool(inside.any() if shape else inside.all())
+    if not numbers:
+        return []
+    starts = np.cumsum([0, *(len(loops[number]) for number in numbers[:-1])])
+    inside = contains(outer, np.concatenate([loops[number] for number in numbers]))
+    lying = (np.logical_or if shape else np.logical_and).reduceat(inside, starts)
+    return [number for number, lies in zip(numbers, lying) if lies]

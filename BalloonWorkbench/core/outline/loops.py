@@ -4,12 +4,14 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
 
 from BalloonWorkbench.core.errors import InputError, OutlineError
-from BalloonWorkbench.core.outline.crossings import contains, first_crossing
+from BalloonWorkbench.core.outline.budget import Budget
+from BalloonWorkbench.core.outline.crossings import box_pairs, contains, first_crossing
 from BalloonWorkbench.core.outline.outline import Outline, signed_area
 from BalloonWorkbench.core.outline.sampling import CORNER_ANGLE, corners, resample, simplify, smooth
 from BalloonWorkbench.core.outline.welds import valid_welds
@@ -45,7 +47,7 @@ _SAME_POINT = 1e-6
 _NO_AREA = 1e-9
 
 
-def check(outline: Outline) -> Outline:
+def check(outline: Outline, budget: Budget | None = None) -> Outline:
     """The outline with repeated points and spikes removed, outer loop counter-clockwise, holes clockwise.
 
     OutlineError where a loop is empty, not finite, without area, crosses or touches itself or another one,
@@ -54,23 +56,42 @@ def check(outline: Outline) -> Outline:
     """
     if not all(np.isfinite(line).all() for line in (*outline.loops, *outline.welds)):
         raise OutlineError("The outline has a coordinate that is not a number; correct it in the drawing.")
+    budget = budget or Budget()
     tolerance = _SAME_POINT * float(np.max(np.ptp(outline.outer, axis=0))) if len(outline.outer) else 0.0
-    outer = _valid_loop(outline.outer, tolerance, 1, "outline")
-    cut = tuple(_valid_loop(hole, tolerance, -1, "hole") for hole in outline.holes)
-    spots = tuple(_valid_loop(spot, tolerance, -1, "closed weld") for spot in outline.spots)
-    holes = (*cut, *spots)
-    meeting = first_crossing([outer, *holes]) if holes else None
-    if meeting is not None:
-        raise OutlineError(
-            f"A hole meets the outline or another hole at {place_text(meeting)}; keep some film between them."
-        )
-    for number, hole in enumerate(holes):
-        if not contains(outer, hole[:1])[0]:
-            raise OutlineError(f"The hole at {place_text(hole[0])} lies outside the outline; move it inside.")
-        if any(contains(other, hole[:1])[0] for k, other in enumerate(holes) if k != number):
-            raise OutlineError(f"The hole at {place_text(hole[0])} lies in another hole; remove one of them.")
-    welds = valid_welds(outline.welds, (outer, *holes), tolerance)
+    cleaned = []
+    for loop in outline.loops:
+        budget.check_time()
+        cleaned.append(clean(loop, tolerance))
+    kinds = ["outline", *["hole"] * len(outline.holes), *["closed weld"] * len(outline.spots)]
+    _check_crossings(cleaned, kinds, budget)
+    signs = [1, *[-1] * (len(cleaned) - 1)]
+    outer, *holes = (_turned(*each) for each in zip(cleaned, signs, kinds))
+    cut, spots = tuple(holes[: len(outline.holes)]), tuple(holes[len(outline.holes) :])
+    if holes:
+        _check_places(outer, holes, budget)
+    welds = valid_welds(outline.welds, (outer, *holes), tolerance, budget)
     return Outline(outer, cut, outline.notes, welds, spots)
+
+
+def _check_places(outer: Floats, holes: Sequence[Floats], budget: Budget) -> None:
+    """OutlineError for a hole outside the outer loop or in another hole; none of them cross."""
+    places = np.array([hole[0] for hole in holes])
+    outside = ~contains(outer, places)
+    low = np.array([hole.min(axis=0) for hole in holes])
+    high = np.array([hole.max(axis=0) for hole in holes])
+    inner = np.zeros(len(holes), dtype=np.bool_)
+    for one, two in box_pairs(low, high, budget):
+        for small, large in ((one, two), (two, one)):
+            boxed = ((low[large] <= low[small]) & (high[small] <= high[large])).all(axis=1)
+            for hole, other in zip(small[boxed].tolist(), large[boxed].tolist()):
+                budget.check_time()
+                inner[hole] |= contains(holes[other], holes[hole][:1])[0]
+    wrong = np.flatnonzero(outside | inner)
+    if len(wrong):
+        place = place_text(places[wrong[0]])
+        if outside[wrong[0]]:
+            raise OutlineError(f"The hole at {place} lies outside the outline; move it inside.")
+        raise OutlineError(f"The hole at {place} lies in another hole; remove one of them.")
 
 
 def clean(loop: Floats, tolerance: float) -> Floats:
@@ -136,17 +157,28 @@ def _distinct(loop: Floats, tolerance: float) -> Floats:
     return np.asarray(loop[kept])
 
 
-def _valid_loop(loop: Floats, tolerance: float, sign: int, what: str) -> Floats:
-    """The loop cleaned, simple, with an area of the given sign."""
-    loop = clean(loop, tolerance)
-    crossing = first_crossing([loop]) if len(loop) > 2 else None
-    if crossing is not None:
-        raise OutlineError(
-            f"The {what} crosses or touches itself at {place_text(crossing)}; part the lines there."
-        )
+def _check_crossings(loops: Sequence[Floats], kinds: Sequence[str], budget: Budget) -> None:
+    """OutlineError where one of the loops of these kinds crosses itself, or two of them meet."""
+    whole = [(loop, kind) for loop, kind in zip(loops, kinds) if len(loop) > 2]
+    meeting = first_crossing([loop for loop, _ in whole], (), budget) if whole else None
+    if meeting is None:
+        return
+    for loop, kind in whole:
+        crossing = first_crossing([loop], (), budget)
+        if crossing is not None:
+            raise OutlineError(
+                f"The {kind} crosses or touches itself at {place_text(crossing)}; part the lines there."
+            )
+    raise OutlineError(
+        f"A hole meets the outline or another hole at {place_text(meeting)}; keep some film between them."
+    )
+
+
+def _turned(loop: Floats, sign: int, kind: str) -> Floats:
+    """The loop with an area of the given sign; OutlineError where it has none."""
     area = signed_area(loop) if len(loop) > 2 else 0.0
     if abs(area) <= _NO_AREA * float(np.linalg.norm(np.roll(loop, -1, axis=0) - loop, axis=1).sum()) ** 2:
-        raise OutlineError(f"The {what} encloses no area; draw a closed shape with at least three corners.")
+        raise OutlineError(f"The {kind} encloses no area; draw a closed shape with at least three corners.")
     return loop if area * sign > 0 else np.ascontiguousarray(loop[::-1])
 
 

@@ -11,11 +11,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from BalloonWorkbench.core.errors import InputError, PictureError
+from BalloonWorkbench.core.outline.budget import Budget
 from BalloonWorkbench.core.outline.contour import contours
 from BalloonWorkbench.core.outline.crossings import contains, first_crossing
 from BalloonWorkbench.core.outline.decode import decode as decode_with_opencv
 from BalloonWorkbench.core.outline.decode import picture_size
 from BalloonWorkbench.core.outline.drawing import SPECK, Drawing, checked, speck_note
+from BalloonWorkbench.core.outline.foreign import foreign_reader
 from BalloonWorkbench.core.outline.loops import scale_to
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.outline.segment import segment
@@ -40,7 +42,11 @@ def read_picture(
 
 
 def picture_drawing(
-    path: str | Path, width: float | None, height: float | None, decode: Decode | None = None
+    path: str | Path,
+    width: float | None,
+    height: float | None,
+    decode: Decode | None = None,
+    budget: Budget | None = None,
 ) -> Drawing:
     """The shapes in a picture file, `width` or `height` m large (inside both where both are given).
 
@@ -53,9 +59,16 @@ def picture_drawing(
     path = Path(path)
     if width is None and height is None:
         raise InputError("A picture has no size of its own. Give the width or the height of the balloon.")
+    budget = budget or Budget()
     picture_size(path)
-    drawing = drawing_of(shrunk((decode or decode_with_opencv)(path)))
-    return checked(scale_to(drawing, width, height))
+    with foreign_reader(lambda _: _refusal(path.name)):
+        pixels = (decode or decode_with_opencv)(path)
+    drawing, _ = placed_drawing(shrunk(pixels), budget=budget)
+    return checked(scale_to(drawing, width, height), budget)
+
+
+def _refusal(name: str) -> PictureError:
+    return PictureError(f"'{name}' is damaged or not a picture. Save it as PNG, JPEG or BMP once more.")
 
 
 def drawing_of(rgba: NDArray[np.uint8]) -> Drawing:
@@ -63,7 +76,9 @@ def drawing_of(rgba: NDArray[np.uint8]) -> Drawing:
     return placed_drawing(rgba)[0]
 
 
-def placed_drawing(rgba: NDArray[np.uint8], step: float = STEP) -> tuple[Drawing, Floats]:
+def placed_drawing(
+    rgba: NDArray[np.uint8], step: float = STEP, budget: Budget | None = None
+) -> tuple[Drawing, Floats]:
     """The drawing of `drawing_of`, and where its origin lies in the picture (2,) px, y up.
 
     step  of the walk along the boundary, of the picture's longer side; 0 leaves it out, for a quick look
@@ -72,7 +87,9 @@ def placed_drawing(rgba: NDArray[np.uint8], step: float = STEP) -> tuple[Drawing
         raise PictureError(
             f"The picture is too small to see a shape. Use {_SMALLEST_SIDE} pixels or more across."
         )
+    budget = budget or Budget()
     silhouette, notes = segment(rgba)
+    budget.check_time()
     loops = contours(silhouette)
     if not loops:
         raise PictureError(
@@ -89,7 +106,10 @@ def placed_drawing(rgba: NDArray[np.uint8], step: float = STEP) -> tuple[Drawing
     large = max(float(np.ptp(loop, axis=0).max()) for loop, _ in parts)
     lines = [loop for loop, own in parts if loop is not main and _mean_width(loop, own) < _THIN * large]
     parts = [(loop, own) for loop, own in parts if not any(loop is line for line in lines)]
-    holes = [_holes_of(loop, own, owners, seen) for loop, own in parts]
+    holes = []
+    for loop, own in parts:
+        budget.check_time()
+        holes.append(_holes_of(loop, own, owners, seen))
     wide = [
         [hole for hole, size in mine if size >= _SMALLEST_HOLE * own] for (_, own), mine in zip(parts, holes)
     ]
@@ -97,7 +117,8 @@ def placed_drawing(rgba: NDArray[np.uint8], step: float = STEP) -> tuple[Drawing
     notes += _notes(
         [loop for loop, _ in parts], lines, len(shapes) - len(parts) - len(lines), filled, rgba.shape
     )
-    traced = _simple([[loop, *mine] for (loop, _), mine in zip(parts, wide)], step * max(rgba.shape[:2]))
+    shapes_and_holes = [[loop, *mine] for (loop, _), mine in zip(parts, wide)]
+    traced = _simple(shapes_and_holes, step * max(rgba.shape[:2]), budget)
     corner = np.concatenate([loops[0] for loops in traced]).min(axis=0)
     outlines = [Outline(outer - corner, tuple(hole - corner for hole in inner)) for outer, *inner in traced]
     return Drawing((replace(outlines[0], notes=tuple(notes)), *outlines[1:])), corner
@@ -123,10 +144,11 @@ def _mean_width(loop: Floats, area: float) -> float:
     return 2.0 * area / float(np.linalg.norm(np.roll(loop, -1, axis=0) - loop, axis=1).sum())
 
 
-def _simple(shapes: list[list[Floats]], radius: float) -> list[list[Floats]]:
+def _simple(shapes: list[list[Floats]], radius: float, budget: Budget) -> list[list[Floats]]:
     """The traced loops; where smoothing would make thin parts touch, with less of it."""
     rough = 1.0 if radius > 0 else 2.5  # a quick look gets by with fewer points
     for ripple, tolerance in ((1.0, 0.2 * rough), (0.5, 0.1 * rough)):
+        budget.check_time()
         traced = [[trace(loop, radius, ripple, tolerance) for loop in loops] for loops in shapes]
         if first_crossing([loop for loops in traced for loop in loops]) is None:
             return traced

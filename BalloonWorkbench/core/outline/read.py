@@ -6,6 +6,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.outline.budget import Budget
 from BalloonWorkbench.core.outline.decode import is_picture
 from BalloonWorkbench.core.outline.drawing import Drawing
 from BalloonWorkbench.core.outline.outline import Outline
@@ -33,9 +34,11 @@ def read_drawing(
     fits inside.
 
     decode  reads pictures instead of OpenCV, see `read_picture`
-    Errors: InputError and its kinds (no such file, not a drawing, no shape, size), MissingPackageError
+    Errors: InputError and its kinds (no such file, not a drawing, no shape, size, too much of something, see
+    `Budget`), MissingPackageError
     """
     path = Path(path)
+    budget = Budget()
     try:
         with path.open("rb") as file:
             head = file.read(4096)
@@ -49,9 +52,9 @@ def read_drawing(
         raise InputError(f"'{path.name}' is empty. Choose another file.")
     kind = None if is_picture(head) else vector_kind(path, head)
     if kind:
-        return read_vector(path, width, height), kind
+        return read_vector(path, width, height, budget), kind
     if is_picture(head) or path.suffix.lower() in _PICTURE_SUFFIXES:
-        return picture_drawing(path, width, height, decode), "picture"
+        return picture_drawing(path, width, height, decode, budget), "picture"
     raise InputError(
         f"'{path.name}' is not a drawing that can be read. Use PNG, JPEG, BMP, SVG, DXF or JSON."
     )

@@ -8,22 +8,24 @@ from collections.abc import Iterator
 from io import BytesIO
 from typing import Any
 from xml.etree import ElementTree
-from xml.parsers import expat
 
 import numpy as np
 
 from BalloonWorkbench.core.errors import InputError, MissingPackageError
+from BalloonWorkbench.core.outline.budget import Budget
+from BalloonWorkbench.core.outline.foreign import foreign_reader
+from BalloonWorkbench.core.outline.svg_source import harmless
 from BalloonWorkbench.core.outline.welds import LAYER
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import INCH
 
 _PIXEL = INCH / 96  # a CSS pixel, which is the unit of plain numbers
-_MOST_ELEMENTS = 100_000
-_XLINK = "{http://www.w3.org/1999/xlink}href"
 _LABEL = "{http://www.inkscape.org/namespaces/inkscape}label"
 
 
-def read_svg(data: bytes, tolerance: float) -> tuple[list[Floats], list[Floats], list[Floats]]:
+def read_svg(
+    data: bytes, tolerance: float, budget: Budget
+) -> tuple[list[Floats], list[Floats], list[Floats]]:
     """Lines (n, 2) m of an SVG document, y up; those of them that are filled though open; welds.
 
     What is named LAYER, or lies in a group or layer of that name, is a weld and not one of the lines.
@@ -31,7 +33,7 @@ def read_svg(data: bytes, tolerance: float) -> tuple[list[Floats], list[Floats],
     Closed lines come with their first point repeated at the end. Hidden elements and texts are left out.
 
     tolerance  largest distance between a curve and its polyline [m]
-    InputError for a file that is no SVG, defines entities or repeats itself without end.
+    InputError for a file that is no SVG, defines entities, repeats itself without end or is too much.
     """
     try:
         import svgelements  # type: ignore[import-untyped]
@@ -40,40 +42,63 @@ def read_svg(data: bytes, tolerance: float) -> tuple[list[Floats], list[Floats],
             "SVG files need the Python package svgelements. Install it with 'pip install svgelements', "
             "or save the drawing as DXF."
         ) from None
-    root = _harmless(data)
-    try:
+    root = harmless(data, budget)
+    lines: list[Floats] = []
+    filled: list[Floats] = []
+    welds: list[Floats] = []
+    with foreign_reader(_refusal):
         width, height = _viewport(root, svgelements)
-        document = svgelements.SVG.parse(BytesIO(data), reify=False, ppi=96, width=width, height=height)
-        lines: list[Floats] = []
-        filled: list[Floats] = []
-        welds: list[Floats] = []
+        source = BytesIO(ElementTree.tostring(root))
+        document = svgelements.SVG.parse(source, reify=False, ppi=96, width=width, height=height)
         for element, weld in _elements(document, False):
+            budget.check_time()
             if not isinstance(element, svgelements.Shape) or element.values.get("visibility") == "hidden":
                 continue
-            path = svgelements.Path(element)
-            # Arcs do not stay arcs under every transform, so that points are transformed, not segments.
-            a, b, c, d, e, f = (float(getattr(path.transform, name)) for name in "abcdef")
-            matrix = np.array([[a, b], [c, d]])
-            if not np.isfinite([a, b, c, d, e, f]).all():
-                raise ValueError("a transform is not a number")
-            scale = float(np.linalg.norm(matrix, 2))
-            if scale == 0:
-                continue
-            for part in path.as_subpaths():
-                points = _flatten(svgelements.Path(part), tolerance / (_PIXEL * scale), svgelements)
-                if len(points) < 2:
-                    continue
-                with np.errstate(over="ignore", invalid="ignore"):  # what is endless is refused as an outline
-                    x, y = (np.array(points) @ matrix + (e, f)).T
-                line = np.column_stack([x, height - y]) * _PIXEL
-                fills = element.fill is not None and element.fill.value is not None
+            fills = element.fill is not None and element.fill.value is not None
+            for line in _lines(svgelements.Path(element), height, tolerance, budget, svgelements):
                 closed = np.array_equal(line[0], line[-1])
                 (welds if weld else lines).append(line)
                 if not weld and fills and not closed and len(line) > 2:
                     filled.append(line)
-    except (ValueError, TypeError, ArithmeticError, AttributeError, LookupError) as error:
-        raise InputError(f"The SVG file cannot be read ({error}). Save it as plain SVG once more.") from error
     return lines, filled, welds
+
+
+def _refusal(reason: str) -> InputError:
+    return InputError(f"The SVG file cannot be read ({reason}). Save it as plain SVG once more.")
+
+
+def _lines(path: Any, height: float, tolerance: float, budget: Budget, svgelements: Any) -> Iterator[Floats]:
+    """Lines (n, 2) m, y up, of the parts of a path."""
+    # Arcs do not stay arcs under every transform, so that points are transformed, not segments.
+    a, b, c, d, e, f = (float(getattr(path.transform, name)) for name in "abcdef")
+    matrix = np.array([[a, b], [c, d]])
+    if not np.isfinite([a, b, c, d, e, f]).all():
+        raise ValueError("a transform is not a number")
+    scale = float(np.linalg.norm(matrix, 2))
+    if scale == 0:
+        return
+    for part in _parts(path, svgelements):
+        points = _flatten(part, tolerance / (_PIXEL * scale), budget, svgelements)
+        if len(points) < 2:
+            continue
+        with np.errstate(over="ignore", invalid="ignore"):  # what is endless is refused as an outline
+            x, y = (np.array(points) @ matrix + (e, f)).T
+        yield np.column_stack([x, height - y]) * _PIXEL
+
+
+def _parts(path: Any, svgelements: Any) -> Iterator[list[Any]]:
+    """The segments of each part of a path that is drawn without lifting the pen."""
+    part: list[Any] = []
+    for segment in path:
+        if isinstance(segment, svgelements.Move) and part:
+            yield part
+            part = []
+        part.append(segment)
+        if isinstance(segment, svgelements.Close):
+            yield part
+            part = []
+    if part:
+        yield part
 
 
 def _elements(group: Any, weld: bool) -> Iterator[tuple[Any, bool]]:
@@ -84,52 +109,6 @@ def _elements(group: Any, weld: bool) -> Iterator[tuple[Any, bool]]:
         yield element, inside
         if isinstance(element, list):
             yield from _elements(element, inside)
-
-
-def _harmless(data: bytes) -> ElementTree.Element:
-    """The document's root, once it is sure that reading it needs neither other files nor endless memory."""
-
-    def refuse(*_: object) -> None:
-        raise InputError("The SVG file defines entities, which are not read. Save it as plain SVG.")
-
-    parser = expat.ParserCreate()
-    parser.EntityDeclHandler = refuse
-    try:
-        parser.Parse(data, True)
-        root = ElementTree.fromstring(data)
-    except (expat.ExpatError, ElementTree.ParseError, ValueError, LookupError) as error:
-        raise InputError(f"The SVG file is damaged ({error}). Save it once more.") from None
-    if root.tag.rpartition("}")[2] != "svg":
-        raise InputError("The file is XML but no SVG drawing. Choose a drawing.")
-    named = {element.get("id"): element for element in root.iter() if element.get("id")}
-    try:
-        elements = _count(root, named, {}, set())
-    except RecursionError:
-        elements = math.inf
-    if elements > _MOST_ELEMENTS:
-        raise InputError("The SVG file has too many elements, or some that use themselves. Simplify it.")
-    return root
-
-
-def _count(
-    element: ElementTree.Element,
-    named: dict[str | None, ElementTree.Element],
-    known: dict[int, float],
-    open_ones: set[int],
-) -> float:
-    """Number of elements once every <use> is replaced by what it shows; infinite where one shows itself."""
-    key = id(element)
-    if key in open_ones:
-        return math.inf
-    if key not in known:
-        open_ones.add(key)
-        total = 1 + sum(_count(child, named, known, open_ones) for child in element)
-        link = element.get("href") or element.get(_XLINK) or ""
-        if element.tag.rpartition("}")[2] == "use" and link.startswith("#") and link[1:] in named:
-            total += _count(named[link[1:]], named, known, open_ones)
-        open_ones.discard(key)
-        known[key] = total
-    return known[key]
 
 
 def _viewport(root: ElementTree.Element, svgelements: Any) -> tuple[float, float]:
@@ -148,17 +127,24 @@ def _viewport(root: ElementTree.Element, svgelements: Any) -> tuple[float, float
     return width, sizes.get("height", width * ratio)
 
 
-def _flatten(path: Any, tolerance: float, svgelements: Any) -> list[tuple[float, float]]:
-    """Points of one subpath within `tolerance` px; the first again at the end where it is closed."""
+def _flatten(
+    part: list[Any], tolerance: float, budget: Budget, svgelements: Any
+) -> list[tuple[float, float]]:
+    """Points of a part of a path within `tolerance` px; the first again at the end where it is closed."""
     points: list[tuple[float, float]] = []
-    for segment in path:
+    counts = [_steps(segment, tolerance, svgelements) for segment in part]
+    budget.spend_points(sum(counts))
+    for segment, count in zip(part, counts):
+        budget.check_time()
+        if not points and not isinstance(segment, svgelements.Move):
+            points = [_xy(segment.start)]  # goes on where the part before it was closed
         if isinstance(segment, svgelements.Move):
             points = [_xy(segment.end)]
         elif isinstance(segment, svgelements.Close):
             if points[-1] != points[0]:
                 points.append(points[0])
         else:
-            steps = _steps(segment, tolerance, svgelements)
+            steps = math.ceil(count)
             points += [_xy(segment.point(k / steps)) for k in range(1, steps)]
             points.append(_xy(segment.end))
     if len(points) > 3 and math.dist(points[0], points[-1]) < 1e-9 * max(1.0, *map(abs, points[0])):
@@ -177,7 +163,7 @@ def _xy(point: Any) -> tuple[float, float]:
     return float(point.x), float(point.y)
 
 
-def _steps(segment: Any, tolerance: float, svgelements: Any) -> int:
+def _steps(segment: Any, tolerance: float, svgelements: Any) -> float:
     """Straight pieces that a segment needs; from the bound |second derivative| / 8 of a chord's error."""
     if isinstance(segment, svgelements.CubicBezier):
         a, b, c, d = (
@@ -191,4 +177,6 @@ def _steps(segment: Any, tolerance: float, svgelements: Any) -> int:
         bend = max(segment.rx, segment.ry) * float(segment.sweep) ** 2
     else:
         bend = 0.0
-    return min(10_000, max(1, math.ceil(math.sqrt(bend / (8 * tolerance)))))
+    if math.isnan(bend):
+        raise ValueError("a coordinate is not a number")
+    return max(1.0, math.sqrt(bend / (8 * tolerance)))

@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.outline.budget import Budget
 from BalloonWorkbench.core.outline.chains import drawing_from
 from BalloonWorkbench.core.outline.drawing import Drawing, checked
 from BalloonWorkbench.core.outline.dxf import read_dxf
@@ -24,29 +25,34 @@ _MOST_BYTES = 64 << 20
 _FARTHEST = 1e6  # m
 
 
-def read_vector(path: str | Path, width: float | None = None, height: float | None = None) -> Drawing:
+def read_vector(
+    path: str | Path, width: float | None = None, height: float | None = None, budget: Budget | None = None
+) -> Drawing:
     """The closed lines of a drawing, those inside others as their holes; checked.
 
     At its own size, or scaled to `width` or `height` [m]; inside both where both are given.
     Errors: InputError (file, size), OutlineError (open, crossing, empty), MissingPackageError.
     """
     path = Path(path)
+    budget = budget or Budget()
     data = read_bytes(path)
     kind = vector_kind(path, data[:4096])
     if kind == "json":
-        drawing = read_points(data)
+        drawing = read_points(data, budget)
         _check_places([line for part in drawing.parts for line in (*part.loops, *part.welds)])
     elif kind == "svg":
-        lines, filled, welds = read_svg(data, FLATNESS)
+        lines, filled, welds = read_svg(data, FLATNESS, budget)
         _check_places([*lines, *welds])
-        drawing = drawing_from(lines, (), filled, welds)
+        drawing = drawing_from(lines, (), filled, welds, budget=budget)
     elif kind == "dxf":
-        lines, welds, notes = read_dxf(path, FLATNESS)
+        lines, welds, notes = read_dxf(data, FLATNESS, budget)
         _check_places([*lines, *welds])
-        drawing = drawing_from(lines, notes, (), welds)
+        drawing = drawing_from(lines, notes, (), welds, budget=budget)
     else:
         raise InputError(f"'{path.name}' is neither SVG, DXF nor JSON. Save the drawing as one of these.")
-    return checked(scale_to(checked(drawing), width, height))
+    drawing = checked(drawing, budget)
+    scaled = scale_to(drawing, width, height)
+    return drawing if scaled is drawing else checked(scaled, budget)
 
 
 def _check_places(lines: Sequence[Floats]) -> None:

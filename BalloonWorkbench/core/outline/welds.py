@@ -8,6 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from BalloonWorkbench.core.errors import OutlineError
+from BalloonWorkbench.core.outline.budget import Budget
 from BalloonWorkbench.core.outline.crossings import contains, first_crossing
 from BalloonWorkbench.core.outline.sampling import line_lengths, point_on
 from BalloonWorkbench.core.types import Floats
@@ -27,7 +28,9 @@ def spot(centre: Floats, diameter: float = SPOT) -> Floats:
     return np.asarray(centre + 0.5 * diameter * np.column_stack([np.cos(turn), np.sin(turn)]))
 
 
-def valid_welds(lines: Sequence[Floats], loops: Sequence[Floats], tolerance: float) -> tuple[Floats, ...]:
+def valid_welds(
+    lines: Sequence[Floats], loops: Sequence[Floats], tolerance: float, budget: Budget
+) -> tuple[Floats, ...]:
     """Open welds (n, 2) without repeated points, an end on a loop drawn back from it by a hair.
 
     loops: the outer loop, then the holes. OutlineError where a weld has no length, leaves the film, or meets
@@ -36,6 +39,7 @@ def valid_welds(lines: Sequence[Floats], loops: Sequence[Floats], tolerance: flo
     hair = _AT_RIM * float(np.ptp(loops[0], axis=0).max())
     welds = []
     for drawn in lines:
+        budget.check_time()
         points = np.asarray(drawn, dtype=np.float64).reshape(-1, 2)
         kept = np.append(True, np.linalg.norm(np.diff(points, axis=0), axis=1) > tolerance)
         line = _drawn_back(_drawn_back(points[kept], loops, hair)[::-1], loops, hair)[::-1]
@@ -48,7 +52,7 @@ def valid_welds(lines: Sequence[Floats], loops: Sequence[Floats], tolerance: flo
                     f"A weld leaves the film at {place_text(line[np.argmax(astray)])}; keep it inside."
                 )
         welds.append(np.ascontiguousarray(line))
-    place = first_crossing(loops, welds) if welds else None
+    place = first_crossing(loops, welds, budget) if welds else None
     if place is not None:
         raise OutlineError(
             f"A weld meets the outline, itself or another weld at {place_text(place)};"

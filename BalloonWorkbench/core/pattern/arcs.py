@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.pattern.arc_spline import Knots, fewest_arcs
 from BalloonWorkbench.core.pattern.biarc import (
     away_from,
@@ -14,7 +15,7 @@ from BalloonWorkbench.core.pattern.biarc import (
     share_of,
     tangent_bulge,
 )
-from BalloonWorkbench.core.pattern.curves import STRAIGHT, Curve, Segment
+from BalloonWorkbench.core.pattern.curves import STRAIGHT, Curve, Segment, polyline
 from BalloonWorkbench.core.pattern.samples import Samples, sample
 from BalloonWorkbench.core.pattern.stretches import Stretch, heading_at, stretches
 from BalloonWorkbench.core.recent import Recent
@@ -30,6 +31,10 @@ _SAME_SHAPE = 10
 _DIVISIBLE = 5
 #: How near to an arc its chords are where distances are measured [m].
 _FINE = 0.01 * TOLERANCE
+#: Shares of the tolerance within which a curve is looked for whose sides cross in a tip.
+_NEARER = (0.3, 0.1)
+#: Share of the tolerance within which a curve is followed to see whether it crosses itself.
+_BESIDE = 0.05
 #: Shares of the tolerance with which the search is tried: what it neglects is small but not nothing.
 _SHARES = (0.97, 0.85, 0.7, 0.5)
 
@@ -39,18 +44,35 @@ def fit_curve(points: Floats, closed: bool, tolerance: float = TOLERANCE) -> Cur
 
     Corners above 25 degrees, corners of polygons, straight edges and the ends of an open polyline are kept
     exactly; elsewhere the tangent goes through. A closed curve begins near the polyline's first point.
+    Where a closed curve would cross itself between the sides of a sharp tip, it stays nearer to the polyline.
     The last curves are remembered, wherever they were: shape, check and file of a pattern ask for the same
     ones, and copies are alike.
     """
     shape = np.round(points - points[0], _SAME_SHAPE) + 0.0
     key = shape.tobytes(), closed, tolerance
     if key not in _remembered:
-        _remembered[key] = points[0].copy(), _fit(points, closed, tolerance)
+        _remembered[key] = points[0].copy(), _uncrossed(points, closed, tolerance)
     place, curve = _remembered[key]
     return curve if np.array_equal(place, points[0]) else curve.moved(points[0] - place)
 
 
 _remembered: Recent[tuple[bytes, bool, float], tuple[Floats, Curve]] = Recent(64)
+
+
+def _uncrossed(points: Floats, closed: bool, tolerance: float) -> Curve:
+    """The curve, of a polyline that does not cross itself one that does not either."""
+    curve = _fit(points, closed, tolerance)
+    if not closed or _is_simple(curve, tolerance) or not _is_simple(polyline(points, True), tolerance):
+        return curve
+    for share in _NEARER:
+        curve = _fit(points, closed, share * tolerance)
+        if _is_simple(curve, share * tolerance):
+            return curve
+    return polyline(points, True)
+
+
+def _is_simple(curve: Curve, tolerance: float) -> bool:
+    return bool(shapely().LinearRing(curve.flattened(_BESIDE * tolerance)).is_simple)
 
 
 def _fit(points: Floats, closed: bool, tolerance: float) -> Curve:

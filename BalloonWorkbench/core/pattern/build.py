@@ -10,7 +10,6 @@ Holes the same way, into the hole. Welds inside the balloon lie where the panel 
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -18,11 +17,11 @@ import numpy as np
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.outline.outline import Outline
-from BalloonWorkbench.core.outline.passages import chambers, joined_welds
+from BalloonWorkbench.core.outline.passages import joined_welds
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.pattern.cuttable import closed_gaps, opened_hole
-from BalloonWorkbench.core.pattern.fairing import faired
-from BalloonWorkbench.core.pattern.intake import Neck, Wish, freest, place_neck
+from BalloonWorkbench.core.pattern.fairing import faired_seam
+from BalloonWorkbench.core.pattern.intake import FARTHEST, Neck, Wish, film_of, place_neck, wishes
 from BalloonWorkbench.core.pattern.intake_kinds import STRAW
 from BalloonWorkbench.core.pattern.intake_kinds import intake_kind as kind_named
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
@@ -36,6 +35,7 @@ from BalloonWorkbench.core.pattern.shapes import (
     polygon,
     relieved,
 )
+from BalloonWorkbench.core.pattern.valve import closed_channel
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import mm_text, to_mm
 
@@ -50,6 +50,7 @@ def build_pattern(
     intake_length: float | None = None,
     intake_angle: float | None = None,
     intake_along: float | None = None,
+    intake_place: str = FARTHEST,
     intake: bool = True,
     corner_radius: float = 0.0,
 ) -> Pattern:
@@ -58,8 +59,9 @@ def build_pattern(
     seal_width     of the weld [m]
     allowance      film left outside the weld [m]
     intake_kind    a name of intake_kinds; width and length [m] are the kind's unless given. It points from
-                   the pattern's centre of area to the farthest point of the seam, or along intake_angle
-                   [rad], or sits at intake_along [m] on the seam, counter-clockwise from its rightmost point
+                   the pattern's centre of area to the farthest point of the seam, or sits low on the balloon
+                   (intake_place FARTHEST or LOW), or points along intake_angle [rad], or sits at intake_along
+                   [m] on the seam, counter-clockwise from its rightmost point
     corner_radius  with which corners of the cuts are rounded [m]; the weld keeps its corners
     Each chamber that the welds cut off gets an intake. Raises InputError for senseless values, OutlineError
     where the seam crosses itself.
@@ -67,18 +69,20 @@ def build_pattern(
     if not (1e-5 <= seal_width <= 1.0 and 0.0 <= allowance <= 1.0):
         raise InputError("The seal width must be between 0.01 mm and 1 m, the allowance between 0 and 1 m.")
     margin = seal_width + allowance
-    seam = replace(seam, outer=faired(seam.outer), holes=tuple(faired(hole) for hole in seam.holes))
+    seam = faired_seam(seam)
     whole, holes = polygon(seam.outer), [polygon(hole) for hole in seam.holes]
     warnings: list[str] = []
     necks: list[Neck] = []
     if intake:
         known = kind_named(intake_kind)
         width = known.width if intake_width is None else intake_width
-        film = whole.difference(shapely().unary_union(holes)) if holes else whole
-        wish = Wish(known, width, intake_length, intake_angle, intake_along)
-        necks = _necks(seam, film, wish, seal_width, allowance)
+        wish = Wish(known, width, intake_length, intake_angle, intake_along, intake_place)
+        necks = _necks(seam, film_of(seam), wish, seal_width, allowance)
         whole = shapely().unary_union([whole, *(neck.area for neck in necks if neck.area is not None)])
         warnings += [_advice(neck) for neck in necks if neck.way is not None]
+        free = _between_welds(whole, holes, seam, seal_width)
+        closed = [closed_channel(neck.intake, free, seal_width) for neck in necks]
+        warnings += [text for text in closed if text is not None]
     inside = joined_welds(seam, 0.5 * seal_width)  # welds at the rim end in the middle of the one round it
     contours = [Contour(Role.WELD, open_line(shapely().LineString(weld)), False) for weld in inside] + [
         Contour(Role.WELD, closed_loop(polygon(spot).exterior, False), True) for spot in seam.spots
@@ -122,18 +126,10 @@ def usual_pattern(seam: Outline, film: Film, intake: bool = True) -> Pattern:
 def _necks(seam: Outline, film: Any, wish: Wish, seal_width: float, allowance: float) -> list[Neck]:
     """An intake for each chamber; what is wished of the place holds for the chamber that is nearest to it."""
     rim = Rim(seam.outer)
-    rooms = chambers(seam)
-    if len(rooms) == 1:
-        return [place_neck(film, rooms[0] if seam.welds else film, rim, wish, seal_width, allowance)]
-    given = wish.angle is not None or wish.along is not None
-    if given:
-        at = shapely().Point(place_neck(film, film, rim, wish, seal_width, allowance).intake.at)
-        rooms.sort(key=lambda room: room.distance(at))
-    necks = []
-    for k, room in enumerate(rooms):
-        others = [*rooms[:k], *rooms[k + 1 :]]
-        each = wish if given and k == 0 else replace(wish, angle=None, along=freest(rim, room, others))
-        necks.append(place_neck(film, room, rim, each, seal_width, allowance))
+    necks = [
+        place_neck(film, room, rim, each, seal_width, allowance)
+        for room, each in wishes(seam, film, rim, wish, seal_width + allowance)
+    ]
     areas = [neck.area for neck in necks if neck.area is not None]
     for k, area in enumerate(areas):
         if any(area.distance(other) < 2.0 * (seal_width + allowance) for other in areas[:k]):
@@ -142,6 +138,14 @@ def _necks(seam: Outline, film: Any, wish: Wish, seal_width: float, allowance: f
                 " choose another place for the first."
             )
     return necks
+
+
+def _between_welds(whole: Any, holes: list[Any], seam: Outline, seal_width: float) -> Any:
+    """The film that no weld touches, as an area of shapely."""
+    package = shapely()
+    inside = [package.LineString(weld).buffer(0.5 * seal_width) for weld in seam.welds]
+    spots = [polygon(spot) for spot in seam.spots]
+    return whole.difference(package.union_all([*holes, *inside, *spots]))
 
 
 def _advice(neck: Neck) -> str:

@@ -89,11 +89,19 @@ class Curve:
         return along - 0.5 * self.turns, along + 0.5 * self.turns
 
     @property
+    def joint_turns(self) -> Floats:
+        """Angle (n,) by which the direction changes at each joint, 0 at the ends of an open curve [rad]."""
+        first, last = self.headings
+        turn = _wrapped(first - np.roll(last, 1))
+        return turn if self.closed else np.append(np.append(0.0, turn[1:]), 0.0)
+
+    @property
     def corners(self) -> Bools:
         """Which joints (n,) are corners; the ends of an open curve are."""
-        first, last = self.headings
-        turn = np.abs(_wrapped(first - np.roll(last, 1))) > SMOOTH
-        return turn if self.closed else np.append(np.append(True, turn[1:]), True)
+        turn = np.abs(self.joint_turns) > SMOOTH
+        if not self.closed:
+            turn[[0, -1]] = True
+        return turn
 
     @property
     def bounds(self) -> tuple[Floats, Floats]:

@@ -35,10 +35,7 @@ def closed_gaps(film: Any, radius: float = LEAST_RADIUS) -> Any:
     added = _sizeable(grown.buffer(-radius, quad_segs=_STEPS).difference(film))
     if not added:
         return film
-    # a hair wider, so that no crack stays between
-    hair = 1e-3 * TOLERANCE
-    wider = [piece.buffer(hair, join_style="mitre") for piece in added]
-    return max(parts(shapely().union_all([film, *wider])), key=lambda piece: float(piece.area))
+    return max(parts(film.union(_wider(added))), key=lambda piece: float(piece.area))
 
 
 def opened_hole(hole: Any, radius: float = LEAST_RADIUS) -> list[Any]:
@@ -46,7 +43,13 @@ def opened_hole(hole: Any, radius: float = LEAST_RADIUS) -> list[Any]:
     shrunk = hole.buffer(-radius, join_style="mitre", mitre_limit=_SHARPEST)
     kept = shrunk.buffer(radius, quad_segs=_STEPS)
     lost = _sizeable(hole.difference(kept))
-    return parts(hole.difference(shapely().union_all(lost))) if lost else [hole]
+    return parts(hole.difference(_wider(lost))) if lost else [hole]
+
+
+def _wider(pieces: list[Any]) -> Any:
+    """All pieces a hair wider, so that no crack stays beside them where they are joined or taken off."""
+    hair = 1e-3 * TOLERANCE
+    return shapely().union_all([piece.buffer(hair, join_style="mitre") for piece in pieces])
 
 
 def _sizeable(pieces: Any) -> list[Any]:

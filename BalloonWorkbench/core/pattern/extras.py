@@ -24,10 +24,10 @@ _MOST_NOTCHES = 1000
 
 
 def with_notches(pattern: Pattern, count: int, depth: float) -> Pattern:
-    """The pattern with marks from the cut inward, evenly along each outer cut.
+    """The pattern with short cuts from the edge inward, evenly along each outer cut.
 
     count  for each cut; the first is where the cut begins
-    depth  [m], at most the allowance, so that no mark touches the weld
+    depth  [m], at most the allowance, so that none touches the weld
     Raises InputError where they would be closer than 5 mm or touch the weld.
     """
     if count == 0:
@@ -67,7 +67,7 @@ def _notches(cut: Contour, pattern: Pattern, count: int, depth: float) -> list[C
         wide = 0.5 * intake.width + 2.0 * pattern.seal_width + _CLEAR
         free &= (beyond < 0.0) | (aside > wide)
     lines = np.stack([at, at + depth * inward], axis=1)[free]
-    return [Contour(Role.MARK, line, False) for line in lines]
+    return [Contour(Role.NOTCH, line, False) for line in lines]
 
 
 def with_tie_tab(pattern: Pattern, angle: float | None = None) -> Pattern:

@@ -10,8 +10,11 @@ when it may be passed farther away is scattered; every other stays exactly as it
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
+from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.pattern.arcs import TOLERANCE, fit_curve
 from BalloonWorkbench.core.types import Floats
@@ -24,6 +27,11 @@ _PART = 1.0 / 3000.0
 _SCATTERED = 0.9
 #: How far the points may lie apart: their chords are so near to the arcs [m].
 _CHORD = from_mm(0.002)
+
+
+def faired_seam(seam: Outline) -> Outline:
+    """A seam with its loops faired; welds and spots as they are."""
+    return replace(seam, outer=faired(seam.outer), holes=tuple(map(faired, seam.holes)))
 
 
 def faired(loop: Floats) -> Floats:

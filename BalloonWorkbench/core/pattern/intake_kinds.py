@@ -3,21 +3,21 @@
 
 Lines are drawn beside an axis: along it from the neck's root on the seam outward, or from the middle of a
 nozzle, then across it. Each number is a sum such as "L - 10" or "0.5 W + S": L length, W inner width, S seal
-width, A allowance, plain numbers millimetres.
+width, A allowance, plain numbers millimetres. Pieces beside the panel know no A.
 """
 
 from __future__ import annotations
 
-import json
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from BalloonWorkbench.core.data_file import UNUSABLE, read_data
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.pattern.pattern import Contour, Role
 from BalloonWorkbench.core.types import Floats
@@ -55,14 +55,24 @@ class Stroke:
 
 @dataclass(frozen=True)
 class Piece:
-    """A piece of film of its own: label and the sums of its middle, whether each panel needs one, its lines
-    with the cut last.
+    """A piece of film of its own, once for each balloon: label and the sums of its middle, its lines with the
+    cut last. In a neck its axis runs inward from the mouth.
     """
 
     label: str
     label_at: tuple[str, str]
-    each_panel: bool
     strokes: tuple[Stroke, ...]
+
+
+@dataclass(frozen=True)
+class PieceStock:
+    """The film of an intake's pieces where it is not the balloon's: name in files, what people read, and the
+    polymer that it is welded with, as `Film.sealing_side`.
+    """
+
+    name: str
+    title: str
+    sealing_side: str
 
 
 @dataclass(frozen=True)
@@ -73,6 +83,7 @@ class IntakeKind:
     place   RIM or FILM
     width   usual inner width, or bore [m]; length: the usual one as a sum, or AUTO
     taper   width at the mouth of a neck as a share of that at its root
+    stock   the film of its pieces; None for the balloon's
     """
 
     name: str
@@ -84,6 +95,7 @@ class IntakeKind:
     taper: float
     strokes: tuple[Stroke, ...]
     pieces: tuple[Piece, ...]
+    stock: PieceStock | None = None
 
     def usual_length(self, sizes: Mapping[str, float]) -> float | None:
         """The length [m] for sizes W, S, A [m]; None where the pattern has to find it."""
@@ -126,11 +138,11 @@ def intake_kind(name: str) -> IntakeKind:
 def read_kind(path: Path) -> IntakeKind:
     """The kind that a data file describes, checked. InputError that names the file."""
     try:
-        data = json.loads(path.read_text(encoding="utf-8"))
+        data = read_data(path)
         kind = _kind_of(data)
     except KeyError as error:
         raise InputError(f"The intake file {path.name} lacks {error}: add it.") from error
-    except (OSError, ValueError, TypeError, AttributeError, InputError) as error:
+    except (*UNUSABLE, InputError) as error:
         raise InputError(f"The intake file {path.name} is of no use: {error}") from error
     if kind.name != path.stem:
         raise InputError(f'The intake file {path.name} calls itself "{kind.name}": give both the same name.')
@@ -152,11 +164,11 @@ def _kind_of(data: dict[str, Any]) -> IntakeKind:
             Piece(
                 str(piece["label"]),
                 _point(piece["label_at"]),
-                bool(piece["each_panel"]),
                 _strokes(piece["lines"]),
             )
             for piece in data["pieces"]
         ),
+        _stock(data["stock"]) if "stock" in data else None,
     )
     if kind.place not in (RIM, FILM):
         raise InputError(f'place "{kind.place}" is neither {RIM} nor {FILM}.')
@@ -166,6 +178,13 @@ def _kind_of(data: dict[str, Any]) -> IntakeKind:
     if any(piece.strokes[-1].role is not Role.CUT for piece in kind.pieces):
         raise InputError("the last line of each piece is its CUT.")
     return kind
+
+
+def _stock(data: dict[str, Any]) -> PieceStock:
+    found = PieceStock(str(data["name"]), str(data["title"]), str(data["sealing_side"]))
+    if not re.fullmatch("[a-z-]{1,20}", found.name):
+        raise InputError(f'the name "{found.name}" of the stock goes into file names: take letters a to z.')
+    return found
 
 
 def _strokes(data: Sequence[dict[str, Any]]) -> tuple[Stroke, ...]:
@@ -194,4 +213,4 @@ def _point(data: Sequence[str]) -> tuple[str, str]:
 def placed(contour: Contour, at: Floats, angle: float) -> Contour:
     """A line beside its axis, brought to where the axis begins (2,) and points [rad]."""
     turn = np.array([[np.cos(angle), np.sin(angle)], [-np.sin(angle), np.cos(angle)]])
-    return Contour(contour.role, contour.points @ turn + at, contour.closed, contour.front)
+    return replace(contour, points=contour.points @ turn + at)

@@ -5,10 +5,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.film.film import Film
+from BalloonWorkbench.core.film.library import films
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.pattern.build import build_pattern
 from BalloonWorkbench.core.pattern.extras import with_notches, with_tie_tab
-from BalloonWorkbench.core.pattern.intake_kinds import STRAW
+from BalloonWorkbench.core.pattern.intake import FARTHEST, Wish
+from BalloonWorkbench.core.pattern.intake_kinds import STRAW, intake_kind
 from BalloonWorkbench.core.pattern.label import with_label
 from BalloonWorkbench.core.pattern.panels import on_sheet
 from BalloonWorkbench.core.pattern.pattern import Pattern
@@ -18,8 +22,9 @@ from BalloonWorkbench.core.pattern.pattern import Pattern
 class Wanted:
     """How a pattern is made; lengths [m], angles [rad], None where the pattern finds the value.
 
-    seal_width  None takes the film's; the intake's values as in `build_pattern`; corner_radius rounds corners
-    of the cuts; mirror and copies as in `on_sheet`
+    seal_width  None takes the film's; the intake's values as in `build_pattern`, its place FARTHEST or LOW
+    where neither angle nor along is given; corner_radius rounds corners of the cuts; mirror and copies as in
+    `on_sheet`
     """
 
     seal_width: float | None = None
@@ -30,6 +35,7 @@ class Wanted:
     intake_length: float | None = None
     intake_angle: float | None = None
     intake_along: float | None = None
+    intake_place: str = FARTHEST
     corner_radius: float = 0.0
     notches: int = 0
     notch_depth: float = 0.0015
@@ -39,6 +45,15 @@ class Wanted:
     label_height: float = 0.006
     mirror: bool = False
     copies: int = 1
+
+
+def intake_of(wanted: Wanted) -> Wish:
+    """The intake as it is wanted; InputError for a kind that is not known."""
+    kind = intake_kind(wanted.intake_kind)
+    width = kind.width if wanted.intake_width is None else wanted.intake_width
+    return Wish(
+        kind, width, wanted.intake_length, wanted.intake_angle, wanted.intake_along, wanted.intake_place
+    )
 
 
 def make_pattern(seam: Outline, seal_width: float, wanted: Wanted) -> Pattern:
@@ -56,6 +71,7 @@ def make_pattern(seam: Outline, seal_width: float, wanted: Wanted) -> Pattern:
         intake_length=wanted.intake_length,
         intake_angle=wanted.intake_angle,
         intake_along=wanted.intake_along,
+        intake_place=wanted.intake_place,
         corner_radius=wanted.corner_radius,
     )
     if wanted.tie_tab:
@@ -66,4 +82,27 @@ def make_pattern(seam: Outline, seal_width: float, wanted: Wanted) -> Pattern:
 
 def sheet_of(pattern: Pattern, wanted: Wanted) -> Pattern:
     """What is cut for it: the panel with its pieces, the second panel and copies as they are wanted."""
-    return on_sheet(pattern, wanted.allowance, wanted.mirror, wanted.copies)
+    return on_sheet(pattern, wanted.mirror, wanted.copies)
+
+
+def pieces_remarks(wanted: Wanted, film: Film) -> tuple[str, ...]:
+    """What is to be said of the film of the intake's pieces, a sentence each.
+
+    Raises InputError where it does not weld to the balloon's.
+    """
+    kind = intake_kind(wanted.intake_kind)
+    if not wanted.intake or kind.stock is None:
+        return ()
+    own = film.title or film.name
+    if film.sealing_side is None:
+        return (
+            f"Whether the {kind.stock.title} of the intake's pieces welds to {own} is not known: try it on a"
+            " scrap first.",
+        )
+    if film.sealing_side != kind.stock.sealing_side:
+        good = [each.title for each in films().values() if each.sealing_side == kind.stock.sealing_side]
+        raise InputError(
+            f'The pieces of the intake "{kind.title}" are of {kind.stock.title}, which does not weld to'
+            f" {own}: choose another intake, or a film that it welds to: {'; '.join(good)}."
+        )
+    return ()

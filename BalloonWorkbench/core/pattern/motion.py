@@ -69,8 +69,8 @@ def _seams(lines: list[Contour]) -> float:
     return float(sum(np.hypot(*np.diff(points, axis=0).T).sum() for points in ends))
 
 
-def turned(pattern: Pattern, angle: float, shift: Floats) -> Pattern:
-    """The pattern turned about the origin by an angle [rad], counter-clockwise, then moved by a shift (2,) m.
+def turning(angle: float) -> Floats:
+    """The matrix (2, 2) by which rows of points are multiplied to turn by an angle [rad], counter-clockwise.
 
     Quarter turns are exact.
     """
@@ -79,7 +79,12 @@ def turned(pattern: Pattern, angle: float, shift: Floats) -> Pattern:
         cosine, sine = ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))[round(quarters) % 4]
     else:
         cosine, sine = float(np.cos(angle)), float(np.sin(angle))
-    turn = np.array([[cosine, sine], [-sine, cosine]])
+    return np.array([[cosine, sine], [-sine, cosine]])
+
+
+def turned(pattern: Pattern, angle: float, shift: Floats) -> Pattern:
+    """The pattern turned about the origin by an angle [rad], see `turning`, then moved by a shift (2,) m."""
+    turn = turning(angle)
 
     def moved(intake: Intake) -> Intake:
         return replace(intake, at=intake.at @ turn + shift, angle=intake.angle + angle)

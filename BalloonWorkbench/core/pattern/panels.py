@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -24,25 +24,31 @@ _LETTERS = from_mm(3.0)
 _TEXT = (Role.ENGRAVE, Role.PRINT)
 
 
-def on_sheet(pattern: Pattern, allowance: float, mirror: bool, copies: int) -> Pattern:
+def on_sheet(pattern: Pattern, mirror: bool, copies: int) -> Pattern:
     """A panel with all that is cut beside it, as often as it is wanted.
 
-    allowance  the one with which the pattern was built [m]
-    mirror     the second panel beside the first, mirrored; else the sheet is cut twice. Where the front panel
-               has lines of its own, as for a nozzle, both are always there
+    mirror  the second panel beside the first, mirrored; else the sheet is cut twice. Where the front panel
+            has lines of its own, as for a nozzle, both are always there
+    Pieces on another film lie beside all panels, those of every balloon.
     Raises InputError for a number of copies that makes no sense.
     """
     if not 1 <= copies <= MOST_COPIES:
         raise InputError(f"There can be 1 to {MOST_COPIES} copies, not {copies}.")
     front = [contour for contour in pattern.contours if contour.front]
     both = mirror or bool(front)
-    made = _with_pieces(pattern, allowance, second=False)
+    pieces = _pieces(pattern)
+    made = _with_pieces(pattern, [piece for piece in pieces if not piece[0].stock])
     if both:
-        made = _beside(made, _with_pieces(_mirrored(pattern), allowance, second=True))
+        made = _beside(made, _mirrored(pattern))
     if front and not mirror:
         told = "Both panels are on the sheet: only the front one gets the hole of the nozzle. Cut it once."
         made = replace(made, warnings=(*made.warnings, told))
-    return made if copies == 1 else _repeated(made, copies)
+    if copies > 1:
+        made = _repeated(made, copies)
+    if any(piece[0].stock for piece in pieces):
+        made = replace(made, warnings=(*made.warnings, *_of_other_film(pattern)))
+    others = [piece for piece in pieces if piece[0].stock] * copies
+    return _beside(made, _in_rows(pattern, others)) if others else made
 
 
 def _repeated(pattern: Pattern, copies: int) -> Pattern:
@@ -53,22 +59,52 @@ def _repeated(pattern: Pattern, copies: int) -> Pattern:
     return _in_order(sheet)
 
 
-def _with_pieces(pattern: Pattern, allowance: float, second: bool) -> Pattern:
-    """The panel, and to its right the pieces of its intakes; beside a second one none of the front's."""
-    pieces: list[Contour] = []
+def _with_pieces(pattern: Pattern, pieces: Sequence[list[Contour]]) -> Pattern:
+    """The panel, and to its right pieces of the same film, one above the other."""
     low, high = pattern.bounds
     x, y = float(high[0]) + SPACING, float(low[1])
+    laid: list[Contour] = []
+    for piece in pieces:
+        points = np.concatenate([line.points for line in piece])
+        shift = np.array([x, y]) - points.min(axis=0)
+        laid += [replace(line, points=line.points + shift) for line in piece]
+        y += float(np.ptp(points[:, 1])) + SPACING
+    return replace(pattern, contours=(*laid, *pattern.contours))
+
+
+def _of_other_film(pattern: Pattern) -> list[str]:
+    """What to say about pieces that are not cut from the balloon's film."""
+    kinds = {intake.kind: intake_kind(intake.kind) for intake in pattern.intakes}
+    return [
+        f'The pieces of the intake "{kind.title}" are cut from {kind.stock.title}: they have a file of their'
+        " own, with all of them for each balloon."
+        for kind in kinds.values()
+        if kind.stock is not None
+    ]
+
+
+def _in_rows(pattern: Pattern, pieces: Sequence[list[Contour]]) -> Pattern:
+    """Pieces of another film than the pattern's, as a pattern of their own."""
+    points = [np.concatenate([line.points for line in piece]) for piece in pieces]
+    shifts = in_rows([(each.min(axis=0), each.max(axis=0)) for each in points])
+    laid = [
+        replace(line, points=line.points + shift)
+        for piece, shift in zip(pieces, shifts, strict=True)
+        for line in piece
+    ]
+    return replace(pattern, contours=tuple(laid), intake=None, more_intakes=(), seam_length=0.0)
+
+
+def _pieces(pattern: Pattern) -> list[list[Contour]]:
+    """The lines of each piece that the pattern's intakes need beside the panels."""
+    found = []
     for intake in pattern.intakes:
-        sizes = {"L": intake.length, "W": intake.width, "S": pattern.seal_width, "A": allowance}
-        for piece in intake_kind(intake.kind).pieces:
-            if second and not piece.each_panel:
-                continue
-            drawn = _drawn(piece, sizes)
-            points = np.concatenate([line.points for line in drawn])
-            shift = np.array([x, y]) - points.min(axis=0)
-            pieces += [replace(line, points=line.points + shift) for line in drawn]
-            y += float(np.ptp(points[:, 1])) + SPACING
-    return replace(pattern, contours=(*pieces, *pattern.contours))
+        kind = intake_kind(intake.kind)
+        sizes = {"L": intake.length, "W": intake.width, "S": pattern.seal_width}
+        stock = "" if kind.stock is None else kind.stock.name
+        for piece in kind.pieces:
+            found.append([replace(line, stock=stock) for line in _drawn(piece, sizes)])
+    return found
 
 
 def _drawn(piece: Piece, sizes: Mapping[str, float]) -> list[Contour]:

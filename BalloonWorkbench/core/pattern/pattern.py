@@ -18,11 +18,18 @@ class Role(str, Enum):
     REGISTRATION = "REGISTRATION"  # control bar, marks to find the sheet again
     PRINT = "PRINT"
     ENGRAVE = "ENGRAVE"  # labels
-    MARK = "MARK"  # notches, folds, alignment
+    PEN = "PEN"  # drawn: where a part is laid, how far a straw goes in
+    FOLD = "FOLD"  # drawn: where the film is turned over
     SEAL = "SEAL"
     WELD = "WELD"  # inside the balloon
+    NOTCH = "NOTCH"  # short cuts from the edge, outside the weld
     CUT_INNER = "CUT_INNER"
     CUT = "CUT"
+
+    @property
+    def is_cut(self) -> bool:
+        """Whether a tool goes through the film there; all other lines are drawn or welded."""
+        return self in (Role.NOTCH, Role.CUT_INNER, Role.CUT)
 
 
 @dataclass(frozen=True)
@@ -30,12 +37,14 @@ class Contour:
     """A polyline with a role: points (n, 2) m, the first point not repeated when closed.
 
     front  only the front panel has it, as the hole of a nozzle
+    stock  the film that it is on: "" the balloon's, else a name such as "valve"
     """
 
     role: Role
     points: Floats
     closed: bool
     front: bool = False
+    stock: str = ""
 
 
 @dataclass(frozen=True)
@@ -107,6 +116,20 @@ class Pattern:
         """The roles that occur, in the order in which a machine takes them."""
         present = {contour.role for contour in self.contours}
         return tuple(role for role in Role if role in present)
+
+    @property
+    def stocks(self) -> tuple[str, ...]:
+        """The films that its pieces are cut from, the balloon's first."""
+        return tuple(sorted({contour.stock for contour in self.contours}))
+
+    def of_stock(self, stock: str) -> Pattern:
+        """What is cut from one film; the seam is that of the panels."""
+        if self.stocks == (stock,):
+            return self
+        kept = tuple(contour for contour in self.contours if contour.stock == stock)
+        if stock:
+            return replace(self, contours=kept, intake=None, more_intakes=(), seam_length=0.0)
+        return replace(self, contours=kept)
 
     def of(self, role: Role) -> tuple[Contour, ...]:
         """The contours of one role."""

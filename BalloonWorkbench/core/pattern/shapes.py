@@ -69,8 +69,9 @@ def parts(area: Any) -> list[Any]:
 
 def closed_loop(ring: Any, counter_clockwise: bool) -> Floats:
     """Points (n, 2) of a ring without needless ones, started amid its longest smooth stretch."""
-    points = np.asarray(ring.simplify(TOLERANCE).coords, dtype=np.float64)[:-1]
-    points = _merged(points, closed=True)
+    points = _merged(np.asarray(ring.simplify(TOLERANCE).coords, dtype=np.float64)[:-1], closed=True)
+    if not shapely().LinearRing(points).is_simple:  # the sides of a narrow tip have met
+        points = np.asarray(ring.coords, dtype=np.float64)[:-1]
     following = np.roll(points, -1, axis=0)
     area = (points[:, 0] * following[:, 1] - points[:, 1] * following[:, 0]).sum()
     if (area > 0.0) != counter_clockwise:

@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Where the native library is: beside the workbench, built here or released, or in a package of its own.
 
+A library is loaded only if the sum in the file beside it is its own: the system maps a damaged one
+into memory, and then ends the process.
+
 On Windows a library that is in use cannot be deleted, and an addon is updated by deleting its folder; so a
 copy is loaded, from the user's data folder, named by what is in it.
 """
@@ -17,6 +20,8 @@ import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
+#: Of the workbench's own libraries.
+FOLDER = Path(__file__).resolve().parents[2] / "native" / "lib"
 #: A Python package with the library of this platform alone.
 PACKAGE = "film_balloon_native"
 _NAMES = {"win32": "film_solver.dll", "darwin": "libfilm_solver.dylib"}
@@ -47,6 +52,34 @@ def candidates(folder: Path) -> Iterator[Path]:
         path = place / file_name()
         if path.is_file():
             yield path
+
+
+def sum_file(path: Path) -> Path:
+    """The file with the SHA-256 sum of a library, as sha256sum writes and checks it."""
+    return path.with_name(f"{path.name}.sha256")
+
+
+def damage(path: Path) -> str | None:
+    """What is wrong with the content of a library, or None."""
+    try:
+        intended = sum_file(path).read_bytes().split(maxsplit=1)[:1]
+        content = path.read_bytes()
+    except OSError as error:
+        return f"{path.name} is damaged or incomplete ({error.strerror}). Install the workbench anew."
+    if intended != [hashlib.sha256(content).hexdigest().encode()]:
+        return f"{path.name} is damaged or incomplete. Install the workbench anew."
+    return None
+
+
+def unusable(why: str) -> str:
+    """What a user is told of a library that is there, but of no use."""
+    return f"The native solver, which is faster, is not available: {why}"
+
+
+def damaged() -> list[str]:
+    """A sentence where all libraries that are there are damaged; loads none of them."""
+    problems = [damage(path) for path in candidates(FOLDER)]
+    return [] if None in problems else [unusable(str(why)) for why in problems[:1]]
 
 
 def to_load(path: Path) -> Path:

@@ -15,14 +15,14 @@ from pathlib import Path
 import numpy as np
 
 from BalloonWorkbench.core.errors import Cancelled, SolverError
-from BalloonWorkbench.core.solver.library import candidates, file_name, to_load
+from BalloonWorkbench.core.solver.library import FOLDER, candidates, damage, file_name, to_load, unusable
 from BalloonWorkbench.core.solver.problem import Energies, Equilibrium, FilmProblem, NewtonSettings
 from BalloonWorkbench.core.solver.seam_band import hinge_rigidities, seam_hinges
 from BalloonWorkbench.core.types import Floats, Progress, no_progress
 
 ABI_VERSION = 4
 _CANCELLED = 3
-_FOLDER = Path(__file__).resolve().parents[2] / "native" / "lib"
+_FOLDER = FOLDER
 
 
 class _Material(ctypes.Structure):
@@ -75,6 +75,9 @@ def _load() -> tuple[ctypes.CDLL | None, str | None]:
 
 
 def _loaded(path: Path) -> tuple[ctypes.CDLL | None, str | None]:
+    damaged = damage(path)
+    if damaged is not None:
+        return None, damaged
     try:
         loaded = ctypes.CDLL(str(to_load(path)))
         version = loaded.film_abi_version()
@@ -91,6 +94,12 @@ def _loaded(path: Path) -> tuple[ctypes.CDLL | None, str | None]:
 def problem_with_library() -> str | None:
     """Why the native solver cannot be used, or None when it can."""
     return _load()[1]
+
+
+def unusable_library() -> str | None:
+    """A sentence for the user where a library is there, but of no use; None where none was built."""
+    why = problem_with_library() if any(candidates(_FOLDER)) else None
+    return why and unusable(why)
 
 
 def _library() -> ctypes.CDLL:

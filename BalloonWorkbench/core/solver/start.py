@@ -65,8 +65,10 @@ def carried_over(start: Inflation, panel: Panel) -> tuple[Floats, tuple[float, .
     """Positions (n, 3) of an earlier balloon moved with the panel, and how soft its film has to begin.
 
     The positions are stretched until nothing is slack; the film's stiffness is to be divided by each of the
-    numbers in turn.
+    numbers in turn. A panel that stays as it is goes on from where the balloon was.
     """
+    if panel is start.panel:
+        return start.positions.copy(), (1.0,)
     moved = panel.rest_positions - start.panel.rest_positions
     shape, areas = gradients(start.panel.rest_positions[panel.triangles])
     slopes = np.einsum("mai,mak->mik", moved[panel.triangles], shape)

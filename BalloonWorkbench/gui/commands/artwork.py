@@ -6,6 +6,7 @@ from __future__ import annotations
 import FreeCAD as App
 
 from BalloonWorkbench.app.properties import QT_TRANSLATE_NOOP
+from BalloonWorkbench.gui.borders import undo_step
 from BalloonWorkbench.gui.commands import solved
 from BalloonWorkbench.gui.qt import icon, translate
 
@@ -33,6 +34,6 @@ class Artwork:
         from BalloonWorkbench.gui.panels.artwork import ArtworkPanel
 
         parts = solved.chosen()
-        App.ActiveDocument.openTransaction(translate("Artwork"))
-        obj = artwork.of_balloon(parts.balloon) or artwork.make(parts.pattern)
-        show(ArtworkPanel(obj))
+        with undo_step(App.ActiveDocument, translate("Artwork")):
+            obj = artwork.of_balloon(parts.balloon) or artwork.make(parts.pattern)
+            show(ArtworkPanel(obj))

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from BalloonWorkbench.gui import borders
 from BalloonWorkbench.gui.commands import help_pages
 
 #: B for balloon, then a letter that FreeCAD's own workbenches leave free.
@@ -28,4 +29,7 @@ def documented(name: str, command, page: str = ""):
     if short in _KEYS:
         own["Accel"] = _KEYS[short]
     command.GetResources = lambda: own
+    if hasattr(command, "Activated"):  # a submenu has none
+        command.Activated = borders.command(name, command.Activated)
+    command.IsActive = borders.offered(name, command.IsActive)
     return command

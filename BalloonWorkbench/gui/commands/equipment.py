@@ -6,6 +6,8 @@ from __future__ import annotations
 import FreeCADGui as Gui
 
 from BalloonWorkbench.app.properties import QT_TRANSLATE_NOOP
+from BalloonWorkbench.gui.borders import Panel
+from BalloonWorkbench.gui.panels import show
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, icon, number_of, translate
 from BalloonWorkbench.gui.sentences import tell
 
@@ -27,10 +29,10 @@ class Equipment:
         return not Gui.Control.activeDialog()
 
     def Activated(self):
-        Gui.Control.showDialog(_Panel())
+        show(_Panel())
 
 
-class _Panel:
+class _Panel(Panel):
     """Text to read and to copy."""
 
     def __init__(self):
@@ -39,7 +41,7 @@ class _Panel:
         self.form = QtWidgets.QWidget()
         self.form.setWindowTitle(translate("What works here"))
         self.form.setWindowIcon(QtGui.QIcon(icon("workbench")))
-        text = QtWidgets.QLabel("\n\n".join(map(tell, described())))
+        self.message = text = QtWidgets.QLabel("\n\n".join(map(tell, described())))
         text.setObjectName("Equipment")
         text.setWordWrap(True)
         text.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
@@ -49,5 +51,8 @@ class _Panel:
         return number_of(QtWidgets.QDialogButtonBox.Close)
 
     def reject(self):
-        Gui.Control.closeDialog()
+        self.close()
         return True
+
+    def close(self) -> None:
+        Gui.Control.closeDialog()

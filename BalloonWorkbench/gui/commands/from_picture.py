@@ -7,6 +7,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 
 from BalloonWorkbench.app.properties import QT_TRANSLATE_NOOP
+from BalloonWorkbench.gui.borders import undo_step
 from BalloonWorkbench.gui.qt import icon, translate
 
 
@@ -35,6 +36,6 @@ class FromPicture:
         fresh = doc is None
         if fresh:
             doc = App.newDocument("Balloon")
-        doc.openTransaction(translate("New balloon from picture"))
-        parts, edit = record.begin(doc)
-        show(BalloonPanel(parts, new_document=fresh, edit=edit))
+        with undo_step(doc, translate("New balloon from picture")):
+            parts, edit = record.begin(doc)
+            show(BalloonPanel(parts, new_document=fresh, edit=edit))

@@ -7,6 +7,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 
 from BalloonWorkbench.app.properties import QT_TRANSLATE_NOOP
+from BalloonWorkbench.gui.borders import undo_step
 from BalloonWorkbench.gui.qt import icon, translate
 
 
@@ -34,11 +35,11 @@ class FromSketch:
 
         source = selected_source()
         doc = App.ActiveDocument
-        doc.openTransaction(translate("New balloon from sketch"))
-        parts, edit = record.begin(doc)
-        if source is not None:
-            parts.outline.Source = source
-            parts.balloon.getParentGroup().Label = f"{source[0].Label} balloon"
-            if source[0].isDerivedFrom("Sketcher::SketchObject"):
-                source[0].ViewObject.Visibility = False  # the outline shows it
-        show(BalloonPanel(parts, sketch=True, edit=edit))
+        with undo_step(doc, translate("New balloon from sketch")):
+            parts, edit = record.begin(doc)
+            if source is not None:
+                parts.outline.Source = source
+                parts.balloon.getParentGroup().Label = f"{source[0].Label} balloon"
+                if source[0].isDerivedFrom("Sketcher::SketchObject"):
+                    source[0].ViewObject.Visibility = False  # the outline shows it
+            show(BalloonPanel(parts, sketch=True, edit=edit))

@@ -7,6 +7,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 
 from BalloonWorkbench.app.properties import QT_TRANSLATE_NOOP
+from BalloonWorkbench.gui.borders import undo_step
 from BalloonWorkbench.gui.qt import icon, translate
 
 
@@ -39,6 +40,6 @@ class Nest:
         selected = Gui.Selection.getSelection()
         sheets = [obj for obj in selected if film_sheet.is_film_sheet(obj)]
         chosen = [parts.pattern for parts in map(parts_of, selected) if parts]
-        doc.openTransaction(translate("Lay out on film"))
         known = list(dict.fromkeys(chosen)) or patterns(doc)
-        show(NestPanel(sheets[0] if sheets else film_sheet.make(doc, known)))
+        with undo_step(doc, translate("Lay out on film")):
+            show(NestPanel(sheets[0] if sheets else film_sheet.make(doc, known)))

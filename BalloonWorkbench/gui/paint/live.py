@@ -28,7 +28,8 @@ _PART = 0.03  # of the study between two signs of progress
 class Live(QtCore.QObject):
     """Looks at a painting whenever it changes.
 
-    width and settings belong to the balloon; `refused` says why none can be seen. `delays` has, for
+    width and settings belong to the balloon; `refused` says why none can be seen, `failed` why the coach
+    says nothing. `delays` has, for
     each glance, the seconds from the end of the stroke: by the clock, and of the processor in the two threads
     on the way, one after the other: what the clock would tell on a machine with nothing else to do.
     """
@@ -36,6 +37,7 @@ class Live(QtCore.QObject):
     found = QtCore.Signal(object)
     advised = QtCore.Signal(object)
     refused = QtCore.Signal(str)
+    failed = QtCore.Signal(str)
     empty = QtCore.Signal()
     progressed = QtCore.Signal(float)
 
@@ -190,6 +192,8 @@ class Live(QtCore.QObject):
                 self._pause.start()
         elif worker.design is not None and not self.is_settled():
             self.advised.emit(worker.design)
+        elif worker.fault():
+            self.failed.emit(str(worker.error))
 
     def _study_done(self, worker: Worker) -> None:
         worker.deleteLater()
@@ -208,7 +212,7 @@ class Live(QtCore.QObject):
             self.found.emit(worker.design)
         elif not isinstance(worker.error, Cancelled):
             self.latest = None
-            self.refused.emit(str(worker.error or ""))
+            self.refused.emit(worker.fault() or str(worker.error))
 
     def drop_study(self) -> None:
         """Nobody wants it any more: let the engine stop by itself, nobody waits for it."""

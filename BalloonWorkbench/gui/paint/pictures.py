@@ -61,4 +61,4 @@ class Pictures(QtCore.QObject):
         if worker.design is not None:
             self._painting.do(Picture(worker.design))
         else:
-            self.told.emit(str(worker.error or ""))
+            self.told.emit(str(worker.error))

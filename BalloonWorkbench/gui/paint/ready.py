@@ -7,6 +7,9 @@ from __future__ import annotations
 from contextlib import suppress
 from importlib import import_module
 
+import FreeCAD as App
+
+from BalloonWorkbench.core import faults
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 
 _PAUSE = 50  # ms, in which the window answers
@@ -38,14 +41,22 @@ def load() -> None:
     if _missing:
         QtWidgets.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)
         while _missing:
-            _missing.pop(0)()
+            _do_next()
         QtWidgets.QApplication.restoreOverrideCursor()
 
 
 def _go_on() -> None:
     if _missing:
-        _missing.pop(0)()
+        _do_next()
         QtCore.QTimer.singleShot(_PAUSE, _go_on)
+
+
+def _do_next() -> None:
+    """What fails here will fail again where it is needed, and be told there."""
+    try:
+        _missing.pop(0)()
+    except faults.UNFORESEEN as error:
+        App.Console.PrintError(f"{faults.as_balloon_error(error, 'loading')}\n")
 
 
 def _opencv() -> None:

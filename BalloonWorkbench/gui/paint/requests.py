@@ -77,7 +77,9 @@ class Counsel:
         findings = []
         for part in self.look.drawing.parts[:_MOST_SHAPES]:
             _go_on(progress)
-            findings += advise(part, self.settings.film, fitted=self.settings.correct).findings
+            findings += advise(
+                part, self.settings.film, fitted=self.settings.correct, wanted=self.settings.wanted
+            ).findings
         findings.sort(key=lambda finding: -finding.severity.rank)
         return remarks(findings, self.look.frame, SIDE)
 

@@ -8,7 +8,9 @@ from __future__ import annotations
 
 import FreeCADGui as Gui
 
+from BalloonWorkbench.core import faults
 from BalloonWorkbench.core.errors import BalloonError
+from BalloonWorkbench.gui import borders
 from BalloonWorkbench.gui.paint import print_out
 from BalloonWorkbench.gui.paint.bars import ActionBar, ToolBox
 from BalloonWorkbench.gui.paint.canvas import Canvas
@@ -41,6 +43,7 @@ def open_for(doc, parts=None) -> PaintWindow:
     if not _open:
         load()
         _open.append(PaintWindow(doc, parts))
+        borders.speaks(_open[0], lambda: bool(_open))
     _open[0].reveal()
     return _open[0]
 
@@ -108,6 +111,7 @@ class PaintWindow(PaintDock):
         self.live.found.connect(self._found)
         self.live.advised.connect(self._advised)
         self.live.refused.connect(self._refused)
+        self.live.failed.connect(self.form.tell)
         self.live.empty.connect(self._nothing)
         self.live.progressed.connect(self.form.show_progress)
         self.form.made.connect(self.make)
@@ -212,9 +216,9 @@ class PaintWindow(PaintDock):
         self.doc.openTransaction(translate("Paint a balloon"))
         try:
             parts = keep(self.doc, self.parts, look, self.live.width, breathe)
-        except BalloonError as error:
+        except faults.UNFORESEEN as error:
             self.doc.abortTransaction()
-            self.form.tell(str(error))
+            self.form.tell(str(faults.as_balloon_error(error, "putting a painting into the document")))
             return
         self.doc.commitTransaction()
         self.finish()
@@ -281,6 +285,11 @@ class PaintWindow(PaintDock):
         self._nothing()
         self._is_refused = True
         self.form.tell(text)
+
+    def fail(self, error: BalloonError) -> None:
+        """Something went wrong in the window itself; the painting is as it is."""
+        self._not_making()
+        self.form.tell(str(error))
 
     def _nothing(self) -> None:
         """There is no balloon to show."""

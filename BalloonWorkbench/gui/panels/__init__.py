@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import FreeCADGui as Gui
 
+from BalloonWorkbench.gui import borders
 from BalloonWorkbench.gui.qt import translate
 
 
@@ -16,8 +17,8 @@ def edit(obj) -> None:
     parts = parts_of(obj)
     if parts is None or not is_free():
         return
-    obj.Document.openTransaction(translate("Edit balloon"))
-    show(BalloonPanel(parts, start=obj))
+    with borders.undo_step(obj.Document, translate("Edit balloon")):
+        show(BalloonPanel(parts, start=obj))
 
 
 def show(panel) -> None:
@@ -26,6 +27,7 @@ def show(panel) -> None:
 
     breathe()
     Gui.Control.showDialog(panel)
+    borders.speaks(panel, Gui.Control.activeDialog)
 
 
 def paint_again(outline) -> bool:

@@ -10,10 +10,12 @@ import FreeCAD as App
 import FreeCADGui as Gui
 
 from BalloonWorkbench.app import advice, status
+from BalloonWorkbench.app.guard import Guarded
 from BalloonWorkbench.core.advice import repair_text
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.units import to_mm
 from BalloonWorkbench.gui import record
+from BalloonWorkbench.gui.borders import Panel, undo_step
 from BalloonWorkbench.gui.marks import COLOURS, Overlay
 from BalloonWorkbench.gui.panels.watch import Watch
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, drawn_icon, number_of, translate
@@ -23,7 +25,7 @@ from BalloonWorkbench.gui.user_units import length_text
 _DOT = 12  # px
 
 
-class AdvicePanel:
+class AdvicePanel(Panel):
     """Lists the findings about one balloon."""
 
     def __init__(self, parts):
@@ -103,11 +105,13 @@ class AdvicePanel:
             self.found, measured = [], False
             self.message.setText(tell(str(error)))
         self.source.setText(self._source(measured))
+        items = []
+        for finding in self.found:
+            items.append(QtWidgets.QListWidgetItem(_dot(finding.severity.value), tell(finding.text)))
+            items[-1].setToolTip(tell(finding.severity.value))
         self.list.blockSignals(True)
         self.list.clear()
-        for finding in self.found:
-            item = QtWidgets.QListWidgetItem(_dot(finding.severity.value), tell(finding.text))
-            item.setToolTip(tell(finding.severity.value))
+        for item in items:
             self.list.addItem(item)
         self.list.blockSignals(False)
         if not self.found and not self.message.text():
@@ -167,10 +171,10 @@ class AdvicePanel:
         finding = self.found[self.list.currentRow()]
         repair = finding.repair
         self.overlay.clear()
-        self.doc.openTransaction(tell(repair_text(repair)))
-        advice.take(self.parts, repair)
-        self.doc.recompute()
-        self.doc.commitTransaction()
+        with undo_step(self.doc, tell(repair_text(repair))):
+            advice.take(self.parts, repair)
+            self.doc.recompute()
+            self.doc.commitTransaction()
         near = "({:.4g}, {:.4g})".format(*(to_mm(value) for value in finding.place))
         balloon = f"BalloonWorkbench.parts({record.obj(self.parts.balloon)})"
         record.call("repair", balloon, record.text(finding.rule), near=near)
@@ -180,7 +184,7 @@ class AdvicePanel:
             self.message.setText(tell(trouble))
 
 
-class _Follow:
+class _Follow(Guarded):
     """Calls `changed` after undo and redo in a document."""
 
     def __init__(self, name: str, changed):

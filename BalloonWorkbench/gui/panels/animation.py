@@ -5,18 +5,18 @@ from __future__ import annotations
 
 import FreeCADGui as Gui
 
-from BalloonWorkbench.core.errors import BalloonError, Cancelled
+from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.gui.animation import FRAMES, Player, request_of
+from BalloonWorkbench.gui.borders import Panel
 from BalloonWorkbench.gui.panels.watch import Watch
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, drawn_icon, number_of, translate
-from BalloonWorkbench.gui.sentences import tell
 from BalloonWorkbench.gui.worker import Worker
 
 _BEAT = 40  # ms between frames
 _PAUSE = 25  # beats at the end, before it begins again
 
 
-class AnimationPanel:
+class AnimationPanel(Panel):
     """Plays the inflation of one balloon."""
 
     def __init__(self, parts):
@@ -95,7 +95,7 @@ class AnimationPanel:
         try:
             wanted = request_of(self.parts.balloon)
         except BalloonError as error:
-            self._fail(error)
+            self.fail(error)
             return
         self.worker = Worker(wanted, self.form, translate("Inflating in time"))
         self.worker.progressed.connect(lambda fraction, _text: self.bar.setValue(round(1000 * fraction)))
@@ -106,7 +106,7 @@ class AnimationPanel:
         """The frames are there, or the reason why not."""
         worker, self.worker = self.worker, None
         if worker.design is None:
-            self._fail(worker.error or Cancelled(translate("The solver stopped; the report view tells why.")))
+            self.fail(worker.error)
             return
         self.player = Player(self.parts.balloon, worker.design)
         self._ready(True)
@@ -153,6 +153,6 @@ class AnimationPanel:
         if ready:
             self.show_frame(0)
 
-    def _fail(self, error: BalloonError) -> None:
+    def fail(self, error: BalloonError) -> None:
         self.bar.hide()
-        self.message.setText(tell(str(error)))
+        super().fail(error)

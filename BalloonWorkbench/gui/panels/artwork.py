@@ -8,6 +8,7 @@ from pathlib import Path
 from BalloonWorkbench.app import artwork, status, values
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.gui import record
+from BalloonWorkbench.gui.borders import undo_step
 from BalloonWorkbench.gui.paint.display import MODE
 from BalloonWorkbench.gui.panels import show
 from BalloonWorkbench.gui.panels.object_panel import ObjectPanel
@@ -20,8 +21,8 @@ _ENDINGS = "*.png *.jpg *.jpeg *.bmp"
 
 def show_panel(obj) -> None:
     """Open the panel on an artwork, in one undo step."""
-    obj.Document.openTransaction(translate("Edit artwork"))
-    show(ArtworkPanel(obj))
+    with undo_step(obj.Document, translate("Edit artwork")):
+        show(ArtworkPanel(obj))
 
 
 class ArtworkPanel(ObjectPanel):

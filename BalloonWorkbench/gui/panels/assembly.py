@@ -12,13 +12,14 @@ from BalloonWorkbench.core.assembly.page import PAGES
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.fonts import can_show
 from BalloonWorkbench.gui import record
+from BalloonWorkbench.gui.borders import Panel
 from BalloonWorkbench.gui.panels.maker_rows import MakerRows
 from BalloonWorkbench.gui.panels.watch import Watch
 from BalloonWorkbench.gui.qt import QtGui, QtWidgets, icon, translate
 from BalloonWorkbench.gui.sentences import tell
 
 
-class AssemblyPanel:
+class AssemblyPanel(Panel):
     """Shows a balloon's numbers and writes its page."""
 
     def __init__(self, parts):

@@ -19,7 +19,8 @@ from BalloonWorkbench.app import create, status
 from BalloonWorkbench.app.create import Parts
 from BalloonWorkbench.app.outline import leader
 from BalloonWorkbench.app.solve import Told
-from BalloonWorkbench.core.errors import BalloonError, Cancelled
+from BalloonWorkbench.core.errors import BalloonError
+from BalloonWorkbench.gui.borders import Panel
 from BalloonWorkbench.gui.panels.file_box import FileBox
 from BalloonWorkbench.gui.panels.film_box import FilmBox
 from BalloonWorkbench.gui.panels.pages import Pages
@@ -37,7 +38,7 @@ _REST = 400  # ms without an edit, then a live balloon follows
 _AGAIN = 50  # ms until a result is offered once more to a document that was busy
 
 
-class BalloonPanel:
+class BalloonPanel(Panel):
     """Edits one balloon.
 
     sketch        the outline follows a sketch, not a file
@@ -249,7 +250,7 @@ class BalloonPanel:
                 self.bring_up_to_date()
                 return
         if worker.design is None:
-            self.fail(worker.error or Cancelled(translate("The solver stopped; the report view tells why.")))
+            self.fail(worker.error)
             return
         try:
             balloon_object.show(self.parts.balloon, worker.request, *worker.design)

@@ -7,6 +7,7 @@ import FreeCADGui as Gui
 
 from BalloonWorkbench.app import status
 from BalloonWorkbench.core.export.colour_map import TENSION
+from BalloonWorkbench.gui.borders import Panel
 from BalloonWorkbench.gui.film_map import CHOICES, OFF
 from BalloonWorkbench.gui.panels.results_file import save_results
 from BalloonWorkbench.gui.panels.watch import Watch
@@ -16,7 +17,7 @@ from BalloonWorkbench.gui.sentences import tell
 _STATE = ("ColourMap", "CompareOutlines", "DisplayMode", "ModeWithoutMap")
 
 
-class ColourMapPanel:
+class ColourMapPanel(Panel):
     """Chooses what is shown on one balloon; Cancel shows what was there before."""
 
     def __init__(self, parts):

@@ -11,6 +11,7 @@ from BalloonWorkbench.app import preferences
 from BalloonWorkbench.app.export import export_for
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.gui import record
+from BalloonWorkbench.gui.borders import Panel
 from BalloonWorkbench.gui.panels.machine_box import MachineBox
 from BalloonWorkbench.gui.panels.watch import Watch
 from BalloonWorkbench.gui.qt import QtGui, QtWidgets, icon, translate
@@ -18,7 +19,7 @@ from BalloonWorkbench.gui.sentences import tell
 from BalloonWorkbench.gui.user_units import length_text, size_text
 
 
-class ExportPanel:
+class ExportPanel(Panel):
     """Chooses a pattern, a machine and a file."""
 
     def __init__(self, patterns, chosen=None):

@@ -5,9 +5,11 @@ from __future__ import annotations
 
 from types import SimpleNamespace
 
+import FreeCAD as App
+
 from BalloonWorkbench.app.export import check_for
 from BalloonWorkbench.core.errors import BalloonError
-from BalloonWorkbench.core.export.machine import machines
+from BalloonWorkbench.core.export.machine import left_out, machines
 from BalloonWorkbench.core.export.machine_pdf import TILES
 from BalloonWorkbench.core.export.preflight import ERROR
 from BalloonWorkbench.gui.marks import Overlay
@@ -22,6 +24,8 @@ class MachineBox(QtWidgets.QWidget):
 
     def __init__(self, document_name: str):
         super().__init__()
+        for sentence in left_out():
+            App.Console.PrintWarning(f"Film Balloon: {tell(sentence)}\n")
         self.known = list(machines().values())
         self.overlay = Overlay(document_name)
         self.findings: tuple = ()

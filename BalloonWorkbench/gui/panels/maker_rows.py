@@ -12,7 +12,7 @@ from BalloonWorkbench.core.maker.safety import WELD
 from BalloonWorkbench.core.units import to_grams, to_mm
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.sentences import tell
-from BalloonWorkbench.gui.user_units import length_text, pressure_text, volume_text
+from BalloonWorkbench.gui.user_units import length_text, lengths_text, pressure_text, volume_text
 from BalloonWorkbench.gui.worker import Worker
 
 _METRE = 1000.0  # mm
@@ -49,7 +49,11 @@ class MakerRows:
     def _counted(self, worker: Worker) -> None:
         _counting.remove(worker)
         worker.deleteLater()
-        if worker is not self._wanted or worker.design is None:
+        if worker is not self._wanted:
+            return
+        if worker.design is None:
+            if fault := worker.fault():
+                self._form.addRow(value_label(tell(fault)))
             return
         for name, text in _rows(worker.design, self._short, self._seam):
             self._form.addRow(name, value_label(text))
@@ -79,6 +83,7 @@ def _rows(numbers, short: bool, seam: str) -> list[tuple[str, str]]:
         (translate("Seam length"), length_text(to_mm(numbers.seam_length), 3), False),
         (translate("Weight"), _weight(numbers), False),
         (translate("Safe pressure"), _strength(numbers, seam), True),
+        *_weakest(numbers, seam),
         (translate("Gas"), _gas(numbers), False),
         (translate("Will it float?"), tell(numbers.sentence()), True),
     ]
@@ -100,7 +105,7 @@ def _weight(numbers) -> str:
 
 def _strength(numbers, seam: str) -> str:
     safe = numbers.safety
-    weakest = tell(seam if safe.weakest == WELD else safe.weakest)
+    weakest = _weaker(safe, seam)
     if safe.safe_pressure is None:
         return translate("unknown: this film has no strength")
     if safe.safe_pressure < safe.pressure:
@@ -108,6 +113,23 @@ def _strength(numbers, seam: str) -> str:
         return told.format(pressure_text(safe.pressure), safe.margin, weakest)
     told = translate("{}, margin {:g} ({})")
     return told.format(pressure_text(safe.safe_pressure), safe.margin, weakest)
+
+
+def _weaker(safe, seam: str) -> str:
+    """What gives way first, by the name that people use for the film's seam."""
+    return tell(seam if safe.weakest == WELD else safe.weakest)
+
+
+def _weakest(numbers, seam: str) -> list[tuple[str, str, bool]]:
+    """Where the balloon would give way first; nothing where no strength is known."""
+    safe = numbers.safety
+    if safe.place is None:
+        return []
+    x, y, _ = to_mm(safe.place)
+    told = translate("{} at ({})").format(_weaker(safe, seam), ", ".join(lengths_text(x, y)))
+    if not safe.at_rest:
+        told += translate(", estimated: the film did not come to rest")
+    return [(translate("Weakest place"), told, False)]
 
 
 def _gas(numbers) -> str:

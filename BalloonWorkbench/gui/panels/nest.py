@@ -8,6 +8,7 @@ import FreeCADGui as Gui
 from BalloonWorkbench.app import film_sheet, status, values
 from BalloonWorkbench.app.parts import patterns
 from BalloonWorkbench.gui import record
+from BalloonWorkbench.gui.borders import undo_step
 from BalloonWorkbench.gui.panels import show
 from BalloonWorkbench.gui.panels.object_panel import ObjectPanel
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
@@ -19,8 +20,8 @@ _MOST = 100  # balloons of each kind, and sheets
 
 def show_panel(obj) -> None:
     """Open the panel on a sheet of film, in one undo step."""
-    obj.Document.openTransaction(translate("Edit film"))
-    show(NestPanel(obj))
+    with undo_step(obj.Document, translate("Edit film")):
+        show(NestPanel(obj))
 
 
 class NestPanel(ObjectPanel):
@@ -51,6 +52,7 @@ class NestPanel(ObjectPanel):
         form = QtWidgets.QFormLayout(self.form)
         form.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)
         form.addRow(translate("Patterns"), self.choice)
+        form.addRow(translate("Film"), self.fields.choice("Film"))
         form.addRow(translate("Balloons of each"), self.fields.whole("Balloons", 1, _MOST))
         form.addRow(translate("Film width"), self.fields.quantity("FilmWidth", "mm", 10.0))
         form.addRow(translate("Sheet length"), self.fields.quantity("FilmLength", "mm", 10.0))

@@ -5,12 +5,13 @@ from __future__ import annotations
 
 import FreeCADGui as Gui
 
+from BalloonWorkbench.gui.borders import Panel
 from BalloonWorkbench.gui.panels.fields import Fields
 from BalloonWorkbench.gui.panels.watch import Watch
 from BalloonWorkbench.gui.qt import QtGui, QtWidgets, icon
 
 
-class ObjectPanel:
+class ObjectPanel(Panel):
     """Edits an object inside an undo step that is open: OK keeps it, Cancel takes it back."""
 
     def __init__(self, obj, name: str, title: str, drawing: str):

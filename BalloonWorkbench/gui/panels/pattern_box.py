@@ -44,6 +44,7 @@ class PatternBox(QtWidgets.QWidget):
         self._row("IntakeWidth", translate("Width"), fields.quantity("IntakeWidth", "mm"))
         self._row("IntakeLength", translate("Length"), fields.quantity("IntakeLength", "mm"))
         self._row("IntakeAuto", "", fields.check("IntakeAuto", translate("Find its place")))
+        self._row("IntakeAutoPlace", translate("Place"), fields.choice("IntakeAutoPlace"))
         self._row("IntakeBy", translate("Place by"), fields.choice("IntakeBy"))
         self._row("IntakeAngle", translate("Direction"), fields.quantity("IntakeAngle", "deg", 5.0))
         self._row("IntakeAlong", translate("Along the seam"), fields.quantity("IntakeAlong", "mm", 5.0))

@@ -5,8 +5,10 @@ from __future__ import annotations
 
 import FreeCAD as App
 
+from BalloonWorkbench.app.guard import Guarded
 
-class Watch:
+
+class Watch(Guarded):
     """Calls `gone` once, while the objects still exist: fields that outlive them would end the program."""
 
     def __init__(self, objects, gone, document=None):

@@ -1,0 +1,246 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is cut, as it stands in the files: no line crosses itself or another, and none comes after the film
+under it was cut free.
+
+BALLOON_CUTS sets how many patterns are tried (`make fuzz`: 300).
+"""
+
+from __future__ import annotations
+
+import io
+import os
+import re
+from collections.abc import Callable
+from dataclasses import replace
+from itertools import pairwise
+from pathlib import Path
+
+import ezdxf
+import ezdxf.path
+import numpy as np
+import pytest
+import shapely
+from drawn_cuts import HOLES, holed, laid_out, letter, made, sheets
+from drawn_shapes import NAMED
+from read_back import line, once_round, page_lines, svg_lines
+
+from BalloonWorkbench.core.export.drawing import draw
+from BalloonWorkbench.core.export.fabricate import machine_file
+from BalloonWorkbench.core.export.machine import Machine, machine, machines
+from BalloonWorkbench.core.pattern.make import Wanted
+from BalloonWorkbench.core.pattern.pattern import Pattern, Role
+from BalloonWorkbench.core.units import from_mm, to_mm
+
+COUNT = int(os.environ.get("BALLOON_CUTS", "6"))
+CUTS = (Role.CUT, Role.CUT_INNER)
+#: A line that turns by more has gone back on itself [rad].
+BACK = np.radians(179.9)
+
+#: Lines of a file in their order, with what is done along them [mm].
+Read = list[tuple[Role, shapely.Geometry]]
+
+
+def read_dxf(content: bytes, made_for: Machine, _folder: Path) -> Read:
+    document = ezdxf.read(io.StringIO(content.decode("cp1252")))
+    scale = 25.4 if made_for.unit == "in" else 1.0
+    roles = {look.name: role for role, look in made_for.layers.items()}
+    found = []
+    for entity in document.modelspace():
+        way = ezdxf.path.make_path(entity).flattening(0.002 / scale, segments=4)
+        closed = entity.is_closed if made_for.version == "R12" else entity.closed
+        found.append((roles[entity.dxf.layer], (np.array([(p.x, p.y) for p in way]) * scale, closed)))
+    return _lines(found, made_for)
+
+
+def read_svg(content: bytes, made_for: Machine, _folder: Path) -> Read:
+    read, _ = svg_lines(content.decode())
+    return _by_colour(read, made_for)
+
+
+def read_pdf(content: bytes, made_for: Machine, folder: Path) -> Read:
+    (folder / "page.pdf").write_bytes(content)
+    read, _ = page_lines(folder / "page.pdf", 1, folder)
+    return _by_colour(read, made_for)
+
+
+def _by_colour(read: list[tuple[str, shapely.Geometry]], made_for: Machine) -> Read:
+    roles = {look.rgb: role for role, look in made_for.layers.items()}
+    return _lines(
+        [(roles[rgb], (shapely.get_coordinates(each), each.is_ring)) for rgb, each in read], made_for
+    )
+
+
+def read_hpgl(content: bytes, made_for: Machine, _folder: Path) -> Read:
+    pens = {look.pen: role for role, look in made_for.layers.items()}  # both cuts have one pen
+    found, pen, points = [], 0, [(0.0, 0.0)]
+    for name, numbers in re.findall(r"(IN|PA|SP|PU|PD)([\d,-]*);", content.decode()):
+        values = [float(number) / 40.0 for number in numbers.split(",") if number]
+        if name == "PD":
+            points += list(zip(values[::2], values[1::2]))
+        elif name in ("PU", "SP"):
+            if len(points) > 1:
+                found.append((pens[pen], (np.array(points), points[0] == points[-1])))
+            points = [(values[0], values[1])] if name == "PU" else points[-1:]
+            pen = int(numbers) if name == "SP" else pen
+    return _lines(found, made_for)
+
+
+READERS: dict[str, Callable[[bytes, Machine, Path], Read]] = {
+    "dxf": read_dxf, "svg": read_svg, "pdf": read_pdf, "hpgl": read_hpgl,
+}  # fmt: skip
+
+
+def _lines(found: list[tuple[Role, tuple[np.ndarray, bool]]], made_for: Machine) -> Read:
+    """Cuts as rings, also those that go on past their start."""
+    overcut = to_mm(made_for.overcut)
+    read: Read = []
+    for role, (way, closed) in found:
+        points = way[:-1] if closed and np.allclose(way[0], way[-1], rtol=0.0, atol=1e-5) else way
+        ring = role in CUTS and overcut and not made_for.knife_offset
+        read.append((role, once_round(points, overcut) if ring else line(points, closed)))
+    return read
+
+
+def written(pattern: Pattern, made_for: Machine, folder: Path) -> Read:
+    return READERS[made_for.format](machine_file(pattern, made_for), made_for, folder)
+
+
+def hold_simple(read: Read, name: str) -> None:
+    """Every line is simple and goes on; no two cuts touch."""
+    for role, each in read:
+        assert each.is_simple, (name, role, shapely.is_valid_reason(shapely.Polygon(each)))
+        points = shapely.get_coordinates(each)
+        steps = np.diff(np.concatenate([points, points[1:2]]) if each.is_ring else points, axis=0)
+        steps = steps[np.hypot(*steps.T) > 1e-9]
+        headings = np.arctan2(steps[:, 1], steps[:, 0])
+        turns = np.abs((np.diff(headings) + np.pi) % (2.0 * np.pi) - np.pi)
+        assert turns.max(initial=0.0) < BACK, (name, role, points[int(np.argmax(turns)) + 1])
+    cuts = [each for role, each in read if role in CUTS]
+    assert all(each.is_ring and shapely.Polygon(each).is_valid for each in cuts), name
+    first, second = shapely.STRtree(cuts).query(cuts, predicate="intersects")
+    assert (first == second).all(), (name, "cuts meet")
+
+
+def hold_order(read: Read, name: str) -> None:
+    """No line lies in an area that was cut free before it."""
+    free: list[shapely.Polygon] = []
+    for role, each in read:
+        place = each if role in CUTS else each.interpolate(0.5, normalized=True)
+        assert not any(area.contains(place) for area in free), (name, role, place)
+        if role in CUTS:
+            free.append(shapely.Polygon(each))
+
+
+@pytest.fixture(scope="module")
+def patterns() -> dict[str, Pattern]:
+    found = dict(sheets(COUNT))
+    found["doughnut"] = made((holed("blunt lens", 1.5),), Wanted(intake_kind="nozzle", mirror=True))
+    return found
+
+
+@pytest.mark.parametrize(
+    ("name", "kerf"), [("any-dxf", 0.0), ("lightburn", 0.0), ("lightburn", from_mm(0.3))]
+)
+def test_no_written_line_crosses_itself(
+    patterns: dict[str, Pattern], name: str, kerf: float, tmp_path: Path
+) -> None:
+    made_for = replace(machine(name), kerf=kerf)
+    for title, pattern in patterns.items():
+        read = written(pattern, made_for, tmp_path)
+        hold_simple(read, title)
+        hold_order(read, title)
+
+
+@pytest.mark.parametrize("name", sorted(machines()))
+def test_every_machine(name: str, tmp_path: Path) -> None:
+    """A hole with tips, notches and a second panel; every machine's own way of writing."""
+    pattern = made((holed("lens"),), Wanted(intake_kind="nozzle", mirror=True, notches=5, label="8"))
+    read = written(pattern, machine(name), tmp_path)
+    if machine(name).overrun:  # welds overlap
+        assert {role for role, _ in read} == {Role.SEAL}
+        return
+    hold_simple(read, name)
+    hold_order(read, name)
+    assert (
+        sum(role in CUTS for role, _ in read) == 7
+    )  # two panels, their holes, the nozzle's, a ring with its bore
+
+
+@pytest.mark.parametrize("name", sorted(machines()))
+def test_what_lies_in_a_hole_is_cut_first(name: str, tmp_path: Path) -> None:
+    """Panels with holes and notches in the holes of others: the deepest first, in every format."""
+    hold_order(written(laid_out(), machine(name), tmp_path), name)
+
+
+def test_panel_by_panel(tmp_path: Path) -> None:
+    """Between the first line of a panel and its cut nothing is done to another panel but in its holes."""
+    read = written(laid_out(), machine("lightburn"), tmp_path)
+    panels = [shapely.Polygon(each) for role, each in read if role is Role.CUT]
+    outer = [
+        panel for panel in panels if not any(other.contains(panel) for other in panels if other is not panel)
+    ]
+    lines = [each for role, each in read if role is not Role.REGISTRATION]
+    which = [next(k for k, panel in enumerate(outer) if panel.buffer(0.05).contains(each)) for each in lines]
+    assert len(outer) == 9
+    assert sum(one != other for one, other in pairwise(which)) == len(outer) - 1
+
+
+@pytest.mark.parametrize("name", list(HOLES))
+def test_holes_keep_their_area(name: str) -> None:
+    """The tips are taken off, nothing else: what is left of a hole is what a disc of 0.5 mm reaches in it."""
+    pattern = made((holed(name),), Wanted(intake=False))
+    hole = shapely.Polygon(holed(name).holes[0])
+    room = hole.buffer(-0.008, join_style="mitre", mitre_limit=2.0)
+    reached = room.buffer(-0.0005).buffer(0.0005)
+    cut = shapely.union_all([shapely.Polygon(each.points) for each in pattern.of(Role.CUT_INNER)])
+    assert reached.buffer(-5e-5).difference(cut).area < 1e-12
+    assert cut.difference(room.buffer(5e-5)).area < 1e-12
+    assert cut.area == pytest.approx(reached.area, abs=2e-5 * room.length)
+
+
+@pytest.mark.parametrize("kind", ["A", "heart"])
+def test_a_knife_starts_on_a_straight(kind: str) -> None:
+    """Its tip, which trails the axis, goes over its start again and stays on the cut; 5 mm round the start
+    there are no corners and no notches."""
+    outline = letter("A") if kind == "A" else NAMED["heart"]
+    pattern = made((outline,), Wanted(intake=False, notches=7, mirror=True))
+    assert pattern.of(Role.MARK)
+    tool = replace(machine("hpgl-plotter"), knife_offset=from_mm(0.25))
+    nominal = list(draw(pattern, replace(tool, overcut=0.0, knife_offset=0.0)).paths)
+    marks = shapely.MultiPoint([path.curve.joints[0] for path in nominal if path.role is Role.MARK])
+    rings = {role: [line(p.curve.joints, True) for p in nominal if p.role is role] for role in CUTS}
+    shift = _shift(draw(pattern, tool).paths, nominal)
+    for role in CUTS:
+        for path, ring in zip(draw(pattern, tool).of(role), rings[role]):
+            axis = path.curve.flattened(1e-3) - shift
+            start = shapely.Point(axis[0])
+            assert not path.curve.closed
+            for mark in marks.geoms:
+                assert start.distance(mark) > 4.7
+            near = shapely.get_coordinates(start.buffer(4.0).intersection(ring))
+            steps = np.diff(near, axis=0)
+            turns = np.diff(np.unwrap(np.arctan2(steps[:, 1], steps[:, 0])))
+            assert np.abs(turns).max(initial=0.0) < np.radians(25.0)
+            # the tip comes down anywhere round the axis and is drawn along
+            ahead = np.arctan2(*(axis[1] - axis[0])[::-1])
+            for side in np.radians([-150.0, -60.0, 0.0, 120.0, 150.0]):
+                behind = ahead + np.pi + side
+                tip = axis[0] + 0.25 * np.array([np.cos(behind), np.sin(behind)])
+                course = shapely.LineString(_drawn_along(axis, tip))
+                assert course.buffer(0.06).covers(ring.segmentize(0.1))  # no gap is left
+
+
+def _drawn_along(axis: np.ndarray, tip: np.ndarray) -> np.ndarray:
+    """The way of a tip that trails an axis by 0.25 mm."""
+    way = shapely.get_coordinates(shapely.LineString(axis).segmentize(0.05))
+    tips = [tip]
+    for at in way[1:]:
+        away = tips[-1] - at
+        tips.append(at + 0.25 * away / np.hypot(*away))
+    return np.array(tips)
+
+
+def _shift(paths: tuple, others: list) -> np.ndarray:
+    """How much farther from the origin the drawing of a machine lies: by its first notch."""
+    both = [next(path for path in each if path.role is Role.MARK) for each in (paths, others)]
+    return both[0].curve.joints[0] - both[1].curve.joints[0]
