@@ -271,3 +271,15 @@ def test_broken_data_are_named(tmp_path: Path, change: dict[str, Any], word: str
     path.write_text(json.dumps({**DATA["pvc"], **change}), encoding="utf-8")
     with pytest.raises(InputError, match=word):
         read_film(path)
+
+
+def test_command_line_refuses_a_laser_before_the_work(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(cli, "make_balloon", lambda *given, **more: pytest.fail("the work has begun"))
+    out = tmp_path / "out"
+    assert (
+        cli.main(["inflate", "x.json", "--material", "pvc", "--machine", "rdworks", "--out", str(out)]) == 2
+    )
+    assert "Soft PVC film, 0.2 mm must never be cut with a laser" in capsys.readouterr().err
+    assert not out.exists()

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+import re
 from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
@@ -282,7 +283,7 @@ def header_of(content: bytes) -> dict[str, list[str]]:
 
 @pytest.mark.parametrize("name", [name for name, made_for in machines().items() if made_for.format == "dxf"])
 def test_unit_of_a_dxf_is_that_of_its_coordinates(name: str) -> None:
-    """AutoCAD's codes: 1 inches, 4 millimetres; R12 knows none. A square of 100 mm is as wide in it."""
+    """AutoCAD's codes: 1 inches, 4 millimetres; R12 knows none. A square of 100 mm has that size in them."""
     made_for = machine(name)
     role = Role.CUT if Role.CUT in made_for.layers else Role.SEAL
     content = machine_file(
@@ -292,6 +293,7 @@ def test_unit_of_a_dxf_is_that_of_its_coordinates(name: str) -> None:
     side = {"mm": 100.0, "in": 100.0 / 25.4}[made_for.unit]
     assert [float(value) for value in header["$EXTMAX"]] == pytest.approx([side, side, 0.0], abs=1e-5)
     assert [float(value) for value in header["$LIMMAX"]] == pytest.approx([side, side], abs=1e-5)
+    assert [float(value) for value in (*header["$EXTMIN"], *header["$LIMMIN"])] == [0.0] * 5
     assert header["$LUNITS"] == ["2"]
     if made_for.version == "R12":
         assert "$INSUNITS" not in header
@@ -301,7 +303,7 @@ def test_unit_of_a_dxf_is_that_of_its_coordinates(name: str) -> None:
 
 
 def test_hpgl_repeats_no_point() -> None:
-    """Points nearer than a plotter unit of 0.025 mm are one: a plotter would dwell there and tear."""
+    """Points nearer than a plotter unit of 0.025 mm are one: else the tool dwells there and burns."""
     turns = np.linspace(0.0, 2.0 * np.pi, 4000, endpoint=False)
     circle = 0.005 * np.column_stack([np.cos(turns), np.sin(turns)])
     doubled = np.repeat(SQUARE, 3, axis=0) + 1e-7 * np.arange(12)[:, None]
@@ -309,14 +311,62 @@ def test_hpgl_repeats_no_point() -> None:
         pattern_of(Contour(Role.CUT, circle, True), Contour(Role.CUT, doubled + 0.01, True)),
         machine("hpgl-plotter"),
     ).decode("ascii")
-    pen: list[tuple[int, int]] = []
-    drawn = 0
+    lines: list[list[tuple[int, int]]] = []
     for command in text.replace("\n", "").split(";"):
         numbers = [int(number) for number in command[2:].split(",")] if command[:2] in ("PU", "PD") else []
         points = list(zip(numbers[::2], numbers[1::2]))
-        pen = points if command.startswith("PU") else pen + points
-        assert all(a != b for a, b in pairwise(pen)), command
-        if command.startswith("PD"):
+        if command.startswith("PU"):
+            lines.append(points)
+        elif points:
             assert len(points) <= 50
-            drawn += len(points)
-    assert drawn > 500  # the circle is still round
+            lines[-1] += points
+    *drawn, home = lines
+    assert home == [(0, 0)]
+    assert all(a != b for points in drawn for a, b in pairwise(points))
+    closed = sorted(len(points) for points in drawn if points[0] == points[-1])
+    assert closed[0] == 5  # the square, once round
+    assert closed[1] > 500  # the circle is still round
+
+
+def numbers_of(content: bytes, format: str) -> np.ndarray:
+    """All corners (n, 2) in a file of polylines, as it is written."""
+    text = content.decode("latin-1")
+    if format == "svg":
+        words = re.findall(r"-?\d[\d.]*", " ".join(re.findall(r' d="([^"]*)"', text)))
+    elif format == "hpgl":
+        words = re.findall(r"-?\d+", " ".join(re.findall(r"P[UD]([-\d,]+);", text)[:-1]))
+    else:
+        lines = [line.strip() for line in text.splitlines()]
+        start = lines.index("ENTITIES")
+        lines = lines[: lines.index("ENDSEC", start)]
+        pairs = list(zip(lines[start + 1 :: 2], lines[start + 2 :: 2]))
+        began = [k for k, pair in enumerate(pairs) if pair in (("0", "LWPOLYLINE"), ("0", "VERTEX"))]
+        words = [value for code, value in pairs[began[0] :] if code in ("10", "20")]
+    return np.array(words, dtype=float).reshape(-1, 2)
+
+
+@pytest.mark.parametrize("name", ["any-dxf", "any-svg", "rdworks", "hpgl-plotter"])
+def test_sheet_begins_at_the_origin(name: str) -> None:
+    """Wherever the pattern lies: a rectangle of 100 by 60 mm, which is not square, beside the origin."""
+    rectangle = np.array([[0.0, 0.0], [0.1, 0.0], [0.1, 0.06], [0.0, 0.06]])
+    rectangle += np.array([-0.23, 0.41])
+    made_for = replace(machine(name), control_bar=False)
+    drawing = draw(pattern_of(Contour(Role.CUT, rectangle, True)), made_for)
+    assert (drawing.width, drawing.height) == pytest.approx((100.0, 60.0))
+    content = machine_file(pattern_of(Contour(Role.CUT, rectangle, True)), made_for)
+    points = numbers_of(content, made_for.format) / (40.0 if made_for.format == "hpgl" else 1.0)
+    assert len(points) == 4 + (made_for.format == "hpgl")
+    assert points.min(axis=0) == pytest.approx((0.0, 0.0), abs=1e-6)
+    assert points.max(axis=0) == pytest.approx((100.0, 60.0), abs=0.013)
+
+
+def test_control_bar_has_ticks_across_its_ends() -> None:
+    drawing = draw(pattern_of(Contour(Role.CUT, SQUARE, True)), machine("rdworks"))
+    line, *ticks = (path.curve.joints for path in drawing.of(Role.REGISTRATION))
+    assert np.ptp(line, axis=0) == pytest.approx((100.0, 0.0))
+    assert len(ticks) == 2
+    for tick, end in zip(ticks, line):
+        assert tick.mean(axis=0) == pytest.approx(end)
+        assert np.ptp(tick, axis=0) == pytest.approx((0.0, 4.0))
+    (square,) = (path.curve.joints for path in drawing.of(Role.CUT))
+    assert square[:, 1].min() - line[:, 1].max() == pytest.approx(8.0)

@@ -112,3 +112,24 @@ def test_crop_marks_are_an_overlap_apart(tmp_path: Path) -> None:
             for y in (MARGIN, size[1] - MARGIN - OVERLAP):
                 for arm in ([(x - 5.0, y), (x + 5.0, y)], [(x, y - 5.0), (x, y + 5.0)]):
                     assert min(apart(each, shapely.LineString(arm)) for each in arms) < NEAR
+
+
+def test_first_page_measures_what_it_says(tmp_path: Path) -> None:
+    """Millimetres and inches of the same pattern, and the bar of 100 mm with a tick across each end."""
+    drawing = draw(PATTERNS["heart"], PAPER)
+    file = tmp_path / "tiles.pdf"
+    file.write_bytes(drawing_file(drawing, PAPER, "A4"))
+    lines = run("pdftotext", "-f", "1", "-l", "1", "-layout", file, "-").splitlines()
+    told = next(line for line in lines if " mm (" in line)
+    across, up, wide, high = map(float, re.findall(r"\d+\.\d+", told)[:4])
+    assert (across, up) == pytest.approx((drawing.width, drawing.height), abs=0.06)
+    assert (wide, high) == pytest.approx((drawing.width / 25.4, drawing.height / 25.4), abs=0.006)
+    mm = DPI / 25.4
+    dark = ink(file, 1, tmp_path)[round(44.0 * mm) : round(52.0 * mm)] < 200
+    bar = np.flatnonzero(dark[round(4.0 * mm)])
+    assert (bar[-1] + 1 - bar[0]) / mm == pytest.approx(BAR + STROKE, abs=NEAR)
+    assert bar[0] / mm == pytest.approx(MARGIN - 0.5 * STROKE, abs=NEAR)
+    for column in (bar[0], bar[-1]):
+        tick = np.flatnonzero(dark[:, column]) / mm
+        assert np.ptp(tick) == pytest.approx(4.0, abs=NEAR)
+        assert tick.mean() == pytest.approx(4.0, abs=NEAR)

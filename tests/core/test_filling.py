@@ -84,3 +84,11 @@ def test_what_is_out_of_range_is_refused(filling: Filling) -> None:
 def test_an_unknown_gas_is_refused_with_the_known_ones() -> None:
     with pytest.raises(InputError, match="helium, hydrogen, warm-air"):
         gas("neon")
+
+
+def test_atmosphere_ends_where_its_formula_does() -> None:
+    """From the deepest mine to the tropopause, ISO 2533."""
+    assert air_pressure(-1000.0) == pytest.approx(113929.0, rel=1e-4)
+    for altitude in (-1001.0, 11001.0, 1e9, float("nan")):
+        with pytest.raises(InputError, match="out of range"):
+            air_pressure(altitude)

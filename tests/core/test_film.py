@@ -9,7 +9,15 @@ import pytest
 
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film.film import Film
-from BalloonWorkbench.core.film.library import DEFAULT_FILM, FOLDER, custom_film, film, films, read_film
+from BalloonWorkbench.core.film.library import (
+    DEFAULT_FILM,
+    FOLDER,
+    custom_film,
+    film,
+    films,
+    read_film,
+    with_grain,
+)
 
 #: Density of the bulk materials [kg/m3], from general tables: lower and upper end.
 DENSITIES = {
@@ -150,3 +158,27 @@ def test_file_that_is_not_json_is_named(tmp_path: Path) -> None:
     path.write_text("E = 3 GPa")
     with pytest.raises(InputError, match=r"mylar\.json"):
         read_film(path)
+
+
+@pytest.mark.parametrize(
+    ("number", "low", "high"), [(0, 1e5, 1e12), (1, 0.0, 0.4999), (2, 1e-6, 5e-3), (3, 1e-4, 20.0)]
+)
+def test_ranges_end_where_they_say(number: int, low: float, high: float) -> None:
+    """Young's modulus, Poisson's ratio, thickness, areal density: what no film has is refused."""
+    usual = [3e9, 0.3, 25e-6, 0.03]
+    for value, allowed in ((low, True), (high, True), (0.9 * low - 1e-9, False), (1.1 * high, False)):
+        values = [*usual[:number], value, *usual[number + 1 :]]
+        if allowed:
+            custom_film(*values)
+        else:
+            with pytest.raises(InputError):
+                custom_film(*values)
+
+
+def test_film_that_gives_energy_is_refused() -> None:
+    """Of an orthotropic film nu^2 < E_along / E_across (Jones, 2.4): 33.3 GPa for 3 GPa and 0.3."""
+    own = custom_film(3e9, 0.3, 25e-6)
+    assert with_grain(own, 32.9e9).young_modulus_across == 32.9e9
+    for across in (33.4e9, 50e9):
+        with pytest.raises(InputError, match="turn the grain"):
+            with_grain(own, across)

@@ -93,3 +93,37 @@ def test_tab_goes_where_it_is_told_but_not_into_a_bay() -> None:
 def test_a_tie_tab_needs_a_direction(angle: float) -> None:
     with pytest.raises(InputError, match="choose another angle"):
         with_tie_tab(made("disc"), angle)
+
+
+def test_notches_are_square_to_the_cut_beside_a_corner() -> None:
+    """Each stands on the edge that it lies on, not on the one before."""
+    plain = made("L", intake=False)
+    pattern = with_notches(plain, 37, 0.001)
+    marks = pattern.contours[: len(pattern.contours) - len(plain.contours)]
+    (cut,) = plain.of(Role.CUT)
+    loop = np.concatenate([cut.points, cut.points[:1]])
+    assert len(marks) == 37
+    for mark in marks:
+        start, end = mark.points
+        steps = np.diff(loop, axis=0)
+        share = np.clip(((start - loop[:-1]) * steps).sum(axis=1) / (steps**2).sum(axis=1), 0.0, 1.0)
+        away = np.hypot(*(start - loop[:-1] - share[:, None] * steps).T)
+        angles = [abs(float((end - start) @ step)) / np.hypot(*step) for step in steps[away < 1e-9]]
+        assert min(angles) < 1e-9
+
+
+def test_hole_of_the_tab_keeps_off_the_weld() -> None:
+    """Half a weld from its middle is enough: a wide weld with a narrow allowance still has room."""
+    for seal in (0.002, 0.01, 0.02):
+        pattern = with_tie_tab(build_pattern(NAMED["disc"], seal, allowance=0.0, intake=False), 0.0)
+        (hole,) = pattern.of(Role.CUT_INNER)
+        (weld,) = pattern.of(Role.SEAL)
+        room = shapely.LinearRing(weld.points).distance(shapely.Polygon(hole.points)) - 0.5 * seal
+        assert room == pytest.approx(0.002, abs=2e-5)
+
+
+def test_one_notch_is_one() -> None:
+    plain = made("square", intake=False)
+    pattern = with_notches(plain, 1, 0.001)
+    assert len(pattern.contours) == len(plain.contours) + 1
+    assert with_notches(plain, 0, 0.001) is plain

@@ -82,3 +82,38 @@ def test_millimetres_and_back():
     assert np.allclose(units.from_mm(units.to_mm(values)), values)
     assert units.mm_text(0.0123456) == "12.35 mm"
     assert units.mm_text(1e5) == "100000000 mm"
+
+
+@pytest.mark.parametrize(
+    ("parse", "units_of", "size"),
+    [
+        # how many of each go into 24 m, 1 bar, a cubic metre, a kilogram, by the international definitions
+        (
+            units.parse_length,
+            units.LENGTH_UNITS,
+            {"um": 24e6, "µm": 24e6, "mm": 24e3, "cm": 2400, "dm": 240, "m": 24, "in": 24 / 0.0254,
+             "inch": 24 / 0.0254, "inches": 24 / 0.0254, '"': 24 / 0.0254, "ft": 24 / 0.3048},
+        ),
+        (
+            units.parse_pressure,
+            units.PRESSURE_UNITS,
+            {"pa": 1e5, "hpa": 1000, "kpa": 100, "mbar": 1000, "bar": 1, "psi": 14.503773773},
+        ),
+        (
+            units.parse_volume,
+            units.VOLUME_UNITS,
+            {"l": 1000, "litre": 1000, "litres": 1000, "ml": 1e6, "cm3": 1e6, "dm3": 1000, "m3": 1,
+             "ft3": 35.314666721},
+        ),
+        (
+            units.parse_mass,
+            units.MASS_UNITS,
+            {"g": 1000, "gram": 1000, "grams": 1000, "kg": 1, "oz": 35.27396195, "n": 9.80665},
+        ),
+    ],
+)  # fmt: skip
+def test_every_unit_has_its_size(parse, units_of, size):
+    whole = {units.parse_length: 24.0, units.parse_pressure: 1e5}.get(parse, 1.0)
+    assert set(size) == set(units_of)
+    for name, count in size.items():
+        assert parse(f"{count!r} {name}") == pytest.approx(whole, rel=1e-9), name

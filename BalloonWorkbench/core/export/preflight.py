@@ -62,8 +62,7 @@ def film_preflight(film: Film, machine: Machine) -> tuple[Finding, ...]:
     """What a machine does that a film does not take."""
     name = film.title or film.name
     if machine.process == "laser" and film.laser is False:
-        told = "must never be cut with a laser: choose a machine with a knife."
-        return (Finding(ERROR, f"{name} {told}"),)
+        return (Finding(ERROR, f"{name} must never be cut with a laser: choose a machine with a knife."),)
     if machine.process == "heat-sealing" and film.joining not in ("", "heat"):
         return (Finding(WARNING, f"{name} is not joined by heat: {machine.title} is not made for it."),)
     return ()

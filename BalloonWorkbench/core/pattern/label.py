@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
@@ -13,11 +14,13 @@ from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
 from BalloonWorkbench.core.pattern.shapes import closed_loop
 from BalloonWorkbench.core.types import Floats
-from BalloonWorkbench.core.units import mm_text
+from BalloonWorkbench.core.units import from_mm, mm_text
 
 #: Size at which letters are turned into polylines: fine steps at any height.
 _FINE = 2000.0
 _MOST = 60
+#: Between letters and a mark [m].
+_BESIDE = from_mm(0.5)
 
 
 def with_label(pattern: Pattern, text: str, height: float) -> Pattern:
@@ -36,9 +39,8 @@ def with_label(pattern: Pattern, text: str, height: float) -> Pattern:
     largest = max(pattern.of(Role.CUT), key=lambda cut: float(package.Polygon(cut.points).area))
     film = package.Polygon(largest.points)
     for lines in pattern.contours:
-        if lines.role is not Role.CUT:  # nor over a hole or a weld
-            line = package.LineString(np.concatenate([lines.points, lines.points[:1]]))
-            film = film.difference(package.Polygon(lines.points) if lines.role is Role.CUT_INNER else line)
+        if lines.role is not Role.CUT:
+            film = film.difference(_taken(lines, pattern.seal_width))
     room = package.maximum_inscribed_circle(max(package.get_parts(film), key=lambda part: part.area))
     (x, y), radius = room.coords[0], float(room.length)
     letters = _letters(text, height)
@@ -49,6 +51,16 @@ def with_label(pattern: Pattern, text: str, height: float) -> Pattern:
             f" {mm_text(2.0 * radius)} wide: take a shorter text or lower letters."
         )
     return replace(pattern, contours=(*_at(letters, np.array([x, y])), *pattern.contours))
+
+
+def _taken(lines: Contour, seal_width: float) -> Any:
+    """What a hole, a weld or a mark takes of the film, as a polygon of shapely."""
+    package = shapely()
+    if lines.role is Role.CUT_INNER:
+        return package.Polygon(lines.points)
+    points = np.concatenate([lines.points, lines.points[:1]]) if lines.closed else lines.points
+    welded = lines.role in (Role.SEAL, Role.WELD)
+    return package.LineString(points).buffer(0.5 * seal_width if welded else _BESIDE)
 
 
 def lettering(text: str, height: float, middle: Floats) -> tuple[Contour, ...]:
