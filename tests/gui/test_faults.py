@@ -37,7 +37,7 @@ class ToldError(Exception):
 
 
 class Listener:
-    """Reads what the window says, as a user would: labels, boxes, the status of objects, the report view."""
+    """Reads what the window says, as a user would: labels, lists, boxes, objects, report view."""
 
     def __init__(self):
         self.beats, self._read = 0, 0
@@ -58,6 +58,8 @@ class Listener:
 
     def read(self):
         texts = [label.text() for label in hands.visible(hands.QtWidgets.QLabel)]
+        for rows in hands.visible(hands.QtWidgets.QListWidget):
+            texts += [rows.item(row).text() for row in range(rows.count())]
         for doc in App.listDocuments().values():
             texts += [obj.Status for obj in doc.Objects if hasattr(obj, "Status")]
         texts += self._report.toPlainText()[self._read :].splitlines()
