@@ -14,6 +14,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
+from xml.etree import ElementTree
 
 import ezdxf
 import ezdxf.path
@@ -33,7 +34,7 @@ from BalloonWorkbench.core.units import from_mm, to_mm
 
 COUNT = int(os.environ.get("BALLOON_CUTS", "3"))
 CUTS = (Role.CUT, Role.CUT_INNER)
-NOTCH = Role.MARK
+NOTCH = Role.NOTCH
 #: A line that turns by more has gone back on itself [rad].
 BACK = np.radians(179.9)
 
@@ -85,6 +86,22 @@ def read_hpgl(content: bytes, made_for: Machine, _folder: Path) -> Read:
     return _lines(found, made_for)
 
 
+def read_lightburn(content: bytes, made_for: Machine, _folder: Path) -> Read:
+    """In the order of the layers' priorities; a layer's name tells what is done on it."""
+    root = ElementTree.fromstring(content)
+    layers = {each.find("index").get("Value"): each for each in root.findall("CutSetting")}
+    roles = {look.name: role for role, look in made_for.layers.items()}
+    found = []
+    for shape in root.findall("Shape"):
+        layer = layers[shape.get("CutIndex")]
+        name = re.sub(r"-\d+$", "", layer.find("name").get("Value").split()[0])
+        points = re.findall(r"V([-\d.]+) ([-\d.]+)c0x1c1x1", shape.find("VertList").text)
+        closed = shape.find("PrimList").text == "LineClosed"
+        turn = int(layer.find("priority").get("Value"))
+        found.append((turn, (roles[name], (np.array(points, dtype=float), closed))))
+    return _lines([each for _, each in sorted(found, key=lambda pair: pair[0])], made_for)
+
+
 def _by_pen(points: np.ndarray, pen: int, made_for: Machine) -> tuple[Role, tuple[np.ndarray, bool]]:
     """A line that comes round is a cut, where its pen has one; the pen may have others too."""
     way = shapely.LineString(points)
@@ -97,6 +114,7 @@ def _by_pen(points: np.ndarray, pen: int, made_for: Machine) -> tuple[Role, tupl
 
 READERS: dict[str, Callable[[bytes, Machine, Path], Read]] = {
     "dxf": read_dxf, "svg": read_svg, "pdf": read_pdf, "hpgl": read_hpgl,
+    "lbrn2": read_lightburn,
 }  # fmt: skip
 
 

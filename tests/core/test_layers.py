@@ -212,7 +212,7 @@ def test_lightburn_burns_nothing_but_cuts() -> None:
     drawing = draw(pattern, made_for)
     shapes = root.findall("Shape")
     assert len(shapes) == len(drawing.paths)
-    for shape, path in zip(shapes, drawing.paths, strict=True):
+    for shape, path in zip(shapes, drawing.by_layer, strict=True):
         assert (kinds[shape.get("CutIndex")] == "Cut") is path.role.is_cut
         points = re.findall(r"V([-\d.]+) ([-\d.]+)c0x1c1x1", shape.find("VertList").text)
         drawn = path.curve.flattened(0.005)
