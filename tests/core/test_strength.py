@@ -96,7 +96,7 @@ def test_a_force_in_a_point_is_shared_over_two_seal_widths() -> None:
 
 
 def test_forces_of_crumples_cancel() -> None:
-    """They are averaged as vectors: to and fro along the seam there is nothing left but what all share."""
+    """They are averaged as vectors: what pulls one way and then the other cancels along the seam."""
     steps = np.full(400, 1e-3)
     forces = np.outer(steps, [0.0, 0.0, -50.0])
     forces[::2, 0] += 0.2
