@@ -232,6 +232,7 @@ def _settings(options: argparse.Namespace) -> Settings:
             not options.plain_shell, not options.no_bending, options.bending_floor, options.two_panels
         ),
         symmetry=options.symmetry,
+        drawn_as=options.drawn_as,
         goal=_goal(options),
         filling=Filling(
             gas(options.gas),

@@ -123,7 +123,7 @@ def _artwork(options: argparse.Namespace, reader: Callable[[Path], Any]) -> Artw
     front, *back = (reader(path) for path in paths)
     traced = Path(options.input).exists() and paths[0].read_bytes() == Path(options.input).read_bytes()
     bleed = BLEED if options.bleed is None else parse_length(options.bleed)
-    return Artwork(front, traced, back[0] if back else None, options.dpi, bleed)
+    return Artwork(front, traced, back[0] if back else None, options.dpi, bleed, options.drawn_as)
 
 
 def _stock(options: argparse.Namespace) -> Stock:

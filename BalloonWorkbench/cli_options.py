@@ -15,6 +15,7 @@ from BalloonWorkbench.core.export.results import FORMATS
 from BalloonWorkbench.core.film.filling import DEFAULT_GAS, gases
 from BalloonWorkbench.core.film.library import DEFAULT_FILM, films
 from BalloonWorkbench.core.job import DEFAULT_PRESSURE
+from BalloonWorkbench.core.outline.segment import DRAWN_AS
 from BalloonWorkbench.core.outline.symmetry import AUTO, CHOICES
 from BalloonWorkbench.core.solver.backend import SOLVERS
 from BalloonWorkbench.core.solver.model import BENDING_FLOOR
@@ -136,6 +137,13 @@ def _add_size(command: argparse.ArgumentParser) -> None:
     )
     command.add_argument("--air-temperature", metavar="T", default="20C", help="around it (default 20C)")
     command.add_argument("--altitude", metavar="LENGTH", default="0m", help="above the sea (default 0m)")
+    command.add_argument(
+        "--drawn-as",
+        choices=DRAWN_AS,
+        default=AUTO,
+        help="how a picture is read: a filled shape, whose holes stay, or a pen drawing, whose lines are"
+        " filled inside; auto (the default) goes by its lines",
+    )
     command.add_argument(
         "--symmetry",
         choices=CHOICES,

@@ -7,8 +7,8 @@ import argparse
 import math
 
 from BalloonWorkbench.core.outline.passages import PASSAGE
-from BalloonWorkbench.core.pattern.intake import FARTHEST, PLACES
 from BalloonWorkbench.core.pattern.intake_kinds import STRAW, intake_kinds
+from BalloonWorkbench.core.pattern.intake_places import FARTHEST, PLACES
 from BalloonWorkbench.core.pattern.make import Wanted
 from BalloonWorkbench.core.units import mm_text, parse_length
 

@@ -8,7 +8,7 @@ import time
 from pathlib import Path
 
 from speed import machine
-from validation import balloons, coach, convergence, correction, plates, trade
+from validation import balloons, coach, convergence, correction, plates, strength, trade
 from validation.report import Section, paragraphs
 
 DOCS = Path(__file__).resolve().parents[1] / "docs"
@@ -31,6 +31,7 @@ def main() -> int:
         balloons.solvers,
         lambda: convergence.convergence(DOCS / "images"),
         convergence.independence,
+        strength.strength,
         lambda: correction.correction(DOCS / "images"),
         lambda: coach.coach(DOCS / "images"),
     ]

@@ -39,7 +39,7 @@ def _bordered(function: Callable[..., _Result]) -> Callable[..., _Result]:
         except BalloonError:
             raise
         except faults.UNFORESEEN as error:
-            raise faults.report_fault(error, f"running {function.__name__} of the Python API") from error
+            raise faults.report_fault(error, f"{function.__name__}: Python API") from error
 
     return call
 

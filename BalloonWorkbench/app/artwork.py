@@ -215,6 +215,7 @@ def _pictures(obj):
 
     InputError where there is nothing to print.
     """
+    from BalloonWorkbench.app.outline import DRAWN_AS, leader
     from BalloonWorkbench.core.artwork.picture import covering, mirrored
 
     low, size, drawing = _frame(obj.Pattern.Balloon)
@@ -222,7 +223,11 @@ def _pictures(obj):
     if not path:
         raise InputError("There is no picture to print: choose one, as the outline has none of its own.")
     own = bool(drawing) and (path == drawing or Path(path).read_bytes() == Path(drawing).read_bytes())
-    front = _traced(path, *low, *size) if own else covering(_pixels(path), low, size)
+    front = (
+        _traced(path, DRAWN_AS[leader(obj.Pattern.Balloon.Outline).DrawnAs], *low, *size)
+        if own
+        else covering(_pixels(path), low, size)
+    )
     behind = mirrored(covering(_pixels(obj.BackPicture), low, size)) if obj.BackPicture else None
     return front, behind
 
@@ -233,13 +238,18 @@ def _frame(balloon):
 
     from BalloonWorkbench.app import film_result
     from BalloonWorkbench.app.drawing import read_drawing
-    from BalloonWorkbench.app.outline import SYMMETRY, leader
+    from BalloonWorkbench.app.outline import DRAWN_AS, SYMMETRY, leader
 
     shown, first = film_result.drawing(balloon), leader(balloon.Outline)
     if first.Source or first.Kind != "picture":
         return shown.outer.min(axis=0), np.ptp(shown.outer, axis=0), ""
     read, _ = read_drawing(
-        first.Drawing, first.Width, first.Height, first.KeepAspect, SYMMETRY[first.Symmetry]
+        first.Drawing,
+        first.Width,
+        first.Height,
+        first.KeepAspect,
+        SYMMETRY[first.Symmetry],
+        DRAWN_AS[first.DrawnAs],
     )
     goal = 1.0
     if balloon.SizeGoal != "Width" and balloon.Outline.SizeX.Value:
@@ -265,14 +275,14 @@ def _decoded(path: str, _changed: int):
     return qt_picture.decode(path)
 
 
-def _traced(path: str, *frame: float):
-    return _traced_once(path, Path(path).stat().st_mtime_ns, frame)
+def _traced(path: str, drawn_as: str, *frame: float):
+    return _traced_once(path, Path(path).stat().st_mtime_ns, drawn_as, frame)
 
 
 @lru_cache(maxsize=4)
-def _traced_once(path: str, changed: int, frame: tuple[float, ...]):
+def _traced_once(path: str, changed: int, drawn_as: str, frame: tuple[float, ...]):
     import numpy as np
 
     from BalloonWorkbench.core.artwork.picture import of_drawing
 
-    return of_drawing(_decoded(path, changed), np.array(frame[:2]), np.array(frame[2:]))
+    return of_drawing(_decoded(path, changed), np.array(frame[:2]), np.array(frame[2:]), drawn_as)

@@ -9,7 +9,7 @@ from pathlib import Path
 import FreeCAD as App
 
 from BalloonWorkbench.app import balloon, create, pattern, size_goal
-from BalloonWorkbench.app.outline import SYMMETRY, in_letters, set_drawing
+from BalloonWorkbench.app.outline import DRAWN_AS, SYMMETRY, in_letters, set_drawing
 from BalloonWorkbench.app.quantities import cubic_millimetres, kilopascals
 from BalloonWorkbench.core.export.files import write_files
 from BalloonWorkbench.core.units import to_mm
@@ -58,6 +58,9 @@ def fcstd_bytes(drawing, settings, designs, *, label: str = "balloon", width=Non
         size_goal.set_filling(parts.balloon, settings.filling)
         parts.outline.Symmetry = next(
             title for title, choice in SYMMETRY.items() if choice == settings.symmetry
+        )
+        parts.outline.DrawnAs = next(
+            title for title, choice in DRAWN_AS.items() if choice == settings.drawn_as
         )
         everyone = [parts, *create.add_companions(parts)]
         for each, design in zip(everyone, designs):

@@ -7,6 +7,7 @@ import hashlib
 from pathlib import Path
 
 from BalloonWorkbench.app.quantities import metres
+from BalloonWorkbench.core.outline.segment import AUTO
 from BalloonWorkbench.core.recent import Recent
 
 _LONGEST_SIDE = 1600  # px; as fine as the engine looks
@@ -14,44 +15,46 @@ _read = Recent(8)  # shapes of pictures by their content: tracing takes a good p
 _places = Recent(8)  # where the shapes are in those
 
 
-def read_drawing(path: str, width, height, keep_aspect: bool = True, symmetry: str = "auto"):
+def read_drawing(
+    path: str, width, height, keep_aspect: bool = True, symmetry: str = "auto", drawn_as: str = AUTO
+):
     """The shapes in a file and its kind; width and height are length properties or mm, 0 when free.
 
-    symmetry is a choice of core/outline/symmetry.py. Raises BalloonError when there is no usable shape in the
-    file.
+    symmetry is a choice of core/outline/symmetry.py, drawn_as of segment.py. Raises BalloonError when there
+    is no usable shape in the file.
     """
     wanted = metres(width) or None, metres(height) or None
-    drawing, kind = shapes_in(path, wanted, symmetry)
+    drawing, kind = shapes_in(path, wanted, symmetry, drawn_as)
     if None in wanted or keep_aspect:
         return drawing, kind
     factors = [want / have for want, have in zip(wanted, drawing.size, strict=True)]
     return drawing.map(lambda loop: loop * factors), kind
 
 
-def is_known(path: str, wanted, symmetry: str) -> bool:
+def is_known(path: str, wanted, symmetry: str, drawn_as: str) -> bool:
     """The picture was read lately, or the file is none: reading it takes no time."""
     suffix = Path(path).suffix.lower()
-    return suffix in (".svg", ".dxf", ".json") or _key(Path(path), wanted, symmetry) in _read
+    return suffix in (".svg", ".dxf", ".json") or _key(Path(path), wanted, symmetry, drawn_as) in _read
 
 
-def _key(path: Path, wanted, symmetry: str):
+def _key(path: Path, *choices):
     """What a picture is remembered by; None for a file that cannot be read: the reader says what is wrong."""
     try:
-        return hashlib.sha256(path.read_bytes()).digest(), wanted, symmetry
+        return hashlib.sha256(path.read_bytes()).digest(), *choices
     except OSError:
         return None
 
 
-def shapes_in(path: str, wanted, symmetry: str):
+def shapes_in(path: str, wanted, symmetry: str, drawn_as: str):
     """The shapes in a file at their size [m] and its kind; a picture read lately is not traced again."""
     from BalloonWorkbench.core.outline import read
     from BalloonWorkbench.core.outline.loops import scale_to
     from BalloonWorkbench.core.outline.symmetry import evened
 
-    key = _key(Path(path), wanted, symmetry)
+    key = _key(Path(path), wanted, symmetry, drawn_as)
     if key in _read:
         return _read[key]
-    drawing, kind = read.read_drawing(Path(path), *wanted, decode=_decoder())
+    drawing, kind = read.read_drawing(Path(path), *wanted, decode=_decoder(), drawn_as=drawn_as)
     drawing = scale_to(evened(drawing, symmetry, drawn=kind == "picture"), *wanted)
     if kind == "picture":
         _read[key] = drawing, kind
@@ -69,20 +72,20 @@ def _decoder():
     return decode
 
 
-def place_in_picture(path: str) -> tuple[float, float, float, float] | None:
+def place_in_picture(path: str, drawn_as: str = AUTO) -> tuple[float, float, float, float] | None:
     """Where the shape lies in a picture: left, bottom, right and top in parts of its width and height.
 
     For showing the outline over the picture; None where there is no picture or no shape.
     """
     from BalloonWorkbench.app import hooks
 
-    key = _key(Path(path), None, "")
+    key = _key(Path(path), drawn_as)
     if key not in _places:
-        _places[key] = hooks.work("Looking at the picture", lambda progress: _found_in(path))
+        _places[key] = hooks.work("Looking at the picture", lambda progress: _found_in(path, drawn_as))
     return _places[key]
 
 
-def _found_in(path: str) -> tuple[float, float, float, float] | None:
+def _found_in(path: str, drawn_as: str) -> tuple[float, float, float, float] | None:
     from BalloonWorkbench.core.errors import BalloonError
     from BalloonWorkbench.core.outline.contour import contours
     from BalloonWorkbench.core.outline.decode import decode, picture_size
@@ -90,7 +93,7 @@ def _found_in(path: str) -> tuple[float, float, float, float] | None:
 
     try:
         step = -(-max(picture_size(Path(path))) // _LONGEST_SIDE)
-        silhouette, _ = segment((_decoder() or decode)(Path(path))[::step, ::step])
+        silhouette, _ = segment((_decoder() or decode)(Path(path))[::step, ::step], drawn_as)
     except BalloonError:
         return None
     loop, _ = max(contours(silhouette), key=lambda item: item[1])

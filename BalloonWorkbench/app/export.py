@@ -58,11 +58,14 @@ def check_for(pattern_obj, machine_name: str):
 
     made_for, pattern = machine(machine_name), sheet(pattern_obj)
 
-    def findings(progress) -> list:
-        return [each for stock in pattern.stocks for each in preflight(pattern.of_stock(stock), made_for)]
+    parts = [pattern.of_stock(stock) for stock in pattern.stocks]
+
+    def findings(_progress) -> list:
+        return [finding for part in parts for finding in preflight(part, made_for)]
 
     both = (*_film_findings(pattern_obj, made_for), *hooks.work("Checking the pattern", findings))
-    return tuple(sorted(both, key=lambda finding: finding.severity != ERROR))
+    each_once = {finding.text: finding for finding in both}.values()
+    return tuple(sorted(each_once, key=lambda finding: finding.severity != ERROR))
 
 
 def _film_findings(pattern_obj, made_for) -> tuple:

@@ -29,7 +29,7 @@ def _part_marks(obj) -> None:
     def own(wire, role: str) -> str:
         if role != "MARK":
             return role
-        begun = any(wire.Vertexes[0].distToShape(cut)[0] < _ON_CUT for cut in cuts)
+        begun = any(wire.Edges[0].firstVertex().distToShape(cut)[0] < _ON_CUT for cut in cuts)
         return "NOTCH" if begun else "PEN"
 
     obj.Roles = [own(wire, role) for wire, role in wires]

@@ -10,6 +10,7 @@ from BalloonWorkbench.app.properties import Property, results, show_in_editor
 from BalloonWorkbench.app.stateless import DocumentProxy
 
 SYMMETRY = {"Automatic": "auto", "Off": "off", "Forced": "force"}
+DRAWN_AS = {"Automatic": "auto", "Filled shape": "shape", "Pen drawing": "pen"}
 
 PROPERTIES = (
     Property(
@@ -33,6 +34,12 @@ PROPERTIES = (
         "Symmetry",
         "Drawing",
         "Automatic evens out a nearly symmetric picture, Forced any drawing: its left half is mirrored",
+    ),
+    Property(
+        "Enumeration",
+        "DrawnAs",
+        "Drawing",
+        "How a picture is read: holes of a filled shape stay, lines of a pen drawing are filled inside",
     ),
     Property(
         "Length",
@@ -59,7 +66,7 @@ PROPERTIES = (
 )
 
 
-CHOICES = {"Symmetry": list(SYMMETRY)}
+CHOICES = {"Symmetry": list(SYMMETRY), "DrawnAs": list(DRAWN_AS)}
 
 
 class OutlineProxy(DocumentProxy):
@@ -81,7 +88,7 @@ class OutlineProxy(DocumentProxy):
     def follow_source(self, obj):
         """A sketch brings its own size: hide the wanted one. The leader has all of them."""
         mode = "hide" if obj.Source or obj.Leader else "edit"
-        show_in_editor(obj, Drawing=mode, Width=mode, Height=mode, KeepAspect=mode)
+        show_in_editor(obj, Drawing=mode, Width=mode, Height=mode, KeepAspect=mode, DrawnAs=mode)
         shared = "hide" if obj.Leader else "edit"
         show_in_editor(obj, Source=shared, Symmetry=shared, Passage=shared)
 
@@ -111,10 +118,10 @@ def _trace_ahead(obj) -> None:
     from BalloonWorkbench.app.drawing import is_known, shapes_in
     from BalloonWorkbench.app.quantities import metres
 
-    path, symmetry = obj.Drawing, SYMMETRY[obj.Symmetry]
+    path, choices = obj.Drawing, (SYMMETRY[obj.Symmetry], DRAWN_AS[obj.DrawnAs])
     wanted = metres(obj.Width) or None, metres(obj.Height) or None
-    if not obj.Source and not is_known(path, wanted, symmetry):
-        hooks.work(f"Tracing {obj.Label}", lambda progress: shapes_in(path, wanted, symmetry))
+    if not obj.Source and not is_known(path, wanted, *choices):
+        hooks.work(f"Tracing {obj.Label}", lambda progress: shapes_in(path, wanted, *choices))
 
 
 def set_drawing(obj, path) -> None:
@@ -186,8 +193,8 @@ def read_all(obj):
         return evened(drawing, SYMMETRY[obj.Symmetry], drawn=False), "sketch", placement
     from BalloonWorkbench.app.drawing import read_drawing
 
-    choice = SYMMETRY[obj.Symmetry]
-    drawing, kind = read_drawing(obj.Drawing, obj.Width, obj.Height, obj.KeepAspect, choice)
+    choices = SYMMETRY[obj.Symmetry], DRAWN_AS[obj.DrawnAs]
+    drawing, kind = read_drawing(obj.Drawing, obj.Width, obj.Height, obj.KeepAspect, *choices)
     return drawing, kind, None
 
 

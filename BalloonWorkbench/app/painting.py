@@ -12,11 +12,12 @@ import numpy as np
 
 from BalloonWorkbench.app import balloon, create, pattern, status
 from BalloonWorkbench.app.create import Parts
-from BalloonWorkbench.app.outline import set_drawing
+from BalloonWorkbench.app.outline import DRAWN_AS, set_drawing
 from BalloonWorkbench.app.solve import Request
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.job import Settings
 from BalloonWorkbench.core.outline.passages import linked
+from BalloonWorkbench.core.outline.segment import AUTO
 from BalloonWorkbench.core.types import Progress, no_progress
 
 #: Name of the text in a PNG file that holds the strokes.
@@ -67,12 +68,12 @@ def artwork(outline) -> Artwork | None:
     first = leader(outline)
     if first.Source or not is_painting(first.Drawing):
         return None
-    return place(first.Drawing, first.Width.Value, first.Height.Value)
+    return place(first.Drawing, first.Width.Value, first.Height.Value, DRAWN_AS[first.DrawnAs])
 
 
-def place(path, width: float, height: float = 0.0) -> Artwork | None:
+def place(path, width: float, height: float = 0.0, drawn_as: str = AUTO) -> Artwork | None:
     """The picture in a painting's file, which becomes so wide or high in mm; None where it has no shape."""
-    found = _placed(Path(path).read_bytes())
+    found = _placed(Path(path).read_bytes(), drawn_as)
     if found is None:
         return None
     rgba, corner, size = found
@@ -81,7 +82,7 @@ def place(path, width: float, height: float = 0.0) -> Artwork | None:
 
 
 @lru_cache(maxsize=4)
-def _placed(content: bytes):
+def _placed(content: bytes, drawn_as: str):
     """Pixels of a painting, where its drawing begins in them (2,), y up, and how large it is (2,) [px]."""
     from BalloonWorkbench.app.qt_picture import decode_bytes
     from BalloonWorkbench.core.errors import BalloonError
@@ -89,7 +90,7 @@ def _placed(content: bytes):
 
     rgba = decode_bytes(content)
     try:
-        drawing, corner = placed_drawing(rgba)
+        drawing, corner = placed_drawing(rgba, drawn_as=drawn_as)
     except BalloonError:
         return None
     return rgba, corner, drawing.size
@@ -118,7 +119,9 @@ def solve(
     from BalloonWorkbench.app.drawing import read_drawing
     from BalloonWorkbench.core.report import Source
 
-    drawing, kind = read_drawing(str(path), width, 0.0, symmetry=settings.symmetry)
+    drawing, kind = read_drawing(
+        str(path), width, 0.0, symmetry=settings.symmetry, drawn_as=settings.drawn_as
+    )
     count = len(drawing.parts)
     requests, designs, told = [], [], []
     for number, drawn in enumerate(drawing.parts):
@@ -132,7 +135,7 @@ def solve(
         designs.append(design)
         told.append(balloon.describe(request, design))
         _prepare(design.pattern, settings)
-    place(path, width)  # the window will ask for it, and shall not wait
+    place(path, width, drawn_as=settings.drawn_as)  # the window will ask for it, and shall not wait
     return Solved(tuple(requests), tuple(designs), tuple(told))
 
 
@@ -184,6 +187,8 @@ def update(
 def _fill(parts: Parts, path: Path, width: float, solved: Solved, pause) -> list[Parts]:
     set_drawing(parts.outline, path)
     parts.outline.Width, parts.outline.Height = width, 0.0
+    drawn_as = solved.requests[0].settings.drawn_as
+    parts.outline.DrawnAs = next(title for title, choice in DRAWN_AS.items() if choice == drawn_as)
     create.match_companions(parts)
     pause()
     everyone = [parts, *create.companions(parts)]

@@ -70,6 +70,6 @@ def reported(obj, has_result: bool):
     try:
         yield
     except faults.UNFORESEEN as error:
-        told = faults.as_balloon_error(error, f"bringing {obj.Name} up to date")
+        told = faults.as_balloon_error(error, f"{obj.Name}: recompute")
         set_problem(obj, has_result, str(told))
         App.Console.PrintError(f"{obj.Label}: {told}\n")

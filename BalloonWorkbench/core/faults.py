@@ -44,19 +44,25 @@ def report_fault(error: BaseException, doing: str) -> ProgramFault:
     if isinstance(error, ProgramFault):
         return error
     file = _written(error, doing)
-    if isinstance(error, MemoryError):
-        advice = "There is too little memory for this: take a coarser mesh, or close other programs."
-        return ProgramFault(advice if file is None else f"{advice} Details are in '{file}'.", file)
-    if file is None:
-        return ProgramFault(
-            "This is a fault of the program, not yours, and its details cannot be written anywhere. "
-            f"Please report it: {type(error).__name__} while {doing}."
+    memory = isinstance(error, MemoryError)
+    if memory and file is None:
+        text = "There is too little memory for this: take a coarser mesh, or close other programs."
+    elif memory:
+        text = (
+            "There is too little memory for this: take a coarser mesh, or close other programs. "
+            f"Details are in '{file}'."
         )
-    return ProgramFault(
-        "This is a fault of the program, not yours. "
-        f"Its details are in '{file}': please report it with this file.",
-        file,
-    )
+    elif file is None:
+        text = (
+            "This is a fault of the program, not yours, and its details cannot be written anywhere. "
+            f"Please report it: {type(error).__name__}, {doing}."
+        )
+    else:
+        text = (
+            "This is a fault of the program, not yours. "
+            f"Its details are in '{file}': please report it with this file."
+        )
+    return ProgramFault(text, file)
 
 
 def as_balloon_error(error: BaseException, doing: str) -> BalloonError:
@@ -142,7 +148,7 @@ def _heading(doing: str) -> str:
             versions[package] = str(getattr(module, "__version__", None) or _installed(package))
     return "\n".join(
         (
-            f"A fault of Film Balloon while {doing}",
+            f"Film Balloon, fault ({doing})",
             f"{now:%Y-%m-%d %H:%M} UTC, {platform.platform()}, {platform.machine()}",
             *(f"{name} {version}" for name, version in versions.items()),
             "",
@@ -154,7 +160,7 @@ def _installed(package: str) -> str:
     try:
         return metadata.version(package)
     except metadata.PackageNotFoundError:
-        return "of unknown version"
+        return "?"
 
 
 def _without_home(text: str) -> str:

@@ -64,8 +64,9 @@ class Settings:
 
     pressure [Pa]; mesh_size [m] and backend None where the engine chooses; correct False keeps the outline
     itself as the pattern; a volume [m3] takes the place of the pressure; model: what is simulated.
-    symmetry: AUTO, OFF or FORCE of outline/symmetry.py; goal: what the size has to give; filling: what lifts.
-    passage [m] is left open in welds that would cut off a part, 0 for none; wanted: how the pattern is made.
+    symmetry: AUTO, OFF or FORCE of outline/symmetry.py; drawn_as: AUTO, SHAPE or PEN of outline/segment.py;
+    goal: what the size has to give; filling: what lifts. passage [m] is left open in welds that would cut off
+    a part, 0 for none; wanted: how the pattern is made.
     """
 
     film: Film = field(default_factory=lambda: film(DEFAULT_FILM))
@@ -76,6 +77,7 @@ class Settings:
     volume: float | None = None
     model: Model = field(default_factory=Model)
     symmetry: str = AUTO
+    drawn_as: str = AUTO
     goal: SizeGoal | None = None
     filling: Filling = field(default_factory=Filling)
     passage: float = PASSAGE
@@ -149,7 +151,7 @@ def make_balloon(
     remarks = pieces_remarks(settings.wanted, settings.film)
     if settings.goal is not None and width is None and height is None:
         width = START_WIDTH
-    drawing, kind = read_drawing(path, width, height, decode)
+    drawing, kind = read_drawing(path, width, height, decode, settings.drawn_as)
     drawing = scale_to(evened(drawing, settings.symmetry, drawn=kind == "picture"), width, height)
     drawing = replace(drawing, parts=tuple(linked(part, settings.passage) for part in drawing.parts))
     count = len(drawing.parts)

@@ -23,6 +23,7 @@ from BalloonWorkbench.core.job import Balloon
 from BalloonWorkbench.core.nesting.layout import Layout, Piece, Stock
 from BalloonWorkbench.core.nesting.nest import nest
 from BalloonWorkbench.core.outline.outline import signed_area
+from BalloonWorkbench.core.outline.segment import AUTO
 from BalloonWorkbench.core.pattern.layout import beside
 from BalloonWorkbench.core.pattern.make import sheet_of
 from BalloonWorkbench.core.pattern.motion import split
@@ -36,7 +37,7 @@ class Artwork:
 
     front  pixels (h, w, 4); traced: it is the picture that was drawn, and lies where its shapes are
     back   another picture for the back, as it is seen from there; None for the front's, seen through
-    dpi    resolution; bleed past the cut [m]
+    dpi    resolution; bleed past the cut [m]; drawn_as: how a traced picture was read
     """
 
     front: Pixels
@@ -44,6 +45,7 @@ class Artwork:
     back: Pixels | None = None
     dpi: float = DPI
     bleed: float = BLEED
+    drawn_as: str = AUTO
 
 
 def printed(
@@ -54,7 +56,11 @@ def printed(
     Raises what artwork_sheets and of_drawing raise.
     """
     low, size = drawing
-    front = (of_drawing if artwork.traced else covering)(artwork.front, low, size)
+    front = (
+        of_drawing(artwork.front, low, size, artwork.drawn_as)
+        if artwork.traced
+        else covering(artwork.front, low, size)
+    )
     behind = None if artwork.back is None else mirrored(covering(artwork.back, low, size))
     own = [bordered(pattern, artwork.bleed) for pattern in patterns]
     shifts = beside(own)

@@ -35,10 +35,10 @@ def watch() -> None:
     sys.excepthook = partial(_unforeseen, sys.excepthook)
 
 
-def speaks(surface, is_open) -> None:
-    """From now on, as long as it is open, `surface.fail(error)` says what went wrong."""
-    _surfaces[:] = [other for other in _surfaces if other[0]() is not None]
-    _surfaces.append((ref(surface), is_open))
+def speaks(surface) -> None:
+    """From now on, as long as `surface.is_shown()`, `surface.fail(error)` says what went wrong."""
+    _surfaces[:] = [other for other in _surfaces if other() is not None]
+    _surfaces.append(ref(surface))
 
 
 def tell(error: BalloonError) -> None:
@@ -104,6 +104,11 @@ class Panel:
         """Say what went wrong."""
         self.message.setText(say(str(error)))
 
+    def is_shown(self) -> bool:
+        """The user can see it."""
+        forms = self.form if isinstance(self.form, list) else [self.form]
+        return any(form.isVisible() for form in forms)
+
     def abandon(self) -> None:
         """Close without touching the document."""
         self.close()
@@ -154,14 +159,14 @@ def _unforeseen(others, kind, error, trace) -> None:
 
 
 def _show(error: BalloonError) -> None:
-    for surface, is_open in reversed(_surfaces):
+    for surface in reversed(_surfaces):
         shown = surface()
-        if shown is not None and is_open():
-            try:
+        try:
+            if shown is not None and shown.is_shown():
                 shown.fail(error)
                 return
-            except faults.UNFORESEEN:  # it cannot even say so: the box can
-                break
+        except faults.UNFORESEEN:  # Qt has deleted it, or it cannot even say so
+            continue
     _box(say(str(error)))
 
 
@@ -173,7 +178,7 @@ def _box(text: str) -> None:
         box = QtWidgets.QMessageBox(window)
         box.setObjectName("BalloonFault")
         box.setIcon(QtWidgets.QMessageBox.Warning)
-        box.setWindowTitle(translate("Film Balloon"))
+        box.setWindowTitle(translate("Film Balloon", "Workbench"))
         box.setModal(False)
         box.setAttribute(QtCore.Qt.WA_DeleteOnClose)
         box.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)

@@ -104,6 +104,10 @@
         <translation>Folie, Modell und Löser des Ergebnisses</translation>
     </message>
     <message>
+        <source>Find the place of the intake</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Fit inside width and height instead of stretching to both</source>
         <translation>In Breite und Höhe einpassen, statt auf beide zu dehnen</translation>
     </message>
@@ -148,6 +152,10 @@
         <translation>Höhe des Drucks mit seinen Marken</translation>
     </message>
     <message>
+        <source>How a picture is read: holes of a filled shape stay, lines of a pen drawing are filled inside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>How far the print goes past the cut</source>
         <translation>Wie weit der Druck über den Schnitt hinausgeht</translation>
     </message>
@@ -164,12 +172,16 @@
         <translation>Wie der Ballon gefüllt und verschlossen wird</translation>
     </message>
     <message>
-        <source>How the grain of the pieces lies, relative to the film's length</source>
-        <translation>Wie die Laufrichtung der Stücke zur Länge der Folie liegt</translation>
+        <source>How the grain of pieces lies, where their film has one</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>How the intake is made and used</source>
         <translation>Wie der Füllhals gemacht und benutzt wird</translation>
+    </message>
+    <message>
+        <source>How two panels of this film are joined</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Inner width of the neck, or bore of the nozzle</source>
@@ -284,6 +296,10 @@
         <translation>Der Warmluft, in Grad Celsius</translation>
     </message>
     <message>
+        <source>Only one side of this film can be joined so</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Part of the film that the pieces take, in per cent</source>
         <translation>Anteil der Folie, den die Stücke einnehmen, in Prozent</translation>
     </message>
@@ -304,12 +320,12 @@
         <translation>Ort des Füllhalses: gegen den Uhrzeigersinn entlang der äußeren Naht ab ihrem rechten Ende</translation>
     </message>
     <message>
-        <source>Point the neck from the centre to the farthest point</source>
-        <translation>Den Hals von der Mitte zum fernsten Punkt richten</translation>
-    </message>
-    <message>
         <source>Poisson's ratio of the film</source>
         <translation>Querkontraktionszahl der Folie</translation>
+    </message>
+    <message>
+        <source>Polymer of the side that is welded, such as PE; none where it does not weld, empty: not known</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Pressure in the inflated balloon</source>
@@ -532,6 +548,18 @@
         <translation>Wo alle Stücke liegen, als JSON</translation>
     </message>
     <message>
+        <source>Where it is found: farthest from the centre, or low, where a tied balloon hangs straight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether a laser may cut this film</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which film is laid out: pieces of a valve are on one of their own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Which shape of the drawing it is; 1 is the largest</source>
         <translation>Die wievielte Form der Zeichnung es ist; 1 ist die größte</translation>
     </message>
@@ -587,10 +615,6 @@
 <context>
     <name>BalloonWorkbench</name>
     <message>
-        <source> The native solver, which is faster, is not available: {0}</source>
-        <translation> Der schnellere native Löser ist nicht verfügbar: {0}</translation>
-    </message>
-    <message>
         <source> is not ready: </source>
         <translation> ist nicht bereit: </translation>
     </message>
@@ -619,10 +643,6 @@
         <translation>„{0}“ ist kälter als alles; eine Temperatur als 20C, 68F oder 293K schreiben.</translation>
     </message>
     <message>
-        <source>'{0}' is damaged or not a DXF file. Save it once more.</source>
-        <translation>„{0}“ ist beschädigt oder keine DXF-Datei. Noch einmal speichern.</translation>
-    </message>
-    <message>
         <source>'{0}' is damaged or not a picture ({1}). Save it as PNG, JPEG or BMP once more.</source>
         <translation>„{0}“ ist beschädigt oder kein Bild ({1}). Noch einmal als PNG, JPEG oder BMP speichern.</translation>
     </message>
@@ -631,8 +651,16 @@
         <translation>„{0}“ ist beschädigt oder kein Bild. Noch einmal als PNG, JPEG oder BMP speichern.</translation>
     </message>
     <message>
+        <source>'{0}' is damaged. Save it as PNG, JPEG or BMP once more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>'{0}' is empty. Choose another file.</source>
         <translation>„{0}“ ist leer. Eine andere Datei wählen.</translation>
+    </message>
+    <message>
+        <source>'{0}' is larger than {1} MB. Save it as JPEG or PNG.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>'{0}' is larger than {1} MB. Simplify the drawing.</source>
@@ -669,6 +697,10 @@
     <message>
         <source>, about {:.2f} {}</source>
         <translation>, etwa {:.2f} {}</translation>
+    </message>
+    <message>
+        <source>, estimated: the film did not come to rest</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>, {0} mm so far</source>
@@ -735,6 +767,10 @@
         <translation>Ein Durchgang von {0} bleibt bei {1} in der Schweißnaht offen, damit Luft auf beide Seiten kommt.</translation>
     </message>
     <message>
+        <source>A picture cannot be drawn as "{0}": choose {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>A picture has no size of its own. Give the width or the height of the balloon.</source>
         <translation>Ein Bild hat keine eigene Größe. Breite oder Höhe des Ballons angeben.</translation>
     </message>
@@ -751,8 +787,8 @@
         <translation>Eine Skizze mit Maßen: eine Zelle der Tabelle ändern, und alles folgt</translation>
     </message>
     <message>
-        <source>A strict reader that wants plain polylines. Layers are told apart by colour.</source>
-        <translation>Ein strenger Leser, der schlichte Polylinien will. Ebenen werden durch Farben unterschieden.</translation>
+        <source>A strict reader that wants plain polylines. Layers are told apart by colour: cut red, blue and orange, set the output of all others to no.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>A volume of {0} litres cannot be made: give one such as 10l.</source>
@@ -785,10 +821,6 @@
     <message>
         <source>Advice</source>
         <translation>Ratschläge</translation>
-    </message>
-    <message>
-        <source>After welding, turn the tail in through itself with a straw, at the mark beside the balloon, and fill through it up to the second mark. Pull the straw out: the air in the balloon presses the tail flat.</source>
-        <translation>Nach dem Schweißen den Schwanz an der Marke neben dem Ballon mit einem Strohhalm durch sich selbst nach innen stülpen und bis zur zweiten Marke füllen. Den Halm herausziehen: Die Luft im Ballon drückt den Schwanz flach.</translation>
     </message>
     <message>
         <source>Air intake</source>
@@ -897,6 +929,10 @@
     <message>
         <source>Balloon</source>
         <translation>Ballon</translation>
+    </message>
+    <message>
+        <source>Balloon film</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Balloon pattern</source>
@@ -1035,6 +1071,10 @@
         <translation>Jede Seite links und unten an den Kreuzen abschneiden, auf die Kreuze der Nachbarn legen und festkleben.</translation>
     </message>
     <message>
+        <source>Cut out the hole of the nozzle, in the front panel only.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Cut out the holes inside.</source>
         <translation>Die Löcher innen ausschneiden.</translation>
     </message>
@@ -1045,14 +1085,6 @@
     <message>
         <source>Cut two panels from {film}, the second one mirrored.</source>
         <translation>Zwei Bahnen schneiden ({film}), die zweite gespiegelt.</translation>
-    </message>
-    <message>
-        <source>Cut two panels from {film}, the second one mirrored. Lay the grain of both the same way.</source>
-        <translation>Zwei Bahnen schneiden ({film}), die zweite gespiegelt. Die Laufrichtung bei beiden gleich legen.</translation>
-    </message>
-    <message>
-        <source>Cut two strips from thin PE film and weld them together along their two lines; weld one strip to each panel across the neck, along its mark, with the strips' end at the mouth and their sides under the weld; then weld the panels. Fill with a straw: the pressure presses the strips together.</source>
-        <translation>Zwei Streifen aus dünner PE-Folie schneiden und entlang ihrer zwei Linien miteinander verschweißen; je einen Streifen quer über den Hals an seiner Marke auf eine Bahn schweißen, das Streifenende an der Mündung, die Seiten unter der Schweißnaht; dann die Bahnen verschweißen. Mit einem Strohhalm füllen: Der Druck presst die Streifen aufeinander.</translation>
     </message>
     <message>
         <source>Cutting shop (DXF R12)</source>
@@ -1111,12 +1143,16 @@
         <translation>Zeichnungen</translation>
     </message>
     <message>
+        <source>Drawn as</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>E across the grain</source>
         <translation>E-Modul quer zur Laufrichtung</translation>
     </message>
     <message>
-        <source>Each stroke colour becomes an operation of its own. DXF is not read.</source>
-        <translation>Jede Strichfarbe wird ein eigener Arbeitsgang. DXF wird nicht gelesen.</translation>
+        <source>Each stroke colour becomes an operation of its own: cut red, blue and orange, set all others to ignore. DXF is not read.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Edit artwork</source>
@@ -1139,8 +1175,8 @@
         <translation>Radierer</translation>
     </message>
     <message>
-        <source>Every layer becomes a colour of the cut list; layers that share a colour would be merged. Set the import unit to millimetres. Switch the SEAL and REGISTRATION layers off, or give the control bar a light engraving.</source>
-        <translation>Jede Ebene wird eine Farbe der Schnittliste; Ebenen gleicher Farbe würden vereint. Die Einheit beim Import auf Millimeter stellen. Die Ebenen SEAL und REGISTRATION abschalten, oder den Kontrollbalken leicht gravieren.</translation>
+        <source>Every layer becomes a colour of the cut list; layers that share a colour would be merged. Set the import unit to millimetres. Cut red, blue and orange only and switch the output of all others off; the LightBurn project has them on tool layers already.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Expected thickness</source>
@@ -1159,6 +1195,10 @@
         <translation>Ausdruck</translation>
     </message>
     <message>
+        <source>Farthest point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>File</source>
         <translation>Datei</translation>
     </message>
@@ -1171,16 +1211,32 @@
         <translation>Eine geschlossene Linie füllen oder einer Fläche eine andere Farbe geben</translation>
     </message>
     <message>
+        <source>Fill through a tube of 6 mm, its end cut aslant, pushed 25 mm past the weld across the neck. Pull it out: the pressure presses the strips together.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fill to {pressure} kPa, never above {safe} kPa: film and seam then keep a margin of {margin}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Fill to {pressure} kPa, never above {safe} kPa: film and weld then keep a margin of {margin}.</source>
         <translation>Bis {pressure} kPa füllen, nie über {safe} kPa: Folie und Naht behalten dann {margin}-fache Reserve.</translation>
     </message>
     <message>
-        <source>Fill to {pressure} kPa, which is more than film and weld bear with a margin of {margin}: up to {safe} kPa. Mind your eyes.</source>
-        <translation>Bis {pressure} kPa füllen. Das ist mehr, als Folie und Naht mit {margin}-facher Reserve tragen: bis {safe} kPa. Augen schützen.</translation>
+        <source>Fill to {safe} kPa at most: {pressure} kPa is more than film and seam bear with a margin of {margin}. Mind your eyes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fill to {safe} kPa at most: {pressure} kPa is more than film and weld bear with a margin of {margin}. Mind your eyes.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Fill with air a little and brush soapy water along the weld: bubbles show leaks. Weld once more there.</source>
         <translation>Etwas Luft einfüllen und die Naht mit Seifenwasser bestreichen: Blasen zeigen undichte Stellen. Dort noch einmal schweißen.</translation>
+    </message>
+    <message>
+        <source>Filled shape</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Film</source>
@@ -1287,6 +1343,10 @@
         <translation>Glowforge</translation>
     </message>
     <message>
+        <source>Glue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Glue a strip of {seal} mm along the dashed line. Let it dry under a weight.</source>
         <translation>Entlang der gestrichelten Linie einen Streifen von {seal} mm kleben. Unter einem Gewicht trocknen lassen.</translation>
     </message>
@@ -1305,6 +1365,10 @@
     <message>
         <source>Glue the seams. Stiffer along the web than across it; E is the geometric mean. Porous: for a moment's inflation or with a lining.</source>
         <translation>Die Nähte kleben. Entlang der Bahn steifer als quer; E ist das geometrische Mittel. Porös: für kurzes Aufblasen oder mit Futter.</translation>
+    </message>
+    <message>
+        <source>Glued seam</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Grain</source>
@@ -1331,6 +1395,10 @@
         <translation>Herz aus einer Tabelle</translation>
     </message>
     <message>
+        <source>Heat</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Heat sealer on a plotter</source>
         <translation>Heißsiegler auf einem Plotter</translation>
     </message>
@@ -1341,6 +1409,10 @@
     <message>
         <source>Helium</source>
         <translation>Helium</translation>
+    </message>
+    <message>
+        <source>High frequency</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>How wide shall it be?</source>
@@ -1383,6 +1455,10 @@
         <translation>Aufblasen</translation>
     </message>
     <message>
+        <source>Ink, or a slip of baking paper</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Inkscape</source>
         <translation>Inkscape</translation>
     </message>
@@ -1395,12 +1471,32 @@
         <translation>Füllhals in einem Nebenteil</translation>
     </message>
     <message>
+        <source>Intake on a thin part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>It is not inflated yet: choose Inflate now in its context menu, or switch Live on.</source>
         <translation>Er ist noch nicht aufgeblasen: im Kontextmenü „Jetzt aufblasen“ wählen oder Live einschalten.</translation>
     </message>
     <message>
         <source>It is wider now. Ctrl+Z takes that back.</source>
         <translation>Jetzt ist er breiter. Strg+Z nimmt das zurück.</translation>
+    </message>
+    <message>
+        <source>Join the panels along the dashed line, {seal} mm wide, all the way round.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Join the panels along the dashed line, {seal} mm wide; leave the mouth of the neck open.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Join the panels along the lines inside the balloon.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joining</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Keep the proportions</source>
@@ -1423,16 +1519,24 @@
         <translation>Beschriftungen brauchen matplotlib: mit pip install matplotlib installieren oder die Beschriftung leer lassen.</translation>
     </message>
     <message>
-        <source>Laid in rows, which takes more film: install the package spyrrow (pip install spyrrow) for a closer layout.</source>
-        <translation>In Reihen ausgelegt, was mehr Folie braucht: für dichteres Auslegen das Paket spyrrow installieren (pip install spyrrow).</translation>
+        <source>Laid one piece after another: the package spyrrow (pip install spyrrow) often finds a closer layout.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Largest strain</source>
         <translation>Größte Dehnung</translation>
     </message>
     <message>
+        <source>Laser</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Lay a picture under the paper for tracing; press again to take it away</source>
         <translation>Ein Bild zum Nachzeichnen unter das Papier legen; noch einmal drücken nimmt es weg</translation>
+    </message>
+    <message>
+        <source>Lay both valve strips on each other, their lines together. On the field marked on VALVE, INK put heat-resistant ink, or a slip of baking paper between the strips. Weld them along both long lines.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Lay out</source>
@@ -1443,12 +1547,20 @@
         <translation>Auf Folie auslegen</translation>
     </message>
     <message>
+        <source>Lay the grain of both panels the same way.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Lay the panels on each other, sealing sides inward. Line them up by the notches or edges; tape outside the cut.</source>
         <translation>Die Bahnen mit den Siegelseiten nach innen aufeinanderlegen. An Passkerben oder Kanten ausrichten; außerhalb des Schnitts mit Klebeband fixieren.</translation>
     </message>
     <message>
         <source>Lay the panels on each other. Line them up by the notches or edges; tape outside the cut.</source>
         <translation>Die Bahnen aufeinanderlegen. An Passkerben oder Kanten ausrichten; außerhalb des Schnitts mit Klebeband fixieren.</translation>
+    </message>
+    <message>
+        <source>Lay the strips into the neck of one panel, end at the mouth, line on line. Tack them to this panel only, with two spots of weld on the line, beside the channel.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Layers, millimetres and arcs, to go on drawing.</source>
@@ -1483,6 +1595,10 @@
         <translation>LightBurn (Laser)</translation>
     </message>
     <message>
+        <source>LightBurn project (laser)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Line</source>
         <translation>Linie</translation>
     </message>
@@ -1507,6 +1623,10 @@
         <translation>Das Bild wird angesehen</translation>
     </message>
     <message>
+        <source>Low</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Machine</source>
         <translation>Maschine</translation>
     </message>
@@ -1529,6 +1649,10 @@
     <message>
         <source>Material</source>
         <translation>Material</translation>
+    </message>
+    <message>
+        <source>May be cut</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Measured on the inflated balloon.</source>
@@ -1595,8 +1719,16 @@
         <translation>Benötigt</translation>
     </message>
     <message>
+        <source>Never</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Never cut PVC with a laser: it gives off hydrogen chloride, which is toxic and ruins the machine. Weld with high frequency or hot air. Stretches visibly: at 2 kPa the shape depends on the grade and on the pressure.</source>
         <translation>PVC nie mit dem Laser schneiden: Es gibt Chlorwasserstoff ab, der giftig ist und die Maschine zerstört. Mit Hochfrequenz oder Heißluft schweißen. Dehnt sich sichtbar: Bei 2 kPa hängt die Form von der Sorte und vom Druck ab.</translation>
+    </message>
+    <message>
+        <source>Never cut this film with a laser.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>New balloon from picture</source>
@@ -1625,6 +1757,10 @@
     <message>
         <source>No pattern can be drawn anew without it; documents keep theirs.</source>
         <translation>Ohne es kann kein Schnittmuster neu gezeichnet werden; Dokumente behalten ihre.</translation>
+    </message>
+    <message>
+        <source>No pattern here has pieces of "{0}": choose another film.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>No shape stands out in the picture. Use stronger colours or a plainer background.</source>
@@ -1671,6 +1807,10 @@
         <translation>Nichts zu verbessern.</translation>
     </message>
     <message>
+        <source>Nowhere on the seam is room for an intake of {0}: choose a narrower one, or a place for it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Nozzle with flange</source>
         <translation>Stutzen mit Flansch</translation>
     </message>
@@ -1691,6 +1831,14 @@
         <translation>Neben der Zeichnung</translation>
     </message>
     <message>
+        <source>On the way of the valve the balloon narrows to {0} at {1}; its channel takes {2} with its welds there. Make the neck wider or put it elsewhere, else the weld closes the valve.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Once the seam is closed, turn the tail in through itself with a straw, at the mark beside the balloon, and fill through it up to the second mark. Pull the straw out: the air in the balloon presses the tail flat.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>One large page</source>
         <translation>Eine große Seite</translation>
     </message>
@@ -1699,12 +1847,20 @@
         <translation>Rückschlagschwanz</translation>
     </message>
     <message>
+        <source>Only grades of this film with a sealing layer weld: try scraps before you cut.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Only the middle of the weld. A closed weld runs past its start, so that the joint is tight.</source>
         <translation>Nur die Mitte der Schweißnaht. Eine geschlossene Naht läuft über ihren Anfang hinaus, damit die Stelle dicht ist.</translation>
     </message>
     <message>
         <source>Only {0} of film stay between two cuts near {1}; {2} wants {3}. It may tear or melt there.</source>
         <translation>Nahe {1} bleiben nur {0} Folie zwischen zwei Schnitten; {2} will {3}. Sie kann dort reißen oder schmelzen.</translation>
+    </message>
+    <message>
+        <source>Open it, do not import it. Outline, holes and notches are on cut layers, without speed and power: take them from your material library. Welds (T1) and all that is drawn (T2) are on tool layers, which LightBurn never burns.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Opposite the intake</source>
@@ -1811,6 +1967,10 @@
         <translation>Stift</translation>
     </message>
     <message>
+        <source>Pen drawing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Picture, SVG, DXF or JSON</source>
         <translation>Bild, SVG, DXF oder JSON</translation>
     </message>
@@ -1825,6 +1985,10 @@
     <message>
         <source>Pictures need OpenCV, which is missing or does not work here. Install the package python3-opencv (or opencv-python-headless), or open the picture inside FreeCAD.</source>
         <translation>Bilder brauchen OpenCV, das fehlt oder hier nicht arbeitet. Das Paket python3-opencv (oder opencv-python-headless) installieren oder das Bild in FreeCAD öffnen.</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Place by</source>
@@ -1855,8 +2019,8 @@
         <translation>Das Aufblasen abspielen oder bei einem Bild anhalten</translation>
     </message>
     <message>
-        <source>Plotter units of 0.025 mm. Pen 1 draws the control bar, pen 2 the marks, pen 3 cuts. For a swivel knife set its offset, 0.25 mm is common.</source>
-        <translation>Plottereinheiten von 0,025 mm. Stift 1 zeichnet den Kontrollbalken, Stift 2 die Markierungen, Stift 3 schneidet. Bei einem Schleppmesser dessen Versatz einstellen, üblich sind 0,25 mm.</translation>
+        <source>Plotter units of 0.025 mm. Pen 1 draws the control bar, pen 2 cuts the notches, pen 3 the rest. Nothing is in the file that may not be cut. For a swivel knife set its offset, 0.25 mm is common. Cuts run 1 mm past their start: set overcut_mm to 0 where the cutter does that itself.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Point {0} of the JSON file's {1} is not a pair of numbers. {2}</source>
@@ -1871,12 +2035,12 @@
         <translation>Polyethylenfolie (LDPE), 50 µm</translation>
     </message>
     <message>
-        <source>Polylines at the real size with a layer and a colour for each role.</source>
-        <translation>Polylinien in wahrer Größe mit einer Ebene und einer Farbe je Aufgabe.</translation>
+        <source>Polylines at the real size with a layer and a colour for each role. CUT, CUT_INNER and NOTCH are cut, SEAL and WELD welded, all others drawn.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Polylines in millimetres with a layer for each role: what every program reads.</source>
-        <translation>Polylinien in Millimetern mit einer Ebene je Aufgabe: Das liest jedes Programm.</translation>
+        <source>Polylines in millimetres with a layer for each role: what every program reads. CUT, CUT_INNER and NOTCH are cut, SEAL and WELD welded, all others drawn.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Predicted from the outline; not inflated yet.</source>
@@ -1903,12 +2067,12 @@
         <translation>Das Papier verschieben. Mit der mittleren Taste oder der Leertaste geht das bei jedem Werkzeug; das Rad zoomt.</translation>
     </message>
     <message>
-        <source>Push a straw in, fill, pull it out and weld straight across the neck beside the balloon.</source>
-        <translation>Einen Strohhalm einschieben, füllen, herausziehen und neben dem Ballon quer über den Hals schweißen.</translation>
+        <source>Push a straw in, fill, pull it out and close the neck like the seam, straight across beside the balloon.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Push the nozzle through the hole of the front panel from inside, put the ring over it from outside, and weld flange, film and ring together along the ring's line before the panels are joined.</source>
-        <translation>Den Stutzen von innen durch das Loch der vorderen Bahn stecken, den Ring von außen darüberlegen und Flansch, Folie und Ring entlang der Ringlinie verschweißen, bevor die Bahnen verbunden werden.</translation>
+        <source>Push the nozzle through the hole of the front panel from inside, put the ring over it from outside, and join flange, film and ring like the seam, along the ring's line, before the panels are joined.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Put a picture on the paper, without its background</source>
@@ -1917,6 +2081,10 @@
     <message>
         <source>Put outline, balloon and pattern into the document, and print the pattern</source>
         <translation>Umriss, Ballon und Schnittmuster ins Dokument legen und das Schnittmuster drucken</translation>
+    </message>
+    <message>
+        <source>Put the intake low</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>RDWorks (Ruida laser)</source>
@@ -2017,6 +2185,14 @@
     <message>
         <source>Seal width (0: the film's)</source>
         <translation>Nahtbreite (0: die der Folie)</translation>
+    </message>
+    <message>
+        <source>Seam</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seam length</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Second panel, mirrored</source>
@@ -2151,6 +2327,14 @@
         <translation>Strohhalm-Hals</translation>
     </message>
     <message>
+        <source>Strips</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Strips welded together</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Symmetry</source>
         <translation>Symmetrie</translation>
     </message>
@@ -2161,6 +2345,10 @@
     <message>
         <source>Tab to tie it to</source>
         <translation>Lasche zum Anbinden</translation>
+    </message>
+    <message>
+        <source>Tacked to one panel</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Take everything off the paper</source>
@@ -2177,6 +2365,22 @@
     <message>
         <source>Take the picture away</source>
         <translation>Das Bild wegnehmen</translation>
+    </message>
+    <message>
+        <source>Tape</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tape along the dashed line, {seal} mm wide, all the way round.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tape along the dashed line, {seal} mm wide; leave the mouth of the neck open.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Taped seam</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Tension</source>
@@ -2211,12 +2415,8 @@
         <translation>„{0}“ der JSON-Datei ist keine Liste von {1}. {2}</translation>
     </message>
     <message>
-        <source>The DXF file has an endless arc. Leave only the outline and its holes in it.</source>
-        <translation>Die DXF-Datei hat einen endlosen Bogen. Nur den Umriss und seine Löcher darin lassen.</translation>
-    </message>
-    <message>
-        <source>The DXF file has too many lines. Leave only the outline and its holes in it.</source>
-        <translation>Die DXF-Datei hat zu viele Linien. Nur den Umriss und seine Löcher darin lassen.</translation>
+        <source>The DXF file has errors; what could be read was taken from it.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The DXF file {0}; millimetres are assumed.</source>
@@ -2259,8 +2459,16 @@
         <translation>Die SVG-Datei definiert Entitäten, die nicht gelesen werden. Als einfaches SVG speichern.</translation>
     </message>
     <message>
-        <source>The SVG file has too many elements, or some that use themselves. Simplify it.</source>
-        <translation>Die SVG-Datei hat zu viele Elemente oder solche, die sich selbst benutzen. Sie vereinfachen.</translation>
+        <source>The SVG file has a '{0}' of endless length. Save it as plain SVG once more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The SVG file has too many attributes. Save it as plain SVG once more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The SVG file has too many styles. Save it as plain SVG once more.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The SVG file is damaged ({0}). Save it once more.</source>
@@ -2303,12 +2511,36 @@
         <translation>Die Zeichnung ist nicht überall erreichbar: Die Silhouette weicht bis zu {} ab.</translation>
     </message>
     <message>
+        <source>The drawing has a curve through more than {0} points. Save it as a polyline.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The drawing has blocks or copies that show themselves. Remove those from it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The drawing has more than {0} elements, with those of its blocks and copies. Leave only the outline and its holes in it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The drawing has more than {0} groups or blocks inside each other. Take them apart in the program it comes from.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The drawing has more than {0} points. Simplify it in the program it comes from, or leave only the outline and its holes in it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The drawing has no closed line. Draw one, and turn texts and groups into paths.</source>
         <translation>Die Zeichnung hat keine geschlossene Linie. Eine zeichnen, und Texte und Gruppen in Pfade umwandeln.</translation>
     </message>
     <message>
         <source>The drawing has points more than {0} km from its origin. Move it there, and give it a size between 1 mm and 100 m.</source>
         <translation>Die Zeichnung hat Punkte weiter als {0} km vom Ursprung. Sie dorthin verschieben und ihr eine Größe von 1 mm bis 100 m geben.</translation>
+    </message>
+    <message>
+        <source>The drawing has too much text in its styles and transforms. Save it as plain SVG once more.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The drawing has {0} shape and no number {1}: choose another Part, or delete this balloon.</source>
@@ -2321,6 +2553,10 @@
     <message>
         <source>The drawing is open: a line starts at {0} and ends {1} away at {2}. Close it.</source>
         <translation>Die Zeichnung ist offen: Eine Linie beginnt bei {0} und endet {1} entfernt bei {2}. Sie schließen.</translation>
+    </message>
+    <message>
+        <source>The drawing takes more than {0} s to read. Simplify it in the program it comes from, or leave only the outline and its holes in it.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The drawing was made symmetric: its halves were {0} apart, the left one was kept.</source>
@@ -2337,6 +2573,10 @@
     <message>
         <source>The file is XML but no SVG drawing. Choose a drawing.</source>
         <translation>Die Datei ist XML, aber keine SVG-Zeichnung. Eine Zeichnung wählen.</translation>
+    </message>
+    <message>
+        <source>The file is damaged or not a DXF file. Save it once more.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The file of gases {0} is of no use: {1}. Install it anew.</source>
@@ -2375,8 +2615,8 @@
         <translation>Die Folie der Ballons aus dem Laden: 15 µm orientiertes Nylon 6 mit Aluminiumschicht, innen 15 µm Polyethylen. PE auf PE schweißen. Nylon nimmt Feuchtigkeit auf und wird dann weicher.</translation>
     </message>
     <message>
-        <source>The free edition opens DXF, not SVG. Choose "as is" for the size in the import preferences. Silhouette makes its own registration marks.</source>
-        <translation>Die kostenlose Ausgabe öffnet DXF, nicht SVG. In den Importeinstellungen „wie vorliegend“ als Größe wählen. Silhouette macht seine eigenen Passermarken.</translation>
+        <source>The free edition opens DXF, not SVG. Choose "as is" for the size in the import preferences. Silhouette makes its own registration marks, and adds the knife's offset and overcut. Nothing is in the file that may not be cut.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The grain's angle {0} is no number: give degrees from the x axis.</source>
@@ -2403,6 +2643,10 @@
         <translation>Das Loch bei {0} liegt außerhalb des Umrisses; nach innen verschieben.</translation>
     </message>
     <message>
+        <source>The holes of a filled shape stay, the lines of a pen drawing are filled inside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The inflated outline stays {0} from the drawing on average: film cannot follow this shape everywhere. Round off notches and widen thin parts.</source>
         <translation>Der aufgeblasene Umriss bleibt im Mittel {0} von der Zeichnung entfernt: Die Folie kann dieser Form nicht überall folgen. Kerben runden und dünne Teile verbreitern.</translation>
     </message>
@@ -2417,6 +2661,10 @@
     <message>
         <source>The intake file {0} lacks {1}: add it.</source>
         <translation>In der Füllhals-Datei {0} fehlt {1}: es ergänzen.</translation>
+    </message>
+    <message>
+        <source>The intake is at the farthest point, on a part that becomes {measured} as thick as the balloon: there it is tied, hangs and is held. A low place carries it better.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The intake opens into a part with {percent} of the film; the rest fills through something narrower than the intake. Move it to the largest part.</source>
@@ -2439,6 +2687,10 @@
         <translation>Der Ort des Füllhalses entlang der Naht muss eine Länge sein.</translation>
     </message>
     <message>
+        <source>The intake's place cannot be "{0}": choose {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The intake's width must be between 0.01 mm and 10 m: give it about 10 mm.</source>
         <translation>Die Breite des Füllhalses muss zwischen 0,01 mm und 10 m liegen: etwa 10 mm angeben.</translation>
     </message>
@@ -2447,16 +2699,20 @@
         <translation>Die Füllhälse zweier Kammern stoßen aneinander: eine Lücke in der Naht dazwischen lassen oder den ersten anderswo anbringen.</translation>
     </message>
     <message>
-        <source>The label "{0}" has no letter that can be drawn: write it in other letters.</source>
-        <translation>Die Beschriftung „{0}“ hat keinen zeichenbaren Buchstaben: andere Buchstaben benutzen.</translation>
-    </message>
-    <message>
         <source>The label "{0}" is {1} long, and the film is only {2} wide: take a shorter text or lower letters.</source>
         <translation>Die Beschriftung „{0}“ ist {1} lang, und die Folie nur {2} breit: einen kürzeren Text oder niedrigere Buchstaben nehmen.</translation>
     </message>
     <message>
+        <source>The layer MARK of the machine file {0}.json takes notches only. Rename it NOTCH, and where your machine can draw, add the layers FOLD and PEN.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The layout failed: give the pieces more room.</source>
         <translation>Das Auslegen ist gescheitert: den Stücken mehr Platz geben.</translation>
+    </message>
+    <message>
+        <source>The layout of {0} is older than its patterns: recompute it.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The layout was stopped; nothing was changed.</source>
@@ -2489,6 +2745,10 @@
     <message>
         <source>The native solver is not available: {0} Use the NumPy solver.</source>
         <translation>Der native Löser ist nicht verfügbar: {0} Den NumPy-Löser benutzen.</translation>
+    </message>
+    <message>
+        <source>The native solver, which is faster, is not available: {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The nozzle's flange must be wider than its bore.</source>
@@ -2583,6 +2843,14 @@
         <translation>Das Bild wurde als Strichzeichnung gelesen: Das Innere der Linien ist gefüllt.</translation>
     </message>
     <message>
+        <source>The pieces of the intake "{0}" are cut from {1}: they have a file of their own, with all of them for each balloon.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The pieces of the intake "{0}" are of {1}, which does not weld to {2}: choose another intake, or a film that it welds to: {3}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The pressure must be positive and at most {0} Pa, not {1} Pa. A party balloon has about 2 kPa.</source>
         <translation>Der Druck muss positiv und höchstens {0} Pa sein, nicht {1} Pa. Ein Partyballon hat etwa 2 kPa.</translation>
     </message>
@@ -2639,8 +2907,8 @@
         <translation>Der Löser „{0}“ braucht das Python-Paket scipy. Es installieren oder den nativen Löser benutzen.</translation>
     </message>
     <message>
-        <source>The solver stopped; the report view tells why.</source>
-        <translation>Der Löser ist stehen geblieben; das Ausgabefenster sagt, warum.</translation>
+        <source>The strips of valves are not here: lay them out on a sheet of their own, with "Valve film".</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The temperature of the {0}, {1} degrees Celsius, is out of range: give one such as 20C.</source>
@@ -2649,6 +2917,10 @@
     <message>
         <source>The tie tab at {0} degrees would run into another part: choose another angle.</source>
         <translation>Die Lasche bei {0} Grad liefe in einen anderen Teil: einen anderen Winkel wählen.</translation>
+    </message>
+    <message>
+        <source>The valve reaches {0} into the balloon, past the weld at {1}: put the intake where the balloon is longer, or take another one.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The volume must be positive, not {0} m3.</source>
@@ -2685,6 +2957,10 @@
     <message>
         <source>The {0} line crosses itself near {1}: simplify the drawing there.</source>
         <translation>Die Linie {0} kreuzt sich nahe {1}: die Zeichnung dort vereinfachen.</translation>
+    </message>
+    <message>
+        <source>The {0} line runs back along itself near {1}: simplify the drawing there.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The {0} line that begins at {1} is open: programs fill, offset and cut closed lines only. Close it.</source>
@@ -2735,6 +3011,10 @@
         <translation>Es gibt keinen Füllhals „{0}“: einen von {1} wählen.</translation>
     </message>
     <message>
+        <source>There is no joining "{0}": choose one of {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>There is no look "{0}": choose one of {1}.</source>
         <translation>Es gibt kein Aussehen „{0}“: eines von {1} wählen.</translation>
     </message>
@@ -2775,6 +3055,14 @@
         <translation>Es gibt keine Symmetrie „{0}“: eine von {1} wählen.</translation>
     </message>
     <message>
+        <source>There is too little memory for this: take a coarser mesh, or close other programs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is too little memory for this: take a coarser mesh, or close other programs. Details are in '{0}'.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Thickness</source>
         <translation>Dicke</translation>
     </message>
@@ -2805,6 +3093,14 @@
     <message>
         <source>This gives no whole number: {}</source>
         <translation>Das ergibt keine ganze Zahl: {}</translation>
+    </message>
+    <message>
+        <source>This is a fault of the program, not yours, and its details cannot be written anywhere. Please report it: {0}, {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is a fault of the program, not yours. Its details are in '{0}': please report it with this file.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>This is shape {0} of the {1} in the drawing.</source>
@@ -2867,12 +3163,24 @@
         <translation>Rückgängig (Strg+Z)</translation>
     </message>
     <message>
-        <source>Upload the SVG as a cut image and compare the control bar: some versions read the size at 72 dpi.</source>
-        <translation>Das SVG als Schnittbild hochladen und den Kontrollbalken vergleichen: Manche Versionen lesen die Größe mit 72 dpi.</translation>
+        <source>Unknown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Upload the SVG as a cut image and compare the control bar: some versions read the size at 72 dpi. Nothing is in the file that may not be cut. It adds the knife's offset and overcut itself.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Used</source>
         <translation>Genutzt</translation>
+    </message>
+    <message>
+        <source>Valve film</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Valve, on one panel</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Violet</source>
@@ -2885,6 +3193,10 @@
     <message>
         <source>Warm air</source>
         <translation>Warmluft</translation>
+    </message>
+    <message>
+        <source>Weakest place</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Weighing {0}</source>
@@ -2903,6 +3215,10 @@
         <translation>TPU auf TPU mit Eisen oder Heißluft schweißen, 10 mm breit. Kette und Schuss sind steif, die Schräge ist weich: Das Modell nimmt einen Modul für alle Richtungen. Nach den ersten Füllungen steifer.</translation>
     </message>
     <message>
+        <source>Weld across the neck along its line, through panels and strips: the field keeps the channel open. Pull the slip out and blow through the valve.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Weld along the dashed line, {seal} mm wide, all the way round.</source>
         <translation>Entlang der gestrichelten Linie schweißen, {seal} mm breit, rundherum.</translation>
     </message>
@@ -2915,24 +3231,32 @@
         <translation>Naht und Schnitt</translation>
     </message>
     <message>
-        <source>Weld length</source>
-        <translation>Nahtlänge</translation>
-    </message>
-    <message>
         <source>Weld the lines inside the balloon.</source>
         <translation>Die Linien im Inneren des Ballons schweißen.</translation>
     </message>
     <message>
-        <source>Weld with high frequency along the dashed line, {seal} mm wide. Never cut this film with a laser.</source>
-        <translation>Mit Hochfrequenz entlang der gestrichelten Linie schweißen, {seal} mm breit. Diese Folie nie mit dem Laser schneiden.</translation>
+        <source>Weld the two strips together along their lines; over the marked field, heat-resistant ink or a slip of baking paper keeps the channel open. Tack them to one panel, their end at the mouth; then weld round the balloon and across the neck. Fill with a 6 mm tube: the pressure closes the strips.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Weld with high frequency along the dashed line, {seal} mm wide; leave the mouth of the neck open. Never cut this film with a laser.</source>
-        <translation>Mit Hochfrequenz entlang der gestrichelten Linie schweißen, {seal} mm breit; die Mündung des Halses offen lassen. Diese Folie nie mit dem Laser schneiden.</translation>
+        <source>Weld with high frequency along the dashed line, {seal} mm wide, all the way round.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weld with high frequency along the dashed line, {seal} mm wide; leave the mouth of the neck open.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Welded across, last</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Welds easily with an impulse sealer or an iron. Yields at about 9 MPa, half its tensile strength, and creeps: keep the pressure low.</source>
         <translation>Lässt sich leicht mit Impulssiegler oder Bügeleisen schweißen. Fließt bei etwa 9 MPa, der Hälfte seiner Zugfestigkeit, und kriecht: den Druck niedrig halten.</translation>
+    </message>
+    <message>
+        <source>What it takes to make it</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>What most shops ask for: R12, closed polylines, nothing on the sheet that is not cut. R12 knows no unit, so the file's name tells it.</source>
@@ -2941,6 +3265,10 @@
     <message>
         <source>What works here</source>
         <translation>Was hier funktioniert</translation>
+    </message>
+    <message>
+        <source>Whether the {0} of the intake's pieces welds to {1} is not known: try it on a scrap first.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>While this is pressed, the ring in the 3D view moves the intake</source>
@@ -2969,6 +3297,10 @@
     <message>
         <source>Will it float?</source>
         <translation>Schwebt er?</translation>
+    </message>
+    <message>
+        <source>With the fonts of this computer {0} cannot be drawn, letter by letter from left to right: leave that out of the label, or install a font that has it and start again.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Wrinkles</source>
@@ -3011,6 +3343,10 @@
         <translation>Elastizitätsmodul quer zur Laufrichtung</translation>
     </message>
     <message>
+        <source>a LightBurn project has layers up to {0}: change the pen.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>a coordinate is not a number</source>
         <translation>eine Koordinate ist keine Zahl</translation>
     </message>
@@ -3025,6 +3361,10 @@
     <message>
         <source>air</source>
         <translation>Luft</translation>
+    </message>
+    <message>
+        <source>another run has been writing there for a minute</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>apart {} in the mean, 95 % below {}, at most {}</source>
@@ -3055,6 +3395,10 @@
         <translation>bringe ihn auf eine</translation>
     </message>
     <message>
+        <source>choose Drawn as filled shape</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>colour index {0} and pen {1} of {2} must be from 1 to 255.</source>
         <translation>Farbindex {0} und Stift {1} von {2} müssen von 1 bis 255 reichen.</translation>
     </message>
@@ -3075,6 +3419,10 @@
         <translation>Zeichnung</translation>
     </message>
     <message>
+        <source>drawn mark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>empty: </source>
         <translation>leer: </translation>
     </message>
@@ -3087,8 +3435,20 @@
         <translation>Folie und Ventil wiegen {0} g</translation>
     </message>
     <message>
+        <source>fold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>gas</source>
         <translation>Gas</translation>
+    </message>
+    <message>
+        <source>glued seam</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>glued seam inside</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>height</source>
@@ -3131,6 +3491,18 @@
         <translation>zeitliches Aufblasen</translation>
     </message>
     <message>
+        <source>it is nested too deeply</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is no file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is too large</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>it would grow together with another part</source>
         <translation>sie würde mit einem anderen Teil zusammenwachsen</translation>
     </message>
@@ -3163,12 +3535,12 @@
         <translation>unten</translation>
     </message>
     <message>
-        <source>mark</source>
-        <translation>Markierung</translation>
-    </message>
-    <message>
         <source>mass</source>
         <translation>Masse</translation>
+    </message>
+    <message>
+        <source>may be cut</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>more than</source>
@@ -3189,6 +3561,10 @@
     <message>
         <source>not converged: </source>
         <translation>nicht konvergiert: </translation>
+    </message>
+    <message>
+        <source>notch</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>opacity</source>
@@ -3223,6 +3599,14 @@
         <translation>Nahtbreite</translation>
     </message>
     <message>
+        <source>seam</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>seam inside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>serious</source>
         <translation>ernst</translation>
     </message>
@@ -3249,6 +3633,14 @@
     <message>
         <source>strength of the film not known</source>
         <translation>Festigkeit der Folie unbekannt</translation>
+    </message>
+    <message>
+        <source>taped seam</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>taped seam inside</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>taut: {:.0f} %</source>
@@ -3279,6 +3671,14 @@
         <translation>der Ebenenname „{0}“ darf 1 bis 31 Zeichen aus A-Z, 0-9, _, - und $ haben.</translation>
     </message>
     <message>
+        <source>the name "{0}" of the stock goes into file names: take letters a to z.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sealing side {0} is no polymer: give one such as "PE", or "none".</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>there is no such corner</source>
         <translation>es gibt keine solche Ecke</translation>
     </message>
@@ -3289,6 +3689,10 @@
     <message>
         <source>thickness</source>
         <translation>Dicke</translation>
+    </message>
+    <message>
+        <source>thin PE film, 30 to 50 µm</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>trial {0}, {1}</source>
@@ -3341,6 +3745,10 @@
     <message>
         <source>{0} "{1}" is none of {2}.</source>
         <translation>{0} „{1}“ ist keines von {2}.</translation>
+    </message>
+    <message>
+        <source>{0} It is left out.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} and {1} lines meet near {2}: move the hole inward or make the allowance narrower.</source>
@@ -3411,8 +3819,28 @@
         <translation>{0} hat mehrere Flächen: eine davon wählen.</translation>
     </message>
     <message>
+        <source>{0} hole with a thin line round it was filled, as a pen's: choose Drawn as filled shape to keep it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} holes with a thin line round them were filled, as a pen's: choose Drawn as filled shape to keep them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} is a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} is a folder</source>
         <translation>{0} ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>{0} is damaged or incomplete ({1}). Install the workbench anew.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} is damaged or incomplete. Install the workbench anew.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} is empty: draw a closed line in it.</source>
@@ -3435,6 +3863,10 @@
         <translation>{0} ist nicht eben: Ein Ballon wird aus flacher Folie geschnitten, also in einer Ebene zeichnen.</translation>
     </message>
     <message>
+        <source>{0} is not joined by heat: {1} is not made for it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} is not up to date. {1}</source>
         <translation>{0} ist nicht aktuell. {1}</translation>
     </message>
@@ -3445,6 +3877,10 @@
     <message>
         <source>{0} is not up to date. {1} Repair that, recompute and export again.</source>
         <translation>{0} ist nicht aktuell. {1} Das beheben, neu berechnen und noch einmal ausgeben.</translation>
+    </message>
+    <message>
+        <source>{0} is too large a number, or none</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} is {1}: give a number from {2} to {3}.</source>
@@ -3489,6 +3925,10 @@
     <message>
         <source>{0} mm wide, {1} m long</source>
         <translation>{0} mm breit, {1} m lang</translation>
+    </message>
+    <message>
+        <source>{0} must never be cut with a laser: choose a machine with a knife.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} m²; wider than the usual roll</source>
@@ -3599,12 +4039,16 @@
         <translation>{:.3g} g, schwebt nie mit {}</translation>
     </message>
     <message>
-        <source>{:.3g} g: film {:.3g}, weld and neck {:.2g}, valve {:.2g}</source>
-        <translation>{:.3g} g: Folie {:.3g}, Naht und Hals {:.2g}, Ventil {:.2g}</translation>
+        <source>{:.3g} g: film {:.3g}, seam and neck {:.2g}, valve {:.2g}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{:.3g} m², wider than the usual roll</source>
         <translation>{:.3g} m², breiter als die übliche Rolle</translation>
+    </message>
+    <message>
+        <source>{} at ({})</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{} files written to {}</source>
@@ -3639,8 +4083,8 @@
         <translation>{}, Reserve {:g} ({})</translation>
     </message>
     <message>
-        <source>{}, weld {}</source>
-        <translation>{}, Naht {}</translation>
+        <source>{}, seam {}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{}: {}</source>

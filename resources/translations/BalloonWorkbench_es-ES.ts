@@ -104,6 +104,10 @@
         <translation>Película, modelo y solucionador del resultado</translation>
     </message>
     <message>
+        <source>Find the place of the intake</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Fit inside width and height instead of stretching to both</source>
         <translation>Encajar en anchura y altura en vez de estirar a ambas</translation>
     </message>
@@ -148,6 +152,10 @@
         <translation>Altura de la impresión con sus marcas</translation>
     </message>
     <message>
+        <source>How a picture is read: holes of a filled shape stay, lines of a pen drawing are filled inside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>How far the print goes past the cut</source>
         <translation>Cuánto sobrepasa la impresión el corte</translation>
     </message>
@@ -164,12 +172,16 @@
         <translation>Cómo se llena y se cierra el globo</translation>
     </message>
     <message>
-        <source>How the grain of the pieces lies, relative to the film's length</source>
-        <translation>Cómo queda la fibra de las piezas respecto a la longitud de la película</translation>
+        <source>How the grain of pieces lies, where their film has one</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>How the intake is made and used</source>
         <translation>Cómo se hace y se usa la boca</translation>
+    </message>
+    <message>
+        <source>How two panels of this film are joined</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Inner width of the neck, or bore of the nozzle</source>
@@ -284,6 +296,10 @@
         <translation>Del aire caliente, en grados Celsius</translation>
     </message>
     <message>
+        <source>Only one side of this film can be joined so</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Part of the film that the pieces take, in per cent</source>
         <translation>Parte de la película que ocupan las piezas, en por ciento</translation>
     </message>
@@ -304,12 +320,12 @@
         <translation>Lugar de la boca: por la costura exterior, en sentido antihorario desde su punto más a la derecha</translation>
     </message>
     <message>
-        <source>Point the neck from the centre to the farthest point</source>
-        <translation>Dirigir el cuello desde el centro al punto más lejano</translation>
-    </message>
-    <message>
         <source>Poisson's ratio of the film</source>
         <translation>Coeficiente de Poisson de la película</translation>
+    </message>
+    <message>
+        <source>Polymer of the side that is welded, such as PE; none where it does not weld, empty: not known</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Pressure in the inflated balloon</source>
@@ -532,6 +548,18 @@
         <translation>Dónde están todas las piezas, como JSON</translation>
     </message>
     <message>
+        <source>Where it is found: farthest from the centre, or low, where a tied balloon hangs straight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether a laser may cut this film</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which film is laid out: pieces of a valve are on one of their own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Which shape of the drawing it is; 1 is the largest</source>
         <translation>Qué forma del dibujo es; 1 es la mayor</translation>
     </message>
@@ -587,10 +615,6 @@
 <context>
     <name>BalloonWorkbench</name>
     <message>
-        <source> The native solver, which is faster, is not available: {0}</source>
-        <translation> El solucionador nativo, más rápido, no está disponible: {0}</translation>
-    </message>
-    <message>
         <source> is not ready: </source>
         <translation> no está listo: </translation>
     </message>
@@ -619,10 +643,6 @@
         <translation>«{0}» es más frío que nada; escriba una temperatura como 20C, 68F o 293K.</translation>
     </message>
     <message>
-        <source>'{0}' is damaged or not a DXF file. Save it once more.</source>
-        <translation>«{0}» está dañado o no es un archivo DXF. Guárdelo de nuevo.</translation>
-    </message>
-    <message>
         <source>'{0}' is damaged or not a picture ({1}). Save it as PNG, JPEG or BMP once more.</source>
         <translation>«{0}» está dañado o no es una imagen ({1}). Guárdelo de nuevo como PNG, JPEG o BMP.</translation>
     </message>
@@ -631,8 +651,16 @@
         <translation>«{0}» está dañado o no es una imagen. Guárdelo de nuevo como PNG, JPEG o BMP.</translation>
     </message>
     <message>
+        <source>'{0}' is damaged. Save it as PNG, JPEG or BMP once more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>'{0}' is empty. Choose another file.</source>
         <translation>«{0}» está vacío. Elija otro archivo.</translation>
+    </message>
+    <message>
+        <source>'{0}' is larger than {1} MB. Save it as JPEG or PNG.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>'{0}' is larger than {1} MB. Simplify the drawing.</source>
@@ -669,6 +697,10 @@
     <message>
         <source>, about {:.2f} {}</source>
         <translation>, unos {:.2f} {}</translation>
+    </message>
+    <message>
+        <source>, estimated: the film did not come to rest</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>, {0} mm so far</source>
@@ -735,6 +767,10 @@
         <translation>Queda un paso de {0} abierto en la soldadura en {1}, para que el aire llegue a ambos lados.</translation>
     </message>
     <message>
+        <source>A picture cannot be drawn as "{0}": choose {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>A picture has no size of its own. Give the width or the height of the balloon.</source>
         <translation>Una imagen no tiene tamaño propio. Indique la anchura o la altura del globo.</translation>
     </message>
@@ -751,8 +787,8 @@
         <translation>Un croquis con cotas: cambie una celda de la hoja y todo la sigue</translation>
     </message>
     <message>
-        <source>A strict reader that wants plain polylines. Layers are told apart by colour.</source>
-        <translation>Un lector estricto que quiere polilíneas sencillas. Las capas se distinguen por el color.</translation>
+        <source>A strict reader that wants plain polylines. Layers are told apart by colour: cut red, blue and orange, set the output of all others to no.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>A volume of {0} litres cannot be made: give one such as 10l.</source>
@@ -785,10 +821,6 @@
     <message>
         <source>Advice</source>
         <translation>Consejos</translation>
-    </message>
-    <message>
-        <source>After welding, turn the tail in through itself with a straw, at the mark beside the balloon, and fill through it up to the second mark. Pull the straw out: the air in the balloon presses the tail flat.</source>
-        <translation>Tras soldar, vuelva la cola hacia dentro con una pajita, en la marca junto al globo, y llene por ella hasta la segunda marca. Saque la pajita: el aire del globo aplasta la cola.</translation>
     </message>
     <message>
         <source>Air intake</source>
@@ -897,6 +929,10 @@
     <message>
         <source>Balloon</source>
         <translation>Globo</translation>
+    </message>
+    <message>
+        <source>Balloon film</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Balloon pattern</source>
@@ -1035,6 +1071,10 @@
         <translation>Corte cada página por sus cruces de la izquierda y de abajo, póngala sobre las cruces de las vecinas y péguela.</translation>
     </message>
     <message>
+        <source>Cut out the hole of the nozzle, in the front panel only.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Cut out the holes inside.</source>
         <translation>Recorte los agujeros interiores.</translation>
     </message>
@@ -1045,14 +1085,6 @@
     <message>
         <source>Cut two panels from {film}, the second one mirrored.</source>
         <translation>Corte dos paneles ({film}), el segundo reflejado.</translation>
-    </message>
-    <message>
-        <source>Cut two panels from {film}, the second one mirrored. Lay the grain of both the same way.</source>
-        <translation>Corte dos paneles ({film}), el segundo reflejado. Ponga la fibra de ambos en la misma dirección.</translation>
-    </message>
-    <message>
-        <source>Cut two strips from thin PE film and weld them together along their two lines; weld one strip to each panel across the neck, along its mark, with the strips' end at the mouth and their sides under the weld; then weld the panels. Fill with a straw: the pressure presses the strips together.</source>
-        <translation>Corte dos tiras de película fina de PE y suéldelas entre sí por sus dos líneas; suelde una tira a cada panel a través del cuello, por su marca, con el extremo en la boca y los lados bajo la soldadura; luego suelde los paneles. Llene con una pajita: la presión aprieta las tiras.</translation>
     </message>
     <message>
         <source>Cutting shop (DXF R12)</source>
@@ -1111,12 +1143,16 @@
         <translation>Dibujos</translation>
     </message>
     <message>
+        <source>Drawn as</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>E across the grain</source>
         <translation>E transversal a la fibra</translation>
     </message>
     <message>
-        <source>Each stroke colour becomes an operation of its own. DXF is not read.</source>
-        <translation>Cada color de trazo se convierte en una operación. No lee DXF.</translation>
+        <source>Each stroke colour becomes an operation of its own: cut red, blue and orange, set all others to ignore. DXF is not read.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Edit artwork</source>
@@ -1139,8 +1175,8 @@
         <translation>Borrador</translation>
     </message>
     <message>
-        <source>Every layer becomes a colour of the cut list; layers that share a colour would be merged. Set the import unit to millimetres. Switch the SEAL and REGISTRATION layers off, or give the control bar a light engraving.</source>
-        <translation>Cada capa se convierte en un color de la lista de corte; las de igual color se unirían. Ponga la unidad de importación en milímetros. Desactive las capas SEAL y REGISTRATION o grabe ligeramente la barra de control.</translation>
+        <source>Every layer becomes a colour of the cut list; layers that share a colour would be merged. Set the import unit to millimetres. Cut red, blue and orange only and switch the output of all others off; the LightBurn project has them on tool layers already.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Expected thickness</source>
@@ -1159,6 +1195,10 @@
         <translation>Expresión</translation>
     </message>
     <message>
+        <source>Farthest point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>File</source>
         <translation>Archivo</translation>
     </message>
@@ -1171,16 +1211,32 @@
         <translation>Rellenar una línea cerrada o dar otro color a una superficie</translation>
     </message>
     <message>
+        <source>Fill through a tube of 6 mm, its end cut aslant, pushed 25 mm past the weld across the neck. Pull it out: the pressure presses the strips together.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fill to {pressure} kPa, never above {safe} kPa: film and seam then keep a margin of {margin}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Fill to {pressure} kPa, never above {safe} kPa: film and weld then keep a margin of {margin}.</source>
         <translation>Llene hasta {pressure} kPa, nunca por encima de {safe} kPa: película y soldadura conservan así un margen de {margin}.</translation>
     </message>
     <message>
-        <source>Fill to {pressure} kPa, which is more than film and weld bear with a margin of {margin}: up to {safe} kPa. Mind your eyes.</source>
-        <translation>Llene hasta {pressure} kPa. Es más de lo que película y soldadura aguantan con un margen de {margin}: hasta {safe} kPa. Proteja sus ojos.</translation>
+        <source>Fill to {safe} kPa at most: {pressure} kPa is more than film and seam bear with a margin of {margin}. Mind your eyes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fill to {safe} kPa at most: {pressure} kPa is more than film and weld bear with a margin of {margin}. Mind your eyes.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Fill with air a little and brush soapy water along the weld: bubbles show leaks. Weld once more there.</source>
         <translation>Meta un poco de aire y pase agua jabonosa por la soldadura: las burbujas muestran las fugas. Vuelva a soldar ahí.</translation>
+    </message>
+    <message>
+        <source>Filled shape</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Film</source>
@@ -1287,6 +1343,10 @@
         <translation>Glowforge</translation>
     </message>
     <message>
+        <source>Glue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Glue a strip of {seal} mm along the dashed line. Let it dry under a weight.</source>
         <translation>Pegue una franja de {seal} mm a lo largo de la línea discontinua. Deje secar bajo un peso.</translation>
     </message>
@@ -1305,6 +1365,10 @@
     <message>
         <source>Glue the seams. Stiffer along the web than across it; E is the geometric mean. Porous: for a moment's inflation or with a lining.</source>
         <translation>Pegue las costuras. Más rígido a lo largo de la banda que a través; E es la media geométrica. Poroso: para un inflado breve o con forro.</translation>
+    </message>
+    <message>
+        <source>Glued seam</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Grain</source>
@@ -1331,6 +1395,10 @@
         <translation>Corazón desde una hoja de cálculo</translation>
     </message>
     <message>
+        <source>Heat</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Heat sealer on a plotter</source>
         <translation>Selladora térmica en un trazador</translation>
     </message>
@@ -1341,6 +1409,10 @@
     <message>
         <source>Helium</source>
         <translation>Helio</translation>
+    </message>
+    <message>
+        <source>High frequency</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>How wide shall it be?</source>
@@ -1383,6 +1455,10 @@
         <translation>Inflado</translation>
     </message>
     <message>
+        <source>Ink, or a slip of baking paper</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Inkscape</source>
         <translation>Inkscape</translation>
     </message>
@@ -1395,12 +1471,32 @@
         <translation>Boca en una parte lateral</translation>
     </message>
     <message>
+        <source>Intake on a thin part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>It is not inflated yet: choose Inflate now in its context menu, or switch Live on.</source>
         <translation>Aún no está inflado: elija «Inflar ahora» en su menú contextual o active En vivo.</translation>
     </message>
     <message>
         <source>It is wider now. Ctrl+Z takes that back.</source>
         <translation>Ahora es más ancho. Ctrl+Z lo deshace.</translation>
+    </message>
+    <message>
+        <source>Join the panels along the dashed line, {seal} mm wide, all the way round.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Join the panels along the dashed line, {seal} mm wide; leave the mouth of the neck open.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Join the panels along the lines inside the balloon.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joining</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Keep the proportions</source>
@@ -1423,16 +1519,24 @@
         <translation>Las etiquetas necesitan matplotlib: instálelo con pip install matplotlib o deje la etiqueta vacía.</translation>
     </message>
     <message>
-        <source>Laid in rows, which takes more film: install the package spyrrow (pip install spyrrow) for a closer layout.</source>
-        <translation>Colocado en filas, lo que gasta más película: instale el paquete spyrrow (pip install spyrrow) para una colocación más ajustada.</translation>
+        <source>Laid one piece after another: the package spyrrow (pip install spyrrow) often finds a closer layout.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Largest strain</source>
         <translation>Mayor deformación</translation>
     </message>
     <message>
+        <source>Laser</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Lay a picture under the paper for tracing; press again to take it away</source>
         <translation>Poner una imagen bajo el papel para calcarla; pulse otra vez para quitarla</translation>
+    </message>
+    <message>
+        <source>Lay both valve strips on each other, their lines together. On the field marked on VALVE, INK put heat-resistant ink, or a slip of baking paper between the strips. Weld them along both long lines.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Lay out</source>
@@ -1443,12 +1547,20 @@
         <translation>Colocar en la película</translation>
     </message>
     <message>
+        <source>Lay the grain of both panels the same way.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Lay the panels on each other, sealing sides inward. Line them up by the notches or edges; tape outside the cut.</source>
         <translation>Ponga los paneles uno sobre otro, con las caras de sellado hacia dentro. Alinéelos por las muescas o los bordes; sujételos con cinta fuera del corte.</translation>
     </message>
     <message>
         <source>Lay the panels on each other. Line them up by the notches or edges; tape outside the cut.</source>
         <translation>Ponga los paneles uno sobre otro. Alinéelos por las muescas o los bordes; sujételos con cinta fuera del corte.</translation>
+    </message>
+    <message>
+        <source>Lay the strips into the neck of one panel, end at the mouth, line on line. Tack them to this panel only, with two spots of weld on the line, beside the channel.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Layers, millimetres and arcs, to go on drawing.</source>
@@ -1483,6 +1595,10 @@
         <translation>LightBurn (láser)</translation>
     </message>
     <message>
+        <source>LightBurn project (laser)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Line</source>
         <translation>Línea</translation>
     </message>
@@ -1507,6 +1623,10 @@
         <translation>Mirando la imagen</translation>
     </message>
     <message>
+        <source>Low</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Machine</source>
         <translation>Máquina</translation>
     </message>
@@ -1529,6 +1649,10 @@
     <message>
         <source>Material</source>
         <translation>Material</translation>
+    </message>
+    <message>
+        <source>May be cut</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Measured on the inflated balloon.</source>
@@ -1595,8 +1719,16 @@
         <translation>Necesario</translation>
     </message>
     <message>
+        <source>Never</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Never cut PVC with a laser: it gives off hydrogen chloride, which is toxic and ruins the machine. Weld with high frequency or hot air. Stretches visibly: at 2 kPa the shape depends on the grade and on the pressure.</source>
         <translation>No corte nunca PVC con láser: desprende cloruro de hidrógeno, tóxico y dañino para la máquina. Suelde por alta frecuencia o con aire caliente. Se estira a simple vista: a 2 kPa la forma depende de la calidad y de la presión.</translation>
+    </message>
+    <message>
+        <source>Never cut this film with a laser.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>New balloon from picture</source>
@@ -1625,6 +1757,10 @@
     <message>
         <source>No pattern can be drawn anew without it; documents keep theirs.</source>
         <translation>Sin él no se puede trazar ningún patrón de nuevo; los documentos conservan los suyos.</translation>
+    </message>
+    <message>
+        <source>No pattern here has pieces of "{0}": choose another film.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>No shape stands out in the picture. Use stronger colours or a plainer background.</source>
@@ -1671,6 +1807,10 @@
         <translation>Nada que mejorar.</translation>
     </message>
     <message>
+        <source>Nowhere on the seam is room for an intake of {0}: choose a narrower one, or a place for it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Nozzle with flange</source>
         <translation>Boquilla con brida</translation>
     </message>
@@ -1691,6 +1831,14 @@
         <translation>Desvío del dibujo</translation>
     </message>
     <message>
+        <source>On the way of the valve the balloon narrows to {0} at {1}; its channel takes {2} with its welds there. Make the neck wider or put it elsewhere, else the weld closes the valve.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Once the seam is closed, turn the tail in through itself with a straw, at the mark beside the balloon, and fill through it up to the second mark. Pull the straw out: the air in the balloon presses the tail flat.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>One large page</source>
         <translation>Una página grande</translation>
     </message>
@@ -1699,12 +1847,20 @@
         <translation>Cola antirretorno</translation>
     </message>
     <message>
+        <source>Only grades of this film with a sealing layer weld: try scraps before you cut.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Only the middle of the weld. A closed weld runs past its start, so that the joint is tight.</source>
         <translation>Solo el centro de la soldadura. Una soldadura cerrada pasa de su comienzo, para que la unión sea hermética.</translation>
     </message>
     <message>
         <source>Only {0} of film stay between two cuts near {1}; {2} wants {3}. It may tear or melt there.</source>
         <translation>Solo quedan {0} de película entre dos cortes cerca de {1}; {2} quiere {3}. Puede rasgarse o fundirse ahí.</translation>
+    </message>
+    <message>
+        <source>Open it, do not import it. Outline, holes and notches are on cut layers, without speed and power: take them from your material library. Welds (T1) and all that is drawn (T2) are on tool layers, which LightBurn never burns.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Opposite the intake</source>
@@ -1811,6 +1967,10 @@
         <translation>Lápiz</translation>
     </message>
     <message>
+        <source>Pen drawing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Picture, SVG, DXF or JSON</source>
         <translation>Imagen, SVG, DXF o JSON</translation>
     </message>
@@ -1825,6 +1985,10 @@
     <message>
         <source>Pictures need OpenCV, which is missing or does not work here. Install the package python3-opencv (or opencv-python-headless), or open the picture inside FreeCAD.</source>
         <translation>Las imágenes necesitan OpenCV, que falta o no funciona aquí. Instale el paquete python3-opencv (u opencv-python-headless) o abra la imagen dentro de FreeCAD.</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Place by</source>
@@ -1855,8 +2019,8 @@
         <translation>Reproducir el inflado o parar en un fotograma</translation>
     </message>
     <message>
-        <source>Plotter units of 0.025 mm. Pen 1 draws the control bar, pen 2 the marks, pen 3 cuts. For a swivel knife set its offset, 0.25 mm is common.</source>
-        <translation>Unidades de trazador de 0,025 mm. La pluma 1 dibuja la barra de control, la 2 las marcas, la 3 corta. Con cuchilla giratoria ajuste su desvío; 0,25 mm es lo habitual.</translation>
+        <source>Plotter units of 0.025 mm. Pen 1 draws the control bar, pen 2 cuts the notches, pen 3 the rest. Nothing is in the file that may not be cut. For a swivel knife set its offset, 0.25 mm is common. Cuts run 1 mm past their start: set overcut_mm to 0 where the cutter does that itself.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Point {0} of the JSON file's {1} is not a pair of numbers. {2}</source>
@@ -1871,12 +2035,12 @@
         <translation>Película de polietileno (LDPE), 50 µm</translation>
     </message>
     <message>
-        <source>Polylines at the real size with a layer and a colour for each role.</source>
-        <translation>Polilíneas a tamaño real con una capa y un color para cada función.</translation>
+        <source>Polylines at the real size with a layer and a colour for each role. CUT, CUT_INNER and NOTCH are cut, SEAL and WELD welded, all others drawn.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Polylines in millimetres with a layer for each role: what every program reads.</source>
-        <translation>Polilíneas en milímetros con una capa para cada función: lo que lee cualquier programa.</translation>
+        <source>Polylines in millimetres with a layer for each role: what every program reads. CUT, CUT_INNER and NOTCH are cut, SEAL and WELD welded, all others drawn.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Predicted from the outline; not inflated yet.</source>
@@ -1903,12 +2067,12 @@
         <translation>Mueva el papel. El botón central o la barra espaciadora lo hacen con cualquier herramienta; la rueda amplía.</translation>
     </message>
     <message>
-        <source>Push a straw in, fill, pull it out and weld straight across the neck beside the balloon.</source>
-        <translation>Meta una pajita, llene, sáquela y suelde recto a través del cuello junto al globo.</translation>
+        <source>Push a straw in, fill, pull it out and close the neck like the seam, straight across beside the balloon.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Push the nozzle through the hole of the front panel from inside, put the ring over it from outside, and weld flange, film and ring together along the ring's line before the panels are joined.</source>
-        <translation>Meta la boquilla desde dentro por el agujero del panel delantero, ponga el anillo encima por fuera y suelde brida, película y anillo por la línea del anillo antes de unir los paneles.</translation>
+        <source>Push the nozzle through the hole of the front panel from inside, put the ring over it from outside, and join flange, film and ring like the seam, along the ring's line, before the panels are joined.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Put a picture on the paper, without its background</source>
@@ -1917,6 +2081,10 @@
     <message>
         <source>Put outline, balloon and pattern into the document, and print the pattern</source>
         <translation>Poner contorno, globo y patrón en el documento e imprimir el patrón</translation>
+    </message>
+    <message>
+        <source>Put the intake low</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>RDWorks (Ruida laser)</source>
@@ -2017,6 +2185,14 @@
     <message>
         <source>Seal width (0: the film's)</source>
         <translation>Anchura de soldadura (0: la de la película)</translation>
+    </message>
+    <message>
+        <source>Seam</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seam length</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Second panel, mirrored</source>
@@ -2151,6 +2327,14 @@
         <translation>Cuello para pajita</translation>
     </message>
     <message>
+        <source>Strips</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Strips welded together</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Symmetry</source>
         <translation>Simetría</translation>
     </message>
@@ -2161,6 +2345,10 @@
     <message>
         <source>Tab to tie it to</source>
         <translation>Lengüeta para atar</translation>
+    </message>
+    <message>
+        <source>Tacked to one panel</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Take everything off the paper</source>
@@ -2177,6 +2365,22 @@
     <message>
         <source>Take the picture away</source>
         <translation>Quitar la imagen</translation>
+    </message>
+    <message>
+        <source>Tape</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tape along the dashed line, {seal} mm wide, all the way round.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tape along the dashed line, {seal} mm wide; leave the mouth of the neck open.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Taped seam</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Tension</source>
@@ -2211,12 +2415,8 @@
         <translation>'{0}' del archivo JSON no es una lista de {1}. {2}</translation>
     </message>
     <message>
-        <source>The DXF file has an endless arc. Leave only the outline and its holes in it.</source>
-        <translation>El archivo DXF tiene un arco sin fin. Deje solo el contorno y sus agujeros.</translation>
-    </message>
-    <message>
-        <source>The DXF file has too many lines. Leave only the outline and its holes in it.</source>
-        <translation>El archivo DXF tiene demasiadas líneas. Deje solo el contorno y sus agujeros.</translation>
+        <source>The DXF file has errors; what could be read was taken from it.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The DXF file {0}; millimetres are assumed.</source>
@@ -2259,8 +2459,16 @@
         <translation>El archivo SVG define entidades, que no se leen. Guárdelo como SVG simple.</translation>
     </message>
     <message>
-        <source>The SVG file has too many elements, or some that use themselves. Simplify it.</source>
-        <translation>El archivo SVG tiene demasiados elementos o algunos que se usan a sí mismos. Simplifíquelo.</translation>
+        <source>The SVG file has a '{0}' of endless length. Save it as plain SVG once more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The SVG file has too many attributes. Save it as plain SVG once more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The SVG file has too many styles. Save it as plain SVG once more.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The SVG file is damaged ({0}). Save it once more.</source>
@@ -2303,12 +2511,36 @@
         <translation>El dibujo no se puede alcanzar en todas partes: la silueta se desvía hasta {}.</translation>
     </message>
     <message>
+        <source>The drawing has a curve through more than {0} points. Save it as a polyline.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The drawing has blocks or copies that show themselves. Remove those from it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The drawing has more than {0} elements, with those of its blocks and copies. Leave only the outline and its holes in it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The drawing has more than {0} groups or blocks inside each other. Take them apart in the program it comes from.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The drawing has more than {0} points. Simplify it in the program it comes from, or leave only the outline and its holes in it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The drawing has no closed line. Draw one, and turn texts and groups into paths.</source>
         <translation>El dibujo no tiene ninguna línea cerrada. Dibuje una y convierta textos y grupos en trazos.</translation>
     </message>
     <message>
         <source>The drawing has points more than {0} km from its origin. Move it there, and give it a size between 1 mm and 100 m.</source>
         <translation>El dibujo tiene puntos a más de {0} km de su origen. Muévalo allí y dele un tamaño de 1 mm a 100 m.</translation>
+    </message>
+    <message>
+        <source>The drawing has too much text in its styles and transforms. Save it as plain SVG once more.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The drawing has {0} shape and no number {1}: choose another Part, or delete this balloon.</source>
@@ -2321,6 +2553,10 @@
     <message>
         <source>The drawing is open: a line starts at {0} and ends {1} away at {2}. Close it.</source>
         <translation>El dibujo está abierto: una línea empieza en {0} y termina a {1}, en {2}. Ciérrela.</translation>
+    </message>
+    <message>
+        <source>The drawing takes more than {0} s to read. Simplify it in the program it comes from, or leave only the outline and its holes in it.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The drawing was made symmetric: its halves were {0} apart, the left one was kept.</source>
@@ -2337,6 +2573,10 @@
     <message>
         <source>The file is XML but no SVG drawing. Choose a drawing.</source>
         <translation>El archivo es XML pero no un dibujo SVG. Elija un dibujo.</translation>
+    </message>
+    <message>
+        <source>The file is damaged or not a DXF file. Save it once more.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The file of gases {0} is of no use: {1}. Install it anew.</source>
@@ -2375,8 +2615,8 @@
         <translation>La película de los globos de tienda: 15 µm de nailon 6 orientado con una capa de aluminio, 15 µm de polietileno por dentro. Suelde PE con PE. El nailon absorbe humedad y entonces es más blando.</translation>
     </message>
     <message>
-        <source>The free edition opens DXF, not SVG. Choose "as is" for the size in the import preferences. Silhouette makes its own registration marks.</source>
-        <translation>La edición gratuita abre DXF, no SVG. Elija «tal cual» para el tamaño en las preferencias de importación. Silhouette hace sus propias marcas de registro.</translation>
+        <source>The free edition opens DXF, not SVG. Choose "as is" for the size in the import preferences. Silhouette makes its own registration marks, and adds the knife's offset and overcut. Nothing is in the file that may not be cut.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The grain's angle {0} is no number: give degrees from the x axis.</source>
@@ -2403,6 +2643,10 @@
         <translation>El agujero en {0} está fuera del contorno; muévalo dentro.</translation>
     </message>
     <message>
+        <source>The holes of a filled shape stay, the lines of a pen drawing are filled inside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The inflated outline stays {0} from the drawing on average: film cannot follow this shape everywhere. Round off notches and widen thin parts.</source>
         <translation>El contorno inflado queda de media a {0} del dibujo: la película no puede seguir esta forma en todas partes. Redondee entallas y ensanche partes finas.</translation>
     </message>
@@ -2417,6 +2661,10 @@
     <message>
         <source>The intake file {0} lacks {1}: add it.</source>
         <translation>Al archivo de boca {0} le falta {1}: añádalo.</translation>
+    </message>
+    <message>
+        <source>The intake is at the farthest point, on a part that becomes {measured} as thick as the balloon: there it is tied, hangs and is held. A low place carries it better.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The intake opens into a part with {percent} of the film; the rest fills through something narrower than the intake. Move it to the largest part.</source>
@@ -2439,6 +2687,10 @@
         <translation>El lugar de la boca a lo largo de la costura debe ser una longitud.</translation>
     </message>
     <message>
+        <source>The intake's place cannot be "{0}": choose {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The intake's width must be between 0.01 mm and 10 m: give it about 10 mm.</source>
         <translation>La anchura de la boca debe estar entre 0,01 mm y 10 m: dele unos 10 mm.</translation>
     </message>
@@ -2447,16 +2699,20 @@
         <translation>Las bocas de dos cámaras chocan: deje un hueco en la soldadura entre ellas o ponga la primera en otro lugar.</translation>
     </message>
     <message>
-        <source>The label "{0}" has no letter that can be drawn: write it in other letters.</source>
-        <translation>La etiqueta «{0}» no tiene letras que se puedan dibujar: escríbala con otras.</translation>
-    </message>
-    <message>
         <source>The label "{0}" is {1} long, and the film is only {2} wide: take a shorter text or lower letters.</source>
         <translation>La etiqueta «{0}» mide {1} y la película solo {2} de ancho: tome un texto más corto o letras más bajas.</translation>
     </message>
     <message>
+        <source>The layer MARK of the machine file {0}.json takes notches only. Rename it NOTCH, and where your machine can draw, add the layers FOLD and PEN.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The layout failed: give the pieces more room.</source>
         <translation>La colocación falló: dé más sitio a las piezas.</translation>
+    </message>
+    <message>
+        <source>The layout of {0} is older than its patterns: recompute it.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The layout was stopped; nothing was changed.</source>
@@ -2489,6 +2745,10 @@
     <message>
         <source>The native solver is not available: {0} Use the NumPy solver.</source>
         <translation>El solucionador nativo no está disponible: {0} Use el de NumPy.</translation>
+    </message>
+    <message>
+        <source>The native solver, which is faster, is not available: {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The nozzle's flange must be wider than its bore.</source>
@@ -2583,6 +2843,14 @@
         <translation>La imagen se leyó como dibujo a línea: el interior de sus líneas está relleno.</translation>
     </message>
     <message>
+        <source>The pieces of the intake "{0}" are cut from {1}: they have a file of their own, with all of them for each balloon.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The pieces of the intake "{0}" are of {1}, which does not weld to {2}: choose another intake, or a film that it welds to: {3}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The pressure must be positive and at most {0} Pa, not {1} Pa. A party balloon has about 2 kPa.</source>
         <translation>La presión debe ser positiva y como mucho {0} Pa, no {1} Pa. Un globo de fiesta tiene unos 2 kPa.</translation>
     </message>
@@ -2639,8 +2907,8 @@
         <translation>El solucionador «{0}» necesita el paquete de Python scipy. Instálelo o use el nativo.</translation>
     </message>
     <message>
-        <source>The solver stopped; the report view tells why.</source>
-        <translation>El solucionador se detuvo; la vista de informe dice por qué.</translation>
+        <source>The strips of valves are not here: lay them out on a sheet of their own, with "Valve film".</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The temperature of the {0}, {1} degrees Celsius, is out of range: give one such as 20C.</source>
@@ -2649,6 +2917,10 @@
     <message>
         <source>The tie tab at {0} degrees would run into another part: choose another angle.</source>
         <translation>La lengüeta a {0} grados chocaría con otra parte: elija otro ángulo.</translation>
+    </message>
+    <message>
+        <source>The valve reaches {0} into the balloon, past the weld at {1}: put the intake where the balloon is longer, or take another one.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The volume must be positive, not {0} m3.</source>
@@ -2685,6 +2957,10 @@
     <message>
         <source>The {0} line crosses itself near {1}: simplify the drawing there.</source>
         <translation>La línea {0} se cruza cerca de {1}: simplifique ahí el dibujo.</translation>
+    </message>
+    <message>
+        <source>The {0} line runs back along itself near {1}: simplify the drawing there.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The {0} line that begins at {1} is open: programs fill, offset and cut closed lines only. Close it.</source>
@@ -2735,6 +3011,10 @@
         <translation>No hay boca «{0}»: elija una de {1}.</translation>
     </message>
     <message>
+        <source>There is no joining "{0}": choose one of {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>There is no look "{0}": choose one of {1}.</source>
         <translation>No hay aspecto «{0}»: elija uno de {1}.</translation>
     </message>
@@ -2775,6 +3055,14 @@
         <translation>No hay simetría «{0}»: elija una de {1}.</translation>
     </message>
     <message>
+        <source>There is too little memory for this: take a coarser mesh, or close other programs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is too little memory for this: take a coarser mesh, or close other programs. Details are in '{0}'.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Thickness</source>
         <translation>Grosor</translation>
     </message>
@@ -2805,6 +3093,14 @@
     <message>
         <source>This gives no whole number: {}</source>
         <translation>Esto no da un número entero: {}</translation>
+    </message>
+    <message>
+        <source>This is a fault of the program, not yours, and its details cannot be written anywhere. Please report it: {0}, {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is a fault of the program, not yours. Its details are in '{0}': please report it with this file.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>This is shape {0} of the {1} in the drawing.</source>
@@ -2867,12 +3163,24 @@
         <translation>Deshacer (Ctrl+Z)</translation>
     </message>
     <message>
-        <source>Upload the SVG as a cut image and compare the control bar: some versions read the size at 72 dpi.</source>
-        <translation>Suba el SVG como imagen de corte y compare la barra de control: algunas versiones leen el tamaño a 72 dpi.</translation>
+        <source>Unknown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Upload the SVG as a cut image and compare the control bar: some versions read the size at 72 dpi. Nothing is in the file that may not be cut. It adds the knife's offset and overcut itself.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Used</source>
         <translation>Usado</translation>
+    </message>
+    <message>
+        <source>Valve film</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Valve, on one panel</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Violet</source>
@@ -2885,6 +3193,10 @@
     <message>
         <source>Warm air</source>
         <translation>Aire caliente</translation>
+    </message>
+    <message>
+        <source>Weakest place</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Weighing {0}</source>
@@ -2903,6 +3215,10 @@
         <translation>Suelde TPU con TPU con plancha o aire caliente, 10 mm de ancho. Urdimbre y trama son rígidas, el bies es blando: el modelo toma un módulo para todas las direcciones. Más rígido tras los primeros inflados.</translation>
     </message>
     <message>
+        <source>Weld across the neck along its line, through panels and strips: the field keeps the channel open. Pull the slip out and blow through the valve.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Weld along the dashed line, {seal} mm wide, all the way round.</source>
         <translation>Suelde a lo largo de la línea discontinua, con {seal} mm de ancho, todo alrededor.</translation>
     </message>
@@ -2915,24 +3231,32 @@
         <translation>Soldadura y corte</translation>
     </message>
     <message>
-        <source>Weld length</source>
-        <translation>Longitud de soldadura</translation>
-    </message>
-    <message>
         <source>Weld the lines inside the balloon.</source>
         <translation>Suelde las líneas del interior del globo.</translation>
     </message>
     <message>
-        <source>Weld with high frequency along the dashed line, {seal} mm wide. Never cut this film with a laser.</source>
-        <translation>Suelde por alta frecuencia a lo largo de la línea discontinua, con {seal} mm de ancho. No corte nunca esta película con láser.</translation>
+        <source>Weld the two strips together along their lines; over the marked field, heat-resistant ink or a slip of baking paper keeps the channel open. Tack them to one panel, their end at the mouth; then weld round the balloon and across the neck. Fill with a 6 mm tube: the pressure closes the strips.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Weld with high frequency along the dashed line, {seal} mm wide; leave the mouth of the neck open. Never cut this film with a laser.</source>
-        <translation>Suelde por alta frecuencia a lo largo de la línea discontinua, con {seal} mm de ancho; deje abierta la boca del cuello. No corte nunca esta película con láser.</translation>
+        <source>Weld with high frequency along the dashed line, {seal} mm wide, all the way round.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weld with high frequency along the dashed line, {seal} mm wide; leave the mouth of the neck open.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Welded across, last</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Welds easily with an impulse sealer or an iron. Yields at about 9 MPa, half its tensile strength, and creeps: keep the pressure low.</source>
         <translation>Se suelda fácilmente con selladora de impulso o plancha. Cede a unos 9 MPa, la mitad de su resistencia, y fluye: mantenga baja la presión.</translation>
+    </message>
+    <message>
+        <source>What it takes to make it</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>What most shops ask for: R12, closed polylines, nothing on the sheet that is not cut. R12 knows no unit, so the file's name tells it.</source>
@@ -2941,6 +3265,10 @@
     <message>
         <source>What works here</source>
         <translation>Qué funciona aquí</translation>
+    </message>
+    <message>
+        <source>Whether the {0} of the intake's pieces welds to {1} is not known: try it on a scrap first.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>While this is pressed, the ring in the 3D view moves the intake</source>
@@ -2969,6 +3297,10 @@
     <message>
         <source>Will it float?</source>
         <translation>¿Flotará?</translation>
+    </message>
+    <message>
+        <source>With the fonts of this computer {0} cannot be drawn, letter by letter from left to right: leave that out of the label, or install a font that has it and start again.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Wrinkles</source>
@@ -3011,6 +3343,10 @@
         <translation>Módulo de Young transversal a la fibra</translation>
     </message>
     <message>
+        <source>a LightBurn project has layers up to {0}: change the pen.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>a coordinate is not a number</source>
         <translation>una coordenada no es un número</translation>
     </message>
@@ -3025,6 +3361,10 @@
     <message>
         <source>air</source>
         <translation>aire</translation>
+    </message>
+    <message>
+        <source>another run has been writing there for a minute</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>apart {} in the mean, 95 % below {}, at most {}</source>
@@ -3055,6 +3395,10 @@
         <translation>llévelo a una</translation>
     </message>
     <message>
+        <source>choose Drawn as filled shape</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>colour index {0} and pen {1} of {2} must be from 1 to 255.</source>
         <translation>el índice de color {0} y la pluma {1} de {2} deben ser de 1 a 255.</translation>
     </message>
@@ -3075,6 +3419,10 @@
         <translation>dibujo</translation>
     </message>
     <message>
+        <source>drawn mark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>empty: </source>
         <translation>vacío: </translation>
     </message>
@@ -3087,8 +3435,20 @@
         <translation>película y válvula pesan {0} g</translation>
     </message>
     <message>
+        <source>fold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>gas</source>
         <translation>gas</translation>
+    </message>
+    <message>
+        <source>glued seam</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>glued seam inside</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>height</source>
@@ -3131,6 +3491,18 @@
         <translation>inflando en el tiempo</translation>
     </message>
     <message>
+        <source>it is nested too deeply</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is no file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is too large</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>it would grow together with another part</source>
         <translation>se uniría con otra parte</translation>
     </message>
@@ -3163,12 +3535,12 @@
         <translation>inferior</translation>
     </message>
     <message>
-        <source>mark</source>
-        <translation>marca</translation>
-    </message>
-    <message>
         <source>mass</source>
         <translation>masa</translation>
+    </message>
+    <message>
+        <source>may be cut</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>more than</source>
@@ -3189,6 +3561,10 @@
     <message>
         <source>not converged: </source>
         <translation>no convergido: </translation>
+    </message>
+    <message>
+        <source>notch</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>opacity</source>
@@ -3223,6 +3599,14 @@
         <translation>anchura de soldadura</translation>
     </message>
     <message>
+        <source>seam</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>seam inside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>serious</source>
         <translation>grave</translation>
     </message>
@@ -3249,6 +3633,14 @@
     <message>
         <source>strength of the film not known</source>
         <translation>resistencia de la película desconocida</translation>
+    </message>
+    <message>
+        <source>taped seam</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>taped seam inside</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>taut: {:.0f} %</source>
@@ -3279,6 +3671,14 @@
         <translation>el nombre de capa «{0}» puede tener de 1 a 31 signos de A-Z, 0-9, _, - y $.</translation>
     </message>
     <message>
+        <source>the name "{0}" of the stock goes into file names: take letters a to z.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sealing side {0} is no polymer: give one such as "PE", or "none".</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>there is no such corner</source>
         <translation>no existe tal esquina</translation>
     </message>
@@ -3289,6 +3689,10 @@
     <message>
         <source>thickness</source>
         <translation>espesor</translation>
+    </message>
+    <message>
+        <source>thin PE film, 30 to 50 µm</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>trial {0}, {1}</source>
@@ -3341,6 +3745,10 @@
     <message>
         <source>{0} "{1}" is none of {2}.</source>
         <translation>{0} «{1}» no es ninguno de {2}.</translation>
+    </message>
+    <message>
+        <source>{0} It is left out.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} and {1} lines meet near {2}: move the hole inward or make the allowance narrower.</source>
@@ -3411,8 +3819,28 @@
         <translation>{0} tiene varias caras: seleccione una.</translation>
     </message>
     <message>
+        <source>{0} hole with a thin line round it was filled, as a pen's: choose Drawn as filled shape to keep it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} holes with a thin line round them were filled, as a pen's: choose Drawn as filled shape to keep them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} is a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} is a folder</source>
         <translation>{0} es una carpeta</translation>
+    </message>
+    <message>
+        <source>{0} is damaged or incomplete ({1}). Install the workbench anew.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} is damaged or incomplete. Install the workbench anew.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} is empty: draw a closed line in it.</source>
@@ -3435,6 +3863,10 @@
         <translation>{0} no es plano: un globo se corta de película plana, así que dibújelo en un plano.</translation>
     </message>
     <message>
+        <source>{0} is not joined by heat: {1} is not made for it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} is not up to date. {1}</source>
         <translation>{0} no está al día. {1}</translation>
     </message>
@@ -3445,6 +3877,10 @@
     <message>
         <source>{0} is not up to date. {1} Repair that, recompute and export again.</source>
         <translation>{0} no está al día. {1} Repárelo, recalcule y exporte de nuevo.</translation>
+    </message>
+    <message>
+        <source>{0} is too large a number, or none</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} is {1}: give a number from {2} to {3}.</source>
@@ -3489,6 +3925,10 @@
     <message>
         <source>{0} mm wide, {1} m long</source>
         <translation>{0} mm de ancho, {1} m de largo</translation>
+    </message>
+    <message>
+        <source>{0} must never be cut with a laser: choose a machine with a knife.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} m²; wider than the usual roll</source>
@@ -3599,12 +4039,16 @@
         <translation>{:.3g} g, nunca flota con {}</translation>
     </message>
     <message>
-        <source>{:.3g} g: film {:.3g}, weld and neck {:.2g}, valve {:.2g}</source>
-        <translation>{:.3g} g: película {:.3g}, soldadura y cuello {:.2g}, válvula {:.2g}</translation>
+        <source>{:.3g} g: film {:.3g}, seam and neck {:.2g}, valve {:.2g}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{:.3g} m², wider than the usual roll</source>
         <translation>{:.3g} m², más ancha que el rollo habitual</translation>
+    </message>
+    <message>
+        <source>{} at ({})</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{} files written to {}</source>
@@ -3639,8 +4083,8 @@
         <translation>{}, margen {:g} ({})</translation>
     </message>
     <message>
-        <source>{}, weld {}</source>
-        <translation>{}, soldadura {}</translation>
+        <source>{}, seam {}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{}: {}</source>

@@ -104,6 +104,10 @@
         <translation>Film, modèle et solveur du résultat</translation>
     </message>
     <message>
+        <source>Find the place of the intake</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Fit inside width and height instead of stretching to both</source>
         <translation>Inscrire dans la largeur et la hauteur au lieu d'étirer aux deux</translation>
     </message>
@@ -148,6 +152,10 @@
         <translation>Hauteur de l'impression avec ses repères</translation>
     </message>
     <message>
+        <source>How a picture is read: holes of a filled shape stay, lines of a pen drawing are filled inside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>How far the print goes past the cut</source>
         <translation>De combien l'impression dépasse la coupe</translation>
     </message>
@@ -164,12 +172,16 @@
         <translation>Comment le ballon est gonflé et fermé</translation>
     </message>
     <message>
-        <source>How the grain of the pieces lies, relative to the film's length</source>
-        <translation>Comment le sens des pièces se place par rapport à la longueur du film</translation>
+        <source>How the grain of pieces lies, where their film has one</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>How the intake is made and used</source>
         <translation>Comment l'embout est fait et utilisé</translation>
+    </message>
+    <message>
+        <source>How two panels of this film are joined</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Inner width of the neck, or bore of the nozzle</source>
@@ -284,6 +296,10 @@
         <translation>De l'air chaud, en degrés Celsius</translation>
     </message>
     <message>
+        <source>Only one side of this film can be joined so</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Part of the film that the pieces take, in per cent</source>
         <translation>Part du film que prennent les pièces, en pour cent</translation>
     </message>
@@ -304,12 +320,12 @@
         <translation>Place de l'embout : le long de la couture extérieure, sens antihoraire depuis son point le plus à droite</translation>
     </message>
     <message>
-        <source>Point the neck from the centre to the farthest point</source>
-        <translation>Diriger le col du centre vers le point le plus éloigné</translation>
-    </message>
-    <message>
         <source>Poisson's ratio of the film</source>
         <translation>Coefficient de Poisson du film</translation>
+    </message>
+    <message>
+        <source>Polymer of the side that is welded, such as PE; none where it does not weld, empty: not known</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Pressure in the inflated balloon</source>
@@ -532,6 +548,18 @@
         <translation>Où sont toutes les pièces, en JSON</translation>
     </message>
     <message>
+        <source>Where it is found: farthest from the centre, or low, where a tied balloon hangs straight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether a laser may cut this film</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which film is laid out: pieces of a valve are on one of their own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Which shape of the drawing it is; 1 is the largest</source>
         <translation>Quelle forme du dessin c'est ; 1 est la plus grande</translation>
     </message>
@@ -587,10 +615,6 @@
 <context>
     <name>BalloonWorkbench</name>
     <message>
-        <source> The native solver, which is faster, is not available: {0}</source>
-        <translation> Le solveur natif, plus rapide, n'est pas disponible : {0}</translation>
-    </message>
-    <message>
         <source> is not ready: </source>
         <translation> n'est pas prêt : </translation>
     </message>
@@ -619,10 +643,6 @@
         <translation>« {0} » est plus froid que tout ; écrivez une température comme 20C, 68F ou 293K.</translation>
     </message>
     <message>
-        <source>'{0}' is damaged or not a DXF file. Save it once more.</source>
-        <translation>« {0} » est abîmé ou n'est pas un fichier DXF. Enregistrez-le à nouveau.</translation>
-    </message>
-    <message>
         <source>'{0}' is damaged or not a picture ({1}). Save it as PNG, JPEG or BMP once more.</source>
         <translation>« {0} » est abîmé ou n'est pas une image ({1}). Enregistrez-le à nouveau en PNG, JPEG ou BMP.</translation>
     </message>
@@ -631,8 +651,16 @@
         <translation>« {0} » est abîmé ou n'est pas une image. Enregistrez-le à nouveau en PNG, JPEG ou BMP.</translation>
     </message>
     <message>
+        <source>'{0}' is damaged. Save it as PNG, JPEG or BMP once more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>'{0}' is empty. Choose another file.</source>
         <translation>« {0} » est vide. Choisissez un autre fichier.</translation>
+    </message>
+    <message>
+        <source>'{0}' is larger than {1} MB. Save it as JPEG or PNG.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>'{0}' is larger than {1} MB. Simplify the drawing.</source>
@@ -669,6 +697,10 @@
     <message>
         <source>, about {:.2f} {}</source>
         <translation>, environ {:.2f} {}</translation>
+    </message>
+    <message>
+        <source>, estimated: the film did not come to rest</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>, {0} mm so far</source>
@@ -735,6 +767,10 @@
         <translation>Un passage de {0} reste ouvert dans la soudure en {1}, pour que l'air atteigne les deux côtés.</translation>
     </message>
     <message>
+        <source>A picture cannot be drawn as "{0}": choose {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>A picture has no size of its own. Give the width or the height of the balloon.</source>
         <translation>Une image n'a pas de taille propre. Donnez la largeur ou la hauteur du ballon.</translation>
     </message>
@@ -751,8 +787,8 @@
         <translation>Une esquisse cotée : changez une cellule du tableur, et tout suit</translation>
     </message>
     <message>
-        <source>A strict reader that wants plain polylines. Layers are told apart by colour.</source>
-        <translation>Un lecteur strict qui veut des polylignes simples. Les calques se distinguent par la couleur.</translation>
+        <source>A strict reader that wants plain polylines. Layers are told apart by colour: cut red, blue and orange, set the output of all others to no.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>A volume of {0} litres cannot be made: give one such as 10l.</source>
@@ -785,10 +821,6 @@
     <message>
         <source>Advice</source>
         <translation>Conseils</translation>
-    </message>
-    <message>
-        <source>After welding, turn the tail in through itself with a straw, at the mark beside the balloon, and fill through it up to the second mark. Pull the straw out: the air in the balloon presses the tail flat.</source>
-        <translation>Après la soudure, retournez la queue à travers elle-même avec une paille, au repère près du ballon, et gonflez par elle jusqu'au second repère. Retirez la paille : l'air du ballon plaque la queue.</translation>
     </message>
     <message>
         <source>Air intake</source>
@@ -897,6 +929,10 @@
     <message>
         <source>Balloon</source>
         <translation>Ballon</translation>
+    </message>
+    <message>
+        <source>Balloon film</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Balloon pattern</source>
@@ -1035,6 +1071,10 @@
         <translation>Coupez chaque page le long de ses croix de gauche et du bas, posez-la sur les croix de ses voisines, collez.</translation>
     </message>
     <message>
+        <source>Cut out the hole of the nozzle, in the front panel only.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Cut out the holes inside.</source>
         <translation>Découpez les trous intérieurs.</translation>
     </message>
@@ -1045,14 +1085,6 @@
     <message>
         <source>Cut two panels from {film}, the second one mirrored.</source>
         <translation>Coupez deux panneaux ({film}), le second en miroir.</translation>
-    </message>
-    <message>
-        <source>Cut two panels from {film}, the second one mirrored. Lay the grain of both the same way.</source>
-        <translation>Coupez deux panneaux ({film}), le second en miroir, tous deux dans le même sens du film.</translation>
-    </message>
-    <message>
-        <source>Cut two strips from thin PE film and weld them together along their two lines; weld one strip to each panel across the neck, along its mark, with the strips' end at the mouth and their sides under the weld; then weld the panels. Fill with a straw: the pressure presses the strips together.</source>
-        <translation>Découpez deux bandes de film PE mince et soudez-les ensemble le long de leurs deux lignes ; soudez une bande à chaque panneau en travers du col, le long de son repère, l'extrémité à l'embouchure et les côtés sous la soudure ; soudez ensuite les panneaux. Gonflez avec une paille : la pression plaque les bandes l'une contre l'autre.</translation>
     </message>
     <message>
         <source>Cutting shop (DXF R12)</source>
@@ -1111,12 +1143,16 @@
         <translation>Dessins</translation>
     </message>
     <message>
+        <source>Drawn as</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>E across the grain</source>
         <translation>Module d'Young en travers</translation>
     </message>
     <message>
-        <source>Each stroke colour becomes an operation of its own. DXF is not read.</source>
-        <translation>Chaque couleur de trait devient une opération. Le DXF n'est pas lu.</translation>
+        <source>Each stroke colour becomes an operation of its own: cut red, blue and orange, set all others to ignore. DXF is not read.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Edit artwork</source>
@@ -1139,8 +1175,8 @@
         <translation>Gomme</translation>
     </message>
     <message>
-        <source>Every layer becomes a colour of the cut list; layers that share a colour would be merged. Set the import unit to millimetres. Switch the SEAL and REGISTRATION layers off, or give the control bar a light engraving.</source>
-        <translation>Chaque calque devient une couleur de la liste de coupe ; des calques de même couleur seraient fusionnés. Réglez l'unité d'import sur le millimètre. Désactivez les calques SEAL et REGISTRATION, ou gravez légèrement la barre de contrôle.</translation>
+        <source>Every layer becomes a colour of the cut list; layers that share a colour would be merged. Set the import unit to millimetres. Cut red, blue and orange only and switch the output of all others off; the LightBurn project has them on tool layers already.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Expected thickness</source>
@@ -1159,6 +1195,10 @@
         <translation>Expression</translation>
     </message>
     <message>
+        <source>Farthest point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>File</source>
         <translation>Fichier</translation>
     </message>
@@ -1171,16 +1211,32 @@
         <translation>Remplir une ligne fermée, ou changer la couleur d'une surface</translation>
     </message>
     <message>
+        <source>Fill through a tube of 6 mm, its end cut aslant, pushed 25 mm past the weld across the neck. Pull it out: the pressure presses the strips together.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fill to {pressure} kPa, never above {safe} kPa: film and seam then keep a margin of {margin}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Fill to {pressure} kPa, never above {safe} kPa: film and weld then keep a margin of {margin}.</source>
         <translation>Gonflez à {pressure} kPa, jamais au-dessus de {safe} kPa : le film et la soudure gardent alors une marge de {margin}.</translation>
     </message>
     <message>
-        <source>Fill to {pressure} kPa, which is more than film and weld bear with a margin of {margin}: up to {safe} kPa. Mind your eyes.</source>
-        <translation>Gonflez à {pressure} kPa. C'est plus que ce que film et soudure supportent avec une marge de {margin} : jusqu'à {safe} kPa. Protégez vos yeux.</translation>
+        <source>Fill to {safe} kPa at most: {pressure} kPa is more than film and seam bear with a margin of {margin}. Mind your eyes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fill to {safe} kPa at most: {pressure} kPa is more than film and weld bear with a margin of {margin}. Mind your eyes.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Fill with air a little and brush soapy water along the weld: bubbles show leaks. Weld once more there.</source>
         <translation>Mettez un peu d'air et passez de l'eau savonneuse le long de la soudure : des bulles montrent les fuites. Ressoudez à ces endroits.</translation>
+    </message>
+    <message>
+        <source>Filled shape</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Film</source>
@@ -1287,6 +1343,10 @@
         <translation>Glowforge</translation>
     </message>
     <message>
+        <source>Glue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Glue a strip of {seal} mm along the dashed line. Let it dry under a weight.</source>
         <translation>Collez une bande de {seal} mm le long de la ligne en tirets. Laissez sécher sous un poids.</translation>
     </message>
@@ -1305,6 +1365,10 @@
     <message>
         <source>Glue the seams. Stiffer along the web than across it; E is the geometric mean. Porous: for a moment's inflation or with a lining.</source>
         <translation>Collez les coutures. Plus raide dans le sens de la bande qu'en travers ; E est la moyenne géométrique. Poreux : pour un gonflage bref ou avec une doublure.</translation>
+    </message>
+    <message>
+        <source>Glued seam</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Grain</source>
@@ -1331,6 +1395,10 @@
         <translation>Cœur piloté par un tableur</translation>
     </message>
     <message>
+        <source>Heat</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Heat sealer on a plotter</source>
         <translation>Soudeuse sur traceur</translation>
     </message>
@@ -1341,6 +1409,10 @@
     <message>
         <source>Helium</source>
         <translation>Hélium</translation>
+    </message>
+    <message>
+        <source>High frequency</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>How wide shall it be?</source>
@@ -1383,6 +1455,10 @@
         <translation>Gonflage</translation>
     </message>
     <message>
+        <source>Ink, or a slip of baking paper</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Inkscape</source>
         <translation>Inkscape</translation>
     </message>
@@ -1395,12 +1471,32 @@
         <translation>Embout dans une partie secondaire</translation>
     </message>
     <message>
+        <source>Intake on a thin part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>It is not inflated yet: choose Inflate now in its context menu, or switch Live on.</source>
         <translation>Il n'est pas encore gonflé : choisissez « Gonfler maintenant » dans son menu contextuel, ou activez Direct.</translation>
     </message>
     <message>
         <source>It is wider now. Ctrl+Z takes that back.</source>
         <translation>Il est plus large maintenant. Ctrl+Z annule.</translation>
+    </message>
+    <message>
+        <source>Join the panels along the dashed line, {seal} mm wide, all the way round.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Join the panels along the dashed line, {seal} mm wide; leave the mouth of the neck open.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Join the panels along the lines inside the balloon.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joining</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Keep the proportions</source>
@@ -1423,16 +1519,24 @@
         <translation>Les inscriptions demandent matplotlib : installez-le par pip install matplotlib, ou laissez l'inscription vide.</translation>
     </message>
     <message>
-        <source>Laid in rows, which takes more film: install the package spyrrow (pip install spyrrow) for a closer layout.</source>
-        <translation>Disposé en rangées, ce qui prend plus de film : installez le paquet spyrrow (pip install spyrrow) pour une disposition plus serrée.</translation>
+        <source>Laid one piece after another: the package spyrrow (pip install spyrrow) often finds a closer layout.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Largest strain</source>
         <translation>Plus grande déformation</translation>
     </message>
     <message>
+        <source>Laser</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Lay a picture under the paper for tracing; press again to take it away</source>
         <translation>Glisser une image sous la feuille pour la décalquer ; presser encore pour l'enlever</translation>
+    </message>
+    <message>
+        <source>Lay both valve strips on each other, their lines together. On the field marked on VALVE, INK put heat-resistant ink, or a slip of baking paper between the strips. Weld them along both long lines.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Lay out</source>
@@ -1443,12 +1547,20 @@
         <translation>Disposer sur le film</translation>
     </message>
     <message>
+        <source>Lay the grain of both panels the same way.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Lay the panels on each other, sealing sides inward. Line them up by the notches or edges; tape outside the cut.</source>
         <translation>Posez les panneaux l'un sur l'autre, faces soudables à l'intérieur. Alignez-les par les encoches ou les bords ; fixez-les au ruban adhésif hors de la coupe.</translation>
     </message>
     <message>
         <source>Lay the panels on each other. Line them up by the notches or edges; tape outside the cut.</source>
         <translation>Posez les panneaux l'un sur l'autre. Alignez-les par les encoches ou les bords ; fixez-les au ruban adhésif hors de la coupe.</translation>
+    </message>
+    <message>
+        <source>Lay the strips into the neck of one panel, end at the mouth, line on line. Tack them to this panel only, with two spots of weld on the line, beside the channel.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Layers, millimetres and arcs, to go on drawing.</source>
@@ -1483,6 +1595,10 @@
         <translation>LightBurn (laser)</translation>
     </message>
     <message>
+        <source>LightBurn project (laser)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Line</source>
         <translation>Ligne</translation>
     </message>
@@ -1507,6 +1623,10 @@
         <translation>Examen de l'image</translation>
     </message>
     <message>
+        <source>Low</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Machine</source>
         <translation>Machine</translation>
     </message>
@@ -1529,6 +1649,10 @@
     <message>
         <source>Material</source>
         <translation>Matériau</translation>
+    </message>
+    <message>
+        <source>May be cut</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Measured on the inflated balloon.</source>
@@ -1595,8 +1719,16 @@
         <translation>Nécessaire</translation>
     </message>
     <message>
+        <source>Never</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Never cut PVC with a laser: it gives off hydrogen chloride, which is toxic and ruins the machine. Weld with high frequency or hot air. Stretches visibly: at 2 kPa the shape depends on the grade and on the pressure.</source>
         <translation>Ne coupez jamais le PVC au laser : il dégage du chlorure d'hydrogène, toxique, qui ruine la machine. Soudez par haute fréquence ou à l'air chaud. S'étire visiblement : à 2 kPa la forme dépend de la qualité et de la pression.</translation>
+    </message>
+    <message>
+        <source>Never cut this film with a laser.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>New balloon from picture</source>
@@ -1625,6 +1757,10 @@
     <message>
         <source>No pattern can be drawn anew without it; documents keep theirs.</source>
         <translation>Sans lui, aucun patron ne peut être retracé ; les documents gardent les leurs.</translation>
+    </message>
+    <message>
+        <source>No pattern here has pieces of "{0}": choose another film.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>No shape stands out in the picture. Use stronger colours or a plainer background.</source>
@@ -1671,6 +1807,10 @@
         <translation>Rien à améliorer.</translation>
     </message>
     <message>
+        <source>Nowhere on the seam is room for an intake of {0}: choose a narrower one, or a place for it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Nozzle with flange</source>
         <translation>Buse à collerette</translation>
     </message>
@@ -1691,6 +1831,14 @@
         <translation>Écart au dessin</translation>
     </message>
     <message>
+        <source>On the way of the valve the balloon narrows to {0} at {1}; its channel takes {2} with its welds there. Make the neck wider or put it elsewhere, else the weld closes the valve.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Once the seam is closed, turn the tail in through itself with a straw, at the mark beside the balloon, and fill through it up to the second mark. Pull the straw out: the air in the balloon presses the tail flat.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>One large page</source>
         <translation>Une seule grande page</translation>
     </message>
@@ -1699,12 +1847,20 @@
         <translation>Queue anti-retour</translation>
     </message>
     <message>
+        <source>Only grades of this film with a sealing layer weld: try scraps before you cut.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Only the middle of the weld. A closed weld runs past its start, so that the joint is tight.</source>
         <translation>Seulement le milieu de la soudure. Une soudure fermée dépasse son début, pour que le raccord soit étanche.</translation>
     </message>
     <message>
         <source>Only {0} of film stay between two cuts near {1}; {2} wants {3}. It may tear or melt there.</source>
         <translation>Il ne reste que {0} de film entre deux coupes près de {1} ; {2} en veut {3}. Il peut s'y déchirer ou fondre.</translation>
+    </message>
+    <message>
+        <source>Open it, do not import it. Outline, holes and notches are on cut layers, without speed and power: take them from your material library. Welds (T1) and all that is drawn (T2) are on tool layers, which LightBurn never burns.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Opposite the intake</source>
@@ -1811,6 +1967,10 @@
         <translation>Stylo</translation>
     </message>
     <message>
+        <source>Pen drawing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Picture, SVG, DXF or JSON</source>
         <translation>Image, SVG, DXF ou JSON</translation>
     </message>
@@ -1825,6 +1985,10 @@
     <message>
         <source>Pictures need OpenCV, which is missing or does not work here. Install the package python3-opencv (or opencv-python-headless), or open the picture inside FreeCAD.</source>
         <translation>Les images demandent OpenCV, qui manque ou ne marche pas ici. Installez le paquet python3-opencv (ou opencv-python-headless), ou ouvrez l'image dans FreeCAD.</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Place by</source>
@@ -1855,8 +2019,8 @@
         <translation>Lire le gonflage, ou s'arrêter sur une image</translation>
     </message>
     <message>
-        <source>Plotter units of 0.025 mm. Pen 1 draws the control bar, pen 2 the marks, pen 3 cuts. For a swivel knife set its offset, 0.25 mm is common.</source>
-        <translation>Unités de traceur de 0,025 mm. La plume 1 trace la barre de contrôle, la 2 les repères, la 3 coupe. Pour une lame pivotante, réglez son décalage ; 0,25 mm est courant.</translation>
+        <source>Plotter units of 0.025 mm. Pen 1 draws the control bar, pen 2 cuts the notches, pen 3 the rest. Nothing is in the file that may not be cut. For a swivel knife set its offset, 0.25 mm is common. Cuts run 1 mm past their start: set overcut_mm to 0 where the cutter does that itself.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Point {0} of the JSON file's {1} is not a pair of numbers. {2}</source>
@@ -1871,12 +2035,12 @@
         <translation>Film polyéthylène (PEBD), 50 µm</translation>
     </message>
     <message>
-        <source>Polylines at the real size with a layer and a colour for each role.</source>
-        <translation>Polylignes à la taille réelle, avec un calque et une couleur par rôle.</translation>
+        <source>Polylines at the real size with a layer and a colour for each role. CUT, CUT_INNER and NOTCH are cut, SEAL and WELD welded, all others drawn.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Polylines in millimetres with a layer for each role: what every program reads.</source>
-        <translation>Polylignes en millimètres avec un calque par rôle : ce que tout programme lit.</translation>
+        <source>Polylines in millimetres with a layer for each role: what every program reads. CUT, CUT_INNER and NOTCH are cut, SEAL and WELD welded, all others drawn.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Predicted from the outline; not inflated yet.</source>
@@ -1903,12 +2067,12 @@
         <translation>Tirez la feuille. Le bouton du milieu ou la barre d'espace le font avec tout outil ; la molette zoome.</translation>
     </message>
     <message>
-        <source>Push a straw in, fill, pull it out and weld straight across the neck beside the balloon.</source>
-        <translation>Glissez une paille, gonflez, retirez-la et soudez droit en travers du col près du ballon.</translation>
+        <source>Push a straw in, fill, pull it out and close the neck like the seam, straight across beside the balloon.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Push the nozzle through the hole of the front panel from inside, put the ring over it from outside, and weld flange, film and ring together along the ring's line before the panels are joined.</source>
-        <translation>Passez la buse de l'intérieur par le trou du panneau de devant, posez l'anneau par-dessus à l'extérieur, et soudez collerette, film et anneau le long de la ligne de l'anneau avant d'assembler les panneaux.</translation>
+        <source>Push the nozzle through the hole of the front panel from inside, put the ring over it from outside, and join flange, film and ring like the seam, along the ring's line, before the panels are joined.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Put a picture on the paper, without its background</source>
@@ -1917,6 +2081,10 @@
     <message>
         <source>Put outline, balloon and pattern into the document, and print the pattern</source>
         <translation>Placer contour, ballon et patron dans le document, et imprimer le patron</translation>
+    </message>
+    <message>
+        <source>Put the intake low</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>RDWorks (Ruida laser)</source>
@@ -2017,6 +2185,14 @@
     <message>
         <source>Seal width (0: the film's)</source>
         <translation>Largeur de soudure (0 : celle du film)</translation>
+    </message>
+    <message>
+        <source>Seam</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seam length</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Second panel, mirrored</source>
@@ -2151,6 +2327,14 @@
         <translation>Col à paille</translation>
     </message>
     <message>
+        <source>Strips</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Strips welded together</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Symmetry</source>
         <translation>Symétrie</translation>
     </message>
@@ -2161,6 +2345,10 @@
     <message>
         <source>Tab to tie it to</source>
         <translation>Languette d'attache</translation>
+    </message>
+    <message>
+        <source>Tacked to one panel</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Take everything off the paper</source>
@@ -2177,6 +2365,22 @@
     <message>
         <source>Take the picture away</source>
         <translation>Enlever l'image</translation>
+    </message>
+    <message>
+        <source>Tape</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tape along the dashed line, {seal} mm wide, all the way round.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tape along the dashed line, {seal} mm wide; leave the mouth of the neck open.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Taped seam</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Tension</source>
@@ -2211,12 +2415,8 @@
         <translation>'{0}' du fichier JSON n'est pas une liste de {1}. {2}</translation>
     </message>
     <message>
-        <source>The DXF file has an endless arc. Leave only the outline and its holes in it.</source>
-        <translation>Le fichier DXF a un arc sans fin. N'y laissez que le contour et ses trous.</translation>
-    </message>
-    <message>
-        <source>The DXF file has too many lines. Leave only the outline and its holes in it.</source>
-        <translation>Le fichier DXF a trop de lignes. N'y laissez que le contour et ses trous.</translation>
+        <source>The DXF file has errors; what could be read was taken from it.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The DXF file {0}; millimetres are assumed.</source>
@@ -2259,8 +2459,16 @@
         <translation>Le fichier SVG définit des entités, qui ne sont pas lues. Enregistrez-le en SVG simple.</translation>
     </message>
     <message>
-        <source>The SVG file has too many elements, or some that use themselves. Simplify it.</source>
-        <translation>Le fichier SVG a trop d'éléments, ou certains qui s'utilisent eux-mêmes. Simplifiez-le.</translation>
+        <source>The SVG file has a '{0}' of endless length. Save it as plain SVG once more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The SVG file has too many attributes. Save it as plain SVG once more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The SVG file has too many styles. Save it as plain SVG once more.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The SVG file is damaged ({0}). Save it once more.</source>
@@ -2303,12 +2511,36 @@
         <translation>Le dessin ne peut pas être atteint partout : la silhouette s'en écarte jusqu'à {}.</translation>
     </message>
     <message>
+        <source>The drawing has a curve through more than {0} points. Save it as a polyline.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The drawing has blocks or copies that show themselves. Remove those from it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The drawing has more than {0} elements, with those of its blocks and copies. Leave only the outline and its holes in it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The drawing has more than {0} groups or blocks inside each other. Take them apart in the program it comes from.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The drawing has more than {0} points. Simplify it in the program it comes from, or leave only the outline and its holes in it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The drawing has no closed line. Draw one, and turn texts and groups into paths.</source>
         <translation>Le dessin n'a pas de ligne fermée. Tracez-en une, et changez textes et groupes en chemins.</translation>
     </message>
     <message>
         <source>The drawing has points more than {0} km from its origin. Move it there, and give it a size between 1 mm and 100 m.</source>
         <translation>Le dessin a des points à plus de {0} km de son origine. Ramenez-le là, et donnez-lui une taille de 1 mm à 100 m.</translation>
+    </message>
+    <message>
+        <source>The drawing has too much text in its styles and transforms. Save it as plain SVG once more.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The drawing has {0} shape and no number {1}: choose another Part, or delete this balloon.</source>
@@ -2321,6 +2553,10 @@
     <message>
         <source>The drawing is open: a line starts at {0} and ends {1} away at {2}. Close it.</source>
         <translation>Le dessin est ouvert : une ligne commence en {0} et finit à {1} de là, en {2}. Fermez-la.</translation>
+    </message>
+    <message>
+        <source>The drawing takes more than {0} s to read. Simplify it in the program it comes from, or leave only the outline and its holes in it.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The drawing was made symmetric: its halves were {0} apart, the left one was kept.</source>
@@ -2337,6 +2573,10 @@
     <message>
         <source>The file is XML but no SVG drawing. Choose a drawing.</source>
         <translation>Le fichier est du XML mais pas un dessin SVG. Choisissez un dessin.</translation>
+    </message>
+    <message>
+        <source>The file is damaged or not a DXF file. Save it once more.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The file of gases {0} is of no use: {1}. Install it anew.</source>
@@ -2375,8 +2615,8 @@
         <translation>Le film des ballons du commerce : 15 µm de nylon 6 orienté avec une couche d'aluminium, 15 µm de polyéthylène à l'intérieur. Soudez PE sur PE. Le nylon prend l'humidité et s'assouplit alors.</translation>
     </message>
     <message>
-        <source>The free edition opens DXF, not SVG. Choose "as is" for the size in the import preferences. Silhouette makes its own registration marks.</source>
-        <translation>L'édition gratuite ouvre le DXF, pas le SVG. Choisissez « tel quel » pour la taille dans les préférences d'import. Silhouette fait ses propres repères.</translation>
+        <source>The free edition opens DXF, not SVG. Choose "as is" for the size in the import preferences. Silhouette makes its own registration marks, and adds the knife's offset and overcut. Nothing is in the file that may not be cut.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The grain's angle {0} is no number: give degrees from the x axis.</source>
@@ -2403,6 +2643,10 @@
         <translation>Le trou en {0} est hors du contour ; ramenez-le à l'intérieur.</translation>
     </message>
     <message>
+        <source>The holes of a filled shape stay, the lines of a pen drawing are filled inside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The inflated outline stays {0} from the drawing on average: film cannot follow this shape everywhere. Round off notches and widen thin parts.</source>
         <translation>Le contour gonflé reste en moyenne à {0} du dessin : le film ne peut pas suivre partout cette forme. Arrondissez les entailles et élargissez les parties minces.</translation>
     </message>
@@ -2417,6 +2661,10 @@
     <message>
         <source>The intake file {0} lacks {1}: add it.</source>
         <translation>Il manque {1} au fichier d'embout {0} : ajoutez-le.</translation>
+    </message>
+    <message>
+        <source>The intake is at the farthest point, on a part that becomes {measured} as thick as the balloon: there it is tied, hangs and is held. A low place carries it better.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The intake opens into a part with {percent} of the film; the rest fills through something narrower than the intake. Move it to the largest part.</source>
@@ -2439,6 +2687,10 @@
         <translation>La place de l'embout le long de la couture doit être une longueur.</translation>
     </message>
     <message>
+        <source>The intake's place cannot be "{0}": choose {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The intake's width must be between 0.01 mm and 10 m: give it about 10 mm.</source>
         <translation>La largeur de l'embout doit être entre 0,01 mm et 10 m : donnez-lui environ 10 mm.</translation>
     </message>
@@ -2447,16 +2699,20 @@
         <translation>Les embouts de deux chambres se heurtent : laissez un passage dans la soudure entre elles, ou placez le premier ailleurs.</translation>
     </message>
     <message>
-        <source>The label "{0}" has no letter that can be drawn: write it in other letters.</source>
-        <translation>L'inscription « {0} » n'a aucune lettre traçable : écrivez-la avec d'autres lettres.</translation>
-    </message>
-    <message>
         <source>The label "{0}" is {1} long, and the film is only {2} wide: take a shorter text or lower letters.</source>
         <translation>L'inscription « {0} » fait {1} de long, et le film n'a que {2} de large : prenez un texte plus court ou des lettres plus basses.</translation>
     </message>
     <message>
+        <source>The layer MARK of the machine file {0}.json takes notches only. Rename it NOTCH, and where your machine can draw, add the layers FOLD and PEN.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The layout failed: give the pieces more room.</source>
         <translation>La disposition a échoué : donnez plus de place aux pièces.</translation>
+    </message>
+    <message>
+        <source>The layout of {0} is older than its patterns: recompute it.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The layout was stopped; nothing was changed.</source>
@@ -2489,6 +2745,10 @@
     <message>
         <source>The native solver is not available: {0} Use the NumPy solver.</source>
         <translation>Le solveur natif n'est pas disponible : {0} Utilisez le solveur NumPy.</translation>
+    </message>
+    <message>
+        <source>The native solver, which is faster, is not available: {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The nozzle's flange must be wider than its bore.</source>
@@ -2583,6 +2843,14 @@
         <translation>L'image a été lue comme un dessin au trait : l'intérieur de ses lignes est rempli.</translation>
     </message>
     <message>
+        <source>The pieces of the intake "{0}" are cut from {1}: they have a file of their own, with all of them for each balloon.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The pieces of the intake "{0}" are of {1}, which does not weld to {2}: choose another intake, or a film that it welds to: {3}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The pressure must be positive and at most {0} Pa, not {1} Pa. A party balloon has about 2 kPa.</source>
         <translation>La pression doit être positive et d'au plus {0} Pa, pas {1} Pa. Un ballon de fête a environ 2 kPa.</translation>
     </message>
@@ -2639,8 +2907,8 @@
         <translation>Le solveur « {0} » demande le paquet Python scipy. Installez-le ou utilisez le solveur natif.</translation>
     </message>
     <message>
-        <source>The solver stopped; the report view tells why.</source>
-        <translation>Le solveur s'est arrêté ; la vue rapport dit pourquoi.</translation>
+        <source>The strips of valves are not here: lay them out on a sheet of their own, with "Valve film".</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The temperature of the {0}, {1} degrees Celsius, is out of range: give one such as 20C.</source>
@@ -2649,6 +2917,10 @@
     <message>
         <source>The tie tab at {0} degrees would run into another part: choose another angle.</source>
         <translation>La languette à {0} degrés heurterait une autre partie : choisissez un autre angle.</translation>
+    </message>
+    <message>
+        <source>The valve reaches {0} into the balloon, past the weld at {1}: put the intake where the balloon is longer, or take another one.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The volume must be positive, not {0} m3.</source>
@@ -2685,6 +2957,10 @@
     <message>
         <source>The {0} line crosses itself near {1}: simplify the drawing there.</source>
         <translation>La ligne {0} se croise près de {1} : simplifiez-y le dessin.</translation>
+    </message>
+    <message>
+        <source>The {0} line runs back along itself near {1}: simplify the drawing there.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The {0} line that begins at {1} is open: programs fill, offset and cut closed lines only. Close it.</source>
@@ -2735,6 +3011,10 @@
         <translation>Il n'y a pas d'embout « {0} » : choisissez parmi {1}.</translation>
     </message>
     <message>
+        <source>There is no joining "{0}": choose one of {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>There is no look "{0}": choose one of {1}.</source>
         <translation>Il n'y a pas d'aspect « {0} » : choisissez parmi {1}.</translation>
     </message>
@@ -2775,6 +3055,14 @@
         <translation>Il n'y a pas de symétrie « {0} » : choisissez parmi {1}.</translation>
     </message>
     <message>
+        <source>There is too little memory for this: take a coarser mesh, or close other programs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is too little memory for this: take a coarser mesh, or close other programs. Details are in '{0}'.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Thickness</source>
         <translation>Épaisseur</translation>
     </message>
@@ -2805,6 +3093,14 @@
     <message>
         <source>This gives no whole number: {}</source>
         <translation>Cela ne donne pas de nombre entier : {}</translation>
+    </message>
+    <message>
+        <source>This is a fault of the program, not yours, and its details cannot be written anywhere. Please report it: {0}, {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is a fault of the program, not yours. Its details are in '{0}': please report it with this file.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>This is shape {0} of the {1} in the drawing.</source>
@@ -2867,12 +3163,24 @@
         <translation>Annuler (Ctrl+Z)</translation>
     </message>
     <message>
-        <source>Upload the SVG as a cut image and compare the control bar: some versions read the size at 72 dpi.</source>
-        <translation>Téléversez le SVG comme image de coupe et comparez la barre de contrôle : certaines versions lisent la taille à 72 dpi.</translation>
+        <source>Unknown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Upload the SVG as a cut image and compare the control bar: some versions read the size at 72 dpi. Nothing is in the file that may not be cut. It adds the knife's offset and overcut itself.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Used</source>
         <translation>Utilisé</translation>
+    </message>
+    <message>
+        <source>Valve film</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Valve, on one panel</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Violet</source>
@@ -2885,6 +3193,10 @@
     <message>
         <source>Warm air</source>
         <translation>Air chaud</translation>
+    </message>
+    <message>
+        <source>Weakest place</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Weighing {0}</source>
@@ -2903,6 +3215,10 @@
         <translation>Soudez TPU sur TPU au fer ou à l'air chaud, sur 10 mm. Chaîne et trame sont raides, le biais est souple : le modèle prend un seul module pour toutes les directions. Plus raide après les premiers gonflages.</translation>
     </message>
     <message>
+        <source>Weld across the neck along its line, through panels and strips: the field keeps the channel open. Pull the slip out and blow through the valve.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Weld along the dashed line, {seal} mm wide, all the way round.</source>
         <translation>Soudez le long de la ligne en tirets, sur {seal} mm de large, tout autour.</translation>
     </message>
@@ -2915,24 +3231,32 @@
         <translation>Soudure et coupe</translation>
     </message>
     <message>
-        <source>Weld length</source>
-        <translation>Longueur de soudure</translation>
-    </message>
-    <message>
         <source>Weld the lines inside the balloon.</source>
         <translation>Soudez les lignes à l'intérieur du ballon.</translation>
     </message>
     <message>
-        <source>Weld with high frequency along the dashed line, {seal} mm wide. Never cut this film with a laser.</source>
-        <translation>Soudez par haute fréquence le long de la ligne en tirets, sur {seal} mm de large. Ne coupez jamais ce film au laser.</translation>
+        <source>Weld the two strips together along their lines; over the marked field, heat-resistant ink or a slip of baking paper keeps the channel open. Tack them to one panel, their end at the mouth; then weld round the balloon and across the neck. Fill with a 6 mm tube: the pressure closes the strips.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Weld with high frequency along the dashed line, {seal} mm wide; leave the mouth of the neck open. Never cut this film with a laser.</source>
-        <translation>Soudez par haute fréquence le long de la ligne en tirets, sur {seal} mm de large ; laissez l'embouchure du col ouverte. Ne coupez jamais ce film au laser.</translation>
+        <source>Weld with high frequency along the dashed line, {seal} mm wide, all the way round.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weld with high frequency along the dashed line, {seal} mm wide; leave the mouth of the neck open.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Welded across, last</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Welds easily with an impulse sealer or an iron. Yields at about 9 MPa, half its tensile strength, and creeps: keep the pressure low.</source>
         <translation>Se soude facilement à la soudeuse à impulsion ou au fer. Cède vers 9 MPa, la moitié de sa résistance, et flue : gardez la pression basse.</translation>
+    </message>
+    <message>
+        <source>What it takes to make it</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>What most shops ask for: R12, closed polylines, nothing on the sheet that is not cut. R12 knows no unit, so the file's name tells it.</source>
@@ -2941,6 +3265,10 @@
     <message>
         <source>What works here</source>
         <translation>Ce qui marche ici</translation>
+    </message>
+    <message>
+        <source>Whether the {0} of the intake's pieces welds to {1} is not known: try it on a scrap first.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>While this is pressed, the ring in the 3D view moves the intake</source>
@@ -2969,6 +3297,10 @@
     <message>
         <source>Will it float?</source>
         <translation>Flottera-t-il ?</translation>
+    </message>
+    <message>
+        <source>With the fonts of this computer {0} cannot be drawn, letter by letter from left to right: leave that out of the label, or install a font that has it and start again.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Wrinkles</source>
@@ -3011,6 +3343,10 @@
         <translation>Module d'Young en travers du film</translation>
     </message>
     <message>
+        <source>a LightBurn project has layers up to {0}: change the pen.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>a coordinate is not a number</source>
         <translation>une coordonnée n'est pas un nombre</translation>
     </message>
@@ -3025,6 +3361,10 @@
     <message>
         <source>air</source>
         <translation>air</translation>
+    </message>
+    <message>
+        <source>another run has been writing there for a minute</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>apart {} in the mean, 95 % below {}, at most {}</source>
@@ -3055,6 +3395,10 @@
         <translation>donnez-lui une</translation>
     </message>
     <message>
+        <source>choose Drawn as filled shape</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>colour index {0} and pen {1} of {2} must be from 1 to 255.</source>
         <translation>l'indice de couleur {0} et la plume {1} de {2} doivent être de 1 à 255.</translation>
     </message>
@@ -3075,6 +3419,10 @@
         <translation>dessin</translation>
     </message>
     <message>
+        <source>drawn mark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>empty: </source>
         <translation>vide : </translation>
     </message>
@@ -3087,8 +3435,20 @@
         <translation>film et valve pèsent {0} g</translation>
     </message>
     <message>
+        <source>fold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>gas</source>
         <translation>gaz</translation>
+    </message>
+    <message>
+        <source>glued seam</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>glued seam inside</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>height</source>
@@ -3131,6 +3491,18 @@
         <translation>gonflage dans le temps</translation>
     </message>
     <message>
+        <source>it is nested too deeply</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is no file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is too large</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>it would grow together with another part</source>
         <translation>elle se joindrait à une autre partie</translation>
     </message>
@@ -3163,12 +3535,12 @@
         <translation>bas</translation>
     </message>
     <message>
-        <source>mark</source>
-        <translation>repère</translation>
-    </message>
-    <message>
         <source>mass</source>
         <translation>masse</translation>
+    </message>
+    <message>
+        <source>may be cut</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>more than</source>
@@ -3189,6 +3561,10 @@
     <message>
         <source>not converged: </source>
         <translation>non convergé : </translation>
+    </message>
+    <message>
+        <source>notch</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>opacity</source>
@@ -3223,6 +3599,14 @@
         <translation>largeur de soudure</translation>
     </message>
     <message>
+        <source>seam</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>seam inside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>serious</source>
         <translation>grave</translation>
     </message>
@@ -3249,6 +3633,14 @@
     <message>
         <source>strength of the film not known</source>
         <translation>résistance du film inconnue</translation>
+    </message>
+    <message>
+        <source>taped seam</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>taped seam inside</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>taut: {:.0f} %</source>
@@ -3279,6 +3671,14 @@
         <translation>le nom de calque « {0} » peut avoir de 1 à 31 signes parmi A-Z, 0-9, _, - et $.</translation>
     </message>
     <message>
+        <source>the name "{0}" of the stock goes into file names: take letters a to z.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sealing side {0} is no polymer: give one such as "PE", or "none".</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>there is no such corner</source>
         <translation>il n'y a pas de tel angle</translation>
     </message>
@@ -3289,6 +3689,10 @@
     <message>
         <source>thickness</source>
         <translation>épaisseur</translation>
+    </message>
+    <message>
+        <source>thin PE film, 30 to 50 µm</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>trial {0}, {1}</source>
@@ -3341,6 +3745,10 @@
     <message>
         <source>{0} "{1}" is none of {2}.</source>
         <translation>{0} « {1} » n'est aucun de {2}.</translation>
+    </message>
+    <message>
+        <source>{0} It is left out.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} and {1} lines meet near {2}: move the hole inward or make the allowance narrower.</source>
@@ -3411,8 +3819,28 @@
         <translation>{0} a plusieurs faces : sélectionnez-en une.</translation>
     </message>
     <message>
+        <source>{0} hole with a thin line round it was filled, as a pen's: choose Drawn as filled shape to keep it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} holes with a thin line round them were filled, as a pen's: choose Drawn as filled shape to keep them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} is a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} is a folder</source>
         <translation>{0} est un dossier</translation>
+    </message>
+    <message>
+        <source>{0} is damaged or incomplete ({1}). Install the workbench anew.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} is damaged or incomplete. Install the workbench anew.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} is empty: draw a closed line in it.</source>
@@ -3435,6 +3863,10 @@
         <translation>{0} n'est pas plan : un ballon se découpe dans du film plat, dessinez-le donc dans un plan.</translation>
     </message>
     <message>
+        <source>{0} is not joined by heat: {1} is not made for it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} is not up to date. {1}</source>
         <translation>{0} n'est pas à jour. {1}</translation>
     </message>
@@ -3445,6 +3877,10 @@
     <message>
         <source>{0} is not up to date. {1} Repair that, recompute and export again.</source>
         <translation>{0} n'est pas à jour. {1} Réparez cela, recalculez et exportez à nouveau.</translation>
+    </message>
+    <message>
+        <source>{0} is too large a number, or none</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} is {1}: give a number from {2} to {3}.</source>
@@ -3489,6 +3925,10 @@
     <message>
         <source>{0} mm wide, {1} m long</source>
         <translation>{0} mm de large, {1} m de long</translation>
+    </message>
+    <message>
+        <source>{0} must never be cut with a laser: choose a machine with a knife.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} m²; wider than the usual roll</source>
@@ -3599,12 +4039,16 @@
         <translation>{:.3g} g, ne flotte jamais avec {}</translation>
     </message>
     <message>
-        <source>{:.3g} g: film {:.3g}, weld and neck {:.2g}, valve {:.2g}</source>
-        <translation>{:.3g} g : film {:.3g}, soudure et col {:.2g}, valve {:.2g}</translation>
+        <source>{:.3g} g: film {:.3g}, seam and neck {:.2g}, valve {:.2g}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{:.3g} m², wider than the usual roll</source>
         <translation>{:.3g} m², plus large que le rouleau habituel</translation>
+    </message>
+    <message>
+        <source>{} at ({})</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{} files written to {}</source>
@@ -3639,8 +4083,8 @@
         <translation>{}, marge {:g} ({})</translation>
     </message>
     <message>
-        <source>{}, weld {}</source>
-        <translation>{}, soudure {}</translation>
+        <source>{}, seam {}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{}: {}</source>

@@ -104,6 +104,10 @@
         <translation>結果に使われたフィルム、モデル、ソルバー</translation>
     </message>
     <message>
+        <source>Find the place of the intake</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Fit inside width and height instead of stretching to both</source>
         <translation>幅と高さの両方に引き伸ばさず、その中に収める</translation>
     </message>
@@ -148,6 +152,10 @@
         <translation>印を含む印刷の高さ</translation>
     </message>
     <message>
+        <source>How a picture is read: holes of a filled shape stay, lines of a pen drawing are filled inside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>How far the print goes past the cut</source>
         <translation>印刷が切り線の外へはみ出す幅</translation>
     </message>
@@ -164,12 +172,16 @@
         <translation>風船のふくらませ方と閉じ方</translation>
     </message>
     <message>
-        <source>How the grain of the pieces lies, relative to the film's length</source>
-        <translation>フィルムの長さ方向に対する部品の流れ方向</translation>
+        <source>How the grain of pieces lies, where their film has one</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>How the intake is made and used</source>
         <translation>注入口の作り方と使い方</translation>
+    </message>
+    <message>
+        <source>How two panels of this film are joined</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Inner width of the neck, or bore of the nozzle</source>
@@ -284,6 +296,10 @@
         <translation>熱気の温度（摂氏）</translation>
     </message>
     <message>
+        <source>Only one side of this film can be joined so</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Part of the film that the pieces take, in per cent</source>
         <translation>部品が占めるフィルムの割合（%）</translation>
     </message>
@@ -304,12 +320,12 @@
         <translation>注入口の位置：外周の右端から反時計回りに測った長さ</translation>
     </message>
     <message>
-        <source>Point the neck from the centre to the farthest point</source>
-        <translation>首を中心から最も遠い点へ向ける</translation>
-    </message>
-    <message>
         <source>Poisson's ratio of the film</source>
         <translation>フィルムのポアソン比</translation>
+    </message>
+    <message>
+        <source>Polymer of the side that is welded, such as PE; none where it does not weld, empty: not known</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Pressure in the inflated balloon</source>
@@ -532,6 +548,18 @@
         <translation>すべての部品の位置（JSON）</translation>
     </message>
     <message>
+        <source>Where it is found: farthest from the centre, or low, where a tied balloon hangs straight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether a laser may cut this film</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which film is laid out: pieces of a valve are on one of their own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Which shape of the drawing it is; 1 is the largest</source>
         <translation>図の何番目の形か（1 が最大）</translation>
     </message>
@@ -587,10 +615,6 @@
 <context>
     <name>BalloonWorkbench</name>
     <message>
-        <source> The native solver, which is faster, is not available: {0}</source>
-        <translation> 高速なネイティブソルバーは使えません：{0}</translation>
-    </message>
-    <message>
         <source> is not ready: </source>
         <translation> の準備ができていません：</translation>
     </message>
@@ -619,10 +643,6 @@
         <translation>「{0}」は絶対零度より低い温度です。20C、68F、293K のように書いてください。</translation>
     </message>
     <message>
-        <source>'{0}' is damaged or not a DXF file. Save it once more.</source>
-        <translation>「{0}」は壊れているか、DXF ファイルではありません。保存し直してください。</translation>
-    </message>
-    <message>
         <source>'{0}' is damaged or not a picture ({1}). Save it as PNG, JPEG or BMP once more.</source>
         <translation>「{0}」は壊れているか、画像ではありません（{1}）。PNG、JPEG、BMP で保存し直してください。</translation>
     </message>
@@ -631,8 +651,16 @@
         <translation>「{0}」は壊れているか、画像ではありません。PNG、JPEG、BMP で保存し直してください。</translation>
     </message>
     <message>
+        <source>'{0}' is damaged. Save it as PNG, JPEG or BMP once more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>'{0}' is empty. Choose another file.</source>
         <translation>「{0}」は空です。別のファイルを選んでください。</translation>
+    </message>
+    <message>
+        <source>'{0}' is larger than {1} MB. Save it as JPEG or PNG.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>'{0}' is larger than {1} MB. Simplify the drawing.</source>
@@ -669,6 +697,10 @@
     <message>
         <source>, about {:.2f} {}</source>
         <translation>、約 {:.2f} {}</translation>
+    </message>
+    <message>
+        <source>, estimated: the film did not come to rest</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>, {0} mm so far</source>
@@ -735,6 +767,10 @@
         <translation>空気が両側に届くように、溶着線の {1} に {0} の通路を残しました。</translation>
     </message>
     <message>
+        <source>A picture cannot be drawn as "{0}": choose {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>A picture has no size of its own. Give the width or the height of the balloon.</source>
         <translation>画像には寸法がありません。風船の幅か高さを入力してください。</translation>
     </message>
@@ -751,8 +787,8 @@
         <translation>寸法付きのスケッチ：表のセルを変えると全体が追従します</translation>
     </message>
     <message>
-        <source>A strict reader that wants plain polylines. Layers are told apart by colour.</source>
-        <translation>単純なポリラインだけを読む厳格なプログラムです。レイヤーは色で区別されます。</translation>
+        <source>A strict reader that wants plain polylines. Layers are told apart by colour: cut red, blue and orange, set the output of all others to no.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>A volume of {0} litres cannot be made: give one such as 10l.</source>
@@ -785,10 +821,6 @@
     <message>
         <source>Advice</source>
         <translation>助言</translation>
-    </message>
-    <message>
-        <source>After welding, turn the tail in through itself with a straw, at the mark beside the balloon, and fill through it up to the second mark. Pull the straw out: the air in the balloon presses the tail flat.</source>
-        <translation>溶着後、風船のそばの印で尾をストローで内側へ裏返し、2 番目の印までストローを入れて空気を入れます。ストローを抜くと、中の空気が尾を平らに押さえます。</translation>
     </message>
     <message>
         <source>Air intake</source>
@@ -897,6 +929,10 @@
     <message>
         <source>Balloon</source>
         <translation>風船</translation>
+    </message>
+    <message>
+        <source>Balloon film</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Balloon pattern</source>
@@ -1035,6 +1071,10 @@
         <translation>各ページを左と下の十字に沿って切り、隣のページの十字に重ねてテープで留めます。</translation>
     </message>
     <message>
+        <source>Cut out the hole of the nozzle, in the front panel only.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Cut out the holes inside.</source>
         <translation>内側の穴を切り抜きます。</translation>
     </message>
@@ -1045,14 +1085,6 @@
     <message>
         <source>Cut two panels from {film}, the second one mirrored.</source>
         <translation>2 枚切ります（{film}）。2 枚目は反転します。</translation>
-    </message>
-    <message>
-        <source>Cut two panels from {film}, the second one mirrored. Lay the grain of both the same way.</source>
-        <translation>2 枚切ります（{film}）。2 枚目は反転します。2 枚の流れ方向をそろえます。</translation>
-    </message>
-    <message>
-        <source>Cut two strips from thin PE film and weld them together along their two lines; weld one strip to each panel across the neck, along its mark, with the strips' end at the mouth and their sides under the weld; then weld the panels. Fill with a straw: the pressure presses the strips together.</source>
-        <translation>薄い PE フィルムから 2 本の帯を切り、2 本の線に沿って溶着します。帯の端を口に、両脇を溶着線の下に合わせ、首を横切る印のところで帯を 1 本ずつ各フィルムに溶着し、それから表裏を溶着します。ストローでふくらませると、内圧が帯を押し合わせて閉じます。</translation>
     </message>
     <message>
         <source>Cutting shop (DXF R12)</source>
@@ -1111,12 +1143,16 @@
         <translation>図</translation>
     </message>
     <message>
+        <source>Drawn as</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>E across the grain</source>
         <translation>流れに直角のヤング率</translation>
     </message>
     <message>
-        <source>Each stroke colour becomes an operation of its own. DXF is not read.</source>
-        <translation>線の色ごとに別の加工になります。DXF は読めません。</translation>
+        <source>Each stroke colour becomes an operation of its own: cut red, blue and orange, set all others to ignore. DXF is not read.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Edit artwork</source>
@@ -1139,8 +1175,8 @@
         <translation>消しゴム</translation>
     </message>
     <message>
-        <source>Every layer becomes a colour of the cut list; layers that share a colour would be merged. Set the import unit to millimetres. Switch the SEAL and REGISTRATION layers off, or give the control bar a light engraving.</source>
-        <translation>レイヤーごとにカットリストの色になり、同じ色のレイヤーはまとめられます。読み込み単位をミリメートルにしてください。SEAL と REGISTRATION のレイヤーはオフにするか、確認用の棒を軽く彫刻してください。</translation>
+        <source>Every layer becomes a colour of the cut list; layers that share a colour would be merged. Set the import unit to millimetres. Cut red, blue and orange only and switch the output of all others off; the LightBurn project has them on tool layers already.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Expected thickness</source>
@@ -1159,6 +1195,10 @@
         <translation>式</translation>
     </message>
     <message>
+        <source>Farthest point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>File</source>
         <translation>ファイル</translation>
     </message>
@@ -1171,16 +1211,32 @@
         <translation>閉じた線の中を塗る、または面の色を変える</translation>
     </message>
     <message>
+        <source>Fill through a tube of 6 mm, its end cut aslant, pushed 25 mm past the weld across the neck. Pull it out: the pressure presses the strips together.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fill to {pressure} kPa, never above {safe} kPa: film and seam then keep a margin of {margin}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Fill to {pressure} kPa, never above {safe} kPa: film and weld then keep a margin of {margin}.</source>
         <translation>{pressure} kPa までふくらませ、{safe} kPa を超えないようにします。フィルムと溶着線に {margin} 倍の余裕が残ります。</translation>
     </message>
     <message>
-        <source>Fill to {pressure} kPa, which is more than film and weld bear with a margin of {margin}: up to {safe} kPa. Mind your eyes.</source>
-        <translation>{pressure} kPa までふくらませます。フィルムと溶着線が {margin} 倍の余裕で耐えられる {safe} kPa を超えています。目を守ってください。</translation>
+        <source>Fill to {safe} kPa at most: {pressure} kPa is more than film and seam bear with a margin of {margin}. Mind your eyes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fill to {safe} kPa at most: {pressure} kPa is more than film and weld bear with a margin of {margin}. Mind your eyes.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Fill with air a little and brush soapy water along the weld: bubbles show leaks. Weld once more there.</source>
         <translation>空気を少し入れ、溶着線に石けん水を塗ります。泡が出るところは漏れているので、もう一度溶着します。</translation>
+    </message>
+    <message>
+        <source>Filled shape</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Film</source>
@@ -1287,6 +1343,10 @@
         <translation>Glowforge</translation>
     </message>
     <message>
+        <source>Glue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Glue a strip of {seal} mm along the dashed line. Let it dry under a weight.</source>
         <translation>破線に沿って幅 {seal} mm で接着します。重しをのせて乾かします。</translation>
     </message>
@@ -1305,6 +1365,10 @@
     <message>
         <source>Glue the seams. Stiffer along the web than across it; E is the geometric mean. Porous: for a moment's inflation or with a lining.</source>
         <translation>継ぎ目は接着します。流れ方向の方が直角方向より硬く、E は幾何平均です。空気が抜けるので、短時間だけ使うか内張りをします。</translation>
+    </message>
+    <message>
+        <source>Glued seam</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Grain</source>
@@ -1331,6 +1395,10 @@
         <translation>表で動くハート</translation>
     </message>
     <message>
+        <source>Heat</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Heat sealer on a plotter</source>
         <translation>プロッター式ヒートシーラー</translation>
     </message>
@@ -1341,6 +1409,10 @@
     <message>
         <source>Helium</source>
         <translation>ヘリウム</translation>
+    </message>
+    <message>
+        <source>High frequency</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>How wide shall it be?</source>
@@ -1383,6 +1455,10 @@
         <translation>膨張</translation>
     </message>
     <message>
+        <source>Ink, or a slip of baking paper</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Inkscape</source>
         <translation>Inkscape</translation>
     </message>
@@ -1395,12 +1471,32 @@
         <translation>脇の部分にある注入口</translation>
     </message>
     <message>
+        <source>Intake on a thin part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>It is not inflated yet: choose Inflate now in its context menu, or switch Live on.</source>
         <translation>まだふくらんでいません。コンテキストメニューで「今すぐふくらませる」を選ぶか、ライブをオンにしてください。</translation>
     </message>
     <message>
         <source>It is wider now. Ctrl+Z takes that back.</source>
         <translation>広くしました。Ctrl+Z で元に戻せます。</translation>
+    </message>
+    <message>
+        <source>Join the panels along the dashed line, {seal} mm wide, all the way round.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Join the panels along the dashed line, {seal} mm wide; leave the mouth of the neck open.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Join the panels along the lines inside the balloon.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joining</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Keep the proportions</source>
@@ -1423,16 +1519,24 @@
         <translation>文字には matplotlib が必要です。pip install matplotlib で入れるか、文字を空にしてください。</translation>
     </message>
     <message>
-        <source>Laid in rows, which takes more film: install the package spyrrow (pip install spyrrow) for a closer layout.</source>
-        <translation>列に並べたのでフィルムが余分に必要です。詰めて並べるにはパッケージ spyrrow を入れてください（pip install spyrrow）。</translation>
+        <source>Laid one piece after another: the package spyrrow (pip install spyrrow) often finds a closer layout.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Largest strain</source>
         <translation>最大ひずみ</translation>
     </message>
     <message>
+        <source>Laser</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Lay a picture under the paper for tracing; press again to take it away</source>
         <translation>なぞるための画像を紙の下に敷く（もう一度押すと外す）</translation>
+    </message>
+    <message>
+        <source>Lay both valve strips on each other, their lines together. On the field marked on VALVE, INK put heat-resistant ink, or a slip of baking paper between the strips. Weld them along both long lines.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Lay out</source>
@@ -1443,12 +1547,20 @@
         <translation>フィルムに並べる</translation>
     </message>
     <message>
+        <source>Lay the grain of both panels the same way.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Lay the panels on each other, sealing sides inward. Line them up by the notches or edges; tape outside the cut.</source>
         <translation>シール面を内側にして 2 枚を重ねます。合印か縁で位置を合わせ、切り線の外側をテープで留めます。</translation>
     </message>
     <message>
         <source>Lay the panels on each other. Line them up by the notches or edges; tape outside the cut.</source>
         <translation>2 枚を重ねます。合印か縁で位置を合わせ、切り線の外側をテープで留めます。</translation>
+    </message>
+    <message>
+        <source>Lay the strips into the neck of one panel, end at the mouth, line on line. Tack them to this panel only, with two spots of weld on the line, beside the channel.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Layers, millimetres and arcs, to go on drawing.</source>
@@ -1483,6 +1595,10 @@
         <translation>LightBurn（レーザー）</translation>
     </message>
     <message>
+        <source>LightBurn project (laser)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Line</source>
         <translation>線</translation>
     </message>
@@ -1507,6 +1623,10 @@
         <translation>画像を調べています</translation>
     </message>
     <message>
+        <source>Low</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Machine</source>
         <translation>機械</translation>
     </message>
@@ -1529,6 +1649,10 @@
     <message>
         <source>Material</source>
         <translation>材料</translation>
+    </message>
+    <message>
+        <source>May be cut</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Measured on the inflated balloon.</source>
@@ -1595,8 +1719,16 @@
         <translation>必要量</translation>
     </message>
     <message>
+        <source>Never</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Never cut PVC with a laser: it gives off hydrogen chloride, which is toxic and ruins the machine. Weld with high frequency or hot air. Stretches visibly: at 2 kPa the shape depends on the grade and on the pressure.</source>
         <translation>PVC は絶対にレーザーで切らないでください。有毒で機械を傷める塩化水素が出ます。高周波か熱風で溶着します。目に見えて伸び、2 kPa では形が材質と圧力で変わります。</translation>
+    </message>
+    <message>
+        <source>Never cut this film with a laser.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>New balloon from picture</source>
@@ -1625,6 +1757,10 @@
     <message>
         <source>No pattern can be drawn anew without it; documents keep theirs.</source>
         <translation>これがないと型紙を新たに描けません。文書にある型紙は残ります。</translation>
+    </message>
+    <message>
+        <source>No pattern here has pieces of "{0}": choose another film.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>No shape stands out in the picture. Use stronger colours or a plainer background.</source>
@@ -1671,6 +1807,10 @@
         <translation>直すところはありません。</translation>
     </message>
     <message>
+        <source>Nowhere on the seam is room for an intake of {0}: choose a narrower one, or a place for it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Nozzle with flange</source>
         <translation>フランジ付きノズル</translation>
     </message>
@@ -1691,6 +1831,14 @@
         <translation>図からのずれ</translation>
     </message>
     <message>
+        <source>On the way of the valve the balloon narrows to {0} at {1}; its channel takes {2} with its welds there. Make the neck wider or put it elsewhere, else the weld closes the valve.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Once the seam is closed, turn the tail in through itself with a straw, at the mark beside the balloon, and fill through it up to the second mark. Pull the straw out: the air in the balloon presses the tail flat.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>One large page</source>
         <translation>大きな 1 ページ</translation>
     </message>
@@ -1699,12 +1847,20 @@
         <translation>逆止めの尾</translation>
     </message>
     <message>
+        <source>Only grades of this film with a sealing layer weld: try scraps before you cut.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Only the middle of the weld. A closed weld runs past its start, so that the joint is tight.</source>
         <translation>溶着線の中心だけです。閉じた線は始点を少し越えて重なり、継ぎ目の漏れを防ぎます。</translation>
     </message>
     <message>
         <source>Only {0} of film stay between two cuts near {1}; {2} wants {3}. It may tear or melt there.</source>
         <translation>{1} 付近で 2 本の切り線の間が {0} しかありません。{2} には {3} 必要です。破れたり溶けたりするおそれがあります。</translation>
+    </message>
+    <message>
+        <source>Open it, do not import it. Outline, holes and notches are on cut layers, without speed and power: take them from your material library. Welds (T1) and all that is drawn (T2) are on tool layers, which LightBurn never burns.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Opposite the intake</source>
@@ -1811,6 +1967,10 @@
         <translation>ペン</translation>
     </message>
     <message>
+        <source>Pen drawing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Picture, SVG, DXF or JSON</source>
         <translation>画像、SVG、DXF、JSON</translation>
     </message>
@@ -1825,6 +1985,10 @@
     <message>
         <source>Pictures need OpenCV, which is missing or does not work here. Install the package python3-opencv (or opencv-python-headless), or open the picture inside FreeCAD.</source>
         <translation>画像には OpenCV が必要ですが、ないか動きません。python3-opencv（または opencv-python-headless）を入れるか、FreeCAD の中で画像を開いてください。</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Place by</source>
@@ -1855,8 +2019,8 @@
         <translation>膨張を再生する、または途中で止める</translation>
     </message>
     <message>
-        <source>Plotter units of 0.025 mm. Pen 1 draws the control bar, pen 2 the marks, pen 3 cuts. For a swivel knife set its offset, 0.25 mm is common.</source>
-        <translation>プロッター単位は 0.025 mm です。ペン 1 は確認用の棒、ペン 2 は印、ペン 3 は切断です。回転刃ではオフセットを設定してください（普通 0.25 mm）。</translation>
+        <source>Plotter units of 0.025 mm. Pen 1 draws the control bar, pen 2 cuts the notches, pen 3 the rest. Nothing is in the file that may not be cut. For a swivel knife set its offset, 0.25 mm is common. Cuts run 1 mm past their start: set overcut_mm to 0 where the cutter does that itself.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Point {0} of the JSON file's {1} is not a pair of numbers. {2}</source>
@@ -1871,12 +2035,12 @@
         <translation>ポリエチレンフィルム（LDPE）、50 µm</translation>
     </message>
     <message>
-        <source>Polylines at the real size with a layer and a colour for each role.</source>
-        <translation>原寸のポリライン。役割ごとにレイヤーと色があります。</translation>
+        <source>Polylines at the real size with a layer and a colour for each role. CUT, CUT_INNER and NOTCH are cut, SEAL and WELD welded, all others drawn.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Polylines in millimetres with a layer for each role: what every program reads.</source>
-        <translation>ミリメートルのポリライン。役割ごとのレイヤーで、どのプログラムでも読めます。</translation>
+        <source>Polylines in millimetres with a layer for each role: what every program reads. CUT, CUT_INNER and NOTCH are cut, SEAL and WELD welded, all others drawn.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Predicted from the outline; not inflated yet.</source>
@@ -1903,12 +2067,12 @@
         <translation>紙を動かします。どの道具でも中ボタンかスペースキーで動かせ、ホイールで拡大縮小します。</translation>
     </message>
     <message>
-        <source>Push a straw in, fill, pull it out and weld straight across the neck beside the balloon.</source>
-        <translation>ストローを差し込んでふくらませ、抜いてから、風船のそばで首を真横に溶着します。</translation>
+        <source>Push a straw in, fill, pull it out and close the neck like the seam, straight across beside the balloon.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Push the nozzle through the hole of the front panel from inside, put the ring over it from outside, and weld flange, film and ring together along the ring's line before the panels are joined.</source>
-        <translation>ノズルを表側フィルムの穴に内側から通し、外側から輪をかぶせ、表裏を合わせる前に、フランジ、フィルム、輪を輪の線に沿って溶着します。</translation>
+        <source>Push the nozzle through the hole of the front panel from inside, put the ring over it from outside, and join flange, film and ring like the seam, along the ring's line, before the panels are joined.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Put a picture on the paper, without its background</source>
@@ -1917,6 +2081,10 @@
     <message>
         <source>Put outline, balloon and pattern into the document, and print the pattern</source>
         <translation>輪郭、風船、型紙を文書に入れ、型紙を印刷する</translation>
+    </message>
+    <message>
+        <source>Put the intake low</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>RDWorks (Ruida laser)</source>
@@ -2017,6 +2185,14 @@
     <message>
         <source>Seal width (0: the film's)</source>
         <translation>溶着幅（0：フィルムの値）</translation>
+    </message>
+    <message>
+        <source>Seam</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seam length</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Second panel, mirrored</source>
@@ -2151,6 +2327,14 @@
         <translation>ストロー用の首</translation>
     </message>
     <message>
+        <source>Strips</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Strips welded together</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Symmetry</source>
         <translation>対称</translation>
     </message>
@@ -2161,6 +2345,10 @@
     <message>
         <source>Tab to tie it to</source>
         <translation>結ぶための耳</translation>
+    </message>
+    <message>
+        <source>Tacked to one panel</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Take everything off the paper</source>
@@ -2177,6 +2365,22 @@
     <message>
         <source>Take the picture away</source>
         <translation>画像を外す</translation>
+    </message>
+    <message>
+        <source>Tape</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tape along the dashed line, {seal} mm wide, all the way round.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tape along the dashed line, {seal} mm wide; leave the mouth of the neck open.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Taped seam</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Tension</source>
@@ -2211,12 +2415,8 @@
         <translation>JSON ファイルの '{0}' が {1} の一覧ではありません。{2}</translation>
     </message>
     <message>
-        <source>The DXF file has an endless arc. Leave only the outline and its holes in it.</source>
-        <translation>DXF ファイルに終わりのない円弧があります。輪郭と穴だけを残してください。</translation>
-    </message>
-    <message>
-        <source>The DXF file has too many lines. Leave only the outline and its holes in it.</source>
-        <translation>DXF ファイルの線が多すぎます。輪郭と穴だけを残してください。</translation>
+        <source>The DXF file has errors; what could be read was taken from it.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The DXF file {0}; millimetres are assumed.</source>
@@ -2259,8 +2459,16 @@
         <translation>SVG ファイルに読み込めないエンティティ定義があります。プレーン SVG で保存してください。</translation>
     </message>
     <message>
-        <source>The SVG file has too many elements, or some that use themselves. Simplify it.</source>
-        <translation>SVG ファイルの要素が多すぎるか、自分自身を参照しています。簡単にしてください。</translation>
+        <source>The SVG file has a '{0}' of endless length. Save it as plain SVG once more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The SVG file has too many attributes. Save it as plain SVG once more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The SVG file has too many styles. Save it as plain SVG once more.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The SVG file is damaged ({0}). Save it once more.</source>
@@ -2303,12 +2511,36 @@
         <translation>図のすべてには届きません。シルエットは最大 {} ずれます。</translation>
     </message>
     <message>
+        <source>The drawing has a curve through more than {0} points. Save it as a polyline.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The drawing has blocks or copies that show themselves. Remove those from it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The drawing has more than {0} elements, with those of its blocks and copies. Leave only the outline and its holes in it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The drawing has more than {0} groups or blocks inside each other. Take them apart in the program it comes from.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The drawing has more than {0} points. Simplify it in the program it comes from, or leave only the outline and its holes in it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The drawing has no closed line. Draw one, and turn texts and groups into paths.</source>
         <translation>図に閉じた線がありません。閉じた線を描き、文字やグループはパスに変換してください。</translation>
     </message>
     <message>
         <source>The drawing has points more than {0} km from its origin. Move it there, and give it a size between 1 mm and 100 m.</source>
         <translation>図に原点から {0} km 以上離れた点があります。原点へ移し、大きさを 1 mm～100 m にしてください。</translation>
+    </message>
+    <message>
+        <source>The drawing has too much text in its styles and transforms. Save it as plain SVG once more.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The drawing has {0} shape and no number {1}: choose another Part, or delete this balloon.</source>
@@ -2321,6 +2553,10 @@
     <message>
         <source>The drawing is open: a line starts at {0} and ends {1} away at {2}. Close it.</source>
         <translation>図が閉じていません。{0} で始まる線が、{1} 離れた {2} で終わっています。閉じてください。</translation>
+    </message>
+    <message>
+        <source>The drawing takes more than {0} s to read. Simplify it in the program it comes from, or leave only the outline and its holes in it.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The drawing was made symmetric: its halves were {0} apart, the left one was kept.</source>
@@ -2337,6 +2573,10 @@
     <message>
         <source>The file is XML but no SVG drawing. Choose a drawing.</source>
         <translation>このファイルは XML ですが SVG の図ではありません。図を選んでください。</translation>
+    </message>
+    <message>
+        <source>The file is damaged or not a DXF file. Save it once more.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The file of gases {0} is of no use: {1}. Install it anew.</source>
@@ -2375,8 +2615,8 @@
         <translation>市販の風船のフィルムです。アルミ蒸着した 15 µm の延伸ナイロン 6 と、内側の 15 µm のポリエチレン。PE どうしを溶着します。ナイロンは湿気を吸うと柔らかくなります。</translation>
     </message>
     <message>
-        <source>The free edition opens DXF, not SVG. Choose "as is" for the size in the import preferences. Silhouette makes its own registration marks.</source>
-        <translation>無料版が開けるのは DXF で、SVG ではありません。読み込み設定の大きさは「そのまま」にしてください。トンボは Silhouette が自分で作ります。</translation>
+        <source>The free edition opens DXF, not SVG. Choose "as is" for the size in the import preferences. Silhouette makes its own registration marks, and adds the knife's offset and overcut. Nothing is in the file that may not be cut.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The grain's angle {0} is no number: give degrees from the x axis.</source>
@@ -2403,6 +2643,10 @@
         <translation>{0} の穴は輪郭の外にあります。内側へ移してください。</translation>
     </message>
     <message>
+        <source>The holes of a filled shape stay, the lines of a pen drawing are filled inside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The inflated outline stays {0} from the drawing on average: film cannot follow this shape everywhere. Round off notches and widen thin parts.</source>
         <translation>ふくらんだ輪郭は図から平均 {0} 離れます。フィルムはこの形のすべてには追従できません。切れ込みを丸め、細い部分を広げてください。</translation>
     </message>
@@ -2417,6 +2661,10 @@
     <message>
         <source>The intake file {0} lacks {1}: add it.</source>
         <translation>注入口のファイル {0} に {1} がありません。加えてください。</translation>
+    </message>
+    <message>
+        <source>The intake is at the farthest point, on a part that becomes {measured} as thick as the balloon: there it is tied, hangs and is held. A low place carries it better.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The intake opens into a part with {percent} of the film; the rest fills through something narrower than the intake. Move it to the largest part.</source>
@@ -2439,6 +2687,10 @@
         <translation>注入口の位置は溶着線に沿った長さで指定してください。</translation>
     </message>
     <message>
+        <source>The intake's place cannot be "{0}": choose {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The intake's width must be between 0.01 mm and 10 m: give it about 10 mm.</source>
         <translation>注入口の幅は 0.01 mm～10 m です。10 mm ほどにしてください。</translation>
     </message>
@@ -2447,16 +2699,20 @@
         <translation>二つの部屋の注入口がぶつかります。間の溶着線にすき間を残すか、最初の注入口を移してください。</translation>
     </message>
     <message>
-        <source>The label "{0}" has no letter that can be drawn: write it in other letters.</source>
-        <translation>文字「{0}」には描ける字がありません。別の文字にしてください。</translation>
-    </message>
-    <message>
         <source>The label "{0}" is {1} long, and the film is only {2} wide: take a shorter text or lower letters.</source>
         <translation>文字「{0}」の長さは {1} ですが、フィルムの幅は {2} しかありません。短くするか文字を小さくしてください。</translation>
     </message>
     <message>
+        <source>The layer MARK of the machine file {0}.json takes notches only. Rename it NOTCH, and where your machine can draw, add the layers FOLD and PEN.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The layout failed: give the pieces more room.</source>
         <translation>並べられませんでした。場所を広げてください。</translation>
+    </message>
+    <message>
+        <source>The layout of {0} is older than its patterns: recompute it.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The layout was stopped; nothing was changed.</source>
@@ -2489,6 +2745,10 @@
     <message>
         <source>The native solver is not available: {0} Use the NumPy solver.</source>
         <translation>ネイティブソルバーは使えません：{0} NumPy のソルバーを使ってください。</translation>
+    </message>
+    <message>
+        <source>The native solver, which is faster, is not available: {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The nozzle's flange must be wider than its bore.</source>
@@ -2583,6 +2843,14 @@
         <translation>線画として読み込み、線の内側を塗りました。</translation>
     </message>
     <message>
+        <source>The pieces of the intake "{0}" are cut from {1}: they have a file of their own, with all of them for each balloon.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The pieces of the intake "{0}" are of {1}, which does not weld to {2}: choose another intake, or a film that it welds to: {3}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The pressure must be positive and at most {0} Pa, not {1} Pa. A party balloon has about 2 kPa.</source>
         <translation>圧力は 0 より大きく {0} Pa 以下にしてください（指定は {1} Pa）。パーティー用の風船は約 2 kPa です。</translation>
     </message>
@@ -2639,8 +2907,8 @@
         <translation>ソルバー「{0}」には Python パッケージ scipy が必要です。入れるか、ネイティブソルバーを使ってください。</translation>
     </message>
     <message>
-        <source>The solver stopped; the report view tells why.</source>
-        <translation>ソルバーが止まりました。理由はレポートビューにあります。</translation>
+        <source>The strips of valves are not here: lay them out on a sheet of their own, with "Valve film".</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The temperature of the {0}, {1} degrees Celsius, is out of range: give one such as 20C.</source>
@@ -2649,6 +2917,10 @@
     <message>
         <source>The tie tab at {0} degrees would run into another part: choose another angle.</source>
         <translation>{0} 度の耳は別の部分にぶつかります。角度を変えてください。</translation>
+    </message>
+    <message>
+        <source>The valve reaches {0} into the balloon, past the weld at {1}: put the intake where the balloon is longer, or take another one.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The volume must be positive, not {0} m3.</source>
@@ -2685,6 +2957,10 @@
     <message>
         <source>The {0} line crosses itself near {1}: simplify the drawing there.</source>
         <translation>{0} の線が {1} 付近で交わります。そこの図を簡単にしてください。</translation>
+    </message>
+    <message>
+        <source>The {0} line runs back along itself near {1}: simplify the drawing there.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The {0} line that begins at {1} is open: programs fill, offset and cut closed lines only. Close it.</source>
@@ -2735,6 +3011,10 @@
         <translation>注入口「{0}」はありません。{1} から選んでください。</translation>
     </message>
     <message>
+        <source>There is no joining "{0}": choose one of {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>There is no look "{0}": choose one of {1}.</source>
         <translation>外観「{0}」はありません。{1} から選んでください。</translation>
     </message>
@@ -2775,6 +3055,14 @@
         <translation>対称「{0}」はありません。{1} から選んでください。</translation>
     </message>
     <message>
+        <source>There is too little memory for this: take a coarser mesh, or close other programs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is too little memory for this: take a coarser mesh, or close other programs. Details are in '{0}'.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Thickness</source>
         <translation>厚み</translation>
     </message>
@@ -2805,6 +3093,14 @@
     <message>
         <source>This gives no whole number: {}</source>
         <translation>整数になりません：{}</translation>
+    </message>
+    <message>
+        <source>This is a fault of the program, not yours, and its details cannot be written anywhere. Please report it: {0}, {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is a fault of the program, not yours. Its details are in '{0}': please report it with this file.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>This is shape {0} of the {1} in the drawing.</source>
@@ -2867,12 +3163,24 @@
         <translation>元に戻す（Ctrl+Z）</translation>
     </message>
     <message>
-        <source>Upload the SVG as a cut image and compare the control bar: some versions read the size at 72 dpi.</source>
-        <translation>SVG をカット画像としてアップロードし、確認用の棒を比べてください。大きさを 72 dpi で読む版があります。</translation>
+        <source>Unknown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Upload the SVG as a cut image and compare the control bar: some versions read the size at 72 dpi. Nothing is in the file that may not be cut. It adds the knife's offset and overcut itself.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Used</source>
         <translation>使用率</translation>
+    </message>
+    <message>
+        <source>Valve film</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Valve, on one panel</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Violet</source>
@@ -2885,6 +3193,10 @@
     <message>
         <source>Warm air</source>
         <translation>熱気</translation>
+    </message>
+    <message>
+        <source>Weakest place</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Weighing {0}</source>
@@ -2903,6 +3215,10 @@
         <translation>TPU どうしをアイロンか熱風で幅 10 mm に溶着します。縦糸と横糸の方向は硬く、斜めは柔らかいですが、モデルは全方向に一つの値を使います。数回ふくらませると硬くなります。</translation>
     </message>
     <message>
+        <source>Weld across the neck along its line, through panels and strips: the field keeps the channel open. Pull the slip out and blow through the valve.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Weld along the dashed line, {seal} mm wide, all the way round.</source>
         <translation>破線に沿って幅 {seal} mm で、ぐるりと 1 周溶着します。</translation>
     </message>
@@ -2915,24 +3231,32 @@
         <translation>溶着と切断</translation>
     </message>
     <message>
-        <source>Weld length</source>
-        <translation>溶着線の長さ</translation>
-    </message>
-    <message>
         <source>Weld the lines inside the balloon.</source>
         <translation>風船の内側の線を溶着します。</translation>
     </message>
     <message>
-        <source>Weld with high frequency along the dashed line, {seal} mm wide. Never cut this film with a laser.</source>
-        <translation>高周波で、破線に沿って幅 {seal} mm で溶着します。このフィルムは絶対にレーザーで切らないでください。</translation>
+        <source>Weld the two strips together along their lines; over the marked field, heat-resistant ink or a slip of baking paper keeps the channel open. Tack them to one panel, their end at the mouth; then weld round the balloon and across the neck. Fill with a 6 mm tube: the pressure closes the strips.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Weld with high frequency along the dashed line, {seal} mm wide; leave the mouth of the neck open. Never cut this film with a laser.</source>
-        <translation>高周波で、破線に沿って幅 {seal} mm で溶着します。首の口は開けておきます。このフィルムは絶対にレーザーで切らないでください。</translation>
+        <source>Weld with high frequency along the dashed line, {seal} mm wide, all the way round.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weld with high frequency along the dashed line, {seal} mm wide; leave the mouth of the neck open.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Welded across, last</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Welds easily with an impulse sealer or an iron. Yields at about 9 MPa, half its tensile strength, and creeps: keep the pressure low.</source>
         <translation>インパルスシーラーかアイロンで簡単に溶着できます。引張強さの半分の約 9 MPa で降伏し、クリープするので、圧力は低くしてください。</translation>
+    </message>
+    <message>
+        <source>What it takes to make it</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>What most shops ask for: R12, closed polylines, nothing on the sheet that is not cut. R12 knows no unit, so the file's name tells it.</source>
@@ -2941,6 +3265,10 @@
     <message>
         <source>What works here</source>
         <translation>この環境で使えるもの</translation>
+    </message>
+    <message>
+        <source>Whether the {0} of the intake's pieces welds to {1} is not known: try it on a scrap first.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>While this is pressed, the ring in the 3D view moves the intake</source>
@@ -2969,6 +3297,10 @@
     <message>
         <source>Will it float?</source>
         <translation>浮く？</translation>
+    </message>
+    <message>
+        <source>With the fonts of this computer {0} cannot be drawn, letter by letter from left to right: leave that out of the label, or install a font that has it and start again.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Wrinkles</source>
@@ -3011,6 +3343,10 @@
         <translation>流れに直角のヤング率</translation>
     </message>
     <message>
+        <source>a LightBurn project has layers up to {0}: change the pen.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>a coordinate is not a number</source>
         <translation>数ではない座標がある</translation>
     </message>
@@ -3025,6 +3361,10 @@
     <message>
         <source>air</source>
         <translation>空気</translation>
+    </message>
+    <message>
+        <source>another run has been writing there for a minute</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>apart {} in the mean, 95 % below {}, at most {}</source>
@@ -3055,6 +3395,10 @@
         <translation>次にしてください：</translation>
     </message>
     <message>
+        <source>choose Drawn as filled shape</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>colour index {0} and pen {1} of {2} must be from 1 to 255.</source>
         <translation>{2} の色番号 {0} とペン {1} は 1～255 にしてください。</translation>
     </message>
@@ -3075,6 +3419,10 @@
         <translation>図</translation>
     </message>
     <message>
+        <source>drawn mark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>empty: </source>
         <translation>空：</translation>
     </message>
@@ -3087,8 +3435,20 @@
         <translation>フィルムと弁の重さは {0} g</translation>
     </message>
     <message>
+        <source>fold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>gas</source>
         <translation>気体</translation>
+    </message>
+    <message>
+        <source>glued seam</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>glued seam inside</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>height</source>
@@ -3131,6 +3491,18 @@
         <translation>時間を追って膨張中</translation>
     </message>
     <message>
+        <source>it is nested too deeply</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is no file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is too large</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>it would grow together with another part</source>
         <translation>別の部分とつながってしまう</translation>
     </message>
@@ -3163,12 +3535,12 @@
         <translation>下</translation>
     </message>
     <message>
-        <source>mark</source>
-        <translation>印</translation>
-    </message>
-    <message>
         <source>mass</source>
         <translation>質量</translation>
+    </message>
+    <message>
+        <source>may be cut</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>more than</source>
@@ -3189,6 +3561,10 @@
     <message>
         <source>not converged: </source>
         <translation>収束していません：</translation>
+    </message>
+    <message>
+        <source>notch</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>opacity</source>
@@ -3223,6 +3599,14 @@
         <translation>溶着幅</translation>
     </message>
     <message>
+        <source>seam</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>seam inside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>serious</source>
         <translation>重大</translation>
     </message>
@@ -3249,6 +3633,14 @@
     <message>
         <source>strength of the film not known</source>
         <translation>フィルムの強度が不明</translation>
+    </message>
+    <message>
+        <source>taped seam</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>taped seam inside</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>taut: {:.0f} %</source>
@@ -3279,6 +3671,14 @@
         <translation>レイヤー名「{0}」は A-Z、0-9、_、-、$ の 1～31 字にしてください。</translation>
     </message>
     <message>
+        <source>the name "{0}" of the stock goes into file names: take letters a to z.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sealing side {0} is no polymer: give one such as "PE", or "none".</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>there is no such corner</source>
         <translation>そのような角がない</translation>
     </message>
@@ -3289,6 +3689,10 @@
     <message>
         <source>thickness</source>
         <translation>厚さ</translation>
+    </message>
+    <message>
+        <source>thin PE film, 30 to 50 µm</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>trial {0}, {1}</source>
@@ -3341,6 +3745,10 @@
     <message>
         <source>{0} "{1}" is none of {2}.</source>
         <translation>{0}「{1}」は {2} のどれでもありません。</translation>
+    </message>
+    <message>
+        <source>{0} It is left out.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} and {1} lines meet near {2}: move the hole inward or make the allowance narrower.</source>
@@ -3411,8 +3819,28 @@
         <translation>{0} には面が複数あります。一つを選んでください。</translation>
     </message>
     <message>
+        <source>{0} hole with a thin line round it was filled, as a pen's: choose Drawn as filled shape to keep it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} holes with a thin line round them were filled, as a pen's: choose Drawn as filled shape to keep them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} is a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} is a folder</source>
         <translation>{0} はフォルダーです</translation>
+    </message>
+    <message>
+        <source>{0} is damaged or incomplete ({1}). Install the workbench anew.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} is damaged or incomplete. Install the workbench anew.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} is empty: draw a closed line in it.</source>
@@ -3435,6 +3863,10 @@
         <translation>{0} は平らではありません。風船は平らなフィルムから切るので、一つの平面に描いてください。</translation>
     </message>
     <message>
+        <source>{0} is not joined by heat: {1} is not made for it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} is not up to date. {1}</source>
         <translation>{0} は最新ではありません。{1}</translation>
     </message>
@@ -3445,6 +3877,10 @@
     <message>
         <source>{0} is not up to date. {1} Repair that, recompute and export again.</source>
         <translation>{0} は最新ではありません。{1} それを直し、再計算してから書き出してください。</translation>
+    </message>
+    <message>
+        <source>{0} is too large a number, or none</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} is {1}: give a number from {2} to {3}.</source>
@@ -3489,6 +3925,10 @@
     <message>
         <source>{0} mm wide, {1} m long</source>
         <translation>幅 {0} mm、長さ {1} m</translation>
+    </message>
+    <message>
+        <source>{0} must never be cut with a laser: choose a machine with a knife.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} m²; wider than the usual roll</source>
@@ -3599,12 +4039,16 @@
         <translation>{:.3g} g、{}では浮かない</translation>
     </message>
     <message>
-        <source>{:.3g} g: film {:.3g}, weld and neck {:.2g}, valve {:.2g}</source>
-        <translation>{:.3g} g：フィルム {:.3g}、溶着部と首 {:.2g}、弁 {:.2g}</translation>
+        <source>{:.3g} g: film {:.3g}, seam and neck {:.2g}, valve {:.2g}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{:.3g} m², wider than the usual roll</source>
         <translation>{:.3g} m²、通常のロールより広い</translation>
+    </message>
+    <message>
+        <source>{} at ({})</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{} files written to {}</source>
@@ -3639,8 +4083,8 @@
         <translation>{}、余裕 {:g} 倍（{}）</translation>
     </message>
     <message>
-        <source>{}, weld {}</source>
-        <translation>{}、溶着線 {}</translation>
+        <source>{}, seam {}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{}: {}</source>

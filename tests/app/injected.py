@@ -11,7 +11,7 @@ from collections import Counter
 
 import BalloonWorkbench.core
 
-ERRORS = (ZeroDivisionError, MemoryError, IndexError, RuntimeError, TypeError)
+ERRORS = (ZeroDivisionError, MemoryError, IndexError, RuntimeError, AssertionError)
 #: What tells of faults, and what only stands for a constant.
 _LEFT_OUT = ("core.faults", "core.errors", "core.types", "core.packages", "core.recent", "core.fonts")
 

@@ -82,6 +82,20 @@ def test_a_fault_in_a_recompute_keeps_what_was(made):
     assert len(reports) > 0.4 * len(places)
 
 
+def test_half_a_result_is_none(made, monkeypatch):
+    """The last step fails: nothing of the new balloon is there yet."""
+
+    def broken(*given, **named):
+        raise IndexError("put in by a test")
+
+    before = state(made.balloon.Document)
+    monkeypatch.setattr("BalloonWorkbench.app.film_result.store", broken)
+    made.balloon.MeshSize = 9
+    made.balloon.Document.recompute()
+    assert SAID[0] in made.balloon.Status
+    assert state(made.balloon.Document) == before
+
+
 def test_the_api_names_the_file(made, monkeypatch):
     def broken(*given, **named):
         raise ZeroDivisionError("nobody foresaw this")

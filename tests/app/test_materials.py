@@ -156,3 +156,13 @@ def test_document_keeps_an_own_film_that_is_gone(doc, own_film, tmp_path):
 def test_broken_own_film_is_left_out(own_film):
     own_film.write_text("{", encoding="utf-8")
     assert "my-foil" not in film.known_films()
+
+
+def test_a_card_tells_its_sealing_side(balloon):
+    """What a valve has to weld to: from our cards and the library; a card without it leaves it open."""
+    material.take(balloon, material.card_named("Aluminised nylon-PE foil (party balloon), 30 um"))
+    assert (balloon.SealingSide, film.read(balloon).sealing_side) == ("PE", "PE")
+    material.take(balloon, material.card_named("PET-Generic"))
+    assert film.read(balloon).sealing_side is None
+    balloon.Film = "bopp-foil"
+    assert (balloon.SealingSide, film.read(balloon).sealing_side) == ("PP", "PP")

@@ -11,7 +11,7 @@ import numpy as np
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.solver.dkt import gradients
 from BalloonWorkbench.core.solver.inflation import Inflation
-from BalloonWorkbench.core.solver.kinematics import deformation_gradients, green_strains
+from BalloonWorkbench.core.solver.kinematics import deformation_gradients, facet_volume, green_strains
 from BalloonWorkbench.core.solver.model import film_problem
 from BalloonWorkbench.core.types import Floats
 
@@ -31,6 +31,25 @@ def balance(inflation: Inflation, film: Film, angle: float, places: Floats) -> f
     return force / (inflation.report.pressure * section)
 
 
+def balance_of_all(inflation: Inflation, film: Film, angle: float) -> float:
+    """The same for all planes there are: the integral of the tension along the direction over the film,
+    relative to pressure times volume."""
+    ahead = np.array([np.cos(angle), np.sin(angle), 0.0])
+    panel = inflation.panel
+    shape, areas = gradients(panel.rest_positions[panel.triangles])
+    deformation = deformation_gradients(inflation.positions, panel.triangles, shape)
+    nominal = _nominal(inflation, film, deformation)
+    pull = np.einsum("m,i,mik,mjk,j->", areas, ahead, nominal, deformation, ahead)
+    return float(pull) / (inflation.report.pressure * facet_volume(inflation.positions, panel.triangles))
+
+
+def _nominal(inflation: Inflation, film: Film, deformation: Floats) -> Floats:
+    """Forces (m, 3, 2) [N/m] across lines in the flat film."""
+    problem = film_problem(inflation.panel, film, inflation.report.pressure, inflation.report.model)
+    xx, yy, xy = film.membrane_stiffness * problem.membrane(green_strains(deformation)).stress.T
+    return deformation @ np.stack([np.stack([xx, xy], -1), np.stack([xy, yy], -1)], axis=1)
+
+
 def _cut(inflation: Inflation, film: Film, ahead: Floats, at: float) -> tuple[float, float]:
     """Pull [N] along `ahead` of the upper film across a plane, and the area [m2] below it there."""
     panel = inflation.panel
@@ -39,9 +58,7 @@ def _cut(inflation: Inflation, film: Film, ahead: Floats, at: float) -> tuple[fl
     corners, beyond = panel.triangles[crossed], beyond[crossed]
     shape, _ = gradients(panel.rest_positions[corners])
     deformation = deformation_gradients(inflation.positions, corners, shape)
-    problem = film_problem(panel, film, inflation.report.pressure, inflation.report.model)
-    xx, yy, xy = film.membrane_stiffness * problem.membrane(green_strains(deformation)).stress.T
-    nominal = deformation @ np.stack([np.stack([xx, xy], -1), np.stack([xy, yy], -1)], axis=1)
+    nominal = _nominal(inflation, film, deformation)
 
     # the corner that is alone on its side, and where the two edges from it are cut
     alone = np.argmax((beyond > 0.0) == ((beyond > 0.0).sum(axis=1) == 1)[:, None], axis=1)

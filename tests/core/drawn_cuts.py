@@ -145,7 +145,7 @@ def _any(random: np.random.Generator, seed: int) -> tuple[float, float]:
 
 
 @cache
-def laid_out(balloons: int = 3) -> Pattern:
+def laid_out(balloons: int = 1) -> Pattern:
     """Rings, in their holes discs with a hole, and hearts; in rows, as without the nesting library."""
     ring = made((Outline(polar(0.14), (oriented(polar(0.09), False),)),), Wanted(intake=False, notches=6))
     small = made((Outline(polar(0.05), (oriented(polar(0.02), False),)),), Wanted(intake=False, notches=3))

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Reads files one after the other in a process of its own, and writes down what that took.
 
-As a program: FIRST STOP reads the files of `mutated_files` with these numbers, NAME those of `too_much`.
+As a program: FIRST STOP reads the files of `mutated_files` with these numbers, NAME ... those of `too_much`.
 """
 
 from __future__ import annotations
@@ -12,6 +12,8 @@ import subprocess
 import sys
 import tempfile
 import time
+from collections.abc import Callable, Iterator
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -53,7 +55,7 @@ def _read(name: str, path: Path) -> dict[str, Any]:
 
     _say({"begin": name})
     used = resource.getrusage(resource.RUSAGE_SELF)
-    limit = int(used.ru_utime + used.ru_stime + 2 * SECONDS) + 1
+    limit = int(used.ru_utime + used.ru_stime + 2 * SECONDS) + 1  # past it this process is ended
     resource.setrlimit(resource.RLIMIT_CPU, (limit, resource.RLIM_INFINITY))
     _peak(reset=True)
     began, refusal, finite = time.process_time(), None, True
@@ -72,22 +74,25 @@ def _read(name: str, path: Path) -> dict[str, Any]:
     }
 
 
+def _cases(words: list[str]) -> Iterator[tuple[str, Callable[[], tuple[str, bytes]]]]:
+    """Names, and what makes their files."""
+    if words[0].isdigit():
+        import mutated_files
+
+        for number in range(int(words[0]), int(words[1])):
+            yield str(number), partial(mutated_files.file, number)
+    else:
+        import too_much
+
+        for name in words:
+            yield name, too_much.FILES[name]
+
+
 def _main(words: list[str]) -> None:
     sys.path[:0] = [str(ROOT), str(Path(__file__).parent)]
     resource.setrlimit(resource.RLIMIT_AS, (4 << 30, resource.RLIM_INFINITY))
     with tempfile.TemporaryDirectory() as folder:
-        if len(words) == 1:
-            import too_much
-
-            cases = [(words[0], too_much.FILES[words[0]])]
-        else:
-            import mutated_files
-
-            cases = [
-                (str(number), lambda number=number: mutated_files.file(number))
-                for number in range(int(words[0]), int(words[1]))
-            ]
-        for name, make in cases:
+        for name, make in _cases(words):
             ending, content = make()
             path = Path(folder, f"case {name}.{ending}")
             path.write_bytes(content)

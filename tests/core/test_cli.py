@@ -11,6 +11,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from drawn_pictures import any_of, coloured, disc, drawn, png, ring
 
 from BalloonWorkbench import cli
 from BalloonWorkbench.core.outline.read import read_outline
@@ -296,3 +297,23 @@ def test_without_opencv_a_picture_still_becomes_a_balloon(
     ]
     assert cli.main(words) == 0
     assert (tmp_path / "pattern.dxf").stat().st_size > 0
+
+
+def test_hole_of_a_thin_handle_is_told_and_had_back_and_the_intake_is_low(tmp_path: Path) -> None:
+    """A mug lying on its side, 300 px wide: its handle is a ring with a band of 16 px."""
+    mug = any_of(disc(140, 200, 100), ring(270, 200, 65, 49))
+    picture = tmp_path / "mug.png"
+    picture.write_bytes(png(coloured(drawn(mug, 400, 400, fine=2))[..., :3]))
+    reports = {}
+    for name, options in {"auto": [], "shape": ["--drawn-as", "shape", "--intake-place", "low"]}.items():
+        target = tmp_path / name
+        size = ["--width", "300mm", "--mesh-size", "14mm", "--out", str(target)]
+        assert cli.main(["inflate", str(picture), *size, *options]) == 0
+        reports[name] = json.loads((target / "report.json").read_text(encoding="utf-8"))
+    assert [reports[name]["input"]["holes"] for name in ("auto", "shape")] == [0, 1]
+    told = {name: [text for text in reports[name]["warnings"] if "filled" in text] for name in reports}
+    assert len(told["auto"]) == 1
+    assert "filled shape" in told["auto"][0]
+    assert told["shape"] == []
+    assert reports["shape"]["pattern"]["intake"]["angle_deg"] == pytest.approx(-90.0, abs=20.0)
+    assert reports["shape"]["pattern"]["intake"]["at_mm"][1] == pytest.approx(0.0, abs=6.0)  # 2 % of the size

@@ -14,6 +14,7 @@ from pathlib import Path
 import pytest
 from solver_cases import needs_native
 
+from BalloonWorkbench.core.solver import library as loading
 from BalloonWorkbench.core.solver import native
 from BalloonWorkbench.core.solver.library import file_name, sum_file
 
@@ -89,6 +90,18 @@ def test_a_whole_one_is_loaded(tmp_path: Path) -> None:
     assert ended.stdout.startswith("None\n")
     assert "solver native" in ended.stdout
     assert "Note:" not in ended.stdout
+
+
+@needs_native
+def test_the_window_tells_it_when_it_starts(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(loading, "FOLDER", tmp_path)
+    assert loading.damaged() == []
+    path = library(tmp_path)
+    assert loading.damaged() == []
+    path.write_bytes(path.read_bytes()[:4096])
+    (sentence,) = loading.damaged()
+    assert sentence.startswith("The native solver, which is faster, is not available: ")
+    assert "Install the workbench anew" in sentence
 
 
 @needs_native

@@ -120,6 +120,9 @@ def test_any_value_may_be_wrong(kind: str, tmp_path: Path) -> None:
         text = json.dumps(data).replace('"@"', TEXTS[number % len(TEXTS)])
         path.write_text(text, encoding="utf-8")
         tried(path, read)
+        if type(value) in (int, float):
+            with pytest.raises(InputError):
+                read(path)
         holder[key] = value
 
 

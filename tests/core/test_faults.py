@@ -78,7 +78,7 @@ def test_a_folder_of_no_use_is_left_for_another(tmp_path: Path, monkeypatch: pyt
     monkeypatch.setattr(tempfile, "tempdir", str(tmp_path / "file"))
     fault = report_fault(raised(KeyError("x")), "inflating")
     assert fault.file is None
-    assert re.search(r"cannot be written.*KeyError while inflating", str(fault))
+    assert re.search(r"cannot be written.*KeyError, inflating", str(fault))
 
 
 def test_too_little_memory_is_no_riddle(folder: Path) -> None:

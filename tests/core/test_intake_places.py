@@ -24,7 +24,7 @@ from BalloonWorkbench.core.film.library import film
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.outline.read import read_outline
 from BalloonWorkbench.core.pattern.fairing import faired_seam
-from BalloonWorkbench.core.pattern.intake import FARTHEST, LOW, PLACES
+from BalloonWorkbench.core.pattern.intake_places import FARTHEST, LOW, PLACES
 from BalloonWorkbench.core.pattern.make import Wanted, make_pattern
 from BalloonWorkbench.core.pattern.pattern import Intake
 

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+import os
 import re
 from dataclasses import replace
 from pathlib import Path
@@ -12,7 +13,7 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 import shapely
-from drawn_shapes import NAMED
+from drawn_shapes import NAMED, generated
 
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.export.drawing import draw
@@ -136,6 +137,22 @@ def test_nothing_is_cut_through_the_air_space(kind: str, extras: str) -> None:
         alike = {(frozenset(each.layers), frozenset(cut_by(each)), each.control_bar): each for each in known}
         for machine in alike.values():
             assert not through_air(sheet, air, machine), (name, machine.name)
+
+
+@pytest.mark.parametrize("seed", range(int(os.environ.get("BALLOON_LAYER_SHAPES", "1"))))
+def test_nothing_is_cut_through_the_air_space_of_any_shape(seed: int) -> None:
+    """Generated outlines, each with every intake and other extras."""
+    known = [machines()[name] for name in ("silhouette", "lightburn-project", "any-dxf", "hpgl-plotter")]
+    for k, kind in enumerate(intake_kinds()):
+        extras = list(EXTRAS.values())[(seed + k) % len(EXTRAS)]
+        wanted = Wanted(intake_kind=kind, intake_along=0.07 * seed if seed % 3 else None, **extras)
+        try:
+            sheet = sheet_of(make_pattern(generated(seed), SEAL, wanted), wanted)
+        except InputError:
+            continue  # no room for it there
+        air = air_spaces(sheet)
+        for machine in known:
+            assert not through_air(sheet, air, machine), (seed, kind, machine.name)
 
 
 def test_the_net_sees_a_slit() -> None:

@@ -16,7 +16,7 @@ import shapely
 from drawn_shapes import NAMED, corners_of
 from shapely import affinity
 
-from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.errors import InputError, SolverError
 from BalloonWorkbench.core.export.fabricate import machine_file
 from BalloonWorkbench.core.export.machine import machines
 from BalloonWorkbench.core.film.library import film, with_grain
@@ -242,3 +242,22 @@ def test_back_leaves_out_what_only_the_front_has() -> None:
 def test_senseless_wishes_are_refused(pieces: list[Piece], stock: Stock, text: str) -> None:
     with pytest.raises(InputError, match=text):
         nest(pieces, stock)
+
+
+class _Panic(BaseException):
+    """What the search raises in Rust: no Exception."""
+
+
+@pytest.mark.parametrize(
+    ("raised", "told"), [(_Panic(), SolverError), (MemoryError(), MemoryError), (KeyError("x"), KeyError)]
+)
+def test_what_ends_the_search_in_its_thread_is_told(
+    raised: BaseException, told: type[BaseException], capfd: pytest.CaptureFixture[str]
+) -> None:
+    class Search:
+        def solve(self, config: object, queue: object) -> None:
+            raise raised
+
+    with pytest.raises(told):
+        nesting._beside(Search(), None, None, lambda: None, [])
+    assert not capfd.readouterr().err

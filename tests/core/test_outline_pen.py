@@ -12,6 +12,7 @@ from drawn_pictures import any_of, arc, box, disc, stroke
 from BalloonWorkbench.core.outline.decode import decode
 from BalloonWorkbench.core.outline.ends import free_ends
 from BalloonWorkbench.core.outline.picture import drawing_of
+from BalloonWorkbench.core.outline.segment import PEN, SHAPE
 
 EXAMPLES = Path("resources/examples/pictures")
 INK = {"shape": (20, 20, 30)}
@@ -167,3 +168,49 @@ def test_the_drawn_figure_is_what_a_person_sees(name, inside, outside):
             assert figure.contains(shapely.Point(x + 0.5, pixels.shape[0] - y - 0.5)) == wanted, (x, y)
     y, x = np.nonzero(dark)
     assert shapely.contains_xy(figure.buffer(1.0), x + 0.5, pixels.shape[0] - y - 0.5).all()
+
+
+def mug(band):
+    """A body of 200 px with a ring handle of 130 px whose band is so wide, in a picture of 400 px."""
+    return any_of(disc(140, 200, 100), pictures.ring(270, 200, 65, 65 - band))
+
+
+def mug_pixels(band):
+    return pictures.coloured(pictures.drawn(mug(band), 400, 400, fine=4))
+
+
+@pytest.mark.parametrize("band", [10, 16])
+def test_a_filled_hole_is_told_and_can_be_had_back(band):
+    """Automatically the handle passes for a drawn line; as a filled shape it has its hole."""
+    found = pictures.outline_of(mug_pixels(band))
+    assert found.holes == ()
+    assert any("1 hole" in note and "filled shape" in note for note in found.notes)
+    shape = drawing_of(mug_pixels(band), SHAPE).largest
+    (hole,) = shape.holes
+    expected = pictures.drawn(
+        lambda x, y: disc(270, 200, 65 - band)(x, y) & ~disc(140, 200, 100)(x, y), 400, 400, fine=4
+    ).sum()
+    assert shapely.Polygon(hole).area == pytest.approx(expected, rel=0.02)
+    assert not any("filled" in note for note in shape.notes)
+
+
+def test_a_thick_handle_keeps_its_hole_without_a_word():
+    found = pictures.outline_of(mug_pixels(34))
+    assert len(found.holes) == 1
+    assert found.notes == ()
+
+
+def test_a_line_drawing_taken_as_a_shape_is_a_ring():
+    pixels = pictures.coloured(pictures.drawn(arc(250, 250, 200, 0, 360, 12), 500, 500, fine=4), **INK)
+    found = drawing_of(pixels, SHAPE).largest
+    assert found.area == pytest.approx(np.pi * (206**2 - 194**2), rel=0.01)
+    assert len(found.holes) == 1
+
+
+def test_a_broad_pen_is_a_pen_where_it_is_said():
+    """A ring of 60 px is a shape by itself; as a pen drawing its inside is filled, and its gap closed."""
+    pixels = pictures.coloured(pictures.drawn(arc(250, 250, 200, 8, 360, 60), 500, 500, fine=4), **INK)
+    assert drawing_of(pixels).largest.area < 2 * np.pi * 200 * 60
+    pen = drawing_of(pixels, PEN).largest
+    assert pen.holes == ()
+    assert pen.area == pytest.approx(np.pi * 230**2, rel=0.01)

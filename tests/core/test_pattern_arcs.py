@@ -204,3 +204,34 @@ def test_patterns_of_pictures_take_a_tenth(name: str) -> None:
             curve = fit_curve(contour.points, contour.closed)
             assert 10 * len(curve) <= len(seam), contour.role
             assert apart(curve, contour.points) <= 1.01 * TOLERANCE
+
+
+def slivers(count: int) -> list[np.ndarray]:
+    """Loops along a wave, a hundredth of a millimetre wide where they begin."""
+    random = np.random.default_rng(1)
+    found = []
+    for _ in range(count):
+        x = np.linspace(0.0, 0.03, int(random.integers(25, 60)))
+        half, opening = random.uniform(3e-6, 2.5e-5), random.uniform(0.0, 0.002)
+        turns, begin = random.uniform(200.0, 600.0), random.uniform(0.0, 6.0)
+        other = np.linspace(0.0, 0.03, int(random.integers(25, 60)))
+        low, high = (0.0008 * (np.sin(turns * at + begin) - np.sin(begin)) for at in (x, other))
+        side = np.stack([x, low - half * (x > 0.0)], axis=1)
+        back = np.stack([other, high + half * (other > 0.0) + opening * other], axis=1)
+        found.append(np.concatenate([side, back[:0:-1]]))
+    return found
+
+
+@pytest.mark.parametrize("number", [3, 7])
+def test_sides_of_a_sliver_do_not_cross(number: int) -> None:
+    """Within the tolerance they could: it is wider than the sliver."""
+    points = slivers(8)[number]
+    assert shapely.LinearRing(points).is_simple
+    curve = fit_curve(points, True)
+    assert shapely.LinearRing(curve.flattened(1e-6)).is_simple
+    assert (
+        shapely.hausdorff_distance(
+            shapely.LinearRing(curve.flattened(1e-6)), shapely.LinearRing(points), densify=0.01
+        )
+        < 2e-5
+    )

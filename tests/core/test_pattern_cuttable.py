@@ -12,6 +12,7 @@ from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.pattern.build import build_pattern
 from BalloonWorkbench.core.pattern.cuttable import LEAST_RADIUS, closed_gaps, opened_hole
 from BalloonWorkbench.core.pattern.pattern import Pattern, Role
+from BalloonWorkbench.core.pattern.shapes import closed_loop
 
 MM = 1e-3
 
@@ -91,3 +92,20 @@ def test_no_cut_is_too_narrow_for_the_tool(name: str) -> None:
     film = cut_film(build_pattern(SHAPES[name], 0.005))
     assert film.is_valid
     assert too_narrow(film) < 0.03 * MM
+
+
+def test_a_loop_made_simpler_does_not_cross_itself() -> None:
+    """Slivers hardly wider than what may be left out."""
+    random = np.random.default_rng(0)
+    tried = 0
+    for _ in range(300):
+        count, half = int(random.integers(8, 40)), random.uniform(2e-6, 3e-5)
+        low, high = (np.sort(random.uniform(0.0, 0.002, count)) for _ in range(2))
+        middle = np.cumsum(random.normal(0.0, 1.5e-5, count))
+        side = np.stack([low, middle - half], axis=1)
+        back = np.stack([high, np.interp(high, low, middle) + half], axis=1)
+        ring = shapely.LinearRing(np.concatenate([side, back[::-1], [[-0.01, 0.0]]]))
+        if ring.is_simple:
+            tried += 1
+            assert shapely.LinearRing(closed_loop(ring, True)).is_simple
+    assert tried > 100

@@ -12,7 +12,7 @@ import ezdxf
 import numpy as np
 import pytest
 import shapely
-from drawn_shapes import NAMED, corners_of, polar
+from drawn_shapes import NAMED, corners_of, hole, polar
 
 from BalloonWorkbench import cli
 from BalloonWorkbench.core.errors import InputError
@@ -123,6 +123,8 @@ def test_the_command_line_refuses_and_parts(
     assert {"pattern-silhouette_mm-valve.dxf", "nested-pattern-silhouette_mm-valve.dxf"} <= names
     told = capsys.readouterr().out
     assert "thin PE film" in told
+    assert "\nFilm 1: 2 pieces" in told
+    assert "\nValve film 1: 2 pieces" in told
     report = json.loads((tmp_path / "out" / "report.json").read_text())
     drawn = (tmp_path / "out" / "pattern.svg").read_text().split('width="')[1].split("mm")[0]
     assert (
@@ -166,6 +168,16 @@ def test_strips_longer_than_the_balloon_are_told() -> None:
     assert "reaches 60 mm" in text
     across = build_pattern(strip, SEAL, intake_kind="film-valve", intake_angle=0.0)
     assert not [text for text in across.warnings if "valve" in text]
+
+
+def test_holes_and_welds_inside_close_a_channel_too() -> None:
+    """The strips end 60 mm inside the neck's root: a hole or a weld at 70 mm is free of them, at 50 not."""
+    for way, told in ((0.070, False), (0.050, True)):
+        below = hole(0.03, 0.0, -0.15 + way + 0.03)
+        line = np.array([[-0.05, -0.15 + way], [0.05, -0.15 + way]])
+        for seam in (Outline(polar(0.15), (below,)), Outline(polar(0.15), welds=(line,))):
+            made = build_pattern(seam, SEAL, intake_kind="film-valve", intake_angle=-0.5 * np.pi)
+            assert any("past the weld" in text for text in made.warnings) is told
 
 
 def test_the_weld_across_the_neck_is_kept_off_the_channel() -> None:

@@ -128,7 +128,7 @@ FILES: dict[str, Callable[[], tuple[str, bytes]]] = {
         "".join(f'<rect x="{k % 300 * 3}" y="{k // 300 * 3}" width="2" height="2"/>' for k in range(90_000))
     ),
     "attributes": lambda: _svg("<g " + " ".join(f'a{k}=""' for k in range(1_200_000)) + "/>"),
-    "rings": lambda: _rings(500),
+    "rings": lambda: _rings(200),
     "8000 holes": lambda: _holes(8000),
     "lists of nothing": lambda: ("json", b'{"outer": [' + b"[]," * 9_000_000 + b"[]]}"),
     "large photograph": _deep_picture,

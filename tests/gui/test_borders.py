@@ -13,6 +13,7 @@ import pytest
 
 from BalloonWorkbench.app import hooks, status
 from BalloonWorkbench.core.errors import Cancelled, ProgramFault
+from BalloonWorkbench.core.job import Settings
 from BalloonWorkbench.gui import borders, view
 from BalloonWorkbench.gui.commands import examples
 from BalloonWorkbench.gui.paint import window as paint_window
@@ -188,6 +189,7 @@ def test_a_canvas_that_cannot_be_painted_is_one_message(doc, monkeypatch):
 
 def test_make_it_says_why_it_cannot_go_on_and_goes_on_the_next_time(doc, monkeypatch):
     window = brush.open_window()
+    window.live.settings = Settings(correct=False, mesh_size=0.02)
     brush.fish_body(window)
     hands.wait_until(window.live.is_settled, 60)
     if window.card.isVisible():
@@ -210,6 +212,7 @@ def test_make_it_says_why_it_cannot_go_on_and_goes_on_the_next_time(doc, monkeyp
 def test_a_glance_that_fails_is_told_and_the_next_stroke_is_looked_at(doc, monkeypatch):
     window = brush.open_window()
     monkeypatch.setattr("BalloonWorkbench.gui.paint.requests.seen", broken)
+    window.live.settings = Settings(correct=False, mesh_size=0.02)
     brush.fish_body(window)
     hands.wait_until(lambda: FAULT in window.form.hint.text(), 20)
     brush.press("PaintMake")

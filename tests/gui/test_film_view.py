@@ -8,9 +8,11 @@ import numpy as np
 import pytest
 import sketches
 
-from BalloonWorkbench.app import create, status
+from BalloonWorkbench.app import create, maker, status
+from BalloonWorkbench.app.parts import parts_of
 from BalloonWorkbench.app.qt_picture import pixels
 from BalloonWorkbench.core.export import colour_map
+from BalloonWorkbench.gui import film_map
 
 QtCore, QtWidgets = hands.QtCore, hands.QtWidgets
 
@@ -183,6 +185,25 @@ def test_stale_map_says_so(made, tmp_path):
     red = (after[..., 0] > after[..., 2] + 60) & (after[..., 0] > after[..., 1] + 60)
     assert red.sum() > 20
     assert not ((before[..., 0] > before[..., 2] + 60) & (before[..., 0] > before[..., 1] + 60)).any()
+
+
+def test_tension_shows_the_weakest_place(made, monkeypatch):
+    """Of film and weld, by the same loads as the safe pressure; not the triangle with the largest tension."""
+    from pivy import coin
+
+    shown = []
+
+    def label(place, text):
+        shown.append((np.array(place), text))
+        return coin.SoSeparator()
+
+    monkeypatch.setattr(film_map, "label_node", label)
+    assert film_map.map_nodes(made.balloon, "Tension")
+    safe = maker.safety_of(made.balloon)
+    ((place, text),) = shown
+    assert place == pytest.approx(1000.0 * safe.place)
+    assert text == f"{safe.weakest} {safe.load.value:.4g} N/m"
+    assert maker.numbers(parts_of(made.balloon), exact=False).safety.safe_pressure == safe.safe_pressure
 
 
 def test_drawing_is_compared_with_the_silhouette(made, tmp_path):

@@ -16,7 +16,7 @@ from BalloonWorkbench.core.coach.subject import Subject, mm, percent
 from BalloonWorkbench.core.outline.outline import Outline, signed_area
 from BalloonWorkbench.core.outline.passages import chambers
 from BalloonWorkbench.core.packages import shapely
-from BalloonWorkbench.core.pattern.intake import FARTHEST, LOW
+from BalloonWorkbench.core.pattern.intake_places import FARTHEST, LOW
 from BalloonWorkbench.core.types import Floats
 
 #: Tension is averaged over this part of the size round a notch: nearer it grows without end.

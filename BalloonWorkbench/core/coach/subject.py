@@ -16,7 +16,7 @@ from BalloonWorkbench.core.coach.rules import rules
 from BalloonWorkbench.core.errors import InputError, OutlineError
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.outline.outline import Outline
-from BalloonWorkbench.core.pattern.intake import Places, Wish
+from BalloonWorkbench.core.pattern.intake_places import Places, Wish
 from BalloonWorkbench.core.pattern.make import Wanted, intake_of
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import to_mm

@@ -32,7 +32,7 @@ _IN_A_ROW = 3
 _NAMES = {
     Role.CUT: "cut",
     Role.CUT_INNER: "cut inside",
-    Role.NOTCH: "notches",
+    Role.NOTCH: "notch",
     Role.FOLD: "fold",
     Role.PEN: "drawn",
     Role.ENGRAVE: "text",

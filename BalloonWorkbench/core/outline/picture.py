@@ -20,7 +20,7 @@ from BalloonWorkbench.core.outline.drawing import SPECK, Drawing, checked, speck
 from BalloonWorkbench.core.outline.foreign import foreign_reader
 from BalloonWorkbench.core.outline.loops import scale_to
 from BalloonWorkbench.core.outline.outline import Outline
-from BalloonWorkbench.core.outline.segment import segment
+from BalloonWorkbench.core.outline.segment import AUTO, segment
 from BalloonWorkbench.core.outline.trace import STEP, trace
 from BalloonWorkbench.core.types import Floats
 
@@ -46,6 +46,7 @@ def picture_drawing(
     width: float | None,
     height: float | None,
     decode: Decode | None = None,
+    drawn_as: str = AUTO,
     budget: Budget | None = None,
 ) -> Drawing:
     """The shapes in a picture file, `width` or `height` m large (inside both where both are given).
@@ -53,7 +54,8 @@ def picture_drawing(
     The lower left corner of their bounding box is the origin. Remarks on what was left out or closed are in
     the notes.
 
-    decode  pixels (h, w, 4) uint8 as red, green, blue, alpha of a file; OpenCV's without it
+    decode    pixels (h, w, 4) uint8 as red, green, blue, alpha of a file; OpenCV's without it
+    drawn_as  AUTO, SHAPE or PEN of segment.py
     Errors: InputError (file, size), PictureError (no shape), MissingPackageError (neither OpenCV nor decode)
     """
     path = Path(path)
@@ -63,7 +65,7 @@ def picture_drawing(
     picture_size(path)
     with foreign_reader(lambda _: _refusal(path.name)):
         pixels = (decode or decode_with_opencv)(path)
-    drawing, _ = placed_drawing(shrunk(pixels), budget=budget)
+    drawing, _ = placed_drawing(shrunk(pixels), drawn_as=drawn_as, budget=budget)
     return checked(scale_to(drawing, width, height), budget)
 
 
@@ -71,13 +73,13 @@ def _refusal(name: str) -> PictureError:
     return PictureError(f"'{name}' is damaged or not a picture. Save it as PNG, JPEG or BMP once more.")
 
 
-def drawing_of(rgba: NDArray[np.uint8]) -> Drawing:
+def drawing_of(rgba: NDArray[np.uint8], drawn_as: str = AUTO) -> Drawing:
     """The shapes in pixels (h, w, 4) with the pixel as unit and their lower left corner as origin."""
-    return placed_drawing(rgba)[0]
+    return placed_drawing(rgba, drawn_as=drawn_as)[0]
 
 
 def placed_drawing(
-    rgba: NDArray[np.uint8], step: float = STEP, budget: Budget | None = None
+    rgba: NDArray[np.uint8], step: float = STEP, drawn_as: str = AUTO, budget: Budget | None = None
 ) -> tuple[Drawing, Floats]:
     """The drawing of `drawing_of`, and where its origin lies in the picture (2,) px, y up.
 
@@ -88,7 +90,7 @@ def placed_drawing(
             f"The picture is too small to see a shape. Use {_SMALLEST_SIDE} pixels or more across."
         )
     budget = budget or Budget()
-    silhouette, notes = segment(rgba)
+    silhouette, notes = segment(rgba, drawn_as)
     budget.check_time()
     loops = contours(silhouette)
     if not loops:

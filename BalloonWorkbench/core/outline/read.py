@@ -11,6 +11,7 @@ from BalloonWorkbench.core.outline.decode import is_picture
 from BalloonWorkbench.core.outline.drawing import Drawing
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.outline.picture import Decode, picture_drawing
+from BalloonWorkbench.core.outline.segment import AUTO
 from BalloonWorkbench.core.outline.vector import read_vector, vector_kind
 
 _PICTURE_SUFFIXES = {".png", ".jpg", ".jpeg", ".bmp", ".webp"}
@@ -25,7 +26,11 @@ def read_outline(
 
 
 def read_drawing(
-    path: str | Path, width: float | None = None, height: float | None = None, decode: Decode | None = None
+    path: str | Path,
+    width: float | None = None,
+    height: float | None = None,
+    decode: Decode | None = None,
+    drawn_as: str = AUTO,
 ) -> tuple[Drawing, str]:
     """The shapes in a file, in metres, and what the file is: 'picture', 'svg', 'dxf' or 'json'.
 
@@ -33,7 +38,8 @@ def read_drawing(
     a height [m] of all of it; the others have their own size, which these override. With both, the drawing
     fits inside.
 
-    decode  reads pictures instead of OpenCV, see `read_picture`
+    decode    reads pictures instead of OpenCV, see `picture_drawing`
+    drawn_as  how a picture is read, see `segment`
     Errors: InputError and its kinds (no such file, not a drawing, no shape, size, too much of something, see
     `Budget`), MissingPackageError
     """
@@ -54,7 +60,7 @@ def read_drawing(
     if kind:
         return read_vector(path, width, height, budget), kind
     if is_picture(head) or path.suffix.lower() in _PICTURE_SUFFIXES:
-        return picture_drawing(path, width, height, decode, budget), "picture"
+        return picture_drawing(path, width, height, decode, drawn_as, budget), "picture"
     raise InputError(
         f"'{path.name}' is not a drawing that can be read. Use PNG, JPEG, BMP, SVG, DXF or JSON."
     )

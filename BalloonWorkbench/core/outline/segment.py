@@ -3,24 +3,37 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 from numpy.typing import NDArray
 
-from BalloonWorkbench.core.errors import PictureError
+from BalloonWorkbench.core.errors import InputError, PictureError
 from BalloonWorkbench.core.outline.background import coverage
 from BalloonWorkbench.core.outline.pen import Strokes, close_gaps, draw_line, join_near, strokes
 from BalloonWorkbench.core.outline.raster import Pixels, label, neighbours
 from BalloonWorkbench.core.types import Bools, Floats
 
+#: How a picture is drawn: told by its lines; as a filled shape, whose holes are holes; by pen, with lines
+#: that are filled inside.
+AUTO, SHAPE, PEN = "auto", "shape", "pen"
+DRAWN_AS = (AUTO, SHAPE, PEN)
+#: Part of what is said where holes were filled.
+KEEP_HOLES = "choose Drawn as filled shape"
+# Of the drawn area; what is smaller and filled is not worth a remark.
+_TOLD_FROM = 5e-4
 # Of the rim of a hole, this part must be thin lines for the hole to be the inside of a drawn line.
 _DRAWN_ROUND = 0.5
 
 
-def segment(rgba: NDArray[np.uint8]) -> tuple[Pixels, list[str]]:
+def segment(rgba: NDArray[np.uint8], drawn_as: str = AUTO) -> tuple[Pixels, list[str]]:
     """Coverage (h, w), 0 to 1, of the silhouette in a picture (h, w, 4), and remarks for the user.
 
-    Holes that are left are meant: the inside of lines is filled. PictureError where no shape is found.
+    Holes that are left are meant: the inside of lines is filled, but not in a picture drawn as a SHAPE.
+    PictureError where no shape is found.
     """
+    if drawn_as not in DRAWN_AS:
+        raise InputError(f'A picture cannot be drawn as "{drawn_as}": choose {", ".join(DRAWN_AS)}.')
     silhouette = coverage(rgba)
     drawn = silhouette > 0.5
     if not drawn.any():
@@ -28,13 +41,18 @@ def segment(rgba: NDArray[np.uint8]) -> tuple[Pixels, list[str]]:
             "No shape stands out in the picture. Use stronger colours or a plainer background."
         )
     notes: list[str] = []
+    if drawn_as == SHAPE:
+        return silhouette, notes
     lines = strokes(drawn)
+    if drawn_as == PEN:
+        lines = replace(lines, pen=True)
     if lines.pen:
         silhouette = _without_dots(silhouette, lines)
         silhouette, notes = _close(silhouette, lines)
         drawn = silhouette > 0.5
     filled = _inside_of_lines(drawn, lines)
     if filled.any():
+        notes += [] if lines.pen else _filled_note(filled, drawn)
         silhouette = np.where(neighbours(filled) & (drawn | filled), 1, silhouette).astype(np.float32)
     if lines.pen:
         silhouette, joined = _draw(silhouette, join_near(silhouette > 0.5, lines), lines)
@@ -50,6 +68,22 @@ def segment(rgba: NDArray[np.uint8]) -> tuple[Pixels, list[str]]:
             else "The lines of the drawing do not close around anything: the outline follows the lines."
         )
     return silhouette, notes
+
+
+def _filled_note(filled: Bools, drawn: Bools) -> list[str]:
+    """The remark that holes with thin lines round them were filled, and how they are had back."""
+    labels, count = label(filled)
+    sizes = np.bincount(labels.ravel(), minlength=count + 1)[1:]
+    large = int((sizes >= _TOLD_FROM * drawn.sum()).sum())
+    if not large:
+        return []
+    return [
+        f"{large} holes with a thin line round them were filled, as a pen's: choose Drawn as filled shape"
+        " to keep them."
+        if large > 1
+        else f"{large} hole with a thin line round it was filled, as a pen's: choose Drawn as filled shape"
+        " to keep it."
+    ]
 
 
 def _without_dots(silhouette: Pixels, lines: Strokes) -> Pixels:

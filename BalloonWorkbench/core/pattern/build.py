@@ -21,9 +21,10 @@ from BalloonWorkbench.core.outline.passages import joined_welds
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.pattern.cuttable import closed_gaps, opened_hole
 from BalloonWorkbench.core.pattern.fairing import faired_seam
-from BalloonWorkbench.core.pattern.intake import FARTHEST, Neck, Wish, film_of, place_neck, wishes
+from BalloonWorkbench.core.pattern.intake import Neck, place_neck
 from BalloonWorkbench.core.pattern.intake_kinds import STRAW
 from BalloonWorkbench.core.pattern.intake_kinds import intake_kind as kind_named
+from BalloonWorkbench.core.pattern.intake_places import FARTHEST, Wish, film_of, wishes
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
 from BalloonWorkbench.core.pattern.rim import Rim
 from BalloonWorkbench.core.pattern.shapes import (

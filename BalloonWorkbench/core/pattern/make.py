@@ -11,8 +11,8 @@ from BalloonWorkbench.core.film.library import films
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.pattern.build import build_pattern
 from BalloonWorkbench.core.pattern.extras import with_notches, with_tie_tab
-from BalloonWorkbench.core.pattern.intake import FARTHEST, Wish
 from BalloonWorkbench.core.pattern.intake_kinds import STRAW, intake_kind
+from BalloonWorkbench.core.pattern.intake_places import FARTHEST, Wish
 from BalloonWorkbench.core.pattern.label import with_label
 from BalloonWorkbench.core.pattern.panels import on_sheet
 from BalloonWorkbench.core.pattern.pattern import Pattern

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import FreeCAD as App
 
+from BalloonWorkbench.app.outline import DRAWN_AS
 from BalloonWorkbench.app.quantities import cubic_millimetres
 from BalloonWorkbench.gui import sentences
 from BalloonWorkbench.gui.panels.fields import new_quantity_box
@@ -12,9 +13,12 @@ from BalloonWorkbench.gui.qt import QtCore, QtWidgets, drawn_icon, translate
 
 
 class Form(QtWidgets.QWidget):
-    """`widened` carries the width in mm that was typed, `made` the wish for the balloon."""
+    """`widened` carries the width in mm that was typed, `read_as` how it is read, `made` the wish for
+    the balloon.
+    """
 
     widened = QtCore.Signal(float)
+    read_as = QtCore.Signal(str)
     made = QtCore.Signal()
 
     def __init__(self, width: float, parent=None):
@@ -28,6 +32,14 @@ class Form(QtWidgets.QWidget):
         self.width_field.setKeyboardTracking(False)
         self.width_field.setToolTip(translate("Width of the balloon when it is inflated"))
         QtCore.QObject.connect(self.width_field, QtCore.SIGNAL("valueChanged(double)"), self.widened.emit)
+        self.drawn_as = QtWidgets.QComboBox()
+        self.drawn_as.setObjectName("PaintDrawnAs")
+        for title, choice in DRAWN_AS.items():
+            self.drawn_as.addItem(sentences.tell(title), choice)
+        self.drawn_as.setToolTip(
+            translate("The holes of a filled shape stay, the lines of a pen drawing are filled inside")
+        )
+        self.drawn_as.activated.connect(lambda index: self.read_as.emit(self.drawn_as.itemData(index)))
         self.numbers = _label("PaintNumbers")
         self.hint = _label("PaintHint")
         self.hint.setWordWrap(True)
@@ -50,6 +62,7 @@ class Form(QtWidgets.QWidget):
         below = QtWidgets.QHBoxLayout()
         below.addWidget(QtWidgets.QLabel(translate("Width")))
         below.addWidget(self.width_field)
+        below.addWidget(self.drawn_as)
         below.addWidget(self.numbers, 1)
         below.addWidget(self.make_button)
         column = QtWidgets.QVBoxLayout(self)
@@ -64,6 +77,10 @@ class Form(QtWidgets.QWidget):
         blocked = self.width_field.blockSignals(True)
         self.width_field.setProperty("rawValue", width)
         self.width_field.blockSignals(blocked)
+
+    def show_drawn_as(self, choice: str) -> None:
+        """Show how the painting is read."""
+        self.drawn_as.setCurrentIndex(self.drawn_as.findData(choice))
 
     def show_look(self, look) -> None:
         """The numbers of a look; None: there is nothing to measure."""

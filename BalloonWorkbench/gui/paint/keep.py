@@ -12,7 +12,7 @@ import FreeCAD as App
 from BalloonWorkbench.app import balloon, create, pattern
 from BalloonWorkbench.app import painting as painted
 from BalloonWorkbench.app.create import Parts
-from BalloonWorkbench.app.outline import SYMMETRY
+from BalloonWorkbench.app.outline import DRAWN_AS, SYMMETRY
 from BalloonWorkbench.core.export.files import write_files
 from BalloonWorkbench.core.job import Settings
 from BalloonWorkbench.gui import record
@@ -38,7 +38,12 @@ def kept(parts: Parts) -> Kept:
     """The values of a balloon that was made before; usual ones while its outline is of no use."""
     outline = parts.outline
     settings = balloon.request(parts.balloon).settings if outline.LoopCounts else Settings()
-    settings = replace(settings, symmetry=SYMMETRY[outline.Symmetry], wanted=pattern.values(parts.pattern))
+    settings = replace(
+        settings,
+        symmetry=SYMMETRY[outline.Symmetry],
+        drawn_as=DRAWN_AS[outline.DrawnAs],
+        wanted=pattern.values(parts.pattern),
+    )
     everything = [obj for each in (parts, *create.companions(parts)) for obj in each]
     shown = tuple(obj.Name for obj in everything if obj.ViewObject.Visibility)
     return Kept(Path(outline.Drawing), outline.Width.Value, settings, shown)

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import tempfile
 import time
+from dataclasses import replace
 from pathlib import Path
 
 from BalloonWorkbench.app import preferences
@@ -86,6 +87,13 @@ class Live(QtCore.QObject):
         """Of the balloon in mm."""
         if width != self.width:
             self.width = width
+            self.painting.revision += 1
+            self.changed()
+
+    def read_as(self, drawn_as: str) -> None:
+        """How the painting is read, see the core's segment.py."""
+        if drawn_as != self.settings.drawn_as:
+            self.settings = replace(self.settings, drawn_as=drawn_as)
             self.painting.revision += 1
             self.changed()
 

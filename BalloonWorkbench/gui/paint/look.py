@@ -79,10 +79,10 @@ class Look:
         return tuple(self.frame.places(loop) for part in self.drawing.parts for loop in part.loops)
 
 
-def seen(image, width: float) -> tuple[Drawing, Frame]:
+def seen(image, width: float, drawn_as: str) -> tuple[Drawing, Frame]:
     """The shapes in an image, so wide in mm [m], and where they are in it. BalloonError without any."""
     small = image.scaled(TRACED, TRACED, QtCore.Qt.IgnoreAspectRatio, QtCore.Qt.SmoothTransformation)
-    drawing, corner = placed_drawing(pixels(small), step=0.0)
+    drawing, corner = placed_drawing(pixels(small), 0.0, drawn_as)
     across = drawing.size[0]
     sized = scale_to(drawing, from_mm(width), None)
     return sized, Frame(corner / TRACED, across / TRACED / from_mm(width))

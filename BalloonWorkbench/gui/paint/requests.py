@@ -37,7 +37,7 @@ class Glance:
 
     def solve(self, progress) -> Look:
         """Raises BalloonError where no balloon can be seen yet."""
-        drawing, frame = seen(self.image, self.width)
+        drawing, frame = seen(self.image, self.width, self.settings.drawn_as)
         _go_on(progress)
         drafts = []
         for number, part in enumerate(drawing.parts[:_MOST_SHAPES]):
@@ -100,7 +100,7 @@ class Study:
             raise ExportError(
                 translate("The painting cannot be written to '{}': is the disk full?").format(self.file)
             )
-        drawing, frame = seen(self.image, self.width)
+        drawing, frame = seen(self.image, self.width, self.settings.drawn_as)
         check_area(drawing.largest)
         _go_on(progress)
         solved = painting.solve(self.file, self.width, self.settings, progress)

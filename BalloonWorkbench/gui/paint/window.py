@@ -10,6 +10,7 @@ import FreeCADGui as Gui
 
 from BalloonWorkbench.core import faults
 from BalloonWorkbench.core.errors import BalloonError
+from BalloonWorkbench.core.outline.segment import KEEP_HOLES
 from BalloonWorkbench.gui import borders
 from BalloonWorkbench.gui.paint import print_out
 from BalloonWorkbench.gui.paint.bars import ActionBar, ToolBox
@@ -43,7 +44,7 @@ def open_for(doc, parts=None) -> PaintWindow:
     if not _open:
         load()
         _open.append(PaintWindow(doc, parts))
-        borders.speaks(_open[0], lambda: bool(_open))
+        borders.speaks(_open[0])
     _open[0].reveal()
     return _open[0]
 
@@ -116,6 +117,7 @@ class PaintWindow(PaintDock):
         self.live.progressed.connect(self.form.show_progress)
         self.form.made.connect(self.make)
         self.form.widened.connect(self.set_width)
+        self.form.read_as.connect(self.live.read_as)
         self.card.changed.connect(self.set_width)
         self.card.answered.connect(self._sized)
         application = QtWidgets.QApplication.instance()
@@ -128,6 +130,7 @@ class PaintWindow(PaintDock):
         self.painting.load(before.file)
         self.live.width, self.live.settings = before.width, before.settings
         self.form.show_width(before.width)
+        self.form.show_drawn_as(before.settings.drawn_as)
         self._hidden = before.shown
 
     # what the user does
@@ -278,13 +281,18 @@ class PaintWindow(PaintDock):
         self.canvas.thin.show(remarks)
         serious = [remark.text for remark in remarks if remark.severity != "hint"]
         fine = translate("Nothing is in the way. Paint on, or press Make it!")
-        self.form.tell(serious[0] if serious else fine)
+        look = self.live.latest
+        filled = [note for note in (look.drawing.notes if look else ()) if KEEP_HOLES in note]
+        self.form.tell((*serious, *filled, fine)[0])
         self.canvas.update()
 
     def _refused(self, text: str) -> None:
         self._nothing()
         self._is_refused = True
         self.form.tell(text)
+
+    def is_shown(self) -> bool:
+        return self in _open and self.isVisible()
 
     def fail(self, error: BalloonError) -> None:
         """Something went wrong in the window itself; the painting is as it is."""

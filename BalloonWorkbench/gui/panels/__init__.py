@@ -27,7 +27,7 @@ def show(panel) -> None:
 
     breathe()
     Gui.Control.showDialog(panel)
-    borders.speaks(panel, Gui.Control.activeDialog)
+    borders.speaks(panel)
 
 
 def paint_again(outline) -> bool:

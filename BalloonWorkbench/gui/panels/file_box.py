@@ -6,7 +6,7 @@ from __future__ import annotations
 import os
 
 from BalloonWorkbench.app.drawing import place_in_picture
-from BalloonWorkbench.app.outline import set_drawing
+from BalloonWorkbench.app.outline import DRAWN_AS, set_drawing
 from BalloonWorkbench.gui import record
 from BalloonWorkbench.gui.panels.fields import Fields, ReturnKey
 from BalloonWorkbench.gui.panels.preview import Preview, notes_of
@@ -24,7 +24,7 @@ class FileBox(QtWidgets.QWidget):
     def __init__(self, outline):
         super().__init__()
         self.outline = outline
-        self._placed = ""  # the drawing for which _place holds
+        self._placed = "", ""  # the drawing, and how it is read, for which _place holds
         self._place = None
         self.path = QtWidgets.QLineEdit(os.path.basename(outline.Drawing))
         self.path.setObjectName("Drawing")
@@ -47,6 +47,7 @@ class FileBox(QtWidgets.QWidget):
         form.addRow(translate("Width"), self.fields.quantity("Width", "mm", 10.0))
         form.addRow(translate("Height"), self.fields.quantity("Height", "mm", 10.0))
         form.addRow(self.fields.check("KeepAspect", translate("Keep the proportions")))
+        form.addRow(translate("Drawn as"), self.fields.choice("DrawnAs"))
         form.addRow(translate("Symmetry"), self.fields.choice("Symmetry"))
         form.addRow(self.preview)
         form.addRow(self.notes)
@@ -73,9 +74,10 @@ class FileBox(QtWidgets.QWidget):
 
     def refresh(self) -> None:
         self.fields.refresh()
-        if self.outline.Drawing != self._placed:
-            self._placed = self.outline.Drawing
-            self._place = place_in_picture(self._placed) if self._placed else None
+        asked = self.outline.Drawing, DRAWN_AS[self.outline.DrawnAs]
+        if asked != self._placed:
+            self._placed = asked
+            self._place = place_in_picture(*asked) if self.outline.Drawing else None
         self.preview.show(self.outline, self._place)
         self.notes.setText(notes_of(self.outline))
 

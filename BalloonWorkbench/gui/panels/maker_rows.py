@@ -49,10 +49,11 @@ class MakerRows:
     def _counted(self, worker: Worker) -> None:
         _counting.remove(worker)
         worker.deleteLater()
+        fault = worker.fault()
         if worker is not self._wanted:
             return
         if worker.design is None:
-            if fault := worker.fault():
+            if fault:
                 self._form.addRow(value_label(tell(fault)))
             return
         for name, text in _rows(worker.design, self._short, self._seam):

@@ -87,6 +87,10 @@ class NestPanel(ObjectPanel):
         self.show_state()
         Gui.SendMsgToActiveView("ViewFit")
 
+    def fail(self, error) -> None:
+        self.apply.setEnabled(True)
+        super().fail(error)
+
     def show_state(self) -> None:
         """What the object says."""
         self.fields.refresh()
