@@ -50,6 +50,8 @@ def _peak(reset: bool = False) -> float:
 
 
 def _read(name: str, path: Path) -> dict[str, Any]:
+    import numpy as np
+
     from BalloonWorkbench.core.errors import BalloonError
     from BalloonWorkbench.core.outline.read import read_drawing
 
@@ -61,7 +63,8 @@ def _read(name: str, path: Path) -> dict[str, Any]:
     began, refusal, finite = time.process_time(), None, True
     try:
         drawing, _ = read_drawing(path, 0.1)
-        finite = all(abs(loop).max() < 1e4 for part in drawing.parts for loop in part.loops)
+        finite = max(drawing.size) < 100.1
+        finite &= all(np.isfinite(loop).all() for part in drawing.parts for loop in part.loops)
     except BalloonError as error:
         refusal = str(error)
     seconds = time.process_time() - began
