@@ -13,13 +13,14 @@ import numpy as np
 import pytest
 import shapely
 from drawn_shapes import NAMED, TURN, oriented, polar, star
+from matplotlib.font_manager import FontProperties
+from matplotlib.textpath import TextPath
 
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.nesting import nest as nesting
 from BalloonWorkbench.core.nesting.layout import Grain, Piece, Stock
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.outline.read import read_drawing
-from BalloonWorkbench.core.packages import matplotlib_text
 from BalloonWorkbench.core.pattern.intake_kinds import intake_kinds
 from BalloonWorkbench.core.pattern.layout import on_one_sheet
 from BalloonWorkbench.core.pattern.make import Wanted, make_pattern, sheet_of
@@ -70,7 +71,8 @@ def holed(name: str, scale: float = 1.0, angle: float = 0.0) -> Outline:
 @cache
 def letter(sign: str, height: float = 0.25) -> Outline:
     """A letter of the font that labels are written in."""
-    areas = [shapely.Polygon(loop) for loop in matplotlib_text()(sign, 2000.0)]
+    glyph = TextPath((0.0, 0.0), sign, size=2000.0, prop=FontProperties(family="DejaVu Sans"))
+    areas = [shapely.Polygon(loop) for loop in glyph.to_polygons(closed_only=True)]
     body = max(areas, key=lambda area: area.area)
     scale = height / (body.bounds[3] - body.bounds[1])
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 import io
 import os
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
@@ -25,6 +25,7 @@ from drawn_cuts import HOLES, holed, laid_out, letter, made, sheets
 from drawn_shapes import NAMED
 from read_back import line, once_round, page_lines, svg_lines
 
+from BalloonWorkbench.core.export.drawing import Path as Line
 from BalloonWorkbench.core.export.drawing import draw
 from BalloonWorkbench.core.export.fabricate import machine_file
 from BalloonWorkbench.core.export.machine import Machine, machine, machines
@@ -272,6 +273,12 @@ def _drawn_along(axis: np.ndarray, tip: np.ndarray) -> np.ndarray:
 
 
 def _shift(paths: tuple, others: list) -> np.ndarray:
-    """How much farther from the origin the drawing of a machine lies: by its first notch."""
-    both = [next(path for path in each if path.role is NOTCH) for each in (paths, others)]
-    return both[0].curve.joints[0] - both[1].curve.joints[0]
+    """How much farther from the origin the drawing of a knife lies: by its first notch, at which the axis is
+    0.25 mm ahead."""
+    knife, nominal = ([*each.curve.joints] for each in (_first_notch(paths), _first_notch(others)))
+    along = nominal[1] - nominal[0]
+    return knife[0] - nominal[0] - 0.25 * along / np.hypot(*along)
+
+
+def _first_notch(paths: Sequence[Line]) -> Line:
+    return next(path for path in paths if path.role is NOTCH)
