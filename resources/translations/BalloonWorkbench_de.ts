@@ -105,7 +105,7 @@
     </message>
     <message>
         <source>Find the place of the intake</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Ort des Füllhalses suchen</translation>
     </message>
     <message>
         <source>Fit inside width and height instead of stretching to both</source>
@@ -153,7 +153,7 @@
     </message>
     <message>
         <source>How a picture is read: holes of a filled shape stay, lines of a pen drawing are filled inside</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie ein Bild gelesen wird: Löcher einer gefüllten Form bleiben, Linien einer Strichzeichnung werden innen gefüllt</translation>
     </message>
     <message>
         <source>How far the print goes past the cut</source>
@@ -173,7 +173,7 @@
     </message>
     <message>
         <source>How the grain of pieces lies, where their film has one</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie die Laufrichtung der Stücke liegt, wenn ihre Folie eine hat</translation>
     </message>
     <message>
         <source>How the intake is made and used</source>
@@ -181,7 +181,7 @@
     </message>
     <message>
         <source>How two panels of this film are joined</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie zwei Bahnen dieser Folie verbunden werden</translation>
     </message>
     <message>
         <source>Inner width of the neck, or bore of the nozzle</source>
@@ -297,7 +297,7 @@
     </message>
     <message>
         <source>Only one side of this film can be joined so</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur eine Seite dieser Folie lässt sich so verbinden</translation>
     </message>
     <message>
         <source>Part of the film that the pieces take, in per cent</source>
@@ -325,7 +325,7 @@
     </message>
     <message>
         <source>Polymer of the side that is welded, such as PE; none where it does not weld, empty: not known</source>
-        <translation type="unfinished"></translation>
+        <translation>Polymer der Siegelseite, etwa PE; none, wenn sie nicht schweißt; leer: unbekannt</translation>
     </message>
     <message>
         <source>Pressure in the inflated balloon</source>
@@ -549,15 +549,15 @@
     </message>
     <message>
         <source>Where it is found: farthest from the centre, or low, where a tied balloon hangs straight</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo er gesucht wird: am weitesten von der Mitte, oder unten, wo ein angebundener Ballon gerade hängt</translation>
     </message>
     <message>
         <source>Whether a laser may cut this film</source>
-        <translation type="unfinished"></translation>
+        <translation>Ob ein Laser diese Folie schneiden darf</translation>
     </message>
     <message>
         <source>Which film is laid out: pieces of a valve are on one of their own</source>
-        <translation type="unfinished"></translation>
+        <translation>Welche Folie ausgelegt wird: Die Stücke eines Ventils liegen auf einer eigenen</translation>
     </message>
     <message>
         <source>Which shape of the drawing it is; 1 is the largest</source>
@@ -652,7 +652,7 @@
     </message>
     <message>
         <source>'{0}' is damaged. Save it as PNG, JPEG or BMP once more.</source>
-        <translation type="unfinished"></translation>
+        <translation>„{0}“ ist beschädigt. Noch einmal als PNG, JPEG oder BMP speichern.</translation>
     </message>
     <message>
         <source>'{0}' is empty. Choose another file.</source>
@@ -660,7 +660,7 @@
     </message>
     <message>
         <source>'{0}' is larger than {1} MB. Save it as JPEG or PNG.</source>
-        <translation type="unfinished"></translation>
+        <translation>„{0}“ ist größer als {1} MB. Als JPEG oder PNG speichern.</translation>
     </message>
     <message>
         <source>'{0}' is larger than {1} MB. Simplify the drawing.</source>
@@ -700,7 +700,7 @@
     </message>
     <message>
         <source>, estimated: the film did not come to rest</source>
-        <translation type="unfinished"></translation>
+        <translation>, geschätzt: Die Folie kam nicht zur Ruhe</translation>
     </message>
     <message>
         <source>, {0} mm so far</source>
@@ -768,7 +768,7 @@
     </message>
     <message>
         <source>A picture cannot be drawn as "{0}": choose {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Bild kann nicht als „{0}“ gezeichnet sein: {1} wählen.</translation>
     </message>
     <message>
         <source>A picture has no size of its own. Give the width or the height of the balloon.</source>
@@ -788,7 +788,7 @@
     </message>
     <message>
         <source>A strict reader that wants plain polylines. Layers are told apart by colour: cut red, blue and orange, set the output of all others to no.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein strenger Leser, der schlichte Polylinien will. Ebenen werden durch Farben unterschieden: Rot, Blau und Orange schneiden, die Ausgabe aller anderen auf Nein stellen.</translation>
     </message>
     <message>
         <source>A volume of {0} litres cannot be made: give one such as 10l.</source>
@@ -932,7 +932,7 @@
     </message>
     <message>
         <source>Balloon film</source>
-        <translation type="unfinished"></translation>
+        <translation>Ballonfolie</translation>
     </message>
     <message>
         <source>Balloon pattern</source>
@@ -1072,7 +1072,7 @@
     </message>
     <message>
         <source>Cut out the hole of the nozzle, in the front panel only.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Loch für den Stutzen ausschneiden, nur in der vorderen Bahn.</translation>
     </message>
     <message>
         <source>Cut out the holes inside.</source>
@@ -1144,7 +1144,7 @@
     </message>
     <message>
         <source>Drawn as</source>
-        <translation type="unfinished"></translation>
+        <translation>Gezeichnet als</translation>
     </message>
     <message>
         <source>E across the grain</source>
@@ -1152,7 +1152,7 @@
     </message>
     <message>
         <source>Each stroke colour becomes an operation of its own: cut red, blue and orange, set all others to ignore. DXF is not read.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jede Strichfarbe wird ein eigener Arbeitsgang: Rot, Blau und Orange schneiden, alle anderen ignorieren lassen. DXF wird nicht gelesen.</translation>
     </message>
     <message>
         <source>Edit artwork</source>
@@ -1176,7 +1176,7 @@
     </message>
     <message>
         <source>Every layer becomes a colour of the cut list; layers that share a colour would be merged. Set the import unit to millimetres. Cut red, blue and orange only and switch the output of all others off; the LightBurn project has them on tool layers already.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jede Ebene wird eine Farbe der Schnittliste; Ebenen gleicher Farbe würden vereint. Die Einheit beim Import auf Millimeter stellen. Nur Rot, Blau und Orange schneiden und die Ausgabe aller anderen abschalten; im LightBurn-Projekt liegen diese schon auf Werkzeugebenen.</translation>
     </message>
     <message>
         <source>Expected thickness</source>
@@ -1196,7 +1196,7 @@
     </message>
     <message>
         <source>Farthest point</source>
-        <translation type="unfinished"></translation>
+        <translation>Fernster Punkt</translation>
     </message>
     <message>
         <source>File</source>
@@ -1212,11 +1212,11 @@
     </message>
     <message>
         <source>Fill through a tube of 6 mm, its end cut aslant, pushed 25 mm past the weld across the neck. Pull it out: the pressure presses the strips together.</source>
-        <translation type="unfinished"></translation>
+        <translation>Durch ein Röhrchen von 6 mm füllen, das Ende schräg geschnitten, 25 mm über die Naht quer zum Hals hinausgeschoben. Es herausziehen: Der Druck presst die Streifen aufeinander.</translation>
     </message>
     <message>
         <source>Fill to {pressure} kPa, never above {safe} kPa: film and seam then keep a margin of {margin}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bis {pressure} kPa füllen, nie über {safe} kPa: Folie und Naht behalten dann {margin}-fache Reserve.</translation>
     </message>
     <message>
         <source>Fill to {pressure} kPa, never above {safe} kPa: film and weld then keep a margin of {margin}.</source>
@@ -1224,11 +1224,11 @@
     </message>
     <message>
         <source>Fill to {safe} kPa at most: {pressure} kPa is more than film and seam bear with a margin of {margin}. Mind your eyes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Höchstens bis {safe} kPa füllen: {pressure} kPa sind mehr, als Folie und Naht mit {margin}-facher Reserve tragen. Augen schützen.</translation>
     </message>
     <message>
         <source>Fill to {safe} kPa at most: {pressure} kPa is more than film and weld bear with a margin of {margin}. Mind your eyes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Höchstens bis {safe} kPa füllen: {pressure} kPa sind mehr, als Folie und Naht mit {margin}-facher Reserve tragen. Augen schützen.</translation>
     </message>
     <message>
         <source>Fill with air a little and brush soapy water along the weld: bubbles show leaks. Weld once more there.</source>
@@ -1236,7 +1236,7 @@
     </message>
     <message>
         <source>Filled shape</source>
-        <translation type="unfinished"></translation>
+        <translation>Gefüllte Form</translation>
     </message>
     <message>
         <source>Film</source>
@@ -1344,7 +1344,7 @@
     </message>
     <message>
         <source>Glue</source>
-        <translation type="unfinished"></translation>
+        <translation>Kleber</translation>
     </message>
     <message>
         <source>Glue a strip of {seal} mm along the dashed line. Let it dry under a weight.</source>
@@ -1368,7 +1368,7 @@
     </message>
     <message>
         <source>Glued seam</source>
-        <translation type="unfinished"></translation>
+        <translation>Geklebte Naht</translation>
     </message>
     <message>
         <source>Grain</source>
@@ -1396,7 +1396,7 @@
     </message>
     <message>
         <source>Heat</source>
-        <translation type="unfinished"></translation>
+        <translation>Wärme</translation>
     </message>
     <message>
         <source>Heat sealer on a plotter</source>
@@ -1412,7 +1412,7 @@
     </message>
     <message>
         <source>High frequency</source>
-        <translation type="unfinished"></translation>
+        <translation>Hochfrequenz</translation>
     </message>
     <message>
         <source>How wide shall it be?</source>
@@ -1456,7 +1456,7 @@
     </message>
     <message>
         <source>Ink, or a slip of baking paper</source>
-        <translation type="unfinished"></translation>
+        <translation>Tinte oder ein Stück Backpapier</translation>
     </message>
     <message>
         <source>Inkscape</source>
@@ -1472,7 +1472,7 @@
     </message>
     <message>
         <source>Intake on a thin part</source>
-        <translation type="unfinished"></translation>
+        <translation>Füllhals an einem dünnen Teil</translation>
     </message>
     <message>
         <source>It is not inflated yet: choose Inflate now in its context menu, or switch Live on.</source>
@@ -1484,19 +1484,19 @@
     </message>
     <message>
         <source>Join the panels along the dashed line, {seal} mm wide, all the way round.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Bahnen entlang der gestrichelten Linie verbinden, {seal} mm breit, rundherum.</translation>
     </message>
     <message>
         <source>Join the panels along the dashed line, {seal} mm wide; leave the mouth of the neck open.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Bahnen entlang der gestrichelten Linie verbinden, {seal} mm breit; die Mündung des Halses offen lassen.</translation>
     </message>
     <message>
         <source>Join the panels along the lines inside the balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Bahnen entlang der Linien im Inneren des Ballons verbinden.</translation>
     </message>
     <message>
         <source>Joining</source>
-        <translation type="unfinished"></translation>
+        <translation>Verbindung</translation>
     </message>
     <message>
         <source>Keep the proportions</source>
@@ -1520,7 +1520,7 @@
     </message>
     <message>
         <source>Laid one piece after another: the package spyrrow (pip install spyrrow) often finds a closer layout.</source>
-        <translation type="unfinished"></translation>
+        <translation>Stück für Stück ausgelegt: Das Paket spyrrow (pip install spyrrow) findet oft eine dichtere Anordnung.</translation>
     </message>
     <message>
         <source>Largest strain</source>
@@ -1528,7 +1528,7 @@
     </message>
     <message>
         <source>Laser</source>
-        <translation type="unfinished"></translation>
+        <translation>Laser</translation>
     </message>
     <message>
         <source>Lay a picture under the paper for tracing; press again to take it away</source>
@@ -1536,7 +1536,7 @@
     </message>
     <message>
         <source>Lay both valve strips on each other, their lines together. On the field marked on VALVE, INK put heat-resistant ink, or a slip of baking paper between the strips. Weld them along both long lines.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beide Ventilstreifen Linie auf Linie aufeinanderlegen. Auf das markierte Feld von VALVE, INK hitzefeste Tinte geben oder dort ein Stück Backpapier zwischen die Streifen legen. Entlang beider langen Linien verschweißen.</translation>
     </message>
     <message>
         <source>Lay out</source>
@@ -1548,7 +1548,7 @@
     </message>
     <message>
         <source>Lay the grain of both panels the same way.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Laufrichtung beider Bahnen gleich legen.</translation>
     </message>
     <message>
         <source>Lay the panels on each other, sealing sides inward. Line them up by the notches or edges; tape outside the cut.</source>
@@ -1560,7 +1560,7 @@
     </message>
     <message>
         <source>Lay the strips into the neck of one panel, end at the mouth, line on line. Tack them to this panel only, with two spots of weld on the line, beside the channel.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Streifen in den Hals einer Bahn legen, Ende an der Mündung, Linie auf Linie. Nur an diese Bahn heften, mit zwei Schweißpunkten auf der Linie, neben dem Kanal.</translation>
     </message>
     <message>
         <source>Layers, millimetres and arcs, to go on drawing.</source>
@@ -1596,7 +1596,7 @@
     </message>
     <message>
         <source>LightBurn project (laser)</source>
-        <translation type="unfinished"></translation>
+        <translation>LightBurn-Projekt (Laser)</translation>
     </message>
     <message>
         <source>Line</source>
@@ -1624,7 +1624,7 @@
     </message>
     <message>
         <source>Low</source>
-        <translation type="unfinished"></translation>
+        <translation>Unten</translation>
     </message>
     <message>
         <source>Machine</source>
@@ -1652,7 +1652,7 @@
     </message>
     <message>
         <source>May be cut</source>
-        <translation type="unfinished"></translation>
+        <translation>Darf geschnitten werden</translation>
     </message>
     <message>
         <source>Measured on the inflated balloon.</source>
@@ -1720,7 +1720,7 @@
     </message>
     <message>
         <source>Never</source>
-        <translation type="unfinished"></translation>
+        <translation>Nie</translation>
     </message>
     <message>
         <source>Never cut PVC with a laser: it gives off hydrogen chloride, which is toxic and ruins the machine. Weld with high frequency or hot air. Stretches visibly: at 2 kPa the shape depends on the grade and on the pressure.</source>
@@ -1728,7 +1728,7 @@
     </message>
     <message>
         <source>Never cut this film with a laser.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Folie nie mit dem Laser schneiden.</translation>
     </message>
     <message>
         <source>New balloon from picture</source>
@@ -1760,7 +1760,7 @@
     </message>
     <message>
         <source>No pattern here has pieces of "{0}": choose another film.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Schnittmuster hat hier Stücke aus „{0}“: eine andere Folie wählen.</translation>
     </message>
     <message>
         <source>No shape stands out in the picture. Use stronger colours or a plainer background.</source>
@@ -1808,7 +1808,7 @@
     </message>
     <message>
         <source>Nowhere on the seam is room for an intake of {0}: choose a narrower one, or a place for it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nirgends auf der Naht ist Platz für einen Füllhals von {0}: einen schmaleren wählen oder einen Ort für ihn.</translation>
     </message>
     <message>
         <source>Nozzle with flange</source>
@@ -1832,11 +1832,11 @@
     </message>
     <message>
         <source>On the way of the valve the balloon narrows to {0} at {1}; its channel takes {2} with its welds there. Make the neck wider or put it elsewhere, else the weld closes the valve.</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf dem Weg des Ventils verengt sich der Ballon bei {1} auf {0}; der Kanal mit seinen Nähten braucht dort {2}. Den Hals verbreitern oder anderswo anbringen, sonst verschließt die Schweißnaht das Ventil.</translation>
     </message>
     <message>
         <source>Once the seam is closed, turn the tail in through itself with a straw, at the mark beside the balloon, and fill through it up to the second mark. Pull the straw out: the air in the balloon presses the tail flat.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wenn die Naht geschlossen ist, den Schwanz an der Marke neben dem Ballon mit einem Strohhalm durch sich selbst nach innen stülpen und bis zur zweiten Marke füllen. Den Halm herausziehen: Die Luft im Ballon drückt den Schwanz flach.</translation>
     </message>
     <message>
         <source>One large page</source>
@@ -1848,7 +1848,7 @@
     </message>
     <message>
         <source>Only grades of this film with a sealing layer weld: try scraps before you cut.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur Sorten dieser Folie mit Siegelschicht lassen sich schweißen: vor dem Schneiden an Reststücken ausprobieren.</translation>
     </message>
     <message>
         <source>Only the middle of the weld. A closed weld runs past its start, so that the joint is tight.</source>
@@ -1860,7 +1860,7 @@
     </message>
     <message>
         <source>Open it, do not import it. Outline, holes and notches are on cut layers, without speed and power: take them from your material library. Welds (T1) and all that is drawn (T2) are on tool layers, which LightBurn never burns.</source>
-        <translation type="unfinished"></translation>
+        <translation>Öffnen, nicht importieren. Umriss, Löcher und Passkerben liegen auf Schneidebenen, ohne Geschwindigkeit und Leistung: diese aus der Materialbibliothek nehmen. Schweißnähte (T1) und alles Gezeichnete (T2) liegen auf Werkzeugebenen, die LightBurn nie brennt.</translation>
     </message>
     <message>
         <source>Opposite the intake</source>
@@ -1968,7 +1968,7 @@
     </message>
     <message>
         <source>Pen drawing</source>
-        <translation type="unfinished"></translation>
+        <translation>Strichzeichnung</translation>
     </message>
     <message>
         <source>Picture, SVG, DXF or JSON</source>
@@ -1988,7 +1988,7 @@
     </message>
     <message>
         <source>Place</source>
-        <translation type="unfinished"></translation>
+        <translation>Ort</translation>
     </message>
     <message>
         <source>Place by</source>
@@ -2020,7 +2020,7 @@
     </message>
     <message>
         <source>Plotter units of 0.025 mm. Pen 1 draws the control bar, pen 2 cuts the notches, pen 3 the rest. Nothing is in the file that may not be cut. For a swivel knife set its offset, 0.25 mm is common. Cuts run 1 mm past their start: set overcut_mm to 0 where the cutter does that itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Plottereinheiten von 0,025 mm. Stift 1 zeichnet den Kontrollbalken, Stift 2 schneidet die Passkerben, Stift 3 den Rest. In der Datei ist nichts, was nicht geschnitten werden darf. Bei einem Schleppmesser dessen Versatz einstellen, üblich sind 0,25 mm. Schnitte laufen 1 mm über ihren Anfang hinaus: overcut_mm auf 0 setzen, wenn die Schneidemaschine das selbst tut.</translation>
     </message>
     <message>
         <source>Point {0} of the JSON file's {1} is not a pair of numbers. {2}</source>
@@ -2036,11 +2036,11 @@
     </message>
     <message>
         <source>Polylines at the real size with a layer and a colour for each role. CUT, CUT_INNER and NOTCH are cut, SEAL and WELD welded, all others drawn.</source>
-        <translation type="unfinished"></translation>
+        <translation>Polylinien in wahrer Größe mit einer Ebene und einer Farbe je Aufgabe. CUT, CUT_INNER und NOTCH werden geschnitten, SEAL und WELD geschweißt, alle anderen gezeichnet.</translation>
     </message>
     <message>
         <source>Polylines in millimetres with a layer for each role: what every program reads. CUT, CUT_INNER and NOTCH are cut, SEAL and WELD welded, all others drawn.</source>
-        <translation type="unfinished"></translation>
+        <translation>Polylinien in Millimetern mit einer Ebene je Aufgabe: Das liest jedes Programm. CUT, CUT_INNER und NOTCH werden geschnitten, SEAL und WELD geschweißt, alle anderen gezeichnet.</translation>
     </message>
     <message>
         <source>Predicted from the outline; not inflated yet.</source>
@@ -2068,11 +2068,11 @@
     </message>
     <message>
         <source>Push a straw in, fill, pull it out and close the neck like the seam, straight across beside the balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Strohhalm einschieben, füllen, herausziehen und den Hals neben dem Ballon gerade quer verschließen wie die Naht.</translation>
     </message>
     <message>
         <source>Push the nozzle through the hole of the front panel from inside, put the ring over it from outside, and join flange, film and ring like the seam, along the ring's line, before the panels are joined.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Stutzen von innen durch das Loch der vorderen Bahn stecken, den Ring von außen darüberlegen und Flansch, Folie und Ring entlang der Ringlinie wie die Naht verbinden, bevor die Bahnen verbunden werden.</translation>
     </message>
     <message>
         <source>Put a picture on the paper, without its background</source>
@@ -2084,7 +2084,7 @@
     </message>
     <message>
         <source>Put the intake low</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Füllhals unten anbringen</translation>
     </message>
     <message>
         <source>RDWorks (Ruida laser)</source>
@@ -2188,11 +2188,11 @@
     </message>
     <message>
         <source>Seam</source>
-        <translation type="unfinished"></translation>
+        <translation>Naht</translation>
     </message>
     <message>
         <source>Seam length</source>
-        <translation type="unfinished"></translation>
+        <translation>Nahtlänge</translation>
     </message>
     <message>
         <source>Second panel, mirrored</source>
@@ -2328,11 +2328,11 @@
     </message>
     <message>
         <source>Strips</source>
-        <translation type="unfinished"></translation>
+        <translation>Streifen</translation>
     </message>
     <message>
         <source>Strips welded together</source>
-        <translation type="unfinished"></translation>
+        <translation>Streifen miteinander verschweißt</translation>
     </message>
     <message>
         <source>Symmetry</source>
@@ -2348,7 +2348,7 @@
     </message>
     <message>
         <source>Tacked to one panel</source>
-        <translation type="unfinished"></translation>
+        <translation>An eine Bahn geheftet</translation>
     </message>
     <message>
         <source>Take everything off the paper</source>
@@ -2368,19 +2368,19 @@
     </message>
     <message>
         <source>Tape</source>
-        <translation type="unfinished"></translation>
+        <translation>Klebeband</translation>
     </message>
     <message>
         <source>Tape along the dashed line, {seal} mm wide, all the way round.</source>
-        <translation type="unfinished"></translation>
+        <translation>Entlang der gestrichelten Linie mit Klebeband verbinden, {seal} mm breit, rundherum.</translation>
     </message>
     <message>
         <source>Tape along the dashed line, {seal} mm wide; leave the mouth of the neck open.</source>
-        <translation type="unfinished"></translation>
+        <translation>Entlang der gestrichelten Linie mit Klebeband verbinden, {seal} mm breit; die Mündung des Halses offen lassen.</translation>
     </message>
     <message>
         <source>Taped seam</source>
-        <translation type="unfinished"></translation>
+        <translation>Naht mit Klebeband</translation>
     </message>
     <message>
         <source>Tension</source>
@@ -2416,7 +2416,7 @@
     </message>
     <message>
         <source>The DXF file has errors; what could be read was taken from it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die DXF-Datei hat Fehler; was lesbar war, wurde übernommen.</translation>
     </message>
     <message>
         <source>The DXF file {0}; millimetres are assumed.</source>
@@ -2460,15 +2460,15 @@
     </message>
     <message>
         <source>The SVG file has a '{0}' of endless length. Save it as plain SVG once more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die SVG-Datei hat ein „{0}“ von endloser Länge. Noch einmal als einfaches SVG speichern.</translation>
     </message>
     <message>
         <source>The SVG file has too many attributes. Save it as plain SVG once more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die SVG-Datei hat zu viele Attribute. Noch einmal als einfaches SVG speichern.</translation>
     </message>
     <message>
         <source>The SVG file has too many styles. Save it as plain SVG once more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die SVG-Datei hat zu viele Stile. Noch einmal als einfaches SVG speichern.</translation>
     </message>
     <message>
         <source>The SVG file is damaged ({0}). Save it once more.</source>
@@ -2512,23 +2512,23 @@
     </message>
     <message>
         <source>The drawing has a curve through more than {0} points. Save it as a polyline.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Zeichnung hat eine Kurve durch mehr als {0} Punkte. Sie als Polylinie speichern.</translation>
     </message>
     <message>
         <source>The drawing has blocks or copies that show themselves. Remove those from it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Zeichnung hat Blöcke oder Kopien, die sich selbst zeigen. Diese entfernen.</translation>
     </message>
     <message>
         <source>The drawing has more than {0} elements, with those of its blocks and copies. Leave only the outline and its holes in it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Zeichnung hat mehr als {0} Elemente, die ihrer Blöcke und Kopien mitgezählt. Nur den Umriss und seine Löcher darin lassen.</translation>
     </message>
     <message>
         <source>The drawing has more than {0} groups or blocks inside each other. Take them apart in the program it comes from.</source>
-        <translation type="unfinished"></translation>
+        <translation>In der Zeichnung stecken mehr als {0} Gruppen oder Blöcke ineinander. Sie im Programm auflösen, aus dem sie stammt.</translation>
     </message>
     <message>
         <source>The drawing has more than {0} points. Simplify it in the program it comes from, or leave only the outline and its holes in it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Zeichnung hat mehr als {0} Punkte. Sie im Programm vereinfachen, aus dem sie stammt, oder nur den Umriss und seine Löcher darin lassen.</translation>
     </message>
     <message>
         <source>The drawing has no closed line. Draw one, and turn texts and groups into paths.</source>
@@ -2540,7 +2540,7 @@
     </message>
     <message>
         <source>The drawing has too much text in its styles and transforms. Save it as plain SVG once more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Zeichnung hat zu viel Text in ihren Stilen und Transformationen. Noch einmal als einfaches SVG speichern.</translation>
     </message>
     <message>
         <source>The drawing has {0} shape and no number {1}: choose another Part, or delete this balloon.</source>
@@ -2556,7 +2556,7 @@
     </message>
     <message>
         <source>The drawing takes more than {0} s to read. Simplify it in the program it comes from, or leave only the outline and its holes in it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Zeichnung zu lesen dauert länger als {0} s. Sie im Programm vereinfachen, aus dem sie stammt, oder nur den Umriss und seine Löcher darin lassen.</translation>
     </message>
     <message>
         <source>The drawing was made symmetric: its halves were {0} apart, the left one was kept.</source>
@@ -2576,7 +2576,7 @@
     </message>
     <message>
         <source>The file is damaged or not a DXF file. Save it once more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei ist beschädigt oder keine DXF-Datei. Noch einmal speichern.</translation>
     </message>
     <message>
         <source>The file of gases {0} is of no use: {1}. Install it anew.</source>
@@ -2616,7 +2616,7 @@
     </message>
     <message>
         <source>The free edition opens DXF, not SVG. Choose "as is" for the size in the import preferences. Silhouette makes its own registration marks, and adds the knife's offset and overcut. Nothing is in the file that may not be cut.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die kostenlose Ausgabe öffnet DXF, nicht SVG. In den Importeinstellungen „wie vorliegend“ als Größe wählen. Silhouette macht seine eigenen Passermarken und fügt Versatz und Überschnitt des Messers hinzu. In der Datei ist nichts, was nicht geschnitten werden darf.</translation>
     </message>
     <message>
         <source>The grain's angle {0} is no number: give degrees from the x axis.</source>
@@ -2644,7 +2644,7 @@
     </message>
     <message>
         <source>The holes of a filled shape stay, the lines of a pen drawing are filled inside</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Löcher einer gefüllten Form bleiben, die Linien einer Strichzeichnung werden innen gefüllt</translation>
     </message>
     <message>
         <source>The inflated outline stays {0} from the drawing on average: film cannot follow this shape everywhere. Round off notches and widen thin parts.</source>
@@ -2664,7 +2664,7 @@
     </message>
     <message>
         <source>The intake is at the farthest point, on a part that becomes {measured} as thick as the balloon: there it is tied, hangs and is held. A low place carries it better.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Füllhals sitzt am fernsten Punkt, an einem Teil, der nur {measured} der Dicke des Ballons erreicht: Dort wird der Ballon angebunden, aufgehängt und gehalten. Ein Ort unten trägt ihn besser.</translation>
     </message>
     <message>
         <source>The intake opens into a part with {percent} of the film; the rest fills through something narrower than the intake. Move it to the largest part.</source>
@@ -2688,7 +2688,7 @@
     </message>
     <message>
         <source>The intake's place cannot be "{0}": choose {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Ort des Füllhalses kann nicht „{0}“ sein: {1} wählen.</translation>
     </message>
     <message>
         <source>The intake's width must be between 0.01 mm and 10 m: give it about 10 mm.</source>
@@ -2704,7 +2704,7 @@
     </message>
     <message>
         <source>The layer MARK of the machine file {0}.json takes notches only. Rename it NOTCH, and where your machine can draw, add the layers FOLD and PEN.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Ebene MARK der Maschinendatei {0}.json nimmt nur Passkerben auf. Sie in NOTCH umbenennen, und wenn die Maschine zeichnen kann, die Ebenen FOLD und PEN ergänzen.</translation>
     </message>
     <message>
         <source>The layout failed: give the pieces more room.</source>
@@ -2712,7 +2712,7 @@
     </message>
     <message>
         <source>The layout of {0} is older than its patterns: recompute it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Anordnung von {0} ist älter als ihre Schnittmuster: neu berechnen.</translation>
     </message>
     <message>
         <source>The layout was stopped; nothing was changed.</source>
@@ -2748,7 +2748,7 @@
     </message>
     <message>
         <source>The native solver, which is faster, is not available: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Der schnellere native Löser ist nicht verfügbar: {0}</translation>
     </message>
     <message>
         <source>The nozzle's flange must be wider than its bore.</source>
@@ -2844,11 +2844,11 @@
     </message>
     <message>
         <source>The pieces of the intake "{0}" are cut from {1}: they have a file of their own, with all of them for each balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Stücke des Füllhalses „{0}“ werden aus {1} geschnitten: Sie haben eine eigene Datei, mit allen Stücken für jeden Ballon.</translation>
     </message>
     <message>
         <source>The pieces of the intake "{0}" are of {1}, which does not weld to {2}: choose another intake, or a film that it welds to: {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Stücke des Füllhalses „{0}“ sind aus {1}, das nicht mit {2} verschweißt: einen anderen Füllhals wählen oder eine Folie, mit der es verschweißt: {3}.</translation>
     </message>
     <message>
         <source>The pressure must be positive and at most {0} Pa, not {1} Pa. A party balloon has about 2 kPa.</source>
@@ -2908,7 +2908,7 @@
     </message>
     <message>
         <source>The strips of valves are not here: lay them out on a sheet of their own, with "Valve film".</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Streifen von Ventilen sind nicht dabei: sie auf einem eigenen Bogen auslegen, mit „Ventilfolie“.</translation>
     </message>
     <message>
         <source>The temperature of the {0}, {1} degrees Celsius, is out of range: give one such as 20C.</source>
@@ -2920,7 +2920,7 @@
     </message>
     <message>
         <source>The valve reaches {0} into the balloon, past the weld at {1}: put the intake where the balloon is longer, or take another one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Ventil reicht {0} in den Ballon, über die Schweißnaht bei {1} hinaus: den Füllhals dort anbringen, wo der Ballon länger ist, oder einen anderen nehmen.</translation>
     </message>
     <message>
         <source>The volume must be positive, not {0} m3.</source>
@@ -2960,7 +2960,7 @@
     </message>
     <message>
         <source>The {0} line runs back along itself near {1}: simplify the drawing there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Linie {0} läuft nahe {1} auf sich selbst zurück: die Zeichnung dort vereinfachen.</translation>
     </message>
     <message>
         <source>The {0} line that begins at {1} is open: programs fill, offset and cut closed lines only. Close it.</source>
@@ -3012,7 +3012,7 @@
     </message>
     <message>
         <source>There is no joining "{0}": choose one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt keine Verbindung „{0}“: eine von {1} wählen.</translation>
     </message>
     <message>
         <source>There is no look "{0}": choose one of {1}.</source>
@@ -3056,11 +3056,11 @@
     </message>
     <message>
         <source>There is too little memory for this: take a coarser mesh, or close other programs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dafür reicht der Speicher nicht: ein gröberes Netz nehmen oder andere Programme schließen.</translation>
     </message>
     <message>
         <source>There is too little memory for this: take a coarser mesh, or close other programs. Details are in '{0}'.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dafür reicht der Speicher nicht: ein gröberes Netz nehmen oder andere Programme schließen. Einzelheiten stehen in „{0}“.</translation>
     </message>
     <message>
         <source>Thickness</source>
@@ -3096,11 +3096,11 @@
     </message>
     <message>
         <source>This is a fault of the program, not yours, and its details cannot be written anywhere. Please report it: {0}, {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das ist ein Fehler des Programms, nicht Ihrer, und seine Einzelheiten können nirgends geschrieben werden. Bitte melden: {0}, {1}.</translation>
     </message>
     <message>
         <source>This is a fault of the program, not yours. Its details are in '{0}': please report it with this file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das ist ein Fehler des Programms, nicht Ihrer. Seine Einzelheiten stehen in „{0}“: ihn bitte mit dieser Datei melden.</translation>
     </message>
     <message>
         <source>This is shape {0} of the {1} in the drawing.</source>
@@ -3164,11 +3164,11 @@
     </message>
     <message>
         <source>Unknown</source>
-        <translation type="unfinished"></translation>
+        <translation>Unbekannt</translation>
     </message>
     <message>
         <source>Upload the SVG as a cut image and compare the control bar: some versions read the size at 72 dpi. Nothing is in the file that may not be cut. It adds the knife's offset and overcut itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das SVG als Schnittbild hochladen und den Kontrollbalken vergleichen: Manche Versionen lesen die Größe mit 72 dpi. In der Datei ist nichts, was nicht geschnitten werden darf. Versatz und Überschnitt des Messers fügt das Programm selbst hinzu.</translation>
     </message>
     <message>
         <source>Used</source>
@@ -3176,11 +3176,11 @@
     </message>
     <message>
         <source>Valve film</source>
-        <translation type="unfinished"></translation>
+        <translation>Ventilfolie</translation>
     </message>
     <message>
         <source>Valve, on one panel</source>
-        <translation type="unfinished"></translation>
+        <translation>Ventil, auf einer Bahn</translation>
     </message>
     <message>
         <source>Violet</source>
@@ -3196,7 +3196,7 @@
     </message>
     <message>
         <source>Weakest place</source>
-        <translation type="unfinished"></translation>
+        <translation>Schwächste Stelle</translation>
     </message>
     <message>
         <source>Weighing {0}</source>
@@ -3216,7 +3216,7 @@
     </message>
     <message>
         <source>Weld across the neck along its line, through panels and strips: the field keeps the channel open. Pull the slip out and blow through the valve.</source>
-        <translation type="unfinished"></translation>
+        <translation>Quer über den Hals entlang seiner Linie schweißen, durch Bahnen und Streifen: Das Feld hält den Kanal offen. Das Backpapier herausziehen und durch das Ventil blasen.</translation>
     </message>
     <message>
         <source>Weld along the dashed line, {seal} mm wide, all the way round.</source>
@@ -3236,19 +3236,19 @@
     </message>
     <message>
         <source>Weld the two strips together along their lines; over the marked field, heat-resistant ink or a slip of baking paper keeps the channel open. Tack them to one panel, their end at the mouth; then weld round the balloon and across the neck. Fill with a 6 mm tube: the pressure closes the strips.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die zwei Streifen entlang ihrer Linien miteinander verschweißen; auf dem markierten Feld hält hitzefeste Tinte oder ein Stück Backpapier den Kanal offen. An eine Bahn heften, das Ende an der Mündung; dann um den Ballon und quer über den Hals schweißen. Mit einem Röhrchen von 6 mm füllen: Der Druck schließt die Streifen.</translation>
     </message>
     <message>
         <source>Weld with high frequency along the dashed line, {seal} mm wide, all the way round.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit Hochfrequenz entlang der gestrichelten Linie schweißen, {seal} mm breit, rundherum.</translation>
     </message>
     <message>
         <source>Weld with high frequency along the dashed line, {seal} mm wide; leave the mouth of the neck open.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit Hochfrequenz entlang der gestrichelten Linie schweißen, {seal} mm breit; die Mündung des Halses offen lassen.</translation>
     </message>
     <message>
         <source>Welded across, last</source>
-        <translation type="unfinished"></translation>
+        <translation>Quer verschweißt, zuletzt</translation>
     </message>
     <message>
         <source>Welds easily with an impulse sealer or an iron. Yields at about 9 MPa, half its tensile strength, and creeps: keep the pressure low.</source>
@@ -3256,7 +3256,7 @@
     </message>
     <message>
         <source>What it takes to make it</source>
-        <translation type="unfinished"></translation>
+        <translation>Was er zum Bauen braucht</translation>
     </message>
     <message>
         <source>What most shops ask for: R12, closed polylines, nothing on the sheet that is not cut. R12 knows no unit, so the file's name tells it.</source>
@@ -3268,7 +3268,7 @@
     </message>
     <message>
         <source>Whether the {0} of the intake's pieces welds to {1} is not known: try it on a scrap first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ob {0}, das Material der Stücke des Füllhalses, mit {1} verschweißt, ist unbekannt: zuerst an einem Reststück ausprobieren.</translation>
     </message>
     <message>
         <source>While this is pressed, the ring in the 3D view moves the intake</source>
@@ -3300,7 +3300,7 @@
     </message>
     <message>
         <source>With the fonts of this computer {0} cannot be drawn, letter by letter from left to right: leave that out of the label, or install a font that has it and start again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit den Schriften dieses Rechners lässt sich {0} nicht zeichnen, Buchstabe für Buchstabe von links nach rechts: es in der Beschriftung weglassen oder eine Schrift installieren, die es hat, und neu starten.</translation>
     </message>
     <message>
         <source>Wrinkles</source>
@@ -3344,7 +3344,7 @@
     </message>
     <message>
         <source>a LightBurn project has layers up to {0}: change the pen.</source>
-        <translation type="unfinished"></translation>
+        <translation>ein LightBurn-Projekt hat Ebenen bis {0}: den Stift ändern.</translation>
     </message>
     <message>
         <source>a coordinate is not a number</source>
@@ -3364,7 +3364,7 @@
     </message>
     <message>
         <source>another run has been writing there for a minute</source>
-        <translation type="unfinished"></translation>
+        <translation>ein anderer Lauf schreibt dort seit einer Minute</translation>
     </message>
     <message>
         <source>apart {} in the mean, 95 % below {}, at most {}</source>
@@ -3396,7 +3396,7 @@
     </message>
     <message>
         <source>choose Drawn as filled shape</source>
-        <translation type="unfinished"></translation>
+        <translation>„Gezeichnet als“ auf „Gefüllte Form“ stellen</translation>
     </message>
     <message>
         <source>colour index {0} and pen {1} of {2} must be from 1 to 255.</source>
@@ -3420,7 +3420,7 @@
     </message>
     <message>
         <source>drawn mark</source>
-        <translation type="unfinished"></translation>
+        <translation>gezeichnete Marke</translation>
     </message>
     <message>
         <source>empty: </source>
@@ -3436,7 +3436,7 @@
     </message>
     <message>
         <source>fold</source>
-        <translation type="unfinished"></translation>
+        <translation>Faltlinie</translation>
     </message>
     <message>
         <source>gas</source>
@@ -3444,11 +3444,11 @@
     </message>
     <message>
         <source>glued seam</source>
-        <translation type="unfinished"></translation>
+        <translation>geklebte Naht</translation>
     </message>
     <message>
         <source>glued seam inside</source>
-        <translation type="unfinished"></translation>
+        <translation>geklebte Naht innen</translation>
     </message>
     <message>
         <source>height</source>
@@ -3492,15 +3492,15 @@
     </message>
     <message>
         <source>it is nested too deeply</source>
-        <translation type="unfinished"></translation>
+        <translation>sie ist zu tief verschachtelt</translation>
     </message>
     <message>
         <source>it is no file</source>
-        <translation type="unfinished"></translation>
+        <translation>das ist keine Datei</translation>
     </message>
     <message>
         <source>it is too large</source>
-        <translation type="unfinished"></translation>
+        <translation>sie ist zu groß</translation>
     </message>
     <message>
         <source>it would grow together with another part</source>
@@ -3540,7 +3540,7 @@
     </message>
     <message>
         <source>may be cut</source>
-        <translation type="unfinished"></translation>
+        <translation>darf geschnitten werden</translation>
     </message>
     <message>
         <source>more than</source>
@@ -3564,7 +3564,7 @@
     </message>
     <message>
         <source>notch</source>
-        <translation type="unfinished"></translation>
+        <translation>Passkerbe</translation>
     </message>
     <message>
         <source>opacity</source>
@@ -3600,11 +3600,11 @@
     </message>
     <message>
         <source>seam</source>
-        <translation type="unfinished"></translation>
+        <translation>Naht</translation>
     </message>
     <message>
         <source>seam inside</source>
-        <translation type="unfinished"></translation>
+        <translation>Naht innen</translation>
     </message>
     <message>
         <source>serious</source>
@@ -3636,11 +3636,11 @@
     </message>
     <message>
         <source>taped seam</source>
-        <translation type="unfinished"></translation>
+        <translation>Naht mit Klebeband</translation>
     </message>
     <message>
         <source>taped seam inside</source>
-        <translation type="unfinished"></translation>
+        <translation>Naht mit Klebeband innen</translation>
     </message>
     <message>
         <source>taut: {:.0f} %</source>
@@ -3672,11 +3672,11 @@
     </message>
     <message>
         <source>the name "{0}" of the stock goes into file names: take letters a to z.</source>
-        <translation type="unfinished"></translation>
+        <translation>der Name „{0}“ in stock kommt in Dateinamen: Buchstaben a bis z nehmen.</translation>
     </message>
     <message>
         <source>the sealing side {0} is no polymer: give one such as "PE", or "none".</source>
-        <translation type="unfinished"></translation>
+        <translation>die Siegelseite {0} ist kein Polymer: zum Beispiel „PE“ angeben, oder „none“.</translation>
     </message>
     <message>
         <source>there is no such corner</source>
@@ -3692,7 +3692,7 @@
     </message>
     <message>
         <source>thin PE film, 30 to 50 µm</source>
-        <translation type="unfinished"></translation>
+        <translation>dünne PE-Folie, 30 bis 50 µm</translation>
     </message>
     <message>
         <source>trial {0}, {1}</source>
@@ -3748,7 +3748,7 @@
     </message>
     <message>
         <source>{0} It is left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} Sie wird weggelassen.</translation>
     </message>
     <message>
         <source>{0} and {1} lines meet near {2}: move the hole inward or make the allowance narrower.</source>
@@ -3820,15 +3820,15 @@
     </message>
     <message>
         <source>{0} hole with a thin line round it was filled, as a pen's: choose Drawn as filled shape to keep it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} Loch mit dünner Linie darum wurde gefüllt wie bei einer Strichzeichnung: „Gezeichnet als“ auf „Gefüllte Form“ stellen, um es zu behalten.</translation>
     </message>
     <message>
         <source>{0} holes with a thin line round them were filled, as a pen's: choose Drawn as filled shape to keep them.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} Löcher mit dünner Linie darum wurden gefüllt wie bei einer Strichzeichnung: „Gezeichnet als“ auf „Gefüllte Form“ stellen, um sie zu behalten.</translation>
     </message>
     <message>
         <source>{0} is a file</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ist eine Datei</translation>
     </message>
     <message>
         <source>{0} is a folder</source>
@@ -3836,11 +3836,11 @@
     </message>
     <message>
         <source>{0} is damaged or incomplete ({1}). Install the workbench anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ist beschädigt oder unvollständig ({1}). Den Arbeitsbereich neu installieren.</translation>
     </message>
     <message>
         <source>{0} is damaged or incomplete. Install the workbench anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ist beschädigt oder unvollständig. Den Arbeitsbereich neu installieren.</translation>
     </message>
     <message>
         <source>{0} is empty: draw a closed line in it.</source>
@@ -3864,7 +3864,7 @@
     </message>
     <message>
         <source>{0} is not joined by heat: {1} is not made for it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} wird nicht mit Wärme verbunden: {1} ist nicht dafür gemacht.</translation>
     </message>
     <message>
         <source>{0} is not up to date. {1}</source>
@@ -3880,7 +3880,7 @@
     </message>
     <message>
         <source>{0} is too large a number, or none</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ist eine zu große Zahl oder keine</translation>
     </message>
     <message>
         <source>{0} is {1}: give a number from {2} to {3}.</source>
@@ -3928,7 +3928,7 @@
     </message>
     <message>
         <source>{0} must never be cut with a laser: choose a machine with a knife.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} darf nie mit dem Laser geschnitten werden: eine Maschine mit Messer wählen.</translation>
     </message>
     <message>
         <source>{0} m²; wider than the usual roll</source>
@@ -4040,7 +4040,7 @@
     </message>
     <message>
         <source>{:.3g} g: film {:.3g}, seam and neck {:.2g}, valve {:.2g}</source>
-        <translation type="unfinished"></translation>
+        <translation>{:.3g} g: Folie {:.3g}, Naht und Hals {:.2g}, Ventil {:.2g}</translation>
     </message>
     <message>
         <source>{:.3g} m², wider than the usual roll</source>
@@ -4048,7 +4048,7 @@
     </message>
     <message>
         <source>{} at ({})</source>
-        <translation type="unfinished"></translation>
+        <translation>{} bei ({})</translation>
     </message>
     <message>
         <source>{} files written to {}</source>
@@ -4084,7 +4084,7 @@
     </message>
     <message>
         <source>{}, seam {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}, Naht {}</translation>
     </message>
     <message>
         <source>{}: {}</source>

@@ -105,7 +105,7 @@
     </message>
     <message>
         <source>Find the place of the intake</source>
-        <translation type="unfinished"></translation>
+        <translation>Chercher la place de l'embout</translation>
     </message>
     <message>
         <source>Fit inside width and height instead of stretching to both</source>
@@ -153,7 +153,7 @@
     </message>
     <message>
         <source>How a picture is read: holes of a filled shape stay, lines of a pen drawing are filled inside</source>
-        <translation type="unfinished"></translation>
+        <translation>Comment une image est lue : les trous d'une forme pleine restent, les lignes d'un dessin au trait sont remplies à l'intérieur</translation>
     </message>
     <message>
         <source>How far the print goes past the cut</source>
@@ -173,7 +173,7 @@
     </message>
     <message>
         <source>How the grain of pieces lies, where their film has one</source>
-        <translation type="unfinished"></translation>
+        <translation>Comment le sens du film des pièces est placé, quand leur film en a un</translation>
     </message>
     <message>
         <source>How the intake is made and used</source>
@@ -181,7 +181,7 @@
     </message>
     <message>
         <source>How two panels of this film are joined</source>
-        <translation type="unfinished"></translation>
+        <translation>Comment deux panneaux de ce film sont assemblés</translation>
     </message>
     <message>
         <source>Inner width of the neck, or bore of the nozzle</source>
@@ -297,7 +297,7 @@
     </message>
     <message>
         <source>Only one side of this film can be joined so</source>
-        <translation type="unfinished"></translation>
+        <translation>Une seule face de ce film peut être assemblée ainsi</translation>
     </message>
     <message>
         <source>Part of the film that the pieces take, in per cent</source>
@@ -325,7 +325,7 @@
     </message>
     <message>
         <source>Polymer of the side that is welded, such as PE; none where it does not weld, empty: not known</source>
-        <translation type="unfinished"></translation>
+        <translation>Polymère de la face soudable, par exemple PE ; none quand elle ne se soude pas ; vide : inconnu</translation>
     </message>
     <message>
         <source>Pressure in the inflated balloon</source>
@@ -549,15 +549,15 @@
     </message>
     <message>
         <source>Where it is found: farthest from the centre, or low, where a tied balloon hangs straight</source>
-        <translation type="unfinished"></translation>
+        <translation>Où elle est cherchée : au plus loin du centre, ou en bas, où un ballon attaché pend droit</translation>
     </message>
     <message>
         <source>Whether a laser may cut this film</source>
-        <translation type="unfinished"></translation>
+        <translation>Si un laser peut couper ce film</translation>
     </message>
     <message>
         <source>Which film is laid out: pieces of a valve are on one of their own</source>
-        <translation type="unfinished"></translation>
+        <translation>Quel film est disposé : les pièces d'une valve sont sur un film à part</translation>
     </message>
     <message>
         <source>Which shape of the drawing it is; 1 is the largest</source>
@@ -652,7 +652,7 @@
     </message>
     <message>
         <source>'{0}' is damaged. Save it as PNG, JPEG or BMP once more.</source>
-        <translation type="unfinished"></translation>
+        <translation>« {0} » est abîmé. Enregistrez-le à nouveau en PNG, JPEG ou BMP.</translation>
     </message>
     <message>
         <source>'{0}' is empty. Choose another file.</source>
@@ -660,7 +660,7 @@
     </message>
     <message>
         <source>'{0}' is larger than {1} MB. Save it as JPEG or PNG.</source>
-        <translation type="unfinished"></translation>
+        <translation>« {0} » dépasse {1} Mo. Enregistrez-le en JPEG ou PNG.</translation>
     </message>
     <message>
         <source>'{0}' is larger than {1} MB. Simplify the drawing.</source>
@@ -700,7 +700,7 @@
     </message>
     <message>
         <source>, estimated: the film did not come to rest</source>
-        <translation type="unfinished"></translation>
+        <translation>, estimé : le film n'est pas arrivé au repos</translation>
     </message>
     <message>
         <source>, {0} mm so far</source>
@@ -768,7 +768,7 @@
     </message>
     <message>
         <source>A picture cannot be drawn as "{0}": choose {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une image ne peut pas être dessinée comme « {0} » : choisissez {1}.</translation>
     </message>
     <message>
         <source>A picture has no size of its own. Give the width or the height of the balloon.</source>
@@ -788,7 +788,7 @@
     </message>
     <message>
         <source>A strict reader that wants plain polylines. Layers are told apart by colour: cut red, blue and orange, set the output of all others to no.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un lecteur strict qui veut des polylignes simples. Les calques se distinguent par la couleur : coupez le rouge, le bleu et l'orange, mettez la sortie de tous les autres sur non.</translation>
     </message>
     <message>
         <source>A volume of {0} litres cannot be made: give one such as 10l.</source>
@@ -932,7 +932,7 @@
     </message>
     <message>
         <source>Balloon film</source>
-        <translation type="unfinished"></translation>
+        <translation>Film du ballon</translation>
     </message>
     <message>
         <source>Balloon pattern</source>
@@ -1072,7 +1072,7 @@
     </message>
     <message>
         <source>Cut out the hole of the nozzle, in the front panel only.</source>
-        <translation type="unfinished"></translation>
+        <translation>Découpez le trou de la buse, dans le panneau de devant seulement.</translation>
     </message>
     <message>
         <source>Cut out the holes inside.</source>
@@ -1144,7 +1144,7 @@
     </message>
     <message>
         <source>Drawn as</source>
-        <translation type="unfinished"></translation>
+        <translation>Dessiné comme</translation>
     </message>
     <message>
         <source>E across the grain</source>
@@ -1152,7 +1152,7 @@
     </message>
     <message>
         <source>Each stroke colour becomes an operation of its own: cut red, blue and orange, set all others to ignore. DXF is not read.</source>
-        <translation type="unfinished"></translation>
+        <translation>Chaque couleur de trait devient une opération : coupez le rouge, le bleu et l'orange, faites ignorer toutes les autres. Le DXF n'est pas lu.</translation>
     </message>
     <message>
         <source>Edit artwork</source>
@@ -1176,7 +1176,7 @@
     </message>
     <message>
         <source>Every layer becomes a colour of the cut list; layers that share a colour would be merged. Set the import unit to millimetres. Cut red, blue and orange only and switch the output of all others off; the LightBurn project has them on tool layers already.</source>
-        <translation type="unfinished"></translation>
+        <translation>Chaque calque devient une couleur de la liste de coupe ; des calques de même couleur seraient fusionnés. Réglez l'unité d'import sur le millimètre. Coupez seulement le rouge, le bleu et l'orange et désactivez la sortie de tous les autres ; le projet LightBurn les a déjà sur des calques d'outil.</translation>
     </message>
     <message>
         <source>Expected thickness</source>
@@ -1196,7 +1196,7 @@
     </message>
     <message>
         <source>Farthest point</source>
-        <translation type="unfinished"></translation>
+        <translation>Point le plus éloigné</translation>
     </message>
     <message>
         <source>File</source>
@@ -1212,11 +1212,11 @@
     </message>
     <message>
         <source>Fill through a tube of 6 mm, its end cut aslant, pushed 25 mm past the weld across the neck. Pull it out: the pressure presses the strips together.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gonflez par un tube de 6 mm, au bout coupé en biais, poussé 25 mm au-delà de la soudure en travers du col. Retirez-le : la pression plaque les bandes l'une contre l'autre.</translation>
     </message>
     <message>
         <source>Fill to {pressure} kPa, never above {safe} kPa: film and seam then keep a margin of {margin}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gonflez à {pressure} kPa, jamais au-dessus de {safe} kPa : le film et la couture gardent alors une marge de {margin}.</translation>
     </message>
     <message>
         <source>Fill to {pressure} kPa, never above {safe} kPa: film and weld then keep a margin of {margin}.</source>
@@ -1224,11 +1224,11 @@
     </message>
     <message>
         <source>Fill to {safe} kPa at most: {pressure} kPa is more than film and seam bear with a margin of {margin}. Mind your eyes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gonflez à {safe} kPa au plus : {pressure} kPa, c'est plus que ce que film et couture supportent avec une marge de {margin}. Protégez vos yeux.</translation>
     </message>
     <message>
         <source>Fill to {safe} kPa at most: {pressure} kPa is more than film and weld bear with a margin of {margin}. Mind your eyes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gonflez à {safe} kPa au plus : {pressure} kPa, c'est plus que ce que film et soudure supportent avec une marge de {margin}. Protégez vos yeux.</translation>
     </message>
     <message>
         <source>Fill with air a little and brush soapy water along the weld: bubbles show leaks. Weld once more there.</source>
@@ -1236,7 +1236,7 @@
     </message>
     <message>
         <source>Filled shape</source>
-        <translation type="unfinished"></translation>
+        <translation>Forme pleine</translation>
     </message>
     <message>
         <source>Film</source>
@@ -1344,7 +1344,7 @@
     </message>
     <message>
         <source>Glue</source>
-        <translation type="unfinished"></translation>
+        <translation>Colle</translation>
     </message>
     <message>
         <source>Glue a strip of {seal} mm along the dashed line. Let it dry under a weight.</source>
@@ -1368,7 +1368,7 @@
     </message>
     <message>
         <source>Glued seam</source>
-        <translation type="unfinished"></translation>
+        <translation>Couture collée</translation>
     </message>
     <message>
         <source>Grain</source>
@@ -1396,7 +1396,7 @@
     </message>
     <message>
         <source>Heat</source>
-        <translation type="unfinished"></translation>
+        <translation>Chaleur</translation>
     </message>
     <message>
         <source>Heat sealer on a plotter</source>
@@ -1412,7 +1412,7 @@
     </message>
     <message>
         <source>High frequency</source>
-        <translation type="unfinished"></translation>
+        <translation>Haute fréquence</translation>
     </message>
     <message>
         <source>How wide shall it be?</source>
@@ -1456,7 +1456,7 @@
     </message>
     <message>
         <source>Ink, or a slip of baking paper</source>
-        <translation type="unfinished"></translation>
+        <translation>Encre, ou un bout de papier cuisson</translation>
     </message>
     <message>
         <source>Inkscape</source>
@@ -1472,7 +1472,7 @@
     </message>
     <message>
         <source>Intake on a thin part</source>
-        <translation type="unfinished"></translation>
+        <translation>Embout sur une partie mince</translation>
     </message>
     <message>
         <source>It is not inflated yet: choose Inflate now in its context menu, or switch Live on.</source>
@@ -1484,19 +1484,19 @@
     </message>
     <message>
         <source>Join the panels along the dashed line, {seal} mm wide, all the way round.</source>
-        <translation type="unfinished"></translation>
+        <translation>Assemblez les panneaux le long de la ligne en tirets, sur {seal} mm de large, tout autour.</translation>
     </message>
     <message>
         <source>Join the panels along the dashed line, {seal} mm wide; leave the mouth of the neck open.</source>
-        <translation type="unfinished"></translation>
+        <translation>Assemblez les panneaux le long de la ligne en tirets, sur {seal} mm de large ; laissez l'embouchure du col ouverte.</translation>
     </message>
     <message>
         <source>Join the panels along the lines inside the balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>Assemblez les panneaux le long des lignes à l'intérieur du ballon.</translation>
     </message>
     <message>
         <source>Joining</source>
-        <translation type="unfinished"></translation>
+        <translation>Assemblage</translation>
     </message>
     <message>
         <source>Keep the proportions</source>
@@ -1520,7 +1520,7 @@
     </message>
     <message>
         <source>Laid one piece after another: the package spyrrow (pip install spyrrow) often finds a closer layout.</source>
-        <translation type="unfinished"></translation>
+        <translation>Disposé une pièce après l'autre : le paquet spyrrow (pip install spyrrow) trouve souvent une disposition plus serrée.</translation>
     </message>
     <message>
         <source>Largest strain</source>
@@ -1528,7 +1528,7 @@
     </message>
     <message>
         <source>Laser</source>
-        <translation type="unfinished"></translation>
+        <translation>Laser</translation>
     </message>
     <message>
         <source>Lay a picture under the paper for tracing; press again to take it away</source>
@@ -1536,7 +1536,7 @@
     </message>
     <message>
         <source>Lay both valve strips on each other, their lines together. On the field marked on VALVE, INK put heat-resistant ink, or a slip of baking paper between the strips. Weld them along both long lines.</source>
-        <translation type="unfinished"></translation>
+        <translation>Posez les deux bandes de la valve l'une sur l'autre, ligne sur ligne. Sur le champ marqué de VALVE, INK, mettez de l'encre résistant à la chaleur, ou un bout de papier cuisson entre les bandes. Soudez-les le long des deux grandes lignes.</translation>
     </message>
     <message>
         <source>Lay out</source>
@@ -1548,7 +1548,7 @@
     </message>
     <message>
         <source>Lay the grain of both panels the same way.</source>
-        <translation type="unfinished"></translation>
+        <translation>Placez les deux panneaux dans le même sens du film.</translation>
     </message>
     <message>
         <source>Lay the panels on each other, sealing sides inward. Line them up by the notches or edges; tape outside the cut.</source>
@@ -1560,7 +1560,7 @@
     </message>
     <message>
         <source>Lay the strips into the neck of one panel, end at the mouth, line on line. Tack them to this panel only, with two spots of weld on the line, beside the channel.</source>
-        <translation type="unfinished"></translation>
+        <translation>Posez les bandes dans le col d'un panneau, extrémité à l'embouchure, ligne sur ligne. Fixez-les à ce seul panneau par deux points de soudure sur la ligne, à côté du canal.</translation>
     </message>
     <message>
         <source>Layers, millimetres and arcs, to go on drawing.</source>
@@ -1596,7 +1596,7 @@
     </message>
     <message>
         <source>LightBurn project (laser)</source>
-        <translation type="unfinished"></translation>
+        <translation>Projet LightBurn (laser)</translation>
     </message>
     <message>
         <source>Line</source>
@@ -1624,7 +1624,7 @@
     </message>
     <message>
         <source>Low</source>
-        <translation type="unfinished"></translation>
+        <translation>Bas</translation>
     </message>
     <message>
         <source>Machine</source>
@@ -1652,7 +1652,7 @@
     </message>
     <message>
         <source>May be cut</source>
-        <translation type="unfinished"></translation>
+        <translation>Peut être coupé</translation>
     </message>
     <message>
         <source>Measured on the inflated balloon.</source>
@@ -1720,7 +1720,7 @@
     </message>
     <message>
         <source>Never</source>
-        <translation type="unfinished"></translation>
+        <translation>Jamais</translation>
     </message>
     <message>
         <source>Never cut PVC with a laser: it gives off hydrogen chloride, which is toxic and ruins the machine. Weld with high frequency or hot air. Stretches visibly: at 2 kPa the shape depends on the grade and on the pressure.</source>
@@ -1728,7 +1728,7 @@
     </message>
     <message>
         <source>Never cut this film with a laser.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ne coupez jamais ce film au laser.</translation>
     </message>
     <message>
         <source>New balloon from picture</source>
@@ -1760,7 +1760,7 @@
     </message>
     <message>
         <source>No pattern here has pieces of "{0}": choose another film.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aucun patron n'a ici de pièces en « {0} » : choisissez un autre film.</translation>
     </message>
     <message>
         <source>No shape stands out in the picture. Use stronger colours or a plainer background.</source>
@@ -1808,7 +1808,7 @@
     </message>
     <message>
         <source>Nowhere on the seam is room for an intake of {0}: choose a narrower one, or a place for it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nulle part sur la couture il n'y a la place d'un embout de {0} : choisissez-en un plus étroit, ou une place pour lui.</translation>
     </message>
     <message>
         <source>Nozzle with flange</source>
@@ -1832,11 +1832,11 @@
     </message>
     <message>
         <source>On the way of the valve the balloon narrows to {0} at {1}; its channel takes {2} with its welds there. Make the neck wider or put it elsewhere, else the weld closes the valve.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sur le chemin de la valve, le ballon se resserre à {0} en {1} ; son canal avec ses soudures y prend {2}. Élargissez le col ou placez-le ailleurs, sinon la soudure ferme la valve.</translation>
     </message>
     <message>
         <source>Once the seam is closed, turn the tail in through itself with a straw, at the mark beside the balloon, and fill through it up to the second mark. Pull the straw out: the air in the balloon presses the tail flat.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une fois la couture fermée, retournez la queue à travers elle-même avec une paille, au repère près du ballon, et gonflez par elle jusqu'au second repère. Retirez la paille : l'air du ballon plaque la queue.</translation>
     </message>
     <message>
         <source>One large page</source>
@@ -1848,7 +1848,7 @@
     </message>
     <message>
         <source>Only grades of this film with a sealing layer weld: try scraps before you cut.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seules les qualités de ce film à couche scellable se soudent : essayez sur des chutes avant de couper.</translation>
     </message>
     <message>
         <source>Only the middle of the weld. A closed weld runs past its start, so that the joint is tight.</source>
@@ -1860,7 +1860,7 @@
     </message>
     <message>
         <source>Open it, do not import it. Outline, holes and notches are on cut layers, without speed and power: take them from your material library. Welds (T1) and all that is drawn (T2) are on tool layers, which LightBurn never burns.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ouvrez-le, ne l'importez pas. Contour, trous et encoches sont sur des calques de coupe, sans vitesse ni puissance : prenez-les dans votre bibliothèque de matériaux. Les soudures (T1) et tout ce qui est tracé (T2) sont sur des calques d'outil, que LightBurn ne brûle jamais.</translation>
     </message>
     <message>
         <source>Opposite the intake</source>
@@ -1968,7 +1968,7 @@
     </message>
     <message>
         <source>Pen drawing</source>
-        <translation type="unfinished"></translation>
+        <translation>Dessin au trait</translation>
     </message>
     <message>
         <source>Picture, SVG, DXF or JSON</source>
@@ -1988,7 +1988,7 @@
     </message>
     <message>
         <source>Place</source>
-        <translation type="unfinished"></translation>
+        <translation>Place</translation>
     </message>
     <message>
         <source>Place by</source>
@@ -2020,7 +2020,7 @@
     </message>
     <message>
         <source>Plotter units of 0.025 mm. Pen 1 draws the control bar, pen 2 cuts the notches, pen 3 the rest. Nothing is in the file that may not be cut. For a swivel knife set its offset, 0.25 mm is common. Cuts run 1 mm past their start: set overcut_mm to 0 where the cutter does that itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Unités de traceur de 0,025 mm. La plume 1 trace la barre de contrôle, la 2 coupe les encoches, la 3 le reste. Il n'y a rien dans le fichier qui ne puisse être coupé. Pour une lame pivotante, réglez son décalage ; 0,25 mm est courant. Les coupes dépassent leur début de 1 mm : mettez overcut_mm à 0 si la découpeuse le fait elle-même.</translation>
     </message>
     <message>
         <source>Point {0} of the JSON file's {1} is not a pair of numbers. {2}</source>
@@ -2036,11 +2036,11 @@
     </message>
     <message>
         <source>Polylines at the real size with a layer and a colour for each role. CUT, CUT_INNER and NOTCH are cut, SEAL and WELD welded, all others drawn.</source>
-        <translation type="unfinished"></translation>
+        <translation>Polylignes à la taille réelle, avec un calque et une couleur par rôle. CUT, CUT_INNER et NOTCH sont coupés, SEAL et WELD soudés, tous les autres tracés.</translation>
     </message>
     <message>
         <source>Polylines in millimetres with a layer for each role: what every program reads. CUT, CUT_INNER and NOTCH are cut, SEAL and WELD welded, all others drawn.</source>
-        <translation type="unfinished"></translation>
+        <translation>Polylignes en millimètres avec un calque par rôle : ce que tout programme lit. CUT, CUT_INNER et NOTCH sont coupés, SEAL et WELD soudés, tous les autres tracés.</translation>
     </message>
     <message>
         <source>Predicted from the outline; not inflated yet.</source>
@@ -2068,11 +2068,11 @@
     </message>
     <message>
         <source>Push a straw in, fill, pull it out and close the neck like the seam, straight across beside the balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>Glissez une paille, gonflez, retirez-la et fermez le col comme la couture, droit en travers près du ballon.</translation>
     </message>
     <message>
         <source>Push the nozzle through the hole of the front panel from inside, put the ring over it from outside, and join flange, film and ring like the seam, along the ring's line, before the panels are joined.</source>
-        <translation type="unfinished"></translation>
+        <translation>Passez la buse de l'intérieur par le trou du panneau de devant, posez l'anneau par-dessus à l'extérieur, et joignez collerette, film et anneau comme la couture, le long de la ligne de l'anneau, avant d'assembler les panneaux.</translation>
     </message>
     <message>
         <source>Put a picture on the paper, without its background</source>
@@ -2084,7 +2084,7 @@
     </message>
     <message>
         <source>Put the intake low</source>
-        <translation type="unfinished"></translation>
+        <translation>Placer l'embout en bas</translation>
     </message>
     <message>
         <source>RDWorks (Ruida laser)</source>
@@ -2188,11 +2188,11 @@
     </message>
     <message>
         <source>Seam</source>
-        <translation type="unfinished"></translation>
+        <translation>Couture</translation>
     </message>
     <message>
         <source>Seam length</source>
-        <translation type="unfinished"></translation>
+        <translation>Longueur de couture</translation>
     </message>
     <message>
         <source>Second panel, mirrored</source>
@@ -2328,11 +2328,11 @@
     </message>
     <message>
         <source>Strips</source>
-        <translation type="unfinished"></translation>
+        <translation>Bandes</translation>
     </message>
     <message>
         <source>Strips welded together</source>
-        <translation type="unfinished"></translation>
+        <translation>Bandes soudées ensemble</translation>
     </message>
     <message>
         <source>Symmetry</source>
@@ -2348,7 +2348,7 @@
     </message>
     <message>
         <source>Tacked to one panel</source>
-        <translation type="unfinished"></translation>
+        <translation>Fixées à un panneau</translation>
     </message>
     <message>
         <source>Take everything off the paper</source>
@@ -2368,19 +2368,19 @@
     </message>
     <message>
         <source>Tape</source>
-        <translation type="unfinished"></translation>
+        <translation>Ruban adhésif</translation>
     </message>
     <message>
         <source>Tape along the dashed line, {seal} mm wide, all the way round.</source>
-        <translation type="unfinished"></translation>
+        <translation>Collez au ruban adhésif le long de la ligne en tirets, sur {seal} mm de large, tout autour.</translation>
     </message>
     <message>
         <source>Tape along the dashed line, {seal} mm wide; leave the mouth of the neck open.</source>
-        <translation type="unfinished"></translation>
+        <translation>Collez au ruban adhésif le long de la ligne en tirets, sur {seal} mm de large ; laissez l'embouchure du col ouverte.</translation>
     </message>
     <message>
         <source>Taped seam</source>
-        <translation type="unfinished"></translation>
+        <translation>Couture au ruban adhésif</translation>
     </message>
     <message>
         <source>Tension</source>
@@ -2416,7 +2416,7 @@
     </message>
     <message>
         <source>The DXF file has errors; what could be read was taken from it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le fichier DXF a des erreurs ; ce qui était lisible en a été pris.</translation>
     </message>
     <message>
         <source>The DXF file {0}; millimetres are assumed.</source>
@@ -2460,15 +2460,15 @@
     </message>
     <message>
         <source>The SVG file has a '{0}' of endless length. Save it as plain SVG once more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le fichier SVG a un « {0} » d'une longueur sans fin. Enregistrez-le à nouveau en SVG simple.</translation>
     </message>
     <message>
         <source>The SVG file has too many attributes. Save it as plain SVG once more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le fichier SVG a trop d'attributs. Enregistrez-le à nouveau en SVG simple.</translation>
     </message>
     <message>
         <source>The SVG file has too many styles. Save it as plain SVG once more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le fichier SVG a trop de styles. Enregistrez-le à nouveau en SVG simple.</translation>
     </message>
     <message>
         <source>The SVG file is damaged ({0}). Save it once more.</source>
@@ -2512,23 +2512,23 @@
     </message>
     <message>
         <source>The drawing has a curve through more than {0} points. Save it as a polyline.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le dessin a une courbe par plus de {0} points. Enregistrez-la en polyligne.</translation>
     </message>
     <message>
         <source>The drawing has blocks or copies that show themselves. Remove those from it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le dessin a des blocs ou des copies qui se montrent eux-mêmes. Enlevez-les.</translation>
     </message>
     <message>
         <source>The drawing has more than {0} elements, with those of its blocks and copies. Leave only the outline and its holes in it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le dessin a plus de {0} éléments, avec ceux de ses blocs et copies. N'y laissez que le contour et ses trous.</translation>
     </message>
     <message>
         <source>The drawing has more than {0} groups or blocks inside each other. Take them apart in the program it comes from.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le dessin a plus de {0} groupes ou blocs les uns dans les autres. Dissociez-les dans le programme d'où il vient.</translation>
     </message>
     <message>
         <source>The drawing has more than {0} points. Simplify it in the program it comes from, or leave only the outline and its holes in it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le dessin a plus de {0} points. Simplifiez-le dans le programme d'où il vient, ou n'y laissez que le contour et ses trous.</translation>
     </message>
     <message>
         <source>The drawing has no closed line. Draw one, and turn texts and groups into paths.</source>
@@ -2540,7 +2540,7 @@
     </message>
     <message>
         <source>The drawing has too much text in its styles and transforms. Save it as plain SVG once more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le dessin a trop de texte dans ses styles et transformations. Enregistrez-le à nouveau en SVG simple.</translation>
     </message>
     <message>
         <source>The drawing has {0} shape and no number {1}: choose another Part, or delete this balloon.</source>
@@ -2556,7 +2556,7 @@
     </message>
     <message>
         <source>The drawing takes more than {0} s to read. Simplify it in the program it comes from, or leave only the outline and its holes in it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lire le dessin prend plus de {0} s. Simplifiez-le dans le programme d'où il vient, ou n'y laissez que le contour et ses trous.</translation>
     </message>
     <message>
         <source>The drawing was made symmetric: its halves were {0} apart, the left one was kept.</source>
@@ -2576,7 +2576,7 @@
     </message>
     <message>
         <source>The file is damaged or not a DXF file. Save it once more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le fichier est abîmé ou n'est pas un fichier DXF. Enregistrez-le à nouveau.</translation>
     </message>
     <message>
         <source>The file of gases {0} is of no use: {1}. Install it anew.</source>
@@ -2616,7 +2616,7 @@
     </message>
     <message>
         <source>The free edition opens DXF, not SVG. Choose "as is" for the size in the import preferences. Silhouette makes its own registration marks, and adds the knife's offset and overcut. Nothing is in the file that may not be cut.</source>
-        <translation type="unfinished"></translation>
+        <translation>L'édition gratuite ouvre le DXF, pas le SVG. Choisissez « tel quel » pour la taille dans les préférences d'import. Silhouette fait ses propres repères, et ajoute le décalage et le dépassement de la lame. Il n'y a rien dans le fichier qui ne puisse être coupé.</translation>
     </message>
     <message>
         <source>The grain's angle {0} is no number: give degrees from the x axis.</source>
@@ -2644,7 +2644,7 @@
     </message>
     <message>
         <source>The holes of a filled shape stay, the lines of a pen drawing are filled inside</source>
-        <translation type="unfinished"></translation>
+        <translation>Les trous d'une forme pleine restent, les lignes d'un dessin au trait sont remplies à l'intérieur</translation>
     </message>
     <message>
         <source>The inflated outline stays {0} from the drawing on average: film cannot follow this shape everywhere. Round off notches and widen thin parts.</source>
@@ -2664,7 +2664,7 @@
     </message>
     <message>
         <source>The intake is at the farthest point, on a part that becomes {measured} as thick as the balloon: there it is tied, hangs and is held. A low place carries it better.</source>
-        <translation type="unfinished"></translation>
+        <translation>L'embout est au point le plus éloigné, sur une partie qui n'atteint que {measured} de l'épaisseur du ballon : c'est là qu'on attache, suspend et tient le ballon. Une place en bas le porte mieux.</translation>
     </message>
     <message>
         <source>The intake opens into a part with {percent} of the film; the rest fills through something narrower than the intake. Move it to the largest part.</source>
@@ -2688,7 +2688,7 @@
     </message>
     <message>
         <source>The intake's place cannot be "{0}": choose {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>La place de l'embout ne peut pas être « {0} » : choisissez {1}.</translation>
     </message>
     <message>
         <source>The intake's width must be between 0.01 mm and 10 m: give it about 10 mm.</source>
@@ -2704,7 +2704,7 @@
     </message>
     <message>
         <source>The layer MARK of the machine file {0}.json takes notches only. Rename it NOTCH, and where your machine can draw, add the layers FOLD and PEN.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le calque MARK du fichier de machine {0}.json ne prend que les encoches. Renommez-le NOTCH, et si votre machine peut tracer, ajoutez les calques FOLD et PEN.</translation>
     </message>
     <message>
         <source>The layout failed: give the pieces more room.</source>
@@ -2712,7 +2712,7 @@
     </message>
     <message>
         <source>The layout of {0} is older than its patterns: recompute it.</source>
-        <translation type="unfinished"></translation>
+        <translation>La disposition de {0} est plus ancienne que ses patrons : recalculez-la.</translation>
     </message>
     <message>
         <source>The layout was stopped; nothing was changed.</source>
@@ -2748,7 +2748,7 @@
     </message>
     <message>
         <source>The native solver, which is faster, is not available: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Le solveur natif, plus rapide, n'est pas disponible : {0}</translation>
     </message>
     <message>
         <source>The nozzle's flange must be wider than its bore.</source>
@@ -2844,11 +2844,11 @@
     </message>
     <message>
         <source>The pieces of the intake "{0}" are cut from {1}: they have a file of their own, with all of them for each balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les pièces de l'embout « {0} » se coupent dans {1} : elles ont un fichier à part, avec toutes les pièces pour chaque ballon.</translation>
     </message>
     <message>
         <source>The pieces of the intake "{0}" are of {1}, which does not weld to {2}: choose another intake, or a film that it welds to: {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les pièces de l'embout « {0} » sont en {1}, qui ne se soude pas à {2} : choisissez un autre embout, ou un film auquel cela se soude : {3}.</translation>
     </message>
     <message>
         <source>The pressure must be positive and at most {0} Pa, not {1} Pa. A party balloon has about 2 kPa.</source>
@@ -2908,7 +2908,7 @@
     </message>
     <message>
         <source>The strips of valves are not here: lay them out on a sheet of their own, with "Valve film".</source>
-        <translation type="unfinished"></translation>
+        <translation>Les bandes des valves ne sont pas ici : disposez-les sur une feuille à part, avec « Film de valve ».</translation>
     </message>
     <message>
         <source>The temperature of the {0}, {1} degrees Celsius, is out of range: give one such as 20C.</source>
@@ -2920,7 +2920,7 @@
     </message>
     <message>
         <source>The valve reaches {0} into the balloon, past the weld at {1}: put the intake where the balloon is longer, or take another one.</source>
-        <translation type="unfinished"></translation>
+        <translation>La valve entre de {0} dans le ballon, au-delà de la soudure en {1} : placez l'embout où le ballon est plus long, ou prenez-en un autre.</translation>
     </message>
     <message>
         <source>The volume must be positive, not {0} m3.</source>
@@ -2960,7 +2960,7 @@
     </message>
     <message>
         <source>The {0} line runs back along itself near {1}: simplify the drawing there.</source>
-        <translation type="unfinished"></translation>
+        <translation>La ligne {0} revient sur elle-même près de {1} : simplifiez-y le dessin.</translation>
     </message>
     <message>
         <source>The {0} line that begins at {1} is open: programs fill, offset and cut closed lines only. Close it.</source>
@@ -3012,7 +3012,7 @@
     </message>
     <message>
         <source>There is no joining "{0}": choose one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il n'y a pas d'assemblage « {0} » : choisissez parmi {1}.</translation>
     </message>
     <message>
         <source>There is no look "{0}": choose one of {1}.</source>
@@ -3056,11 +3056,11 @@
     </message>
     <message>
         <source>There is too little memory for this: take a coarser mesh, or close other programs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il n'y a pas assez de mémoire pour cela : prenez un maillage plus grossier, ou fermez d'autres programmes.</translation>
     </message>
     <message>
         <source>There is too little memory for this: take a coarser mesh, or close other programs. Details are in '{0}'.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il n'y a pas assez de mémoire pour cela : prenez un maillage plus grossier, ou fermez d'autres programmes. Les détails sont dans « {0} ».</translation>
     </message>
     <message>
         <source>Thickness</source>
@@ -3096,11 +3096,11 @@
     </message>
     <message>
         <source>This is a fault of the program, not yours, and its details cannot be written anywhere. Please report it: {0}, {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>C'est une erreur du programme, pas la vôtre, et ses détails ne peuvent être écrits nulle part. Merci de la signaler : {0}, {1}.</translation>
     </message>
     <message>
         <source>This is a fault of the program, not yours. Its details are in '{0}': please report it with this file.</source>
-        <translation type="unfinished"></translation>
+        <translation>C'est une erreur du programme, pas la vôtre. Ses détails sont dans « {0} » : merci de la signaler avec ce fichier.</translation>
     </message>
     <message>
         <source>This is shape {0} of the {1} in the drawing.</source>
@@ -3164,11 +3164,11 @@
     </message>
     <message>
         <source>Unknown</source>
-        <translation type="unfinished"></translation>
+        <translation>Inconnu</translation>
     </message>
     <message>
         <source>Upload the SVG as a cut image and compare the control bar: some versions read the size at 72 dpi. Nothing is in the file that may not be cut. It adds the knife's offset and overcut itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Téléversez le SVG comme image de coupe et comparez la barre de contrôle : certaines versions lisent la taille à 72 dpi. Il n'y a rien dans le fichier qui ne puisse être coupé. Le programme ajoute lui-même le décalage et le dépassement de la lame.</translation>
     </message>
     <message>
         <source>Used</source>
@@ -3176,11 +3176,11 @@
     </message>
     <message>
         <source>Valve film</source>
-        <translation type="unfinished"></translation>
+        <translation>Film de valve</translation>
     </message>
     <message>
         <source>Valve, on one panel</source>
-        <translation type="unfinished"></translation>
+        <translation>Valve, sur un panneau</translation>
     </message>
     <message>
         <source>Violet</source>
@@ -3196,7 +3196,7 @@
     </message>
     <message>
         <source>Weakest place</source>
-        <translation type="unfinished"></translation>
+        <translation>Point le plus faible</translation>
     </message>
     <message>
         <source>Weighing {0}</source>
@@ -3216,7 +3216,7 @@
     </message>
     <message>
         <source>Weld across the neck along its line, through panels and strips: the field keeps the channel open. Pull the slip out and blow through the valve.</source>
-        <translation type="unfinished"></translation>
+        <translation>Soudez en travers du col le long de sa ligne, à travers panneaux et bandes : le champ garde le canal ouvert. Retirez le papier cuisson et soufflez par la valve.</translation>
     </message>
     <message>
         <source>Weld along the dashed line, {seal} mm wide, all the way round.</source>
@@ -3236,19 +3236,19 @@
     </message>
     <message>
         <source>Weld the two strips together along their lines; over the marked field, heat-resistant ink or a slip of baking paper keeps the channel open. Tack them to one panel, their end at the mouth; then weld round the balloon and across the neck. Fill with a 6 mm tube: the pressure closes the strips.</source>
-        <translation type="unfinished"></translation>
+        <translation>Soudez les deux bandes ensemble le long de leurs lignes ; sur le champ marqué, de l'encre résistant à la chaleur ou un bout de papier cuisson garde le canal ouvert. Fixez-les à un panneau, l'extrémité à l'embouchure ; soudez ensuite autour du ballon et en travers du col. Gonflez avec un tube de 6 mm : la pression ferme les bandes.</translation>
     </message>
     <message>
         <source>Weld with high frequency along the dashed line, {seal} mm wide, all the way round.</source>
-        <translation type="unfinished"></translation>
+        <translation>Soudez par haute fréquence le long de la ligne en tirets, sur {seal} mm de large, tout autour.</translation>
     </message>
     <message>
         <source>Weld with high frequency along the dashed line, {seal} mm wide; leave the mouth of the neck open.</source>
-        <translation type="unfinished"></translation>
+        <translation>Soudez par haute fréquence le long de la ligne en tirets, sur {seal} mm de large ; laissez l'embouchure du col ouverte.</translation>
     </message>
     <message>
         <source>Welded across, last</source>
-        <translation type="unfinished"></translation>
+        <translation>Soudées en travers, en dernier</translation>
     </message>
     <message>
         <source>Welds easily with an impulse sealer or an iron. Yields at about 9 MPa, half its tensile strength, and creeps: keep the pressure low.</source>
@@ -3256,7 +3256,7 @@
     </message>
     <message>
         <source>What it takes to make it</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce qu'il faut pour le faire</translation>
     </message>
     <message>
         <source>What most shops ask for: R12, closed polylines, nothing on the sheet that is not cut. R12 knows no unit, so the file's name tells it.</source>
@@ -3268,7 +3268,7 @@
     </message>
     <message>
         <source>Whether the {0} of the intake's pieces welds to {1} is not known: try it on a scrap first.</source>
-        <translation type="unfinished"></translation>
+        <translation>On ne sait pas si {0}, la matière des pièces de l'embout, se soude à {1} : essayez d'abord sur une chute.</translation>
     </message>
     <message>
         <source>While this is pressed, the ring in the 3D view moves the intake</source>
@@ -3300,7 +3300,7 @@
     </message>
     <message>
         <source>With the fonts of this computer {0} cannot be drawn, letter by letter from left to right: leave that out of the label, or install a font that has it and start again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Avec les polices de cet ordinateur, {0} ne peut pas être tracé, lettre par lettre de gauche à droite : omettez-le dans l'inscription, ou installez une police qui l'a et redémarrez.</translation>
     </message>
     <message>
         <source>Wrinkles</source>
@@ -3344,7 +3344,7 @@
     </message>
     <message>
         <source>a LightBurn project has layers up to {0}: change the pen.</source>
-        <translation type="unfinished"></translation>
+        <translation>un projet LightBurn a des calques jusqu'à {0} : changez la plume.</translation>
     </message>
     <message>
         <source>a coordinate is not a number</source>
@@ -3364,7 +3364,7 @@
     </message>
     <message>
         <source>another run has been writing there for a minute</source>
-        <translation type="unfinished"></translation>
+        <translation>une autre exécution y écrit depuis une minute</translation>
     </message>
     <message>
         <source>apart {} in the mean, 95 % below {}, at most {}</source>
@@ -3396,7 +3396,7 @@
     </message>
     <message>
         <source>choose Drawn as filled shape</source>
-        <translation type="unfinished"></translation>
+        <translation>mettez « Dessiné comme » sur « Forme pleine »</translation>
     </message>
     <message>
         <source>colour index {0} and pen {1} of {2} must be from 1 to 255.</source>
@@ -3420,7 +3420,7 @@
     </message>
     <message>
         <source>drawn mark</source>
-        <translation type="unfinished"></translation>
+        <translation>repère tracé</translation>
     </message>
     <message>
         <source>empty: </source>
@@ -3436,7 +3436,7 @@
     </message>
     <message>
         <source>fold</source>
-        <translation type="unfinished"></translation>
+        <translation>pli</translation>
     </message>
     <message>
         <source>gas</source>
@@ -3444,11 +3444,11 @@
     </message>
     <message>
         <source>glued seam</source>
-        <translation type="unfinished"></translation>
+        <translation>couture collée</translation>
     </message>
     <message>
         <source>glued seam inside</source>
-        <translation type="unfinished"></translation>
+        <translation>couture collée intérieure</translation>
     </message>
     <message>
         <source>height</source>
@@ -3492,15 +3492,15 @@
     </message>
     <message>
         <source>it is nested too deeply</source>
-        <translation type="unfinished"></translation>
+        <translation>il est imbriqué trop profondément</translation>
     </message>
     <message>
         <source>it is no file</source>
-        <translation type="unfinished"></translation>
+        <translation>ce n'est pas un fichier</translation>
     </message>
     <message>
         <source>it is too large</source>
-        <translation type="unfinished"></translation>
+        <translation>il est trop gros</translation>
     </message>
     <message>
         <source>it would grow together with another part</source>
@@ -3540,7 +3540,7 @@
     </message>
     <message>
         <source>may be cut</source>
-        <translation type="unfinished"></translation>
+        <translation>peut être coupé</translation>
     </message>
     <message>
         <source>more than</source>
@@ -3564,7 +3564,7 @@
     </message>
     <message>
         <source>notch</source>
-        <translation type="unfinished"></translation>
+        <translation>encoche</translation>
     </message>
     <message>
         <source>opacity</source>
@@ -3600,11 +3600,11 @@
     </message>
     <message>
         <source>seam</source>
-        <translation type="unfinished"></translation>
+        <translation>couture</translation>
     </message>
     <message>
         <source>seam inside</source>
-        <translation type="unfinished"></translation>
+        <translation>couture intérieure</translation>
     </message>
     <message>
         <source>serious</source>
@@ -3636,11 +3636,11 @@
     </message>
     <message>
         <source>taped seam</source>
-        <translation type="unfinished"></translation>
+        <translation>couture au ruban adhésif</translation>
     </message>
     <message>
         <source>taped seam inside</source>
-        <translation type="unfinished"></translation>
+        <translation>couture intérieure au ruban adhésif</translation>
     </message>
     <message>
         <source>taut: {:.0f} %</source>
@@ -3672,11 +3672,11 @@
     </message>
     <message>
         <source>the name "{0}" of the stock goes into file names: take letters a to z.</source>
-        <translation type="unfinished"></translation>
+        <translation>le nom « {0} » de stock entre dans des noms de fichiers : prenez des lettres de a à z.</translation>
     </message>
     <message>
         <source>the sealing side {0} is no polymer: give one such as "PE", or "none".</source>
-        <translation type="unfinished"></translation>
+        <translation>la face soudable {0} n'est pas un polymère : donnez par exemple « PE », ou « none ».</translation>
     </message>
     <message>
         <source>there is no such corner</source>
@@ -3692,7 +3692,7 @@
     </message>
     <message>
         <source>thin PE film, 30 to 50 µm</source>
-        <translation type="unfinished"></translation>
+        <translation>film PE mince, 30 à 50 µm</translation>
     </message>
     <message>
         <source>trial {0}, {1}</source>
@@ -3748,7 +3748,7 @@
     </message>
     <message>
         <source>{0} It is left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} Il est omis.</translation>
     </message>
     <message>
         <source>{0} and {1} lines meet near {2}: move the hole inward or make the allowance narrower.</source>
@@ -3820,15 +3820,15 @@
     </message>
     <message>
         <source>{0} hole with a thin line round it was filled, as a pen's: choose Drawn as filled shape to keep it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} trou entouré d'une ligne mince a été rempli comme dans un dessin au trait : mettez « Dessiné comme » sur « Forme pleine » pour le garder.</translation>
     </message>
     <message>
         <source>{0} holes with a thin line round them were filled, as a pen's: choose Drawn as filled shape to keep them.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} trous entourés d'une ligne mince ont été remplis comme dans un dessin au trait : mettez « Dessiné comme » sur « Forme pleine » pour les garder.</translation>
     </message>
     <message>
         <source>{0} is a file</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} est un fichier</translation>
     </message>
     <message>
         <source>{0} is a folder</source>
@@ -3836,11 +3836,11 @@
     </message>
     <message>
         <source>{0} is damaged or incomplete ({1}). Install the workbench anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} est abîmé ou incomplet ({1}). Réinstallez l'atelier.</translation>
     </message>
     <message>
         <source>{0} is damaged or incomplete. Install the workbench anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} est abîmé ou incomplet. Réinstallez l'atelier.</translation>
     </message>
     <message>
         <source>{0} is empty: draw a closed line in it.</source>
@@ -3864,7 +3864,7 @@
     </message>
     <message>
         <source>{0} is not joined by heat: {1} is not made for it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ne s'assemble pas à chaud : {1} n'est pas fait pour cela.</translation>
     </message>
     <message>
         <source>{0} is not up to date. {1}</source>
@@ -3880,7 +3880,7 @@
     </message>
     <message>
         <source>{0} is too large a number, or none</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} est un nombre trop grand, ou n'en est pas un</translation>
     </message>
     <message>
         <source>{0} is {1}: give a number from {2} to {3}.</source>
@@ -3928,7 +3928,7 @@
     </message>
     <message>
         <source>{0} must never be cut with a laser: choose a machine with a knife.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ne doit jamais être coupé au laser : choisissez une machine à lame.</translation>
     </message>
     <message>
         <source>{0} m²; wider than the usual roll</source>
@@ -4040,7 +4040,7 @@
     </message>
     <message>
         <source>{:.3g} g: film {:.3g}, seam and neck {:.2g}, valve {:.2g}</source>
-        <translation type="unfinished"></translation>
+        <translation>{:.3g} g : film {:.3g}, couture et col {:.2g}, valve {:.2g}</translation>
     </message>
     <message>
         <source>{:.3g} m², wider than the usual roll</source>
@@ -4048,7 +4048,7 @@
     </message>
     <message>
         <source>{} at ({})</source>
-        <translation type="unfinished"></translation>
+        <translation>{} en ({})</translation>
     </message>
     <message>
         <source>{} files written to {}</source>
@@ -4084,7 +4084,7 @@
     </message>
     <message>
         <source>{}, seam {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}, couture {}</translation>
     </message>
     <message>
         <source>{}: {}</source>
