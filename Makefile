@@ -64,10 +64,16 @@ pictures: native ## Take the pictures of the tutorial anew, in docs/images
 	@BALLOON_TESTS="tests/gui/test_paint.py tests/gui/test_paint_fish.py tests/gui/test_examples.py" tools/test.sh gui
 	@cp build/pictures/tutorial-*.png docs/images
 
-fuzz: native ## Inflate 2 000 random outlines, read 10 000 broken files
-	@BALLOON_OUTLINES=2000 BALLOON_FILES=10000 BALLOON_VALUES=1000 $(PYTHON) -m pytest -q -o faulthandler_timeout=0 \
-	    --log-cli-level=INFO tests/core/test_random_outlines.py \
-	    tests/core/test_broken_files.py tests/core/test_value_limits.py
+# Files, outlines, options, kills: as many as it takes a night to try. The last lines put faults into the engine.
+fuzz: native readers ## Inflate 2 000 outlines, read 10 000 broken files, kill writers everywhere, inject 200 faults
+	@BALLOON_OUTLINES=2000 BALLOON_FILES=10000 BALLOON_VALUES=1000 BALLOON_KILLS=100000 BALLOON_CUTS=300 \
+	    BALLOON_COACHED=300 BALLOON_INTAKES=24 BALLOON_LAYER_SHAPES=40 \
+	    $(PYTHON) -m pytest -q -o faulthandler_timeout=0 --log-cli-level=INFO \
+	    tests/core/test_random_outlines.py tests/core/test_broken_files.py tests/core/test_value_limits.py \
+	    tests/core/test_interrupted_writing.py tests/core/test_export_cuts.py tests/core/test_coach_shapes.py \
+	    tests/core/test_intake_places.py tests/core/test_layers.py
+	@BALLOON_FAULTS=200 BALLOON_TESTS=tests/app/test_faults.py tools/test.sh app
+	@BALLOON_FAULTS=200 BALLOON_TESTS=tests/gui/test_faults.py tools/test.sh gui
 
 mutations: native ## Break the code in known ways, one after the other: a quick test must notice each
 	@$(PYTHON) tools/mutations.py

@@ -70,7 +70,7 @@ READERS: dict[str, tuple[Path, Callable[[Path], object]]] = {
     "intake": (RESOURCES / "intakes" / "film-valve.json", intake_kinds.read_kind),
     "making": (RESOURCES / "making.json", single(making, "FILE", making.making.__wrapped__)),
     "gases": (RESOURCES / "gases.json", single(filling, "FILE", filling._library.__wrapped__)),
-    "steps": (steps.FILE, single(steps, "FILE", steps._data.__wrapped__)),
+    "steps": (steps.FILE, single(steps, "FILE", steps._steps.__wrapped__)),
     "rules": (rules.FILE, single(rules, "FILE", rules.rules.__wrapped__)),
 }
 
