@@ -105,7 +105,7 @@
     </message>
     <message>
         <source>Find the place of the intake</source>
-        <translation type="unfinished"></translation>
+        <translation>Buscar el lugar de la boca</translation>
     </message>
     <message>
         <source>Fit inside width and height instead of stretching to both</source>
@@ -153,7 +153,7 @@
     </message>
     <message>
         <source>How a picture is read: holes of a filled shape stay, lines of a pen drawing are filled inside</source>
-        <translation type="unfinished"></translation>
+        <translation>Cómo se lee una imagen: los agujeros de una forma rellena quedan, las líneas de un dibujo a línea se rellenan por dentro</translation>
     </message>
     <message>
         <source>How far the print goes past the cut</source>
@@ -173,7 +173,7 @@
     </message>
     <message>
         <source>How the grain of pieces lies, where their film has one</source>
-        <translation type="unfinished"></translation>
+        <translation>Cómo queda la fibra de las piezas, si su película la tiene</translation>
     </message>
     <message>
         <source>How the intake is made and used</source>
@@ -181,7 +181,7 @@
     </message>
     <message>
         <source>How two panels of this film are joined</source>
-        <translation type="unfinished"></translation>
+        <translation>Cómo se unen dos paneles de esta película</translation>
     </message>
     <message>
         <source>Inner width of the neck, or bore of the nozzle</source>
@@ -297,7 +297,7 @@
     </message>
     <message>
         <source>Only one side of this film can be joined so</source>
-        <translation type="unfinished"></translation>
+        <translation>Solo una cara de esta película se puede unir así</translation>
     </message>
     <message>
         <source>Part of the film that the pieces take, in per cent</source>
@@ -325,7 +325,7 @@
     </message>
     <message>
         <source>Polymer of the side that is welded, such as PE; none where it does not weld, empty: not known</source>
-        <translation type="unfinished"></translation>
+        <translation>Polímero de la cara que se suelda, como PE; none si no se suelda, vacío: desconocido</translation>
     </message>
     <message>
         <source>Pressure in the inflated balloon</source>
@@ -549,15 +549,15 @@
     </message>
     <message>
         <source>Where it is found: farthest from the centre, or low, where a tied balloon hangs straight</source>
-        <translation type="unfinished"></translation>
+        <translation>Dónde se busca: lo más lejos del centro, o abajo, donde un globo atado cuelga derecho</translation>
     </message>
     <message>
         <source>Whether a laser may cut this film</source>
-        <translation type="unfinished"></translation>
+        <translation>Si un láser puede cortar esta película</translation>
     </message>
     <message>
         <source>Which film is laid out: pieces of a valve are on one of their own</source>
-        <translation type="unfinished"></translation>
+        <translation>Qué película se coloca: las piezas de una válvula van en una propia</translation>
     </message>
     <message>
         <source>Which shape of the drawing it is; 1 is the largest</source>
@@ -652,7 +652,7 @@
     </message>
     <message>
         <source>'{0}' is damaged. Save it as PNG, JPEG or BMP once more.</source>
-        <translation type="unfinished"></translation>
+        <translation>«{0}» está dañado. Guárdelo de nuevo como PNG, JPEG o BMP.</translation>
     </message>
     <message>
         <source>'{0}' is empty. Choose another file.</source>
@@ -660,7 +660,7 @@
     </message>
     <message>
         <source>'{0}' is larger than {1} MB. Save it as JPEG or PNG.</source>
-        <translation type="unfinished"></translation>
+        <translation>«{0}» supera {1} MB. Guárdelo como JPEG o PNG.</translation>
     </message>
     <message>
         <source>'{0}' is larger than {1} MB. Simplify the drawing.</source>
@@ -700,7 +700,7 @@
     </message>
     <message>
         <source>, estimated: the film did not come to rest</source>
-        <translation type="unfinished"></translation>
+        <translation>, estimado: la película no llegó al reposo</translation>
     </message>
     <message>
         <source>, {0} mm so far</source>
@@ -768,7 +768,7 @@
     </message>
     <message>
         <source>A picture cannot be drawn as "{0}": choose {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una imagen no puede estar dibujada como «{0}»: elija {1}.</translation>
     </message>
     <message>
         <source>A picture has no size of its own. Give the width or the height of the balloon.</source>
@@ -788,7 +788,7 @@
     </message>
     <message>
         <source>A strict reader that wants plain polylines. Layers are told apart by colour: cut red, blue and orange, set the output of all others to no.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un lector estricto que quiere polilíneas sencillas. Las capas se distinguen por el color: corte rojo, azul y naranja, y ponga en no la salida de todas las demás.</translation>
     </message>
     <message>
         <source>A volume of {0} litres cannot be made: give one such as 10l.</source>
@@ -932,7 +932,7 @@
     </message>
     <message>
         <source>Balloon film</source>
-        <translation type="unfinished"></translation>
+        <translation>Película de globo</translation>
     </message>
     <message>
         <source>Balloon pattern</source>
@@ -1072,7 +1072,7 @@
     </message>
     <message>
         <source>Cut out the hole of the nozzle, in the front panel only.</source>
-        <translation type="unfinished"></translation>
+        <translation>Recorte el agujero de la boquilla, solo en el panel delantero.</translation>
     </message>
     <message>
         <source>Cut out the holes inside.</source>
@@ -1144,7 +1144,7 @@
     </message>
     <message>
         <source>Drawn as</source>
-        <translation type="unfinished"></translation>
+        <translation>Dibujado como</translation>
     </message>
     <message>
         <source>E across the grain</source>
@@ -1152,7 +1152,7 @@
     </message>
     <message>
         <source>Each stroke colour becomes an operation of its own: cut red, blue and orange, set all others to ignore. DXF is not read.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cada color de trazo se convierte en una operación: corte rojo, azul y naranja, y ponga todos los demás en ignorar. No lee DXF.</translation>
     </message>
     <message>
         <source>Edit artwork</source>
@@ -1176,7 +1176,7 @@
     </message>
     <message>
         <source>Every layer becomes a colour of the cut list; layers that share a colour would be merged. Set the import unit to millimetres. Cut red, blue and orange only and switch the output of all others off; the LightBurn project has them on tool layers already.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cada capa se convierte en un color de la lista de corte; las de igual color se unirían. Ponga la unidad de importación en milímetros. Corte solo rojo, azul y naranja y desactive la salida de todas las demás; el proyecto de LightBurn ya las tiene en capas de herramienta.</translation>
     </message>
     <message>
         <source>Expected thickness</source>
@@ -1196,7 +1196,7 @@
     </message>
     <message>
         <source>Farthest point</source>
-        <translation type="unfinished"></translation>
+        <translation>Punto más lejano</translation>
     </message>
     <message>
         <source>File</source>
@@ -1212,11 +1212,11 @@
     </message>
     <message>
         <source>Fill through a tube of 6 mm, its end cut aslant, pushed 25 mm past the weld across the neck. Pull it out: the pressure presses the strips together.</source>
-        <translation type="unfinished"></translation>
+        <translation>Llene por un tubo de 6 mm con el extremo cortado al sesgo, metido 25 mm más allá de la soldadura a través del cuello. Sáquelo: la presión aprieta las tiras.</translation>
     </message>
     <message>
         <source>Fill to {pressure} kPa, never above {safe} kPa: film and seam then keep a margin of {margin}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Llene hasta {pressure} kPa, nunca por encima de {safe} kPa: película y costura conservan así un margen de {margin}.</translation>
     </message>
     <message>
         <source>Fill to {pressure} kPa, never above {safe} kPa: film and weld then keep a margin of {margin}.</source>
@@ -1224,11 +1224,11 @@
     </message>
     <message>
         <source>Fill to {safe} kPa at most: {pressure} kPa is more than film and seam bear with a margin of {margin}. Mind your eyes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Llene como mucho hasta {safe} kPa: {pressure} kPa es más de lo que película y costura aguantan con un margen de {margin}. Proteja sus ojos.</translation>
     </message>
     <message>
         <source>Fill to {safe} kPa at most: {pressure} kPa is more than film and weld bear with a margin of {margin}. Mind your eyes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Llene como mucho hasta {safe} kPa: {pressure} kPa es más de lo que película y soldadura aguantan con un margen de {margin}. Proteja sus ojos.</translation>
     </message>
     <message>
         <source>Fill with air a little and brush soapy water along the weld: bubbles show leaks. Weld once more there.</source>
@@ -1236,7 +1236,7 @@
     </message>
     <message>
         <source>Filled shape</source>
-        <translation type="unfinished"></translation>
+        <translation>Forma rellena</translation>
     </message>
     <message>
         <source>Film</source>
@@ -1344,7 +1344,7 @@
     </message>
     <message>
         <source>Glue</source>
-        <translation type="unfinished"></translation>
+        <translation>Pegamento</translation>
     </message>
     <message>
         <source>Glue a strip of {seal} mm along the dashed line. Let it dry under a weight.</source>
@@ -1368,7 +1368,7 @@
     </message>
     <message>
         <source>Glued seam</source>
-        <translation type="unfinished"></translation>
+        <translation>Costura pegada</translation>
     </message>
     <message>
         <source>Grain</source>
@@ -1396,7 +1396,7 @@
     </message>
     <message>
         <source>Heat</source>
-        <translation type="unfinished"></translation>
+        <translation>Calor</translation>
     </message>
     <message>
         <source>Heat sealer on a plotter</source>
@@ -1412,7 +1412,7 @@
     </message>
     <message>
         <source>High frequency</source>
-        <translation type="unfinished"></translation>
+        <translation>Alta frecuencia</translation>
     </message>
     <message>
         <source>How wide shall it be?</source>
@@ -1456,7 +1456,7 @@
     </message>
     <message>
         <source>Ink, or a slip of baking paper</source>
-        <translation type="unfinished"></translation>
+        <translation>Tinta, o un trozo de papel de hornear</translation>
     </message>
     <message>
         <source>Inkscape</source>
@@ -1472,7 +1472,7 @@
     </message>
     <message>
         <source>Intake on a thin part</source>
-        <translation type="unfinished"></translation>
+        <translation>Boca en una parte fina</translation>
     </message>
     <message>
         <source>It is not inflated yet: choose Inflate now in its context menu, or switch Live on.</source>
@@ -1484,19 +1484,19 @@
     </message>
     <message>
         <source>Join the panels along the dashed line, {seal} mm wide, all the way round.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una los paneles a lo largo de la línea discontinua, con {seal} mm de ancho, todo alrededor.</translation>
     </message>
     <message>
         <source>Join the panels along the dashed line, {seal} mm wide; leave the mouth of the neck open.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una los paneles a lo largo de la línea discontinua, con {seal} mm de ancho; deje abierta la boca del cuello.</translation>
     </message>
     <message>
         <source>Join the panels along the lines inside the balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una los paneles por las líneas del interior del globo.</translation>
     </message>
     <message>
         <source>Joining</source>
-        <translation type="unfinished"></translation>
+        <translation>Unión</translation>
     </message>
     <message>
         <source>Keep the proportions</source>
@@ -1520,7 +1520,7 @@
     </message>
     <message>
         <source>Laid one piece after another: the package spyrrow (pip install spyrrow) often finds a closer layout.</source>
-        <translation type="unfinished"></translation>
+        <translation>Las piezas se colocaron una tras otra: el paquete spyrrow (pip install spyrrow) suele hallar una colocación más apretada.</translation>
     </message>
     <message>
         <source>Largest strain</source>
@@ -1528,7 +1528,7 @@
     </message>
     <message>
         <source>Laser</source>
-        <translation type="unfinished"></translation>
+        <translation>Láser</translation>
     </message>
     <message>
         <source>Lay a picture under the paper for tracing; press again to take it away</source>
@@ -1536,7 +1536,7 @@
     </message>
     <message>
         <source>Lay both valve strips on each other, their lines together. On the field marked on VALVE, INK put heat-resistant ink, or a slip of baking paper between the strips. Weld them along both long lines.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ponga las dos tiras de la válvula una sobre otra, haciendo coincidir sus líneas. En el campo marcado en VALVE, INK ponga tinta resistente al calor, o un trozo de papel de hornear entre las tiras. Suéldelas por las dos líneas largas.</translation>
     </message>
     <message>
         <source>Lay out</source>
@@ -1548,7 +1548,7 @@
     </message>
     <message>
         <source>Lay the grain of both panels the same way.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ponga la fibra de ambos paneles en la misma dirección.</translation>
     </message>
     <message>
         <source>Lay the panels on each other, sealing sides inward. Line them up by the notches or edges; tape outside the cut.</source>
@@ -1560,7 +1560,7 @@
     </message>
     <message>
         <source>Lay the strips into the neck of one panel, end at the mouth, line on line. Tack them to this panel only, with two spots of weld on the line, beside the channel.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ponga las tiras en el cuello de un panel, con el extremo en la boca, línea sobre línea. Fíjelas solo a este panel, con dos puntos de soldadura en la línea, junto al canal.</translation>
     </message>
     <message>
         <source>Layers, millimetres and arcs, to go on drawing.</source>
@@ -1596,7 +1596,7 @@
     </message>
     <message>
         <source>LightBurn project (laser)</source>
-        <translation type="unfinished"></translation>
+        <translation>Proyecto de LightBurn (láser)</translation>
     </message>
     <message>
         <source>Line</source>
@@ -1624,7 +1624,7 @@
     </message>
     <message>
         <source>Low</source>
-        <translation type="unfinished"></translation>
+        <translation>Abajo</translation>
     </message>
     <message>
         <source>Machine</source>
@@ -1652,7 +1652,7 @@
     </message>
     <message>
         <source>May be cut</source>
-        <translation type="unfinished"></translation>
+        <translation>Se puede cortar</translation>
     </message>
     <message>
         <source>Measured on the inflated balloon.</source>
@@ -1720,7 +1720,7 @@
     </message>
     <message>
         <source>Never</source>
-        <translation type="unfinished"></translation>
+        <translation>Nunca</translation>
     </message>
     <message>
         <source>Never cut PVC with a laser: it gives off hydrogen chloride, which is toxic and ruins the machine. Weld with high frequency or hot air. Stretches visibly: at 2 kPa the shape depends on the grade and on the pressure.</source>
@@ -1728,7 +1728,7 @@
     </message>
     <message>
         <source>Never cut this film with a laser.</source>
-        <translation type="unfinished"></translation>
+        <translation>No corte nunca esta película con láser.</translation>
     </message>
     <message>
         <source>New balloon from picture</source>
@@ -1760,7 +1760,7 @@
     </message>
     <message>
         <source>No pattern here has pieces of "{0}": choose another film.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ningún patrón de aquí tiene piezas de «{0}»: elija otra película.</translation>
     </message>
     <message>
         <source>No shape stands out in the picture. Use stronger colours or a plainer background.</source>
@@ -1808,7 +1808,7 @@
     </message>
     <message>
         <source>Nowhere on the seam is room for an intake of {0}: choose a narrower one, or a place for it.</source>
-        <translation type="unfinished"></translation>
+        <translation>En ningún lugar de la costura cabe una boca de {0}: elija una más estrecha, o un lugar para ella.</translation>
     </message>
     <message>
         <source>Nozzle with flange</source>
@@ -1832,11 +1832,11 @@
     </message>
     <message>
         <source>On the way of the valve the balloon narrows to {0} at {1}; its channel takes {2} with its welds there. Make the neck wider or put it elsewhere, else the weld closes the valve.</source>
-        <translation type="unfinished"></translation>
+        <translation>En el camino de la válvula el globo se estrecha a {0} en {1}; su canal ocupa ahí {2} con sus soldaduras. Ensanche el cuello o póngalo en otro lugar; si no, la soldadura cierra la válvula.</translation>
     </message>
     <message>
         <source>Once the seam is closed, turn the tail in through itself with a straw, at the mark beside the balloon, and fill through it up to the second mark. Pull the straw out: the air in the balloon presses the tail flat.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una vez cerrada la costura, vuelva la cola hacia dentro con una pajita, en la marca junto al globo, y llene por ella hasta la segunda marca. Saque la pajita: el aire del globo aplasta la cola.</translation>
     </message>
     <message>
         <source>One large page</source>
@@ -1848,7 +1848,7 @@
     </message>
     <message>
         <source>Only grades of this film with a sealing layer weld: try scraps before you cut.</source>
-        <translation type="unfinished"></translation>
+        <translation>De esta película solo se sueldan las calidades con capa de sellado: pruebe con retales antes de cortar.</translation>
     </message>
     <message>
         <source>Only the middle of the weld. A closed weld runs past its start, so that the joint is tight.</source>
@@ -1860,7 +1860,7 @@
     </message>
     <message>
         <source>Open it, do not import it. Outline, holes and notches are on cut layers, without speed and power: take them from your material library. Welds (T1) and all that is drawn (T2) are on tool layers, which LightBurn never burns.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ábralo, no lo importe. Contorno, agujeros y muescas están en capas de corte, sin velocidad ni potencia: tómelas de su biblioteca de materiales. Las soldaduras (T1) y todo lo dibujado (T2) están en capas de herramienta, que LightBurn nunca quema.</translation>
     </message>
     <message>
         <source>Opposite the intake</source>
@@ -1968,7 +1968,7 @@
     </message>
     <message>
         <source>Pen drawing</source>
-        <translation type="unfinished"></translation>
+        <translation>Dibujo a línea</translation>
     </message>
     <message>
         <source>Picture, SVG, DXF or JSON</source>
@@ -1988,7 +1988,7 @@
     </message>
     <message>
         <source>Place</source>
-        <translation type="unfinished"></translation>
+        <translation>Lugar</translation>
     </message>
     <message>
         <source>Place by</source>
@@ -2020,7 +2020,7 @@
     </message>
     <message>
         <source>Plotter units of 0.025 mm. Pen 1 draws the control bar, pen 2 cuts the notches, pen 3 the rest. Nothing is in the file that may not be cut. For a swivel knife set its offset, 0.25 mm is common. Cuts run 1 mm past their start: set overcut_mm to 0 where the cutter does that itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Unidades de trazador de 0,025 mm. La pluma 1 dibuja la barra de control, la 2 corta las muescas, la 3 lo demás. En el archivo no hay nada que no se pueda cortar. Con cuchilla giratoria ajuste su desvío; 0,25 mm es lo habitual. Los cortes pasan 1 mm de su comienzo: ponga overcut_mm a 0 si la cortadora ya lo hace.</translation>
     </message>
     <message>
         <source>Point {0} of the JSON file's {1} is not a pair of numbers. {2}</source>
@@ -2036,11 +2036,11 @@
     </message>
     <message>
         <source>Polylines at the real size with a layer and a colour for each role. CUT, CUT_INNER and NOTCH are cut, SEAL and WELD welded, all others drawn.</source>
-        <translation type="unfinished"></translation>
+        <translation>Polilíneas a tamaño real con una capa y un color para cada función. CUT, CUT_INNER y NOTCH se cortan, SEAL y WELD se sueldan, todo lo demás se dibuja.</translation>
     </message>
     <message>
         <source>Polylines in millimetres with a layer for each role: what every program reads. CUT, CUT_INNER and NOTCH are cut, SEAL and WELD welded, all others drawn.</source>
-        <translation type="unfinished"></translation>
+        <translation>Polilíneas en milímetros con una capa para cada función: lo que lee cualquier programa. CUT, CUT_INNER y NOTCH se cortan, SEAL y WELD se sueldan, todo lo demás se dibuja.</translation>
     </message>
     <message>
         <source>Predicted from the outline; not inflated yet.</source>
@@ -2068,11 +2068,11 @@
     </message>
     <message>
         <source>Push a straw in, fill, pull it out and close the neck like the seam, straight across beside the balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>Meta una pajita, llene, sáquela y cierre el cuello como la costura, recto a través, junto al globo.</translation>
     </message>
     <message>
         <source>Push the nozzle through the hole of the front panel from inside, put the ring over it from outside, and join flange, film and ring like the seam, along the ring's line, before the panels are joined.</source>
-        <translation type="unfinished"></translation>
+        <translation>Meta la boquilla desde dentro por el agujero del panel delantero, ponga el anillo encima por fuera y una brida, película y anillo como la costura, por la línea del anillo, antes de unir los paneles.</translation>
     </message>
     <message>
         <source>Put a picture on the paper, without its background</source>
@@ -2084,7 +2084,7 @@
     </message>
     <message>
         <source>Put the intake low</source>
-        <translation type="unfinished"></translation>
+        <translation>Poner la boca abajo</translation>
     </message>
     <message>
         <source>RDWorks (Ruida laser)</source>
@@ -2188,11 +2188,11 @@
     </message>
     <message>
         <source>Seam</source>
-        <translation type="unfinished"></translation>
+        <translation>Costura</translation>
     </message>
     <message>
         <source>Seam length</source>
-        <translation type="unfinished"></translation>
+        <translation>Longitud de costura</translation>
     </message>
     <message>
         <source>Second panel, mirrored</source>
@@ -2328,11 +2328,11 @@
     </message>
     <message>
         <source>Strips</source>
-        <translation type="unfinished"></translation>
+        <translation>Tiras</translation>
     </message>
     <message>
         <source>Strips welded together</source>
-        <translation type="unfinished"></translation>
+        <translation>Tiras soldadas entre sí</translation>
     </message>
     <message>
         <source>Symmetry</source>
@@ -2348,7 +2348,7 @@
     </message>
     <message>
         <source>Tacked to one panel</source>
-        <translation type="unfinished"></translation>
+        <translation>Fijadas a un panel</translation>
     </message>
     <message>
         <source>Take everything off the paper</source>
@@ -2368,19 +2368,19 @@
     </message>
     <message>
         <source>Tape</source>
-        <translation type="unfinished"></translation>
+        <translation>Cinta</translation>
     </message>
     <message>
         <source>Tape along the dashed line, {seal} mm wide, all the way round.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pegue cinta a lo largo de la línea discontinua, con {seal} mm de ancho, todo alrededor.</translation>
     </message>
     <message>
         <source>Tape along the dashed line, {seal} mm wide; leave the mouth of the neck open.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pegue cinta a lo largo de la línea discontinua, con {seal} mm de ancho; deje abierta la boca del cuello.</translation>
     </message>
     <message>
         <source>Taped seam</source>
-        <translation type="unfinished"></translation>
+        <translation>Costura con cinta</translation>
     </message>
     <message>
         <source>Tension</source>
@@ -2416,7 +2416,7 @@
     </message>
     <message>
         <source>The DXF file has errors; what could be read was taken from it.</source>
-        <translation type="unfinished"></translation>
+        <translation>El archivo DXF tiene errores; se tomó de él lo que se pudo leer.</translation>
     </message>
     <message>
         <source>The DXF file {0}; millimetres are assumed.</source>
@@ -2460,15 +2460,15 @@
     </message>
     <message>
         <source>The SVG file has a '{0}' of endless length. Save it as plain SVG once more.</source>
-        <translation type="unfinished"></translation>
+        <translation>El archivo SVG tiene un «{0}» de longitud infinita. Guárdelo de nuevo como SVG simple.</translation>
     </message>
     <message>
         <source>The SVG file has too many attributes. Save it as plain SVG once more.</source>
-        <translation type="unfinished"></translation>
+        <translation>El archivo SVG tiene demasiados atributos. Guárdelo de nuevo como SVG simple.</translation>
     </message>
     <message>
         <source>The SVG file has too many styles. Save it as plain SVG once more.</source>
-        <translation type="unfinished"></translation>
+        <translation>El archivo SVG tiene demasiados estilos. Guárdelo de nuevo como SVG simple.</translation>
     </message>
     <message>
         <source>The SVG file is damaged ({0}). Save it once more.</source>
@@ -2512,23 +2512,23 @@
     </message>
     <message>
         <source>The drawing has a curve through more than {0} points. Save it as a polyline.</source>
-        <translation type="unfinished"></translation>
+        <translation>El dibujo tiene una curva por más de {0} puntos. Guárdela como polilínea.</translation>
     </message>
     <message>
         <source>The drawing has blocks or copies that show themselves. Remove those from it.</source>
-        <translation type="unfinished"></translation>
+        <translation>El dibujo tiene bloques o copias que se muestran a sí mismos. Quítelos.</translation>
     </message>
     <message>
         <source>The drawing has more than {0} elements, with those of its blocks and copies. Leave only the outline and its holes in it.</source>
-        <translation type="unfinished"></translation>
+        <translation>El dibujo tiene más de {0} elementos, con los de sus bloques y copias. Deje solo el contorno y sus agujeros.</translation>
     </message>
     <message>
         <source>The drawing has more than {0} groups or blocks inside each other. Take them apart in the program it comes from.</source>
-        <translation type="unfinished"></translation>
+        <translation>El dibujo tiene más de {0} grupos o bloques unos dentro de otros. Sepárelos en el programa del que procede.</translation>
     </message>
     <message>
         <source>The drawing has more than {0} points. Simplify it in the program it comes from, or leave only the outline and its holes in it.</source>
-        <translation type="unfinished"></translation>
+        <translation>El dibujo tiene más de {0} puntos. Simplifíquelo en el programa del que procede o deje solo el contorno y sus agujeros.</translation>
     </message>
     <message>
         <source>The drawing has no closed line. Draw one, and turn texts and groups into paths.</source>
@@ -2540,7 +2540,7 @@
     </message>
     <message>
         <source>The drawing has too much text in its styles and transforms. Save it as plain SVG once more.</source>
-        <translation type="unfinished"></translation>
+        <translation>El dibujo tiene demasiado texto en sus estilos y transformaciones. Guárdelo de nuevo como SVG simple.</translation>
     </message>
     <message>
         <source>The drawing has {0} shape and no number {1}: choose another Part, or delete this balloon.</source>
@@ -2556,7 +2556,7 @@
     </message>
     <message>
         <source>The drawing takes more than {0} s to read. Simplify it in the program it comes from, or leave only the outline and its holes in it.</source>
-        <translation type="unfinished"></translation>
+        <translation>El dibujo tarda más de {0} s en leerse. Simplifíquelo en el programa del que procede o deje solo el contorno y sus agujeros.</translation>
     </message>
     <message>
         <source>The drawing was made symmetric: its halves were {0} apart, the left one was kept.</source>
@@ -2576,7 +2576,7 @@
     </message>
     <message>
         <source>The file is damaged or not a DXF file. Save it once more.</source>
-        <translation type="unfinished"></translation>
+        <translation>El archivo está dañado o no es un archivo DXF. Guárdelo de nuevo.</translation>
     </message>
     <message>
         <source>The file of gases {0} is of no use: {1}. Install it anew.</source>
@@ -2616,7 +2616,7 @@
     </message>
     <message>
         <source>The free edition opens DXF, not SVG. Choose "as is" for the size in the import preferences. Silhouette makes its own registration marks, and adds the knife's offset and overcut. Nothing is in the file that may not be cut.</source>
-        <translation type="unfinished"></translation>
+        <translation>La edición gratuita abre DXF, no SVG. Elija «tal cual» para el tamaño en las preferencias de importación. Silhouette hace sus propias marcas de registro y añade el desvío de la cuchilla y el sobrecorte. En el archivo no hay nada que no se pueda cortar.</translation>
     </message>
     <message>
         <source>The grain's angle {0} is no number: give degrees from the x axis.</source>
@@ -2644,7 +2644,7 @@
     </message>
     <message>
         <source>The holes of a filled shape stay, the lines of a pen drawing are filled inside</source>
-        <translation type="unfinished"></translation>
+        <translation>Los agujeros de una forma rellena quedan, las líneas de un dibujo a línea se rellenan por dentro</translation>
     </message>
     <message>
         <source>The inflated outline stays {0} from the drawing on average: film cannot follow this shape everywhere. Round off notches and widen thin parts.</source>
@@ -2664,7 +2664,7 @@
     </message>
     <message>
         <source>The intake is at the farthest point, on a part that becomes {measured} as thick as the balloon: there it is tied, hangs and is held. A low place carries it better.</source>
-        <translation type="unfinished"></translation>
+        <translation>La boca está en el punto más lejano, en una parte que queda con {measured} del grosor del globo: ahí se ata, cuelga y se sujeta. Un lugar bajo lo lleva mejor.</translation>
     </message>
     <message>
         <source>The intake opens into a part with {percent} of the film; the rest fills through something narrower than the intake. Move it to the largest part.</source>
@@ -2688,7 +2688,7 @@
     </message>
     <message>
         <source>The intake's place cannot be "{0}": choose {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>El lugar de la boca no puede ser «{0}»: elija {1}.</translation>
     </message>
     <message>
         <source>The intake's width must be between 0.01 mm and 10 m: give it about 10 mm.</source>
@@ -2704,7 +2704,7 @@
     </message>
     <message>
         <source>The layer MARK of the machine file {0}.json takes notches only. Rename it NOTCH, and where your machine can draw, add the layers FOLD and PEN.</source>
-        <translation type="unfinished"></translation>
+        <translation>La capa MARK del archivo de máquina {0}.json solo recibe muescas. Cámbiele el nombre a NOTCH y, si su máquina puede dibujar, añada las capas FOLD y PEN.</translation>
     </message>
     <message>
         <source>The layout failed: give the pieces more room.</source>
@@ -2712,7 +2712,7 @@
     </message>
     <message>
         <source>The layout of {0} is older than its patterns: recompute it.</source>
-        <translation type="unfinished"></translation>
+        <translation>La colocación de {0} es más antigua que sus patrones: recalcúlela.</translation>
     </message>
     <message>
         <source>The layout was stopped; nothing was changed.</source>
@@ -2748,7 +2748,7 @@
     </message>
     <message>
         <source>The native solver, which is faster, is not available: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>El solucionador nativo, más rápido, no está disponible: {0}</translation>
     </message>
     <message>
         <source>The nozzle's flange must be wider than its bore.</source>
@@ -2844,11 +2844,11 @@
     </message>
     <message>
         <source>The pieces of the intake "{0}" are cut from {1}: they have a file of their own, with all of them for each balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>Las piezas de la boca «{0}» se cortan de {1}: tienen un archivo propio, con todas ellas para cada globo.</translation>
     </message>
     <message>
         <source>The pieces of the intake "{0}" are of {1}, which does not weld to {2}: choose another intake, or a film that it welds to: {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Las piezas de la boca «{0}» son de {1}, que no se suelda con {2}: elija otra boca o una película con la que se suelde: {3}.</translation>
     </message>
     <message>
         <source>The pressure must be positive and at most {0} Pa, not {1} Pa. A party balloon has about 2 kPa.</source>
@@ -2908,7 +2908,7 @@
     </message>
     <message>
         <source>The strips of valves are not here: lay them out on a sheet of their own, with "Valve film".</source>
-        <translation type="unfinished"></translation>
+        <translation>Las tiras de las válvulas no están aquí: colóquelas en una lámina aparte, con «Película de válvula».</translation>
     </message>
     <message>
         <source>The temperature of the {0}, {1} degrees Celsius, is out of range: give one such as 20C.</source>
@@ -2920,7 +2920,7 @@
     </message>
     <message>
         <source>The valve reaches {0} into the balloon, past the weld at {1}: put the intake where the balloon is longer, or take another one.</source>
-        <translation type="unfinished"></translation>
+        <translation>La válvula entra {0} en el globo, más allá de la soldadura en {1}: ponga la boca donde el globo sea más largo o tome otra.</translation>
     </message>
     <message>
         <source>The volume must be positive, not {0} m3.</source>
@@ -2960,7 +2960,7 @@
     </message>
     <message>
         <source>The {0} line runs back along itself near {1}: simplify the drawing there.</source>
-        <translation type="unfinished"></translation>
+        <translation>La línea {0} vuelve sobre sí misma cerca de {1}: simplifique ahí el dibujo.</translation>
     </message>
     <message>
         <source>The {0} line that begins at {1} is open: programs fill, offset and cut closed lines only. Close it.</source>
@@ -3012,7 +3012,7 @@
     </message>
     <message>
         <source>There is no joining "{0}": choose one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>No hay unión «{0}»: elija una de {1}.</translation>
     </message>
     <message>
         <source>There is no look "{0}": choose one of {1}.</source>
@@ -3056,11 +3056,11 @@
     </message>
     <message>
         <source>There is too little memory for this: take a coarser mesh, or close other programs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hay muy poca memoria para esto: tome una malla más gruesa o cierre otros programas.</translation>
     </message>
     <message>
         <source>There is too little memory for this: take a coarser mesh, or close other programs. Details are in '{0}'.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hay muy poca memoria para esto: tome una malla más gruesa o cierre otros programas. Los detalles están en «{0}».</translation>
     </message>
     <message>
         <source>Thickness</source>
@@ -3096,11 +3096,11 @@
     </message>
     <message>
         <source>This is a fault of the program, not yours, and its details cannot be written anywhere. Please report it: {0}, {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es un fallo del programa, no suyo, y sus detalles no se pueden escribir en ningún sitio. Comuníquelo, por favor: {0}, {1}.</translation>
     </message>
     <message>
         <source>This is a fault of the program, not yours. Its details are in '{0}': please report it with this file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es un fallo del programa, no suyo. Sus detalles están en «{0}»: comuníquelo, por favor, con este archivo.</translation>
     </message>
     <message>
         <source>This is shape {0} of the {1} in the drawing.</source>
@@ -3164,11 +3164,11 @@
     </message>
     <message>
         <source>Unknown</source>
-        <translation type="unfinished"></translation>
+        <translation>Desconocido</translation>
     </message>
     <message>
         <source>Upload the SVG as a cut image and compare the control bar: some versions read the size at 72 dpi. Nothing is in the file that may not be cut. It adds the knife's offset and overcut itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Suba el SVG como imagen de corte y compare la barra de control: algunas versiones leen el tamaño a 72 dpi. En el archivo no hay nada que no se pueda cortar. El programa mismo añade el desvío de la cuchilla y el sobrecorte.</translation>
     </message>
     <message>
         <source>Used</source>
@@ -3176,11 +3176,11 @@
     </message>
     <message>
         <source>Valve film</source>
-        <translation type="unfinished"></translation>
+        <translation>Película de válvula</translation>
     </message>
     <message>
         <source>Valve, on one panel</source>
-        <translation type="unfinished"></translation>
+        <translation>Válvula, sobre un panel</translation>
     </message>
     <message>
         <source>Violet</source>
@@ -3196,7 +3196,7 @@
     </message>
     <message>
         <source>Weakest place</source>
-        <translation type="unfinished"></translation>
+        <translation>Lugar más débil</translation>
     </message>
     <message>
         <source>Weighing {0}</source>
@@ -3216,7 +3216,7 @@
     </message>
     <message>
         <source>Weld across the neck along its line, through panels and strips: the field keeps the channel open. Pull the slip out and blow through the valve.</source>
-        <translation type="unfinished"></translation>
+        <translation>Suelde a través del cuello por su línea, paneles y tiras juntos: el campo mantiene abierto el canal. Saque el trozo de papel y sople por la válvula.</translation>
     </message>
     <message>
         <source>Weld along the dashed line, {seal} mm wide, all the way round.</source>
@@ -3236,19 +3236,19 @@
     </message>
     <message>
         <source>Weld the two strips together along their lines; over the marked field, heat-resistant ink or a slip of baking paper keeps the channel open. Tack them to one panel, their end at the mouth; then weld round the balloon and across the neck. Fill with a 6 mm tube: the pressure closes the strips.</source>
-        <translation type="unfinished"></translation>
+        <translation>Suelde las dos tiras entre sí por sus líneas; sobre el campo marcado, tinta resistente al calor o un trozo de papel de hornear mantiene abierto el canal. Fíjelas a un panel, con el extremo en la boca; luego suelde alrededor del globo y a través del cuello. Llene con un tubo de 6 mm: la presión cierra las tiras.</translation>
     </message>
     <message>
         <source>Weld with high frequency along the dashed line, {seal} mm wide, all the way round.</source>
-        <translation type="unfinished"></translation>
+        <translation>Suelde por alta frecuencia a lo largo de la línea discontinua, con {seal} mm de ancho, todo alrededor.</translation>
     </message>
     <message>
         <source>Weld with high frequency along the dashed line, {seal} mm wide; leave the mouth of the neck open.</source>
-        <translation type="unfinished"></translation>
+        <translation>Suelde por alta frecuencia a lo largo de la línea discontinua, con {seal} mm de ancho; deje abierta la boca del cuello.</translation>
     </message>
     <message>
         <source>Welded across, last</source>
-        <translation type="unfinished"></translation>
+        <translation>Soldada a través, al final</translation>
     </message>
     <message>
         <source>Welds easily with an impulse sealer or an iron. Yields at about 9 MPa, half its tensile strength, and creeps: keep the pressure low.</source>
@@ -3256,7 +3256,7 @@
     </message>
     <message>
         <source>What it takes to make it</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que hace falta para hacerlo</translation>
     </message>
     <message>
         <source>What most shops ask for: R12, closed polylines, nothing on the sheet that is not cut. R12 knows no unit, so the file's name tells it.</source>
@@ -3268,7 +3268,7 @@
     </message>
     <message>
         <source>Whether the {0} of the intake's pieces welds to {1} is not known: try it on a scrap first.</source>
-        <translation type="unfinished"></translation>
+        <translation>No se sabe si {0} de las piezas de la boca se suelda con {1}: pruébelo antes en un retal.</translation>
     </message>
     <message>
         <source>While this is pressed, the ring in the 3D view moves the intake</source>
@@ -3300,7 +3300,7 @@
     </message>
     <message>
         <source>With the fonts of this computer {0} cannot be drawn, letter by letter from left to right: leave that out of the label, or install a font that has it and start again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Con los tipos de letra de este ordenador no se puede dibujar {0}, letra a letra de izquierda a derecha: quítelo de la etiqueta o instale un tipo de letra que lo tenga y vuelva a empezar.</translation>
     </message>
     <message>
         <source>Wrinkles</source>
@@ -3344,7 +3344,7 @@
     </message>
     <message>
         <source>a LightBurn project has layers up to {0}: change the pen.</source>
-        <translation type="unfinished"></translation>
+        <translation>un proyecto de LightBurn tiene capas hasta la {0}: cambie la pluma.</translation>
     </message>
     <message>
         <source>a coordinate is not a number</source>
@@ -3364,7 +3364,7 @@
     </message>
     <message>
         <source>another run has been writing there for a minute</source>
-        <translation type="unfinished"></translation>
+        <translation>otra ejecución lleva un minuto escribiendo ahí</translation>
     </message>
     <message>
         <source>apart {} in the mean, 95 % below {}, at most {}</source>
@@ -3396,7 +3396,7 @@
     </message>
     <message>
         <source>choose Drawn as filled shape</source>
-        <translation type="unfinished"></translation>
+        <translation>elija Forma rellena en «Dibujado como»</translation>
     </message>
     <message>
         <source>colour index {0} and pen {1} of {2} must be from 1 to 255.</source>
@@ -3420,7 +3420,7 @@
     </message>
     <message>
         <source>drawn mark</source>
-        <translation type="unfinished"></translation>
+        <translation>marca dibujada</translation>
     </message>
     <message>
         <source>empty: </source>
@@ -3436,7 +3436,7 @@
     </message>
     <message>
         <source>fold</source>
-        <translation type="unfinished"></translation>
+        <translation>pliegue</translation>
     </message>
     <message>
         <source>gas</source>
@@ -3444,11 +3444,11 @@
     </message>
     <message>
         <source>glued seam</source>
-        <translation type="unfinished"></translation>
+        <translation>costura pegada</translation>
     </message>
     <message>
         <source>glued seam inside</source>
-        <translation type="unfinished"></translation>
+        <translation>costura pegada interior</translation>
     </message>
     <message>
         <source>height</source>
@@ -3492,15 +3492,15 @@
     </message>
     <message>
         <source>it is nested too deeply</source>
-        <translation type="unfinished"></translation>
+        <translation>está anidado con demasiada profundidad</translation>
     </message>
     <message>
         <source>it is no file</source>
-        <translation type="unfinished"></translation>
+        <translation>no es un archivo</translation>
     </message>
     <message>
         <source>it is too large</source>
-        <translation type="unfinished"></translation>
+        <translation>es demasiado grande</translation>
     </message>
     <message>
         <source>it would grow together with another part</source>
@@ -3540,7 +3540,7 @@
     </message>
     <message>
         <source>may be cut</source>
-        <translation type="unfinished"></translation>
+        <translation>se puede cortar</translation>
     </message>
     <message>
         <source>more than</source>
@@ -3564,7 +3564,7 @@
     </message>
     <message>
         <source>notch</source>
-        <translation type="unfinished"></translation>
+        <translation>muesca</translation>
     </message>
     <message>
         <source>opacity</source>
@@ -3600,11 +3600,11 @@
     </message>
     <message>
         <source>seam</source>
-        <translation type="unfinished"></translation>
+        <translation>costura</translation>
     </message>
     <message>
         <source>seam inside</source>
-        <translation type="unfinished"></translation>
+        <translation>costura interior</translation>
     </message>
     <message>
         <source>serious</source>
@@ -3636,11 +3636,11 @@
     </message>
     <message>
         <source>taped seam</source>
-        <translation type="unfinished"></translation>
+        <translation>costura con cinta</translation>
     </message>
     <message>
         <source>taped seam inside</source>
-        <translation type="unfinished"></translation>
+        <translation>costura con cinta interior</translation>
     </message>
     <message>
         <source>taut: {:.0f} %</source>
@@ -3672,11 +3672,11 @@
     </message>
     <message>
         <source>the name "{0}" of the stock goes into file names: take letters a to z.</source>
-        <translation type="unfinished"></translation>
+        <translation>el nombre «{0}» del material va en los nombres de archivo: use letras de la a a la z.</translation>
     </message>
     <message>
         <source>the sealing side {0} is no polymer: give one such as "PE", or "none".</source>
-        <translation type="unfinished"></translation>
+        <translation>la cara de sellado {0} no es un polímero: indique uno como "PE", o "none".</translation>
     </message>
     <message>
         <source>there is no such corner</source>
@@ -3692,7 +3692,7 @@
     </message>
     <message>
         <source>thin PE film, 30 to 50 µm</source>
-        <translation type="unfinished"></translation>
+        <translation>película fina de PE, 30 a 50 µm</translation>
     </message>
     <message>
         <source>trial {0}, {1}</source>
@@ -3748,7 +3748,7 @@
     </message>
     <message>
         <source>{0} It is left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} Se omite.</translation>
     </message>
     <message>
         <source>{0} and {1} lines meet near {2}: move the hole inward or make the allowance narrower.</source>
@@ -3820,15 +3820,15 @@
     </message>
     <message>
         <source>{0} hole with a thin line round it was filled, as a pen's: choose Drawn as filled shape to keep it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se rellenó {0} agujero rodeado por una línea fina, como de pluma: elija Forma rellena en «Dibujado como» para conservarlo.</translation>
     </message>
     <message>
         <source>{0} holes with a thin line round them were filled, as a pen's: choose Drawn as filled shape to keep them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se rellenaron {0} agujeros rodeados por una línea fina, como de pluma: elija Forma rellena en «Dibujado como» para conservarlos.</translation>
     </message>
     <message>
         <source>{0} is a file</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} es un archivo</translation>
     </message>
     <message>
         <source>{0} is a folder</source>
@@ -3836,11 +3836,11 @@
     </message>
     <message>
         <source>{0} is damaged or incomplete ({1}). Install the workbench anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} está dañado o incompleto ({1}). Instale de nuevo el banco de trabajo.</translation>
     </message>
     <message>
         <source>{0} is damaged or incomplete. Install the workbench anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} está dañado o incompleto. Instale de nuevo el banco de trabajo.</translation>
     </message>
     <message>
         <source>{0} is empty: draw a closed line in it.</source>
@@ -3864,7 +3864,7 @@
     </message>
     <message>
         <source>{0} is not joined by heat: {1} is not made for it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} no se une con calor: {1} no está hecho para ello.</translation>
     </message>
     <message>
         <source>{0} is not up to date. {1}</source>
@@ -3880,7 +3880,7 @@
     </message>
     <message>
         <source>{0} is too large a number, or none</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} es un número demasiado grande, o no es un número</translation>
     </message>
     <message>
         <source>{0} is {1}: give a number from {2} to {3}.</source>
@@ -3928,7 +3928,7 @@
     </message>
     <message>
         <source>{0} must never be cut with a laser: choose a machine with a knife.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} no se debe cortar nunca con láser: elija una máquina con cuchilla.</translation>
     </message>
     <message>
         <source>{0} m²; wider than the usual roll</source>
@@ -4040,7 +4040,7 @@
     </message>
     <message>
         <source>{:.3g} g: film {:.3g}, seam and neck {:.2g}, valve {:.2g}</source>
-        <translation type="unfinished"></translation>
+        <translation>{:.3g} g: película {:.3g}, costura y cuello {:.2g}, válvula {:.2g}</translation>
     </message>
     <message>
         <source>{:.3g} m², wider than the usual roll</source>
@@ -4048,7 +4048,7 @@
     </message>
     <message>
         <source>{} at ({})</source>
-        <translation type="unfinished"></translation>
+        <translation>{} en ({})</translation>
     </message>
     <message>
         <source>{} files written to {}</source>
@@ -4084,7 +4084,7 @@
     </message>
     <message>
         <source>{}, seam {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}, costura {}</translation>
     </message>
     <message>
         <source>{}: {}</source>

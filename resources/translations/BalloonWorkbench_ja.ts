@@ -105,7 +105,7 @@
     </message>
     <message>
         <source>Find the place of the intake</source>
-        <translation type="unfinished"></translation>
+        <translation>注入口の位置を自動で決める</translation>
     </message>
     <message>
         <source>Fit inside width and height instead of stretching to both</source>
@@ -153,7 +153,7 @@
     </message>
     <message>
         <source>How a picture is read: holes of a filled shape stay, lines of a pen drawing are filled inside</source>
-        <translation type="unfinished"></translation>
+        <translation>画像の読み方：塗った形なら穴を残し、線画なら線の内側を塗る</translation>
     </message>
     <message>
         <source>How far the print goes past the cut</source>
@@ -173,7 +173,7 @@
     </message>
     <message>
         <source>How the grain of pieces lies, where their film has one</source>
-        <translation type="unfinished"></translation>
+        <translation>部品の流れ方向（フィルムに流れ方向がある場合）</translation>
     </message>
     <message>
         <source>How the intake is made and used</source>
@@ -181,7 +181,7 @@
     </message>
     <message>
         <source>How two panels of this film are joined</source>
-        <translation type="unfinished"></translation>
+        <translation>このフィルム 2 枚の接合方法</translation>
     </message>
     <message>
         <source>Inner width of the neck, or bore of the nozzle</source>
@@ -297,7 +297,7 @@
     </message>
     <message>
         <source>Only one side of this film can be joined so</source>
-        <translation type="unfinished"></translation>
+        <translation>このフィルムは片面しかそのように接合できない</translation>
     </message>
     <message>
         <source>Part of the film that the pieces take, in per cent</source>
@@ -325,7 +325,7 @@
     </message>
     <message>
         <source>Polymer of the side that is welded, such as PE; none where it does not weld, empty: not known</source>
-        <translation type="unfinished"></translation>
+        <translation>溶着する面のポリマー（PE など）。溶着できなければ none、空なら不明</translation>
     </message>
     <message>
         <source>Pressure in the inflated balloon</source>
@@ -549,15 +549,15 @@
     </message>
     <message>
         <source>Where it is found: farthest from the centre, or low, where a tied balloon hangs straight</source>
-        <translation type="unfinished"></translation>
+        <translation>自動で決める位置：中心から最も遠い所、または結んだ風船が真っすぐ下がる低い所</translation>
     </message>
     <message>
         <source>Whether a laser may cut this film</source>
-        <translation type="unfinished"></translation>
+        <translation>このフィルムをレーザーで切ってよいかどうか</translation>
     </message>
     <message>
         <source>Which film is laid out: pieces of a valve are on one of their own</source>
-        <translation type="unfinished"></translation>
+        <translation>並べるフィルム（弁の部品は別のフィルムから切る）</translation>
     </message>
     <message>
         <source>Which shape of the drawing it is; 1 is the largest</source>
@@ -652,7 +652,7 @@
     </message>
     <message>
         <source>'{0}' is damaged. Save it as PNG, JPEG or BMP once more.</source>
-        <translation type="unfinished"></translation>
+        <translation>「{0}」は壊れています。PNG、JPEG、BMP で保存し直してください。</translation>
     </message>
     <message>
         <source>'{0}' is empty. Choose another file.</source>
@@ -660,7 +660,7 @@
     </message>
     <message>
         <source>'{0}' is larger than {1} MB. Save it as JPEG or PNG.</source>
-        <translation type="unfinished"></translation>
+        <translation>「{0}」は {1} MB を超えています。JPEG か PNG で保存してください。</translation>
     </message>
     <message>
         <source>'{0}' is larger than {1} MB. Simplify the drawing.</source>
@@ -700,7 +700,7 @@
     </message>
     <message>
         <source>, estimated: the film did not come to rest</source>
-        <translation type="unfinished"></translation>
+        <translation>、推定値：フィルムが静止しませんでした</translation>
     </message>
     <message>
         <source>, {0} mm so far</source>
@@ -768,7 +768,7 @@
     </message>
     <message>
         <source>A picture cannot be drawn as "{0}": choose {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>画像の描き方「{0}」は使えません。{1} から選んでください。</translation>
     </message>
     <message>
         <source>A picture has no size of its own. Give the width or the height of the balloon.</source>
@@ -788,7 +788,7 @@
     </message>
     <message>
         <source>A strict reader that wants plain polylines. Layers are told apart by colour: cut red, blue and orange, set the output of all others to no.</source>
-        <translation type="unfinished"></translation>
+        <translation>単純なポリラインだけを読む厳格なプログラムです。レイヤーは色で区別されます。赤、青、オレンジを切り、ほかの色はすべて出力を「なし」にしてください。</translation>
     </message>
     <message>
         <source>A volume of {0} litres cannot be made: give one such as 10l.</source>
@@ -932,7 +932,7 @@
     </message>
     <message>
         <source>Balloon film</source>
-        <translation type="unfinished"></translation>
+        <translation>風船のフィルム</translation>
     </message>
     <message>
         <source>Balloon pattern</source>
@@ -1072,7 +1072,7 @@
     </message>
     <message>
         <source>Cut out the hole of the nozzle, in the front panel only.</source>
-        <translation type="unfinished"></translation>
+        <translation>ノズルの穴を、表側のフィルムだけに切り抜きます。</translation>
     </message>
     <message>
         <source>Cut out the holes inside.</source>
@@ -1144,7 +1144,7 @@
     </message>
     <message>
         <source>Drawn as</source>
-        <translation type="unfinished"></translation>
+        <translation>描き方</translation>
     </message>
     <message>
         <source>E across the grain</source>
@@ -1152,7 +1152,7 @@
     </message>
     <message>
         <source>Each stroke colour becomes an operation of its own: cut red, blue and orange, set all others to ignore. DXF is not read.</source>
-        <translation type="unfinished"></translation>
+        <translation>線の色ごとに別の加工になります。赤、青、オレンジを切り、ほかはすべて「無視」にしてください。DXF は読めません。</translation>
     </message>
     <message>
         <source>Edit artwork</source>
@@ -1176,7 +1176,7 @@
     </message>
     <message>
         <source>Every layer becomes a colour of the cut list; layers that share a colour would be merged. Set the import unit to millimetres. Cut red, blue and orange only and switch the output of all others off; the LightBurn project has them on tool layers already.</source>
-        <translation type="unfinished"></translation>
+        <translation>レイヤーごとにカットリストの色になり、同じ色のレイヤーはまとめられます。読み込み単位をミリメートルにしてください。切るのは赤、青、オレンジだけにし、ほかはすべて出力をオフにします。LightBurn プロジェクトなら、それらは初めからツールレイヤーにあります。</translation>
     </message>
     <message>
         <source>Expected thickness</source>
@@ -1196,7 +1196,7 @@
     </message>
     <message>
         <source>Farthest point</source>
-        <translation type="unfinished"></translation>
+        <translation>最も遠い所</translation>
     </message>
     <message>
         <source>File</source>
@@ -1212,11 +1212,11 @@
     </message>
     <message>
         <source>Fill through a tube of 6 mm, its end cut aslant, pushed 25 mm past the weld across the neck. Pull it out: the pressure presses the strips together.</source>
-        <translation type="unfinished"></translation>
+        <translation>先を斜めに切った 6 mm の管を、首を横切る溶着線の 25 mm 奥まで差し込んでふくらませます。管を抜くと、内圧が帯を押し合わせて閉じます。</translation>
     </message>
     <message>
         <source>Fill to {pressure} kPa, never above {safe} kPa: film and seam then keep a margin of {margin}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{pressure} kPa までふくらませ、{safe} kPa を超えないようにします。フィルムと継ぎ目に {margin} 倍の余裕が残ります。</translation>
     </message>
     <message>
         <source>Fill to {pressure} kPa, never above {safe} kPa: film and weld then keep a margin of {margin}.</source>
@@ -1224,11 +1224,11 @@
     </message>
     <message>
         <source>Fill to {safe} kPa at most: {pressure} kPa is more than film and seam bear with a margin of {margin}. Mind your eyes.</source>
-        <translation type="unfinished"></translation>
+        <translation>ふくらませるのは {safe} kPa までにします。{pressure} kPa は、フィルムと継ぎ目が {margin} 倍の余裕で耐えられる圧力を超えています。目を守ってください。</translation>
     </message>
     <message>
         <source>Fill to {safe} kPa at most: {pressure} kPa is more than film and weld bear with a margin of {margin}. Mind your eyes.</source>
-        <translation type="unfinished"></translation>
+        <translation>ふくらませるのは {safe} kPa までにします。{pressure} kPa は、フィルムと溶着線が {margin} 倍の余裕で耐えられる圧力を超えています。目を守ってください。</translation>
     </message>
     <message>
         <source>Fill with air a little and brush soapy water along the weld: bubbles show leaks. Weld once more there.</source>
@@ -1236,7 +1236,7 @@
     </message>
     <message>
         <source>Filled shape</source>
-        <translation type="unfinished"></translation>
+        <translation>塗った形</translation>
     </message>
     <message>
         <source>Film</source>
@@ -1344,7 +1344,7 @@
     </message>
     <message>
         <source>Glue</source>
-        <translation type="unfinished"></translation>
+        <translation>接着剤</translation>
     </message>
     <message>
         <source>Glue a strip of {seal} mm along the dashed line. Let it dry under a weight.</source>
@@ -1368,7 +1368,7 @@
     </message>
     <message>
         <source>Glued seam</source>
-        <translation type="unfinished"></translation>
+        <translation>接着の継ぎ目</translation>
     </message>
     <message>
         <source>Grain</source>
@@ -1396,7 +1396,7 @@
     </message>
     <message>
         <source>Heat</source>
-        <translation type="unfinished"></translation>
+        <translation>熱</translation>
     </message>
     <message>
         <source>Heat sealer on a plotter</source>
@@ -1412,7 +1412,7 @@
     </message>
     <message>
         <source>High frequency</source>
-        <translation type="unfinished"></translation>
+        <translation>高周波</translation>
     </message>
     <message>
         <source>How wide shall it be?</source>
@@ -1456,7 +1456,7 @@
     </message>
     <message>
         <source>Ink, or a slip of baking paper</source>
-        <translation type="unfinished"></translation>
+        <translation>インク、またはクッキングシートの小片</translation>
     </message>
     <message>
         <source>Inkscape</source>
@@ -1472,7 +1472,7 @@
     </message>
     <message>
         <source>Intake on a thin part</source>
-        <translation type="unfinished"></translation>
+        <translation>薄い部分にある注入口</translation>
     </message>
     <message>
         <source>It is not inflated yet: choose Inflate now in its context menu, or switch Live on.</source>
@@ -1484,19 +1484,19 @@
     </message>
     <message>
         <source>Join the panels along the dashed line, {seal} mm wide, all the way round.</source>
-        <translation type="unfinished"></translation>
+        <translation>破線に沿って幅 {seal} mm で、ぐるりと 1 周接合します。</translation>
     </message>
     <message>
         <source>Join the panels along the dashed line, {seal} mm wide; leave the mouth of the neck open.</source>
-        <translation type="unfinished"></translation>
+        <translation>破線に沿って幅 {seal} mm で接合します。首の口は開けておきます。</translation>
     </message>
     <message>
         <source>Join the panels along the lines inside the balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>風船の内側の線に沿って 2 枚を接合します。</translation>
     </message>
     <message>
         <source>Joining</source>
-        <translation type="unfinished"></translation>
+        <translation>接合方法</translation>
     </message>
     <message>
         <source>Keep the proportions</source>
@@ -1520,7 +1520,7 @@
     </message>
     <message>
         <source>Laid one piece after another: the package spyrrow (pip install spyrrow) often finds a closer layout.</source>
-        <translation type="unfinished"></translation>
+        <translation>部品を一つずつ並べました。パッケージ spyrrow（pip install spyrrow）なら、もっと詰まった並べ方が見つかることがよくあります。</translation>
     </message>
     <message>
         <source>Largest strain</source>
@@ -1528,7 +1528,7 @@
     </message>
     <message>
         <source>Laser</source>
-        <translation type="unfinished"></translation>
+        <translation>レーザー</translation>
     </message>
     <message>
         <source>Lay a picture under the paper for tracing; press again to take it away</source>
@@ -1536,7 +1536,7 @@
     </message>
     <message>
         <source>Lay both valve strips on each other, their lines together. On the field marked on VALVE, INK put heat-resistant ink, or a slip of baking paper between the strips. Weld them along both long lines.</source>
-        <translation type="unfinished"></translation>
+        <translation>弁の帯 2 本を、線を合わせて重ねます。VALVE, INK の帯の印の枠に、耐熱インクを塗るか、帯の間にクッキングシートの小片をはさみます。2 本の長い線に沿って溶着します。</translation>
     </message>
     <message>
         <source>Lay out</source>
@@ -1548,7 +1548,7 @@
     </message>
     <message>
         <source>Lay the grain of both panels the same way.</source>
-        <translation type="unfinished"></translation>
+        <translation>2 枚の流れ方向をそろえます。</translation>
     </message>
     <message>
         <source>Lay the panels on each other, sealing sides inward. Line them up by the notches or edges; tape outside the cut.</source>
@@ -1560,7 +1560,7 @@
     </message>
     <message>
         <source>Lay the strips into the neck of one panel, end at the mouth, line on line. Tack them to this panel only, with two spots of weld on the line, beside the channel.</source>
-        <translation type="unfinished"></translation>
+        <translation>帯を片方のフィルムの首に置き、端を口に、線を線に合わせます。このフィルムだけに、通り道の脇の線上 2 か所を点で溶着して仮留めします。</translation>
     </message>
     <message>
         <source>Layers, millimetres and arcs, to go on drawing.</source>
@@ -1596,7 +1596,7 @@
     </message>
     <message>
         <source>LightBurn project (laser)</source>
-        <translation type="unfinished"></translation>
+        <translation>LightBurn プロジェクト（レーザー）</translation>
     </message>
     <message>
         <source>Line</source>
@@ -1624,7 +1624,7 @@
     </message>
     <message>
         <source>Low</source>
-        <translation type="unfinished"></translation>
+        <translation>低い所</translation>
     </message>
     <message>
         <source>Machine</source>
@@ -1652,7 +1652,7 @@
     </message>
     <message>
         <source>May be cut</source>
-        <translation type="unfinished"></translation>
+        <translation>切ってよい</translation>
     </message>
     <message>
         <source>Measured on the inflated balloon.</source>
@@ -1720,7 +1720,7 @@
     </message>
     <message>
         <source>Never</source>
-        <translation type="unfinished"></translation>
+        <translation>絶対に不可</translation>
     </message>
     <message>
         <source>Never cut PVC with a laser: it gives off hydrogen chloride, which is toxic and ruins the machine. Weld with high frequency or hot air. Stretches visibly: at 2 kPa the shape depends on the grade and on the pressure.</source>
@@ -1728,7 +1728,7 @@
     </message>
     <message>
         <source>Never cut this film with a laser.</source>
-        <translation type="unfinished"></translation>
+        <translation>このフィルムは絶対にレーザーで切らないでください。</translation>
     </message>
     <message>
         <source>New balloon from picture</source>
@@ -1760,7 +1760,7 @@
     </message>
     <message>
         <source>No pattern here has pieces of "{0}": choose another film.</source>
-        <translation type="unfinished"></translation>
+        <translation>ここの型紙には「{0}」の部品がありません。別のフィルムを選んでください。</translation>
     </message>
     <message>
         <source>No shape stands out in the picture. Use stronger colours or a plainer background.</source>
@@ -1808,7 +1808,7 @@
     </message>
     <message>
         <source>Nowhere on the seam is room for an intake of {0}: choose a narrower one, or a place for it.</source>
-        <translation type="unfinished"></translation>
+        <translation>幅 {0} の注入口を付ける場所が外周のどこにもありません。細い注入口にするか、位置を指定してください。</translation>
     </message>
     <message>
         <source>Nozzle with flange</source>
@@ -1832,11 +1832,11 @@
     </message>
     <message>
         <source>On the way of the valve the balloon narrows to {0} at {1}; its channel takes {2} with its welds there. Make the neck wider or put it elsewhere, else the weld closes the valve.</source>
-        <translation type="unfinished"></translation>
+        <translation>弁の通る所で風船が {1} で {0} に狭まります。そこで弁の通り道は溶着線を含めて {2} 必要です。首を広くするか別の所に付けないと、溶着で弁がふさがります。</translation>
     </message>
     <message>
         <source>Once the seam is closed, turn the tail in through itself with a straw, at the mark beside the balloon, and fill through it up to the second mark. Pull the straw out: the air in the balloon presses the tail flat.</source>
-        <translation type="unfinished"></translation>
+        <translation>継ぎ目を閉じたら、風船のそばの印で尾をストローで内側へ裏返し、2 番目の印までストローを入れて空気を入れます。ストローを抜くと、中の空気が尾を平らに押さえます。</translation>
     </message>
     <message>
         <source>One large page</source>
@@ -1848,7 +1848,7 @@
     </message>
     <message>
         <source>Only grades of this film with a sealing layer weld: try scraps before you cut.</source>
-        <translation type="unfinished"></translation>
+        <translation>このフィルムで溶着できるのはシール層のある品種だけです。切る前に端切れで試してください。</translation>
     </message>
     <message>
         <source>Only the middle of the weld. A closed weld runs past its start, so that the joint is tight.</source>
@@ -1860,7 +1860,7 @@
     </message>
     <message>
         <source>Open it, do not import it. Outline, holes and notches are on cut layers, without speed and power: take them from your material library. Welds (T1) and all that is drawn (T2) are on tool layers, which LightBurn never burns.</source>
-        <translation type="unfinished"></translation>
+        <translation>読み込み（インポート）ではなく、開いてください。輪郭、穴、合印は切断レイヤーにあり、速度と出力は入っていません。自分の材料ライブラリーから設定してください。溶着線（T1）と描く線（T2）はツールレイヤーにあり、LightBurn が焼くことはありません。</translation>
     </message>
     <message>
         <source>Opposite the intake</source>
@@ -1968,7 +1968,7 @@
     </message>
     <message>
         <source>Pen drawing</source>
-        <translation type="unfinished"></translation>
+        <translation>線画</translation>
     </message>
     <message>
         <source>Picture, SVG, DXF or JSON</source>
@@ -1988,7 +1988,7 @@
     </message>
     <message>
         <source>Place</source>
-        <translation type="unfinished"></translation>
+        <translation>位置</translation>
     </message>
     <message>
         <source>Place by</source>
@@ -2020,7 +2020,7 @@
     </message>
     <message>
         <source>Plotter units of 0.025 mm. Pen 1 draws the control bar, pen 2 cuts the notches, pen 3 the rest. Nothing is in the file that may not be cut. For a swivel knife set its offset, 0.25 mm is common. Cuts run 1 mm past their start: set overcut_mm to 0 where the cutter does that itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>プロッター単位は 0.025 mm です。ペン 1 は確認用の棒を描き、ペン 2 は合印、ペン 3 は残りを切ります。切ってはいけない線はファイルに入っていません。回転刃ではオフセットを設定してください（普通 0.25 mm）。切り線は始点を 1 mm 越えます。カッターが自分で越えて切るなら overcut_mm を 0 にしてください。</translation>
     </message>
     <message>
         <source>Point {0} of the JSON file's {1} is not a pair of numbers. {2}</source>
@@ -2036,11 +2036,11 @@
     </message>
     <message>
         <source>Polylines at the real size with a layer and a colour for each role. CUT, CUT_INNER and NOTCH are cut, SEAL and WELD welded, all others drawn.</source>
-        <translation type="unfinished"></translation>
+        <translation>原寸のポリライン。役割ごとにレイヤーと色があります。CUT、CUT_INNER、NOTCH は切り、SEAL と WELD は溶着し、ほかはすべて描きます。</translation>
     </message>
     <message>
         <source>Polylines in millimetres with a layer for each role: what every program reads. CUT, CUT_INNER and NOTCH are cut, SEAL and WELD welded, all others drawn.</source>
-        <translation type="unfinished"></translation>
+        <translation>ミリメートルのポリライン。役割ごとのレイヤーで、どのプログラムでも読めます。CUT、CUT_INNER、NOTCH は切り、SEAL と WELD は溶着し、ほかはすべて描きます。</translation>
     </message>
     <message>
         <source>Predicted from the outline; not inflated yet.</source>
@@ -2068,11 +2068,11 @@
     </message>
     <message>
         <source>Push a straw in, fill, pull it out and close the neck like the seam, straight across beside the balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>ストローを差し込んでふくらませ、抜いてから、風船のそばで首を真横に、継ぎ目と同じやり方で閉じます。</translation>
     </message>
     <message>
         <source>Push the nozzle through the hole of the front panel from inside, put the ring over it from outside, and join flange, film and ring like the seam, along the ring's line, before the panels are joined.</source>
-        <translation type="unfinished"></translation>
+        <translation>ノズルを表側フィルムの穴に内側から通し、外側から輪をかぶせ、表裏を合わせる前に、フランジ、フィルム、輪を輪の線に沿って、継ぎ目と同じやり方で接合します。</translation>
     </message>
     <message>
         <source>Put a picture on the paper, without its background</source>
@@ -2084,7 +2084,7 @@
     </message>
     <message>
         <source>Put the intake low</source>
-        <translation type="unfinished"></translation>
+        <translation>注入口を低い所に付ける</translation>
     </message>
     <message>
         <source>RDWorks (Ruida laser)</source>
@@ -2188,11 +2188,11 @@
     </message>
     <message>
         <source>Seam</source>
-        <translation type="unfinished"></translation>
+        <translation>継ぎ目</translation>
     </message>
     <message>
         <source>Seam length</source>
-        <translation type="unfinished"></translation>
+        <translation>継ぎ目の長さ</translation>
     </message>
     <message>
         <source>Second panel, mirrored</source>
@@ -2328,11 +2328,11 @@
     </message>
     <message>
         <source>Strips</source>
-        <translation type="unfinished"></translation>
+        <translation>帯</translation>
     </message>
     <message>
         <source>Strips welded together</source>
-        <translation type="unfinished"></translation>
+        <translation>帯どうしを溶着</translation>
     </message>
     <message>
         <source>Symmetry</source>
@@ -2348,7 +2348,7 @@
     </message>
     <message>
         <source>Tacked to one panel</source>
-        <translation type="unfinished"></translation>
+        <translation>片方のフィルムに仮留め</translation>
     </message>
     <message>
         <source>Take everything off the paper</source>
@@ -2368,19 +2368,19 @@
     </message>
     <message>
         <source>Tape</source>
-        <translation type="unfinished"></translation>
+        <translation>テープ</translation>
     </message>
     <message>
         <source>Tape along the dashed line, {seal} mm wide, all the way round.</source>
-        <translation type="unfinished"></translation>
+        <translation>破線に沿って幅 {seal} mm で、ぐるりと 1 周テープで留めます。</translation>
     </message>
     <message>
         <source>Tape along the dashed line, {seal} mm wide; leave the mouth of the neck open.</source>
-        <translation type="unfinished"></translation>
+        <translation>破線に沿って幅 {seal} mm でテープで留めます。首の口は開けておきます。</translation>
     </message>
     <message>
         <source>Taped seam</source>
-        <translation type="unfinished"></translation>
+        <translation>テープの継ぎ目</translation>
     </message>
     <message>
         <source>Tension</source>
@@ -2416,7 +2416,7 @@
     </message>
     <message>
         <source>The DXF file has errors; what could be read was taken from it.</source>
-        <translation type="unfinished"></translation>
+        <translation>DXF ファイルに誤りがあります。読めたものだけを取り込みました。</translation>
     </message>
     <message>
         <source>The DXF file {0}; millimetres are assumed.</source>
@@ -2460,15 +2460,15 @@
     </message>
     <message>
         <source>The SVG file has a '{0}' of endless length. Save it as plain SVG once more.</source>
-        <translation type="unfinished"></translation>
+        <translation>SVG ファイルに長さが無限の「{0}」があります。プレーン SVG で保存し直してください。</translation>
     </message>
     <message>
         <source>The SVG file has too many attributes. Save it as plain SVG once more.</source>
-        <translation type="unfinished"></translation>
+        <translation>SVG ファイルの属性が多すぎます。プレーン SVG で保存し直してください。</translation>
     </message>
     <message>
         <source>The SVG file has too many styles. Save it as plain SVG once more.</source>
-        <translation type="unfinished"></translation>
+        <translation>SVG ファイルのスタイルが多すぎます。プレーン SVG で保存し直してください。</translation>
     </message>
     <message>
         <source>The SVG file is damaged ({0}). Save it once more.</source>
@@ -2512,23 +2512,23 @@
     </message>
     <message>
         <source>The drawing has a curve through more than {0} points. Save it as a polyline.</source>
-        <translation type="unfinished"></translation>
+        <translation>図に {0} 個を超える点を通る曲線があります。ポリラインで保存してください。</translation>
     </message>
     <message>
         <source>The drawing has blocks or copies that show themselves. Remove those from it.</source>
-        <translation type="unfinished"></translation>
+        <translation>図に自分自身を含むブロックやコピーがあります。取り除いてください。</translation>
     </message>
     <message>
         <source>The drawing has more than {0} elements, with those of its blocks and copies. Leave only the outline and its holes in it.</source>
-        <translation type="unfinished"></translation>
+        <translation>図の要素が、ブロックやコピーの中も含めて {0} 個を超えています。輪郭と穴だけを残してください。</translation>
     </message>
     <message>
         <source>The drawing has more than {0} groups or blocks inside each other. Take them apart in the program it comes from.</source>
-        <translation type="unfinished"></translation>
+        <translation>図のグループやブロックが {0} 段を超えて入れ子になっています。元のプログラムで分解してください。</translation>
     </message>
     <message>
         <source>The drawing has more than {0} points. Simplify it in the program it comes from, or leave only the outline and its holes in it.</source>
-        <translation type="unfinished"></translation>
+        <translation>図の点が {0} 個を超えています。元のプログラムで簡単にするか、輪郭と穴だけを残してください。</translation>
     </message>
     <message>
         <source>The drawing has no closed line. Draw one, and turn texts and groups into paths.</source>
@@ -2540,7 +2540,7 @@
     </message>
     <message>
         <source>The drawing has too much text in its styles and transforms. Save it as plain SVG once more.</source>
-        <translation type="unfinished"></translation>
+        <translation>図のスタイルと変形の記述が多すぎます。プレーン SVG で保存し直してください。</translation>
     </message>
     <message>
         <source>The drawing has {0} shape and no number {1}: choose another Part, or delete this balloon.</source>
@@ -2556,7 +2556,7 @@
     </message>
     <message>
         <source>The drawing takes more than {0} s to read. Simplify it in the program it comes from, or leave only the outline and its holes in it.</source>
-        <translation type="unfinished"></translation>
+        <translation>図の読み込みに {0} s より長くかかります。元のプログラムで簡単にするか、輪郭と穴だけを残してください。</translation>
     </message>
     <message>
         <source>The drawing was made symmetric: its halves were {0} apart, the left one was kept.</source>
@@ -2576,7 +2576,7 @@
     </message>
     <message>
         <source>The file is damaged or not a DXF file. Save it once more.</source>
-        <translation type="unfinished"></translation>
+        <translation>ファイルは壊れているか、DXF ファイルではありません。保存し直してください。</translation>
     </message>
     <message>
         <source>The file of gases {0} is of no use: {1}. Install it anew.</source>
@@ -2616,7 +2616,7 @@
     </message>
     <message>
         <source>The free edition opens DXF, not SVG. Choose "as is" for the size in the import preferences. Silhouette makes its own registration marks, and adds the knife's offset and overcut. Nothing is in the file that may not be cut.</source>
-        <translation type="unfinished"></translation>
+        <translation>無料版が開けるのは DXF で、SVG ではありません。読み込み設定の大きさは「そのまま」にしてください。トンボは Silhouette が自分で作り、刃のオフセットと切り越しも自分で加えます。切ってはいけない線はファイルに入っていません。</translation>
     </message>
     <message>
         <source>The grain's angle {0} is no number: give degrees from the x axis.</source>
@@ -2644,7 +2644,7 @@
     </message>
     <message>
         <source>The holes of a filled shape stay, the lines of a pen drawing are filled inside</source>
-        <translation type="unfinished"></translation>
+        <translation>塗った形なら穴を残し、線画なら線の内側を塗ります</translation>
     </message>
     <message>
         <source>The inflated outline stays {0} from the drawing on average: film cannot follow this shape everywhere. Round off notches and widen thin parts.</source>
@@ -2664,7 +2664,7 @@
     </message>
     <message>
         <source>The intake is at the farthest point, on a part that becomes {measured} as thick as the balloon: there it is tied, hangs and is held. A low place carries it better.</source>
-        <translation type="unfinished"></translation>
+        <translation>注入口が最も遠い所にあり、その部分の厚みは風船の {measured} です。風船はそこで結ばれ、つるされ、持たれます。低い所の方がしっかり支えられます。</translation>
     </message>
     <message>
         <source>The intake opens into a part with {percent} of the film; the rest fills through something narrower than the intake. Move it to the largest part.</source>
@@ -2688,7 +2688,7 @@
     </message>
     <message>
         <source>The intake's place cannot be "{0}": choose {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>注入口の位置「{0}」は使えません。{1} から選んでください。</translation>
     </message>
     <message>
         <source>The intake's width must be between 0.01 mm and 10 m: give it about 10 mm.</source>
@@ -2704,7 +2704,7 @@
     </message>
     <message>
         <source>The layer MARK of the machine file {0}.json takes notches only. Rename it NOTCH, and where your machine can draw, add the layers FOLD and PEN.</source>
-        <translation type="unfinished"></translation>
+        <translation>機械のファイル {0}.json のレイヤー MARK には合印しか入りません。名前を NOTCH に変え、機械で描けるならレイヤー FOLD と PEN を加えてください。</translation>
     </message>
     <message>
         <source>The layout failed: give the pieces more room.</source>
@@ -2712,7 +2712,7 @@
     </message>
     <message>
         <source>The layout of {0} is older than its patterns: recompute it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} の配置は型紙より古くなっています。再計算してください。</translation>
     </message>
     <message>
         <source>The layout was stopped; nothing was changed.</source>
@@ -2748,7 +2748,7 @@
     </message>
     <message>
         <source>The native solver, which is faster, is not available: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>高速なネイティブソルバーは使えません：{0}</translation>
     </message>
     <message>
         <source>The nozzle's flange must be wider than its bore.</source>
@@ -2844,11 +2844,11 @@
     </message>
     <message>
         <source>The pieces of the intake "{0}" are cut from {1}: they have a file of their own, with all of them for each balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>注入口「{0}」の部品は {1} から切ります。風船ごとの全部品を入れた別のファイルがあります。</translation>
     </message>
     <message>
         <source>The pieces of the intake "{0}" are of {1}, which does not weld to {2}: choose another intake, or a film that it welds to: {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>注入口「{0}」の部品は {1} で、{2} とは溶着しません。別の注入口か、それと溶着できるフィルムを選んでください：{3}。</translation>
     </message>
     <message>
         <source>The pressure must be positive and at most {0} Pa, not {1} Pa. A party balloon has about 2 kPa.</source>
@@ -2908,7 +2908,7 @@
     </message>
     <message>
         <source>The strips of valves are not here: lay them out on a sheet of their own, with "Valve film".</source>
-        <translation type="unfinished"></translation>
+        <translation>弁の帯はここにはありません。「弁のフィルム」を選び、別のシートに並べてください。</translation>
     </message>
     <message>
         <source>The temperature of the {0}, {1} degrees Celsius, is out of range: give one such as 20C.</source>
@@ -2920,7 +2920,7 @@
     </message>
     <message>
         <source>The valve reaches {0} into the balloon, past the weld at {1}: put the intake where the balloon is longer, or take another one.</source>
-        <translation type="unfinished"></translation>
+        <translation>弁が風船の中へ {0} 入り、{1} で溶着線を越えます。風船がもっと長い所に注入口を付けるか、別の注入口にしてください。</translation>
     </message>
     <message>
         <source>The volume must be positive, not {0} m3.</source>
@@ -2960,7 +2960,7 @@
     </message>
     <message>
         <source>The {0} line runs back along itself near {1}: simplify the drawing there.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} の線が {1} 付近で折り返して自分に重なります。そこの図を簡単にしてください。</translation>
     </message>
     <message>
         <source>The {0} line that begins at {1} is open: programs fill, offset and cut closed lines only. Close it.</source>
@@ -3012,7 +3012,7 @@
     </message>
     <message>
         <source>There is no joining "{0}": choose one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>接合方法「{0}」はありません。{1} から選んでください。</translation>
     </message>
     <message>
         <source>There is no look "{0}": choose one of {1}.</source>
@@ -3056,11 +3056,11 @@
     </message>
     <message>
         <source>There is too little memory for this: take a coarser mesh, or close other programs.</source>
-        <translation type="unfinished"></translation>
+        <translation>メモリーが足りません。メッシュを粗くするか、ほかのプログラムを閉じてください。</translation>
     </message>
     <message>
         <source>There is too little memory for this: take a coarser mesh, or close other programs. Details are in '{0}'.</source>
-        <translation type="unfinished"></translation>
+        <translation>メモリーが足りません。メッシュを粗くするか、ほかのプログラムを閉じてください。詳細は「{0}」にあります。</translation>
     </message>
     <message>
         <source>Thickness</source>
@@ -3096,11 +3096,11 @@
     </message>
     <message>
         <source>This is a fault of the program, not yours, and its details cannot be written anywhere. Please report it: {0}, {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>これはプログラムの不具合で、あなたのせいではありません。詳細はどこにも書き込めませんでした。次の内容を報告してください：{0}、{1}。</translation>
     </message>
     <message>
         <source>This is a fault of the program, not yours. Its details are in '{0}': please report it with this file.</source>
-        <translation type="unfinished"></translation>
+        <translation>これはプログラムの不具合で、あなたのせいではありません。詳細は「{0}」にあります。このファイルを添えて報告してください。</translation>
     </message>
     <message>
         <source>This is shape {0} of the {1} in the drawing.</source>
@@ -3164,11 +3164,11 @@
     </message>
     <message>
         <source>Unknown</source>
-        <translation type="unfinished"></translation>
+        <translation>不明</translation>
     </message>
     <message>
         <source>Upload the SVG as a cut image and compare the control bar: some versions read the size at 72 dpi. Nothing is in the file that may not be cut. It adds the knife's offset and overcut itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>SVG をカット画像としてアップロードし、確認用の棒を比べてください。大きさを 72 dpi で読む版があります。切ってはいけない線はファイルに入っていません。刃のオフセットと切り越しは自分で加えます。</translation>
     </message>
     <message>
         <source>Used</source>
@@ -3176,11 +3176,11 @@
     </message>
     <message>
         <source>Valve film</source>
-        <translation type="unfinished"></translation>
+        <translation>弁のフィルム</translation>
     </message>
     <message>
         <source>Valve, on one panel</source>
-        <translation type="unfinished"></translation>
+        <translation>弁（片方のフィルムの上）</translation>
     </message>
     <message>
         <source>Violet</source>
@@ -3196,7 +3196,7 @@
     </message>
     <message>
         <source>Weakest place</source>
-        <translation type="unfinished"></translation>
+        <translation>最も弱い所</translation>
     </message>
     <message>
         <source>Weighing {0}</source>
@@ -3216,7 +3216,7 @@
     </message>
     <message>
         <source>Weld across the neck along its line, through panels and strips: the field keeps the channel open. Pull the slip out and blow through the valve.</source>
-        <translation type="unfinished"></translation>
+        <translation>首を横切る線に沿って、フィルムと帯を一緒に溶着します。印の枠が通り道を開けておきます。小片を抜き、弁に息を吹き込みます。</translation>
     </message>
     <message>
         <source>Weld along the dashed line, {seal} mm wide, all the way round.</source>
@@ -3236,19 +3236,19 @@
     </message>
     <message>
         <source>Weld the two strips together along their lines; over the marked field, heat-resistant ink or a slip of baking paper keeps the channel open. Tack them to one panel, their end at the mouth; then weld round the balloon and across the neck. Fill with a 6 mm tube: the pressure closes the strips.</source>
-        <translation type="unfinished"></translation>
+        <translation>帯 2 本を線に沿って溶着します。印の枠では、耐熱インクかクッキングシートの小片が通り道を開けておきます。端を口に合わせて片方のフィルムに仮留めし、それから風船のまわりと首を横切る線を溶着します。6 mm の管でふくらませると、内圧が帯を閉じます。</translation>
     </message>
     <message>
         <source>Weld with high frequency along the dashed line, {seal} mm wide, all the way round.</source>
-        <translation type="unfinished"></translation>
+        <translation>高周波で、破線に沿って幅 {seal} mm で、ぐるりと 1 周溶着します。</translation>
     </message>
     <message>
         <source>Weld with high frequency along the dashed line, {seal} mm wide; leave the mouth of the neck open.</source>
-        <translation type="unfinished"></translation>
+        <translation>高周波で、破線に沿って幅 {seal} mm で溶着します。首の口は開けておきます。</translation>
     </message>
     <message>
         <source>Welded across, last</source>
-        <translation type="unfinished"></translation>
+        <translation>最後に横切って溶着</translation>
     </message>
     <message>
         <source>Welds easily with an impulse sealer or an iron. Yields at about 9 MPa, half its tensile strength, and creeps: keep the pressure low.</source>
@@ -3256,7 +3256,7 @@
     </message>
     <message>
         <source>What it takes to make it</source>
-        <translation type="unfinished"></translation>
+        <translation>作るのに必要なもの</translation>
     </message>
     <message>
         <source>What most shops ask for: R12, closed polylines, nothing on the sheet that is not cut. R12 knows no unit, so the file's name tells it.</source>
@@ -3268,7 +3268,7 @@
     </message>
     <message>
         <source>Whether the {0} of the intake's pieces welds to {1} is not known: try it on a scrap first.</source>
-        <translation type="unfinished"></translation>
+        <translation>注入口の部品の {0} が {1} と溶着するかどうかは不明です。先に端切れで試してください。</translation>
     </message>
     <message>
         <source>While this is pressed, the ring in the 3D view moves the intake</source>
@@ -3300,7 +3300,7 @@
     </message>
     <message>
         <source>With the fonts of this computer {0} cannot be drawn, letter by letter from left to right: leave that out of the label, or install a font that has it and start again.</source>
-        <translation type="unfinished"></translation>
+        <translation>このコンピューターのフォントでは {0} を左から右へ 1 字ずつ描けません。文字から除くか、それのあるフォントを入れて起動し直してください。</translation>
     </message>
     <message>
         <source>Wrinkles</source>
@@ -3344,7 +3344,7 @@
     </message>
     <message>
         <source>a LightBurn project has layers up to {0}: change the pen.</source>
-        <translation type="unfinished"></translation>
+        <translation>LightBurn プロジェクトのレイヤーは {0} までです。ペンを変えてください。</translation>
     </message>
     <message>
         <source>a coordinate is not a number</source>
@@ -3364,7 +3364,7 @@
     </message>
     <message>
         <source>another run has been writing there for a minute</source>
-        <translation type="unfinished"></translation>
+        <translation>1 分前から別の実行が書き込んでいます</translation>
     </message>
     <message>
         <source>apart {} in the mean, 95 % below {}, at most {}</source>
@@ -3396,7 +3396,7 @@
     </message>
     <message>
         <source>choose Drawn as filled shape</source>
-        <translation type="unfinished"></translation>
+        <translation>「描き方」を「塗った形」にしてください</translation>
     </message>
     <message>
         <source>colour index {0} and pen {1} of {2} must be from 1 to 255.</source>
@@ -3420,7 +3420,7 @@
     </message>
     <message>
         <source>drawn mark</source>
-        <translation type="unfinished"></translation>
+        <translation>描いた印</translation>
     </message>
     <message>
         <source>empty: </source>
@@ -3436,7 +3436,7 @@
     </message>
     <message>
         <source>fold</source>
-        <translation type="unfinished"></translation>
+        <translation>折り線</translation>
     </message>
     <message>
         <source>gas</source>
@@ -3444,11 +3444,11 @@
     </message>
     <message>
         <source>glued seam</source>
-        <translation type="unfinished"></translation>
+        <translation>接着の継ぎ目</translation>
     </message>
     <message>
         <source>glued seam inside</source>
-        <translation type="unfinished"></translation>
+        <translation>内側の接着の継ぎ目</translation>
     </message>
     <message>
         <source>height</source>
@@ -3492,15 +3492,15 @@
     </message>
     <message>
         <source>it is nested too deeply</source>
-        <translation type="unfinished"></translation>
+        <translation>入れ子が深すぎます</translation>
     </message>
     <message>
         <source>it is no file</source>
-        <translation type="unfinished"></translation>
+        <translation>ファイルではありません</translation>
     </message>
     <message>
         <source>it is too large</source>
-        <translation type="unfinished"></translation>
+        <translation>大きすぎます</translation>
     </message>
     <message>
         <source>it would grow together with another part</source>
@@ -3540,7 +3540,7 @@
     </message>
     <message>
         <source>may be cut</source>
-        <translation type="unfinished"></translation>
+        <translation>切ってよい</translation>
     </message>
     <message>
         <source>more than</source>
@@ -3564,7 +3564,7 @@
     </message>
     <message>
         <source>notch</source>
-        <translation type="unfinished"></translation>
+        <translation>合印</translation>
     </message>
     <message>
         <source>opacity</source>
@@ -3600,11 +3600,11 @@
     </message>
     <message>
         <source>seam</source>
-        <translation type="unfinished"></translation>
+        <translation>継ぎ目</translation>
     </message>
     <message>
         <source>seam inside</source>
-        <translation type="unfinished"></translation>
+        <translation>内側の継ぎ目</translation>
     </message>
     <message>
         <source>serious</source>
@@ -3636,11 +3636,11 @@
     </message>
     <message>
         <source>taped seam</source>
-        <translation type="unfinished"></translation>
+        <translation>テープの継ぎ目</translation>
     </message>
     <message>
         <source>taped seam inside</source>
-        <translation type="unfinished"></translation>
+        <translation>内側のテープの継ぎ目</translation>
     </message>
     <message>
         <source>taut: {:.0f} %</source>
@@ -3672,11 +3672,11 @@
     </message>
     <message>
         <source>the name "{0}" of the stock goes into file names: take letters a to z.</source>
-        <translation type="unfinished"></translation>
+        <translation>材料の名前「{0}」はファイル名に使われます。a から z の文字にしてください。</translation>
     </message>
     <message>
         <source>the sealing side {0} is no polymer: give one such as "PE", or "none".</source>
-        <translation type="unfinished"></translation>
+        <translation>シール面 {0} はポリマーではありません。"PE" のように指定するか、"none" にしてください。</translation>
     </message>
     <message>
         <source>there is no such corner</source>
@@ -3692,7 +3692,7 @@
     </message>
     <message>
         <source>thin PE film, 30 to 50 µm</source>
-        <translation type="unfinished"></translation>
+        <translation>薄い PE フィルム、30～50 µm</translation>
     </message>
     <message>
         <source>trial {0}, {1}</source>
@@ -3748,7 +3748,7 @@
     </message>
     <message>
         <source>{0} It is left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} このファイルは無視します。</translation>
     </message>
     <message>
         <source>{0} and {1} lines meet near {2}: move the hole inward or make the allowance narrower.</source>
@@ -3820,15 +3820,15 @@
     </message>
     <message>
         <source>{0} hole with a thin line round it was filled, as a pen's: choose Drawn as filled shape to keep it.</source>
-        <translation type="unfinished"></translation>
+        <translation>細い線で囲まれた穴を {0} 個、線画とみなして塗りました。残すには「描き方」を「塗った形」にしてください。</translation>
     </message>
     <message>
         <source>{0} holes with a thin line round them were filled, as a pen's: choose Drawn as filled shape to keep them.</source>
-        <translation type="unfinished"></translation>
+        <translation>細い線で囲まれた穴を {0} 個、線画とみなして塗りました。残すには「描き方」を「塗った形」にしてください。</translation>
     </message>
     <message>
         <source>{0} is a file</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} はファイルです</translation>
     </message>
     <message>
         <source>{0} is a folder</source>
@@ -3836,11 +3836,11 @@
     </message>
     <message>
         <source>{0} is damaged or incomplete ({1}). Install the workbench anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} は壊れているか不完全です（{1}）。ワークベンチを入れ直してください。</translation>
     </message>
     <message>
         <source>{0} is damaged or incomplete. Install the workbench anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} は壊れているか不完全です。ワークベンチを入れ直してください。</translation>
     </message>
     <message>
         <source>{0} is empty: draw a closed line in it.</source>
@@ -3864,7 +3864,7 @@
     </message>
     <message>
         <source>{0} is not joined by heat: {1} is not made for it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} は熱で接合しません。{1} はそのための機械ではありません。</translation>
     </message>
     <message>
         <source>{0} is not up to date. {1}</source>
@@ -3880,7 +3880,7 @@
     </message>
     <message>
         <source>{0} is too large a number, or none</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} は大きすぎるか、数ではありません</translation>
     </message>
     <message>
         <source>{0} is {1}: give a number from {2} to {3}.</source>
@@ -3928,7 +3928,7 @@
     </message>
     <message>
         <source>{0} must never be cut with a laser: choose a machine with a knife.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} は絶対にレーザーで切ってはいけません。刃で切る機械を選んでください。</translation>
     </message>
     <message>
         <source>{0} m²; wider than the usual roll</source>
@@ -4040,7 +4040,7 @@
     </message>
     <message>
         <source>{:.3g} g: film {:.3g}, seam and neck {:.2g}, valve {:.2g}</source>
-        <translation type="unfinished"></translation>
+        <translation>{:.3g} g：フィルム {:.3g}、継ぎ目と首 {:.2g}、弁 {:.2g}</translation>
     </message>
     <message>
         <source>{:.3g} m², wider than the usual roll</source>
@@ -4048,7 +4048,7 @@
     </message>
     <message>
         <source>{} at ({})</source>
-        <translation type="unfinished"></translation>
+        <translation>{}（位置 {}）</translation>
     </message>
     <message>
         <source>{} files written to {}</source>
@@ -4084,7 +4084,7 @@
     </message>
     <message>
         <source>{}, seam {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}、継ぎ目 {}</translation>
     </message>
     <message>
         <source>{}: {}</source>
