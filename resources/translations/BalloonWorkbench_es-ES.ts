@@ -1595,6 +1595,10 @@
         <translation>LightBurn (láser)</translation>
     </message>
     <message>
+        <source>LightBurn has too few layers for panels in holes of panels: lay out fewer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>LightBurn project (laser)</source>
         <translation>Proyecto de LightBurn (láser)</translation>
     </message>
