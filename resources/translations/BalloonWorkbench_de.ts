@@ -1596,7 +1596,7 @@
     </message>
     <message>
         <source>LightBurn has too few layers for panels in holes of panels: lay out fewer.</source>
-        <translation type="unfinished"></translation>
+        <translation>LightBurn hat zu wenige Ebenen für Teile in Löchern von Teilen: weniger auslegen.</translation>
     </message>
     <message>
         <source>LightBurn project (laser)</source>

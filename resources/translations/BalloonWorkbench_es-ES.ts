@@ -1596,7 +1596,7 @@
     </message>
     <message>
         <source>LightBurn has too few layers for panels in holes of panels: lay out fewer.</source>
-        <translation type="unfinished"></translation>
+        <translation>LightBurn tiene muy pocas capas para piezas en agujeros de otras piezas: coloque menos.</translation>
     </message>
     <message>
         <source>LightBurn project (laser)</source>

@@ -1596,7 +1596,7 @@
     </message>
     <message>
         <source>LightBurn has too few layers for panels in holes of panels: lay out fewer.</source>
-        <translation type="unfinished"></translation>
+        <translation>LightBurn a trop peu de calques pour des pièces dans les trous d'autres pièces : disposez-en moins.</translation>
     </message>
     <message>
         <source>LightBurn project (laser)</source>

@@ -1596,7 +1596,7 @@
     </message>
     <message>
         <source>LightBurn has too few layers for panels in holes of panels: lay out fewer.</source>
-        <translation type="unfinished"></translation>
+        <translation>部品の穴の中にさらに部品があり、LightBurn のレイヤーが足りません。並べる数を減らしてください。</translation>
     </message>
     <message>
         <source>LightBurn project (laser)</source>
