@@ -2611,6 +2611,10 @@
         <translation>In der Foliendatei {0} fehlt {1}: es ergänzen.</translation>
     </message>
     <message>
+        <source>The film folds up and nothing of it is seen from above: make the shape thicker.</source>
+        <translation>Die Folie faltet sich, und von oben ist nichts von ihr zu sehen: die Form dicker machen.</translation>
+    </message>
+    <message>
         <source>The film needs a width of more than two spacings, and no spacing below 0.</source>
         <translation>Die Folie muss breiter sein als zwei Abstände, und kein Abstand kleiner als 0.</translation>
     </message>

@@ -2611,6 +2611,10 @@
         <translation>Al archivo de película {0} le falta {1}: añádalo.</translation>
     </message>
     <message>
+        <source>The film folds up and nothing of it is seen from above: make the shape thicker.</source>
+        <translation>La película se pliega y desde arriba no se ve nada de ella: haga la forma más gruesa.</translation>
+    </message>
+    <message>
         <source>The film needs a width of more than two spacings, and no spacing below 0.</source>
         <translation>La película debe ser más ancha que dos separaciones, y ninguna separación menor que 0.</translation>
     </message>

@@ -2611,6 +2611,10 @@
         <translation>Il manque {1} au fichier de film {0} : ajoutez-le.</translation>
     </message>
     <message>
+        <source>The film folds up and nothing of it is seen from above: make the shape thicker.</source>
+        <translation>Le film se replie et rien n'en est visible d'en haut : faites la forme plus épaisse.</translation>
+    </message>
+    <message>
         <source>The film needs a width of more than two spacings, and no spacing below 0.</source>
         <translation>Le film doit être plus large que deux espacements, et aucun espacement sous 0.</translation>
     </message>

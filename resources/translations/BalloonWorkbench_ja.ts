@@ -2611,6 +2611,10 @@
         <translation>フィルムのファイル {0} に {1} がありません。加えてください。</translation>
     </message>
     <message>
+        <source>The film folds up and nothing of it is seen from above: make the shape thicker.</source>
+        <translation>フィルムが折りたたまれ、上からは何も見えません。形を太くしてください。</translation>
+    </message>
+    <message>
         <source>The film needs a width of more than two spacings, and no spacing below 0.</source>
         <translation>フィルムの幅は間隔の 2 倍より広く、間隔は 0 以上にしてください。</translation>
     </message>

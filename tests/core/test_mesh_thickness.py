@@ -6,6 +6,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from BalloonWorkbench.core.errors import MeshError
+from BalloonWorkbench.core.mesh.sizing import size_field
 from BalloonWorkbench.core.mesh.thickness import fine_spacing, thickness
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.types import Floats
@@ -59,3 +61,14 @@ def test_a_sharp_tip_is_not_thin() -> None:
     tip = Outline(np.array([[0.0, 0.0], [4.0, 0.0], [0.0, 1.0]]))
     assert thinnest(tip)[0] > 0.5
     assert fine_spacing(tip, SPACING, 1e-4) == SPACING
+
+
+@pytest.mark.parametrize("width", [2e-5, 5e-4, 1e-3, 1.01e-3, 4e-3, 9e-3, 0.011])
+def test_a_strip_thinner_than_half_an_element_is_refused(width: float) -> None:
+    """However near its walls are to each other: they may be nearer than the points that look for them."""
+    strip = Outline(np.array([[0.0, 0.0], [0.3, 0.0], [0.3, width], [0.0, width]]))
+    if width > 0.01:
+        size_field(strip, 0.02)
+        return
+    with pytest.raises(MeshError, match="too thin for a mesh of 20 mm"):
+        size_field(strip, 0.02)

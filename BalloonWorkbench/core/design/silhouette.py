@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from BalloonWorkbench.core.errors import SolverError
 from BalloonWorkbench.core.outline.outline import Outline, signed_area
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.solver.inflation import Inflation
@@ -23,7 +24,10 @@ def silhouette(inflation: Inflation) -> Outline:
     package = shapely()
     halves = [inflation.positions] if inflation.lower is None else [inflation.positions, inflation.lower]
     shadow = package.union_all([_shadow(half, inflation.panel.triangles) for half in halves])
-    body = max(package.get_parts(shadow), key=lambda part: float(part.area))
+    bodies = package.get_parts(shadow)
+    if not len(bodies):
+        raise SolverError("The film folds up and nothing of it is seen from above: make the shape thicker.")
+    body = max(bodies, key=lambda part: float(part.area))
     holes = sorted((_loop(ring) for ring in body.interiors), key=signed_area, reverse=True)
     wanted = len(inflation.panel.seams) - 1
     return Outline(_loop(body.exterior), tuple(hole[::-1] for hole in holes[:wanted]))

@@ -74,6 +74,9 @@ def size_field(outline: Outline, size: float, rough: bool = False) -> SizeField:
     spacing = size / _SAMPLES_PER_SIZE if rough else _sample_spacing(outline, size)
     walls = thickness(outline, 1.1 * _MORE_ACROSS * size, spacing)
     thinnest, place = walls.thinnest
+    mean = 2.0 * outline.area / sum(float(arc_lengths(loop)[-1]) for loop in outline.loops)
+    if mean < thinnest:  # walls nearer to each other than the samples do not see each other
+        thinnest, place = mean, walls.points[0]
     coarsest = thinnest / (_FEWEST_ACROSS * _CHANNEL_SHARE)
     if size > coarsest:
         x, y = to_mm(place)
