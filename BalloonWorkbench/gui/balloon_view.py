@@ -100,8 +100,11 @@ class BalloonDisplay:
             self._soon.start(0)
 
     def follow(self) -> None:
-        """Show everything as it is now."""
+        """Show everything as it is now; while the document opens, wait until all its objects are there."""
         if not self._is_there():
+            return
+        if self.vobj.Object.Document.Restoring:
+            self._soon.start(0)
             return
         mode = self.vobj.DisplayMode
         if mode == PAINTED:

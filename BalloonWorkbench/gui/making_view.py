@@ -51,7 +51,7 @@ class ArtworkView(LinesView):
     def restored(self, vobj):
         self.show_print(vobj.Object)
 
-    def onChanged(self, vobj, name):
+    def changed(self, vobj, name):
         if name == "Visibility" and hasattr(self, "print"):
             self.show_print(vobj.Object)
 

@@ -25,6 +25,14 @@ class _View(Stateless):
     def restored(self, vobj):
         """The document is open again: what an older one lacks is added."""
 
+    def onChanged(self, vobj, name):
+        """FreeCAD sets what it reads from a file before our objects are up to date: `restored` follows."""
+        if not vobj.Object.Document.Restoring:
+            self.changed(vobj, name)
+
+    def changed(self, vobj, name):
+        """A property of the view provider has changed."""
+
     def icon_name(self) -> str:
         """The icon in the tree, with a sign where something is wrong."""
         from BalloonWorkbench.gui.remarks import sign
@@ -115,7 +123,7 @@ class BalloonView(_View):
 
         fill_menu(vobj.Object, menu)
 
-    def onChanged(self, vobj, name):
+    def changed(self, vobj, name):
         if hasattr(self, "display"):
             self.display.view_changed(name)
 

@@ -15,6 +15,7 @@ import hands
 import sketches
 
 from BalloonWorkbench.app import create
+from BalloonWorkbench.core import faults
 
 
 @pytest.fixture(autouse=True)
@@ -29,6 +30,24 @@ def workbench():
         App.closeDocument(name)
     hands.wait(0.05)
     assert not hands.panel_is_open()
+
+
+@pytest.fixture(autouse=True)
+def no_fault(monkeypatch):
+    """Nothing told of a fault of the program, which leaves a box in the window and goes on."""
+    told, report = [], faults.report_fault
+
+    def reported(error, doing):
+        told.append(f"{doing}: {error!r}")
+        return report(error, doing)
+
+    monkeypatch.setattr(faults, "report_fault", reported)
+    yield
+    hands.wait(0.02)
+    for box in hands.visible(hands.QtWidgets.QMessageBox):
+        if box.objectName() == "BalloonFault":
+            box.close()
+    assert not told
 
 
 @pytest.fixture

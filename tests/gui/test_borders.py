@@ -25,6 +25,11 @@ FAULT = "This is a fault of the program, not yours."
 
 
 @pytest.fixture(autouse=True)
+def no_fault():
+    """Here they are made."""
+
+
+@pytest.fixture(autouse=True)
 def ends():
     """A window that is frozen ends the run; a box is closed."""
     faulthandler.dump_traceback_later(120, exit=True, file=sys.__stderr__)
