@@ -146,6 +146,7 @@ def press(name):
 
 def leave():
     """Cancel the open panel, or close one that has nothing to take back."""
+    wait_until(panel_is_seen)
     box = visible(QtWidgets.QDialogButtonBox)[0]
     press("Cancel" if box.button(QtWidgets.QDialogButtonBox.Cancel) else "Close")
 
@@ -167,6 +168,11 @@ def drag(widget, start, end, steps=6):
 
 def panel_is_open():
     return bool(Gui.Control.activeDialog())
+
+
+def panel_is_seen():
+    """The open panel is on the screen: after its preferences, FreeCAD 1.1 brings it there a moment later."""
+    return panel_is_open() and bool(visible(QtWidgets.QDialogButtonBox))
 
 
 def panel_is_closed():

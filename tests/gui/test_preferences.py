@@ -93,7 +93,7 @@ def test_new_balloon_begins_with_them():
     preferences.put("Film", "pe")
     preferences.put("Width", 180.0)
     Gui.runCommand("BalloonWorkbench_FromPicture")
-    hands.wait_until(hands.panel_is_open)
+    hands.wait_until(hands.panel_is_seen)
     assert hands.find("Film").currentData() == "pe"
     assert hands.find("Width").property("rawValue") == pytest.approx(180.0)
     hands.press("Cancel")
