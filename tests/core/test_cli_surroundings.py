@@ -193,7 +193,8 @@ def interrupt(number: int) -> str:
     """Python that sends a signal when the balloon is to be made, or when the files are written."""
     act = f"lambda *a, **n: os.kill(os.getpid(), {number})"
     # a shell that runs the tests in the background lets its children ignore these
-    heard = "signal.signal(signal.SIGINT, signal.default_int_handler); signal.signal(signal.SIGHUP, signal.SIG_DFL)"
+    heard = "signal.signal(signal.SIGINT, signal.default_int_handler); "
+    heard += "signal.signal(signal.SIGHUP, signal.SIG_DFL)"
     return f"import os, signal; {heard}; from BalloonWorkbench import cli; cli.WHERE = {act}"
 
 
