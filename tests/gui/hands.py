@@ -147,6 +147,11 @@ def press(name):
 def leave():
     """Cancel the open panel, or close one that has nothing to take back."""
     wait_until(panel_is_seen)
+    close_panel()
+
+
+def close_panel():
+    """The same for a panel that is on the screen."""
     box = visible(QtWidgets.QDialogButtonBox)[0]
     press("Cancel" if box.button(QtWidgets.QDialogButtonBox.Cancel) else "Close")
 

@@ -300,8 +300,10 @@ def leave_all(run):
     hands.wait_until(lambda: not any(window.making for window in paint_window._open), 60)
     hands.wait(0.05)
     close_box()
+    # an OK whose fault is told may still be on its way to close its panel
+    hands.wait_until(lambda: hands.panel_is_closed() or hands.panel_is_seen())
     if hands.panel_is_open():
-        hands.leave()
+        hands.close_panel()
         hands.wait_until(hands.panel_is_closed, 20)
 
 
