@@ -139,6 +139,8 @@ def tick(box):
 
 def press(name):
     """OK or Cancel of the open panel."""
+    if panel_is_open() and not panel_is_seen():
+        wait_until(panel_is_seen)
     boxes = visible(QtWidgets.QDialogButtonBox)
     assert boxes, "no panel is open"
     click(boxes[0].button(getattr(QtWidgets.QDialogButtonBox, name)))

@@ -27,7 +27,8 @@ from BalloonWorkbench.core.nesting import nest
 from BalloonWorkbench.gui.paint import window as paint_window
 
 COUNT = int(os.environ.get("BALLOON_FAULTS", "12"))
-SAID = ("This is a fault of the program", "There is too little memory")
+#: The last one is what a data file that is of no use is said to have.
+SAID = ("This is a fault of the program", "There is too little memory", "put in by a test")
 _OFTEN = 4  # faults after which the same is done without one, in a long run
 _FROZEN = 150  # s after which a window that does nothing more ends the run
 
