@@ -137,11 +137,17 @@ def tick(box):
     click(box, x=8)
 
 
+def panel_buttons():
+    """The rows of buttons of panels, not of a box with a message."""
+    rows = visible(QtWidgets.QDialogButtonBox)
+    return [row for row in rows if not isinstance(row.window(), QtWidgets.QMessageBox)]
+
+
 def press(name):
     """OK or Cancel of the open panel."""
     if panel_is_open() and not panel_is_seen():
         wait_until(panel_is_seen)
-    boxes = visible(QtWidgets.QDialogButtonBox)
+    boxes = panel_buttons()
     assert boxes, "no panel is open"
     click(boxes[0].button(getattr(QtWidgets.QDialogButtonBox, name)))
 
@@ -154,7 +160,7 @@ def leave():
 
 def close_panel():
     """The same for a panel that is on the screen."""
-    box = visible(QtWidgets.QDialogButtonBox)[0]
+    box = panel_buttons()[0]
     press("Cancel" if box.button(QtWidgets.QDialogButtonBox.Cancel) else "Close")
 
 
@@ -179,7 +185,7 @@ def panel_is_open():
 
 def panel_is_seen():
     """The open panel is on the screen: after its preferences, FreeCAD 1.1 brings it there a moment later."""
-    return panel_is_open() and bool(visible(QtWidgets.QDialogButtonBox))
+    return panel_is_open() and bool(panel_buttons())
 
 
 def panel_is_closed():
