@@ -29,7 +29,7 @@ from BalloonWorkbench.core.export.drawing import Path as Line
 from BalloonWorkbench.core.export.drawing import draw
 from BalloonWorkbench.core.export.fabricate import machine_file
 from BalloonWorkbench.core.export.machine import Machine, machine, machines
-from BalloonWorkbench.core.pattern.make import Wanted
+from BalloonWorkbench.core.pattern.make import Wanted, make_pattern, sheet_of
 from BalloonWorkbench.core.pattern.pattern import Pattern, Role
 from BalloonWorkbench.core.units import from_mm, to_mm
 
@@ -260,6 +260,15 @@ def test_a_knife_starts_on_a_straight(kind: str) -> None:
                 tip = axis[0] + 0.25 * np.array([np.cos(behind), np.sin(behind)])
                 course = shapely.LineString(_drawn_along(axis, tip))
                 assert course.buffer(0.06).covers(ring.segmentize(0.1))  # no gap is left
+
+
+@pytest.mark.parametrize("kind", ["heart", "star", "ring"])
+def test_a_start_leaves_no_piece_without_a_length(kind: str) -> None:
+    """On a round hole the even places that are tried meet its points."""
+    wanted = Wanted(intake_kind="nozzle", mirror=True, tie_tab=True)
+    pattern = sheet_of(make_pattern(NAMED[kind], 0.005, wanted), wanted)
+    for path in draw(pattern, machine("hpgl-plotter")).paths:
+        assert path.curve.lengths.min() > 1e-3
 
 
 def _drawn_along(axis: np.ndarray, tip: np.ndarray) -> np.ndarray:

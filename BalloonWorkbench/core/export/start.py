@@ -37,8 +37,10 @@ def begun_on_straight(curve: Curve, ends: Floats) -> Curve:
         row[:] = _turning(curve, along, _met(curve, ends), places - near, places + near)
     place = places[np.lexsort(np.round(turned, _DIGITS)[::-1])[0]]
     segment = int(np.searchsorted(along, place, side="right")) - 1
-    share = (place - along[segment]) / (along[segment + 1] - along[segment])
-    return curve.split(segment, float(share)).begun_at(segment + 1)
+    before, after = place - along[segment], along[segment + 1] - place
+    if min(before, after) < _CHORD:  # at a joint: no piece without a length
+        return curve.begun_at((segment + int(after < before)) % len(curve))
+    return curve.split(segment, float(before / (before + after))).begun_at(segment + 1)
 
 
 def _met(curve: Curve, ends: Floats) -> Floats:
