@@ -90,8 +90,9 @@ tidy: setup ## Look for mistakes in the C++ with clang-tidy
 	    clang-tidy --quiet $$file -- -std=c++17 -Iinclude -isystem /usr/include/eigen3 2>/dev/null || failed=1; \
 	    done && exit $$failed
 
-build/docs-tools/made-from: tools/requirements-docs.txt | setup
-	@.venv/bin/pip install --quiet --disable-pip-version-check --upgrade --target build/docs-tools -r $<
+# the Python packages of one list, for the targets that need them
+build/%-tools/made-from: tools/requirements-%.txt | setup
+	@tools/pip-install.sh $(PYTHON) --upgrade --target build/$*-tools --requirement $<
 	@cp $< $@
 
 docs: export PYTHONPATH := $(CURDIR)/build/docs-tools
@@ -100,10 +101,6 @@ docs: build/docs-tools/made-from ## Write the user guide and the reference of th
 	@# pdoc does not see in which module the types of a NamedTuple were named
 	@$(PYTHON) -W error::UserWarning -W "ignore:Error parsing type annotation ForwardRef('Floats')" \
 	    -m pdoc -o build/docs/api BalloonWorkbench.core
-
-build/release-tools/made-from: tools/requirements-release.txt | setup
-	@.venv/bin/pip install --quiet --disable-pip-version-check --upgrade --target build/release-tools -r $<
-	@cp $< $@
 
 release release-check: export PYTHONPATH := $(CURDIR)/build/release-tools
 
