@@ -3,8 +3,8 @@
 
     native_libraries.py FOLDER [PLATFORM...]
 
-writes FOLDER/PLATFORM/LIBRARY, and FOLDER/versions.json: what is compiled in. The same sources and compiler give the
-same bytes.
+writes FOLDER/PLATFORM/LIBRARY, and FOLDER/versions.json: what is compiled in. The same sources and compiler
+give the same bytes.
 """
 
 from __future__ import annotations

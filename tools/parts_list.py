@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The list of parts of a release (a software bill of materials) in CycloneDX's JSON.
 
-It names the released files with their SHA-256, the native libraries with what is compiled into them, and the Python
-packages that the workbench uses. The same release gives the same bytes. `make release-check` validates it.
+It names the released files with their SHA-256, the native libraries with what is compiled into them, and the
+Python packages that the workbench uses. The same release gives the same bytes.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ PACKAGES = {
 }
 
 _LLVM_LICENCE = "Apache-2.0 WITH LLVM-exception"
-#: What is compiled into the libraries: name, whose version of versions.json, licence; see LICENSE-THIRD-PARTY.
+#: What is compiled into a library: name, whose version of versions.json, licence as in LICENSE-THIRD-PARTY.
 COMPILED_IN = (
     ("Eigen", "Eigen", "MPL-2.0"),
     ("libc++", "LLVM", _LLVM_LICENCE),

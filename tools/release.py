@@ -3,8 +3,8 @@
 
     release.py LIBRARIES FOLDER
 
-writes an addon to unpack into FreeCAD's Mod folder, a wheel with the native library for each platform, the list of
-parts and SHA256SUMS. The same content gives the same bytes.
+writes an addon to unpack into FreeCAD's Mod folder, a wheel with the native library for each platform, the
+list of parts and SHA256SUMS. The same content gives the same bytes.
 """
 
 from __future__ import annotations

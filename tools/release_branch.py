@@ -3,8 +3,9 @@
 
     release_branch.py LIBRARIES [REPOSITORY]
 
-One commit a version, on top of the one before; no work tree and no index is touched. The same version and sources
-give the same commit on the same parent; once more, nothing changes. REPOSITORY is this one unless it is given.
+One commit a version, on top of the one before; no work tree and no index is touched. The same version
+and sources give the same commit on the same parent; once more, nothing changes. REPOSITORY is this one unless
+it is given.
 """
 
 from __future__ import annotations
@@ -81,7 +82,7 @@ def written(files: Mapping[str, bytes], repository: Path) -> str:
 
 
 def released(repository: Path) -> tuple[str, Manifest] | None:
-    """The last release's commit and manifest, or None before the first. Refused when the branch is another's."""
+    """The last release's commit and manifest, or None before the first. Refused for another kind."""
     commit = _git(repository, "for-each-ref", "--format=%(objectname)", BRANCH)
     if not commit:
         return None

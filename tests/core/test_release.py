@@ -163,9 +163,9 @@ def test_addon_has_the_sums_of_all_its_files(addon: dict[str, bytes]) -> None:
 def test_what_an_addon_leads_to_is_in_it(addon: dict[str, bytes]) -> None:
     """A page that names another one, or a picture, is of no use without it."""
     missing = []
-    for name in addon:
+    for name, content in addon.items():
         if name.endswith(".md"):
-            text = addon[name].decode()
+            text = content.decode()
             for link in re.findall(r"\]\(([^)#]+)[^)]*\)|<img[^>]* src=\"([^\"]+)\"", text):
                 target = next(filter(None, link))
                 path = posixpath.normpath(posixpath.join(posixpath.dirname(name), target))
@@ -177,7 +177,15 @@ def test_what_an_addon_leads_to_is_in_it(addon: dict[str, bytes]) -> None:
 def test_addon_holds_nothing_for_developers(addon: dict[str, bytes]) -> None:
     """The Addon Manager takes the packages of a requirements.txt for those that the workbench needs."""
     tops = {name.partition("/")[0] for name in addon}
-    assert not tops & {"tests", "tools", "benchmarks", "Makefile", "pyproject.toml", "requirements.txt", ".ci"}
+    assert not tops & {
+        "tests",
+        "tools",
+        "benchmarks",
+        "Makefile",
+        "pyproject.toml",
+        "requirements.txt",
+        ".ci",
+    }
 
 
 @pytest.mark.parametrize("kind", ["files", "addon"])
