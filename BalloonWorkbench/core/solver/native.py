@@ -50,6 +50,11 @@ def _loaded(path: Path) -> tuple[ctypes.CDLL | None, str | None]:
     return loaded, None
 
 
+def problem_with(path: Path) -> str | None:
+    """Why this library cannot be used, or None when it can."""
+    return _loaded(path)[1]
+
+
 def problem_with_library() -> str | None:
     """Why the native solver cannot be used, or None when it can."""
     return _load()[1]
