@@ -107,7 +107,7 @@ def test_whatever_comes_instead_is_refused(
         released(address)
         text = refused(tmp_path)
     assert FAULTS[fault][1] in text
-    assert native_wheel.SLOWER in text
+    assert library.SLOWER in text
 
 
 def _raises(error: Exception) -> Callable[[str], Any]:
@@ -146,6 +146,14 @@ def test_stopped(after: float, tmp_path: Path, released: Any, wheel: bytes) -> N
         released(address)
         native_wheel.fetch(native_wheel.wheel(), lambda part, text: part < after)
     assert tree(tmp_path / "addon") == tree(tmp_path / "home") == set()
+
+
+def test_stopped_while_nothing_comes(released: Any, wheel: bytes, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(native_wheel, "_PATIENCE", 0.2)
+    answers = iter([True, True])  # connecting, the first bytes; then the user has pressed Stop
+    with server(wheel, "stuck") as address, pytest.raises(Cancelled):
+        released(address)
+        native_wheel.fetch(native_wheel.wheel(), lambda part, text: next(answers, False))
 
 
 def test_where_the_addon_cannot_be_written_to_the_home_takes_it(
@@ -231,7 +239,7 @@ def test_a_platform_without_one(
     monkeypatch.setattr(platform, "machine", lambda: machine)
     with pytest.raises(FetchError) as caught:
         native_wheel.wheel()
-    assert str(caught.value) == f"There is no native solver for {name}. {native_wheel.SLOWER}"
+    assert str(caught.value) == f"There is no native solver for {name}. {library.SLOWER}"
 
 
 def test_another_interface_is_not_offered(released: Any, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -240,8 +248,9 @@ def test_another_interface_is_not_offered(released: Any, monkeypatch: pytest.Mon
         native_wheel.wheel()
 
 
-def test_without_an_address_nothing_is_offered(released: Any) -> None:
-    released("/releases/download")
+@pytest.mark.parametrize("address", ["/releases/download", "https://film-balloon.example/releases/download"])
+def test_without_an_address_nothing_is_offered(address: str, released: Any) -> None:
+    released(address)
     with pytest.raises(FetchError, match="for this version yet"):
         native_wheel.wheel()
 

@@ -25,6 +25,8 @@ from pathlib import Path
 FOLDER = Path(__file__).resolve().parents[2] / "native" / "lib"
 #: A Python package with the library of this platform alone.
 PACKAGE = "film_balloon_native"
+#: What it costs to go on without one, for all who say so.
+SLOWER = "NumPy computes the same, 20 to 30 times slower."
 _NAMES = {"win32": "film_solver.dll", "darwin": "libfilm_solver.dylib"}
 _SYSTEMS = {"win32": "windows", "darwin": "macos", "linux": "linux"}
 _MACHINES = {"amd64": "x86_64", "x64": "x86_64", "arm64": "aarch64"}
