@@ -5,7 +5,7 @@ SHELL := /bin/bash
 .DEFAULT_GOAL := help
 PYTHON := .venv/bin/python
 
-.PHONY: help setup native readers demo test test-core test-app test-gui matrix lint format validation bench fuzz mutations pythons coverage tidy docs examples pictures release release-check translations freecad clean
+.PHONY: help setup native readers demo test test-core test-app test-gui matrix lint format validation bench fuzz mutations pythons coverage tidy docs examples pictures release release-check release-branch pins translations freecad clean
 
 help: ## List these targets
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' $(MAKEFILE_LIST) | expand -t 12
@@ -90,8 +90,9 @@ tidy: setup ## Look for mistakes in the C++ with clang-tidy
 	    clang-tidy --quiet $$file -- -std=c++17 -Iinclude -isystem /usr/include/eigen3 2>/dev/null || failed=1; \
 	    done && exit $$failed
 
-build/docs-tools/made-from: tools/requirements-docs.txt | setup
-	@.venv/bin/pip install --quiet --disable-pip-version-check --upgrade --target build/docs-tools -r $<
+# the Python packages of one list, for the targets that need them
+build/%-tools/made-from: tools/requirements-%.txt | setup
+	@tools/pip-install.sh $(PYTHON) --upgrade --target build/$*-tools --requirement $<
 	@cp $< $@
 
 docs: export PYTHONPATH := $(CURDIR)/build/docs-tools
@@ -101,11 +102,7 @@ docs: build/docs-tools/made-from ## Write the user guide and the reference of th
 	@$(PYTHON) -W error::UserWarning -W "ignore:Error parsing type annotation ForwardRef('Floats')" \
 	    -m pdoc -o build/docs/api BalloonWorkbench.core
 
-build/release-tools/made-from: tools/requirements-release.txt | setup
-	@.venv/bin/pip install --quiet --disable-pip-version-check --upgrade --target build/release-tools -r $<
-	@cp $< $@
-
-release release-check: export PYTHONPATH := $(CURDIR)/build/release-tools
+release release-check release-branch: export PYTHONPATH := $(CURDIR)/build/release-tools
 
 release: build/release-tools/made-from ## Compile the solver for five platforms, pack addon and wheels into build/release
 	@$(PYTHON) tools/native_libraries.py build/native-libraries
@@ -114,6 +111,15 @@ release: build/release-tools/made-from ## Compile the solver for five platforms,
 release-check: release ## Run and read what was released: here, in QEMU, in Wine
 	@tools/install-debian-packages.sh debian-packages-release.txt
 	@$(PYTHON) tools/check_release.py build/native-libraries build/release
+
+# REPOSITORY="FOLDER" commits to the branch release of another repository
+release-branch: release ## Commit the release to the branch release, from which FreeCAD's Addon Manager installs
+	@$(PYTHON) tools/release_branch.py build/native-libraries $(REPOSITORY)
+
+# PINS="--upgrade" takes the newest versions of what is not pinned in requirements*.in
+pins: export PYTHONPATH := $(CURDIR)/build/pins-tools
+pins: build/pins-tools/made-from ## Write versions and sums of all Python packages to the lists requirements*.txt
+	@tools/pins.sh $(PINS)
 
 translations: setup ## Collect the texts of the source into resources/translations, compile what is translated
 	@tools/install-debian-packages.sh debian-packages-translations.txt

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Check the libraries of native_libraries.py: what they show, what they need, and that they compute.
+"""Check the libraries of native_libraries.py: what they show, what they need, and that they compute; then the files
+of release.py: sums, and that the lists of parts are valid CycloneDX.
 
     check_release.py LIBRARIES RELEASE
 
@@ -20,7 +21,11 @@ import zipfile
 from pathlib import Path
 
 import lief
+from cyclonedx.schema import SchemaVersion
+from cyclonedx.validation.json import JsonStrictValidator
+from macho_signature import signature_faults, signature_place
 from native_libraries import PLATFORMS, ROOT, build, zig
+from release import PARTS_LIST, SUMS
 
 sys.path.insert(0, str(ROOT))
 from BalloonWorkbench.core.solver.library import damage
@@ -75,8 +80,10 @@ def _macos_faults(path: Path) -> list[str]:
     found = _differences(shown, needed, "macos")
     if tuple(binary.build_version.minos)[:2] != (11, 0):
         found.append(f"needs macOS {binary.build_version.minos}")
-    if "aarch64" in str(path) and not binary.has_code_signature:
-        found.append("has no signature, without which Apple's processors refuse it")
+    content = path.read_bytes()
+    # Apple's processors ask for one; on Intel's the linker leaves it out, and a wrong one would be refused
+    if "aarch64" in path.parent.name or signature_place(content):
+        found += signature_faults(content)
     return found
 
 
@@ -116,16 +123,30 @@ def run(name: str, path: Path, folder: Path) -> str:
     return told.read_text(encoding="utf-8").strip()
 
 
-def sums_inside(packed: Path) -> int:
-    """How many libraries in an addon or wheel the loader would refuse; there has to be one that it takes."""
+def library_faults(packed: Path) -> list[str]:
+    """Why the loader would refuse libraries in an addon or wheel; there has to be one."""
     with zipfile.ZipFile(packed) as archive, tempfile.TemporaryDirectory() as folder:
         archive.extractall(folder)
         files = {platform.file for platform in PLATFORMS.values()}
         libraries = sorted(path for path in Path(folder).rglob("*") if path.name in files)
         wrong = [told for told in map(damage, libraries) if told is not None]
-    for told in wrong or ([] if libraries else ["it holds no library"]):
-        print(f"FAILED {packed.name}: {told}")
-    return len(wrong) or int(not libraries)
+    return wrong if libraries else ["it holds no library"]
+
+
+def parts_faults(content: bytes) -> list[str]:
+    """What CycloneDX's schema has against a list of parts."""
+    error = JsonStrictValidator(SchemaVersion.V1_6).validate_str(content.decode())
+    return [] if error is None else [str(error)]
+
+
+def file_faults(path: Path) -> list[str]:
+    """What is wrong with a released file by reading it."""
+    if path.name.endswith(".cdx.json"):
+        return parts_faults(path.read_bytes())
+    with zipfile.ZipFile(path) as archive:
+        inside = [name for name in archive.namelist() if name.endswith(PARTS_LIST)]
+        found = [fault for name in inside for fault in parts_faults(archive.read(name))]
+    return found + library_faults(path)
 
 
 def main(arguments: list[str]) -> int:
@@ -150,12 +171,14 @@ def main(arguments: list[str]) -> int:
     if again != (libraries / here / PLATFORMS[here].file).read_bytes():
         print(f"FAILED {here} differs when it is compiled again")
         failed += 1
-    for line in (release / "SHA256SUMS").read_text(encoding="ascii").splitlines():
+    for line in (release / SUMS).read_text(encoding="ascii").splitlines():
         digest, _, file = line.partition("  ")
         if hashlib.sha256((release / file).read_bytes()).hexdigest() != digest:
             print(f"FAILED {file} is not the one that was summed up")
             failed += 1
-        failed += sums_inside(release / file)
+        for fault in file_faults(release / file):
+            print(f"FAILED {file}: {fault}")
+            failed += 1
     return min(failed, 1)
 
 

@@ -9,9 +9,8 @@ suite=$1
 # what the workbench needs anywhere, and what .venv holds on Debian 12
 packages=$(sed 's/#.*//; /^[[:space:]]*$/d' tools/debian-packages.txt | paste -sd,)
 packages+=,python3-pytest,python3-fonttools,python3-pyparsing,python3-typing-extensions
-wheels=$(grep -oE '^(ezdxf|pythoncdt|svgelements|shapely|spyrrow)==[0-9.]+' requirements.txt)
 base=${FREECAD_ROOTS:-/var/cache/freecad-roots}
-root=$base/$suite-$({ echo "$suite $packages $wheels" && cat "$0"; } | sha256sum | cut -c1-10)
+root=$base/$suite-$({ echo "$suite $packages" && cat requirements.txt "$0"; } | sha256sum | cut -c1-10)
 
 if [ ! -e "$root/.ready" ]; then
     tools/install-debian-packages.sh debian-packages-matrix.txt >&2
@@ -28,9 +27,8 @@ if [ ! -e "$root/.ready" ]; then
     chroot "$root.part" /usr/bin/python3 -m venv --without-pip --system-site-packages /opt/venv
     site=$(echo "$root.part"/opt/venv/lib/python3.*/site-packages)
     # Debian's own pip, which is not in the root, chooses the wheels for the root's Python
-    # shellcheck disable=SC2086  # several requirements
-    .venv/bin/python -m pip install --quiet --disable-pip-version-check --no-deps --only-binary=:all: \
-        --python-version "$(basename "$(dirname "$site")" | tr -d a-z)" --target "$site" $wheels >&2
+    tools/pip-install.sh .venv/bin/python --python-version "$(basename "$(dirname "$site")" | tr -d a-z)" \
+        --target "$site" --requirement requirements.txt >&2
     {
         echo /usr/lib/freecad-python3/lib
         printf '/usr/share/freecad/Mod/%s\n' Part Mesh Sketcher

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# Makes .venv: Debian's Python with its packages, those of requirements.txt, and FreeCAD importable.
-# Does nothing when .venv was made from the same requirements, Python and FreeCAD.
+# Makes .venv: Debian's Python with its packages, those of requirements.txt and tools/requirements-checks.txt, and
+# FreeCAD importable. Does nothing when .venv was made from the same lists, Python and FreeCAD.
 set -euo pipefail
 cd "$(dirname "$(realpath "$0")")/.."
 
@@ -22,13 +22,14 @@ freecad_paths() {
 }
 
 paths=$(freecad_paths)
-wanted=$({ "$python" --version && cat requirements.txt "$0" && echo "$PWD $paths"; } | sha256sum)
+lists=(requirements.txt tools/requirements-checks.txt)
+wanted=$({ "$python" --version && cat "${lists[@]}" "$0" && echo "$PWD $paths"; } | sha256sum)
 [ "$(cat .venv/made-from 2>/dev/null)" != "$wanted" ] || exit 0
 
 echo "Making the Python environment in .venv"
 # pip's script names its interpreter by its full path: it fails when the folder was moved
 .venv/bin/pip --version >/dev/null 2>&1 || "$python" -m venv --clear --system-site-packages .venv
-.venv/bin/python -m pip install --quiet --disable-pip-version-check --requirement requirements.txt
+tools/pip-install.sh .venv/bin/python "${lists[@]/#/--requirement=}"
 site=$(.venv/bin/python -c 'import sysconfig; print(sysconfig.get_path("purelib"))')
 echo "$paths" >"$site/freecad.pth"
 [ -n "$paths" ] || echo "FreeCAD was not found: documents cannot be saved from the command line" >&2

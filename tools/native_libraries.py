@@ -3,12 +3,17 @@
 
     native_libraries.py FOLDER [PLATFORM...]
 
-writes FOLDER/PLATFORM/LIBRARY. The same sources and compiler give the same bytes.
+writes FOLDER/PLATFORM/LIBRARY, and FOLDER/versions.json: what is compiled in. The same sources and compiler
+give the same bytes.
 """
 
 from __future__ import annotations
 
+import importlib.metadata
+import importlib.util
+import json
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -75,12 +80,35 @@ def build(name: str, folder: Path, cache: Path = CACHE) -> Path:
     return path
 
 
+def versions() -> dict[str, str]:
+    """The versions of what is compiled into the libraries, as their own headers give them."""
+    package = importlib.util.find_spec("ziglang")
+    if package is None or package.origin is None:
+        raise ModuleNotFoundError("ziglang")
+    zig_library = Path(package.origin).parent / "lib"
+
+    def numbers(header: Path, *names: str) -> list[str]:
+        text = header.read_text(encoding="utf-8")
+        return [re.search(rf"# *define {name} +(\d+)", text)[1] for name in names]
+
+    (llvm,) = numbers(zig_library / "libcxx/include/__config", "_LIBCPP_VERSION")  # 220108 is 22.1.8
+    mingw = [f"__MINGW64_VERSION_{name}" for name in ("MAJOR", "MINOR", "BUGFIX")]
+    eigen = [f"EIGEN_{name}_VERSION" for name in ("WORLD", "MAJOR", "MINOR")]
+    return {
+        "Eigen": ".".join(numbers(EIGEN / "Eigen/src/Core/util/Macros.h", *eigen)),
+        "LLVM": ".".join(str(int(llvm[at : at + 2])) for at in (0, 2, 4)),
+        "mingw-w64": ".".join(numbers(zig_library / "libc/include/any-windows-any/_mingw_mac.h", *mingw)),
+        "Zig": importlib.metadata.version("ziglang"),
+    }
+
+
 def main(arguments: list[str]) -> None:
     """Compile the named platforms, or all of them."""
     folder, *names = arguments
     for name in names or PLATFORMS:
         path = build(name, Path(folder))
         print(f"{path.stat().st_size:8d} bytes  {path}")
+    (Path(folder) / "versions.json").write_text(json.dumps(versions()), encoding="utf-8")
 
 
 if __name__ == "__main__":

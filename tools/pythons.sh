@@ -6,8 +6,7 @@
 set -euo pipefail
 cd "$(dirname "$(realpath "$0")")/.."
 
-packages=(numpy scipy opencv-python-headless matplotlib reportlab pytest)
-mapfile -t pinned < <(grep -oE '^(ezdxf|pythoncdt|svgelements|shapely|spyrrow)==[0-9.]+' requirements.txt)
+list=tools/requirements-pythons.txt
 mapfile -t tests < <(grep -v '^#' tools/engine-tests.txt)
 versions=("$@")
 [ ${#versions[@]} -gt 0 ] || versions=(3.10 3.12)
@@ -32,11 +31,10 @@ for version in "${versions[@]}"; do
     fi
     echo "== core with $("$python" --version)"
     home=build/python/$version
-    wanted="$("$python" --version) ${packages[*]} ${pinned[*]}"
+    wanted="$("$python" --version) $(sha256sum "$list")"
     if [ "$(cat "$home/made-from" 2>/dev/null)" != "$wanted" ]; then
         "$python" -m venv --clear "$home"
-        "$home/bin/python" -m pip install --quiet --disable-pip-version-check --only-binary=:all: \
-            "${packages[@]}" "${pinned[@]}"
+        tools/pip-install.sh "$home/bin/python" --requirement "$list"
         echo "$wanted" >"$home/made-from"
     fi
     "$home/bin/python" -m pytest -q -o cache_dir=build/pytest ${BALLOON_TESTS:-"${tests[@]}"} </dev/null 2>&1 |

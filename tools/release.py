@@ -3,9 +3,9 @@
 
     release.py LIBRARIES FOLDER
 
-writes an addon to unpack into FreeCAD's Mod folder, a wheel with the native library for each platform, and
-SHA256SUMS; and into the source the list of these wheels, which belongs into the commit that is released. The
-same content gives the same bytes.
+writes an addon to unpack into FreeCAD's Mod folder, a wheel with the native library for each platform, the
+list of parts and SHA256SUMS; and into the source the list of the wheels, which belongs into the commit that is
+released. The same content gives the same bytes.
 """
 
 from __future__ import annotations
@@ -23,23 +23,24 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 from native_libraries import PLATFORMS, ROOT
+from parts_list import parts_list
 
 ADDON = "BalloonWorkbench"
 WHEEL = "film_balloon_native"
-#: What an addon needs; of a folder all that is in it.
+#: What an addon needs, and what its README leads to; of a folder all that is in it.
 PARTS = (
     *("BalloonWorkbench", "resources", "Init.py", "InitGui.py", "package.xml", "uninstall.py"),
     *(
         "LICENSE",
         "LICENSE-ARTWORK",
         "LICENSE-THIRD-PARTY",
-        "README.md",
-        "CHANGELOG.md",
-        "docs/api.md",
-        "docs/help",
-        "docs/images/fish.png",
+        *("README.md", "CHANGELOG.md", "SECURITY.md", "ARCHITECTURE.md", "CONTRIBUTING.md"),
+        *("docs/install.md", "docs/tutorial.md", "docs/freecad.md", "docs/command-line.md", "docs/api.md"),
+        *("docs/help", "docs/images/fish.png", "docs/images/tutorial-*.png"),
     ),
 )
+PARTS_LIST = "parts.cdx.json"
+SUMS = "SHA256SUMS"
 WHEEL_LIST = ROOT / "resources" / "native-wheels.json"
 _LOADER = ROOT / "BalloonWorkbench" / "core" / "solver" / "native.py"
 _LICENCES = ("LICENSE", "LICENSE-THIRD-PARTY")
@@ -71,17 +72,42 @@ def with_sum(place: str, library: bytes) -> dict[str, bytes]:
     return {place: library, f"{place}.sha256": sum_of_it.encode()}
 
 
-def addon(libraries: Path, date: tuple[int, int, int]) -> bytes:
-    """The workbench with the libraries of all platforms."""
+def sums(files: Mapping[str, bytes]) -> bytes:
+    """The SHA-256 sums of files by name, as sha256sum writes and checks them."""
+    lines = [f"{hashlib.sha256(files[name]).hexdigest()}  {name}\n" for name in sorted(files)]
+    return "".join(lines).encode()
+
+
+def native_libraries(folder: Path) -> dict[str, bytes]:
+    """The libraries by platform."""
+    return {name: (folder / name / platform.file).read_bytes() for name, platform in PLATFORMS.items()}
+
+
+def _parts_list(files: Mapping[str, bytes], libraries: Path) -> bytes:
+    version, date = version_and_date()
+    compiled_with = json.loads((libraries / "versions.json").read_text(encoding="utf-8"))
+    return parts_list(files, native_libraries(libraries), compiled_with, version, date)
+
+
+def addon_files(libraries: Path) -> dict[str, bytes]:
+    """The files of an installed workbench, with the libraries of all platforms, in alphabetical order."""
     listed = subprocess.run(
         ["git", "ls-files", "-z", "--", *PARTS], cwd=ROOT, check=True, capture_output=True, text=True
     )
     names = [name for name in listed.stdout.split("\0") if name]
-    contents = {f"{ADDON}/{name}": (ROOT / name).read_bytes() for name in names}
-    for name, platform in PLATFORMS.items():
-        place = f"{ADDON}/BalloonWorkbench/native/lib/{name}/{platform.file}"
-        contents |= with_sum(place, (libraries / name / platform.file).read_bytes())
-    return packed(dict(sorted(contents.items())), date)
+    contents = {name: (ROOT / name).read_bytes() for name in names}
+    for name, library in native_libraries(libraries).items():
+        contents |= with_sum(f"BalloonWorkbench/native/lib/{name}/{PLATFORMS[name].file}", library)
+    contents[".gitattributes"] = b"* -text\n"  # a clone on Windows has the bytes that were summed up
+    contents = dict(sorted(contents.items()))
+    contents[PARTS_LIST] = _parts_list(contents, libraries)
+    return {**contents, SUMS: sums(contents)}
+
+
+def addon(libraries: Path, date: tuple[int, int, int]) -> bytes:
+    """The workbench as a zip, in the folder under which FreeCAD's Mod has it."""
+    contents = addon_files(libraries)
+    return packed({f"{ADDON}/{name}": contents[name] for name in sorted(contents)}, date)
 
 
 def wheel(library: Path, tag: str, version: str, date: tuple[int, int, int]) -> bytes:
@@ -149,8 +175,8 @@ def files(libraries: Path) -> dict[str, bytes]:
     """Everything that is released, by name."""
     version, date = version_and_date()
     made = {f"film-balloon-{version}.zip": addon(libraries, date), **dict(wheels(libraries).values())}
-    sums = "".join(f"{hashlib.sha256(made[name]).hexdigest()}  {name}\n" for name in sorted(made))
-    return {**made, "SHA256SUMS": sums.encode()}
+    made[f"film-balloon-{version}.cdx.json"] = _parts_list(made, libraries)
+    return {**made, SUMS: sums(made)}
 
 
 def main(arguments: list[str]) -> None:

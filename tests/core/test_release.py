@@ -3,10 +3,14 @@
 
 from __future__ import annotations
 
+import ast
 import base64
 import hashlib
 import importlib
 import io
+import json
+import posixpath
+import re
 import subprocess
 import sys
 import zipfile
@@ -20,6 +24,12 @@ import BalloonWorkbench
 from BalloonWorkbench.core.solver import library, native
 
 ROOT = Path(__file__).resolve().parents[2]
+COMPILED_WITH = {"Eigen": "3.4.0", "LLVM": "22.1.8", "mingw-w64": "15.0.0", "Zig": "0.17.1"}
+
+
+#: What FreeCAD brings under these names.
+HOSTS = {"FreeCAD", "FreeCADGui", "Part", "Mesh", "Sketcher", "Materials", "MatGui", "pivy"}
+HOSTS |= {"PySide", "PySide2", "PySide6"}
 
 
 @pytest.fixture(scope="module")
@@ -39,12 +49,29 @@ def libraries(release: ModuleType, tmp_path_factory: pytest.TempPathFactory) -> 
         (folder / name).mkdir()
         here = name == library.platform_name() and built.is_file()
         (folder / name / platform.file).write_bytes(built.read_bytes() if here else name.encode() * 500)
+    (folder / "versions.json").write_text(json.dumps(COMPILED_WITH), encoding="utf-8")
     return folder
 
 
 @pytest.fixture(scope="module")
 def files(release: ModuleType, libraries: Path) -> dict[str, bytes]:
     return release.files(libraries)
+
+
+@pytest.fixture(scope="module")
+def addon(release: ModuleType, libraries: Path) -> dict[str, bytes]:
+    return release.addon_files(libraries)
+
+
+def sums_in(sums: bytes) -> dict[str, str]:
+    """Read SHA256SUMS: sums by name."""
+    return dict(reversed(line.split("  ")) for line in sums.decode().splitlines())
+
+
+def sums_of(packed: dict[str, bytes]) -> dict[str, str]:
+    return {
+        name: hashlib.sha256(content).hexdigest() for name, content in packed.items() if name != "SHA256SUMS"
+    }
 
 
 def opened(content: bytes) -> zipfile.ZipFile:
@@ -126,7 +153,86 @@ def test_wheels_are_as_the_specification_wants(files: dict[str, bytes]) -> None:
 
 
 def test_sums_are_those_of_the_files(files: dict[str, bytes]) -> None:
-    sums = dict(reversed(line.split("  ")) for line in files["SHA256SUMS"].decode().splitlines())
-    assert sums == {
-        name: hashlib.sha256(content).hexdigest() for name, content in files.items() if name != "SHA256SUMS"
+    assert sums_in(files["SHA256SUMS"]) == sums_of(files)
+
+
+def test_addon_has_the_sums_of_all_its_files(addon: dict[str, bytes]) -> None:
+    assert sums_in(addon["SHA256SUMS"]) == sums_of(addon)
+
+
+def test_what_an_addon_leads_to_is_in_it(addon: dict[str, bytes]) -> None:
+    """A page that names another one, or a picture, is of no use without it."""
+    missing = []
+    for name, content in addon.items():
+        if name.endswith(".md"):
+            text = content.decode()
+            for link in re.findall(r"\]\(([^)#]+)[^)]*\)|<img[^>]* src=\"([^\"]+)\"", text):
+                target = next(filter(None, link))
+                path = posixpath.normpath(posixpath.join(posixpath.dirname(name), target))
+                if "://" not in target and not any(each.startswith(path) for each in addon):
+                    missing.append(f"{name}: {target}")
+    assert not missing
+
+
+def test_addon_holds_nothing_for_developers(addon: dict[str, bytes]) -> None:
+    """The Addon Manager takes the packages of a requirements.txt for those that the workbench needs."""
+    tops = {name.partition("/")[0] for name in addon}
+    assert not tops & {
+        "tests",
+        "tools",
+        "benchmarks",
+        "Makefile",
+        "pyproject.toml",
+        "requirements.txt",
+        ".ci",
+    }
+
+
+@pytest.mark.parametrize("kind", ["files", "addon"])
+def test_parts_are_listed_with_their_sums(kind: str, request: pytest.FixtureRequest) -> None:
+    packed: dict[str, bytes] = request.getfixturevalue(kind)
+    listing = next(name for name in packed if name.endswith(".cdx.json"))
+    parts = json.loads(packed[listing])["components"]
+    assert {
+        part["name"]: part["hashes"][0]["content"] for part in parts if part["type"] == "file"
+    } == sums_of({name: content for name, content in packed.items() if name != listing})
+
+
+def test_list_of_parts_says_what_the_libraries_are_made_of(
+    addon: dict[str, bytes], libraries: Path, release: ModuleType
+) -> None:
+    parts = {part["bom-ref"]: part for part in json.loads(addon["parts.cdx.json"])["components"]}
+    third_party = (ROOT / "LICENSE-THIRD-PARTY").read_text(encoding="utf-8")
+    named = set()
+    for name, platform in release.PLATFORMS.items():
+        part = parts[f"native:{name}"]
+        content = (libraries / name / platform.file).read_bytes()
+        assert part["hashes"] == [{"alg": "SHA-256", "content": hashlib.sha256(content).hexdigest()}]
+        inside = {each["name"]: each["version"] for each in part["components"]}
+        assert ("mingw-w64" in inside) == name.startswith("windows")
+        assert (inside["Eigen"], inside["libc++"]) == ("3.4.0", "22.1.8")
+        for each in part["components"]:
+            (licence,) = each["licenses"]
+            assert licence.get("expression", licence.get("license", {}).get("id")) in third_party
+        named |= set(inside)
+    assert all(name in third_party for name in named)
+
+
+def test_list_of_parts_names_every_package_that_is_imported(addon: dict[str, bytes]) -> None:
+    parts_list = importlib.import_module("parts_list")
+    own = {*sys.stdlib_module_names, "BalloonWorkbench", *HOSTS}
+    imported = set()
+    for path in (ROOT / "BalloonWorkbench").rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            modules = [alias.name for alias in node.names] if isinstance(node, ast.Import) else []
+            modules += [str(node.module)] if isinstance(node, ast.ImportFrom) else []
+            imported |= {module.partition(".")[0] for module in modules} - own
+    assert imported == {package.module for package in parts_list.PACKAGES.values()}
+    listed = {
+        part["purl"] for part in json.loads(addon["parts.cdx.json"])["components"] if part.get("purl", "")
+    }
+    pins = (ROOT / "requirements.txt").read_text(encoding="utf-8")
+    pinned = dict(re.findall(r"^([\w-]+)==([\w.]+)", pins, re.MULTILINE))
+    assert {f"pkg:pypi/{name}@{version}" for name, version in pinned.items()} - listed == {
+        f"pkg:pypi/typing-extensions@{pinned['typing-extensions']}"  # what ezdxf needs
     }
