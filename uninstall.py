@@ -11,6 +11,7 @@ def remove_film_balloon():
     import contextlib
     import os
     import shutil
+    import sys
     import tempfile
     from pathlib import Path
 
@@ -48,7 +49,7 @@ def remove_film_balloon():
     try:
         import FreeCAD
     except ImportError:
-        print("FreeCAD's settings stay: run this with freecadcmd to remove those of the workbench too.")
+        sys.stdout.write("FreeCAD's settings stay: run this with freecadcmd to remove ours from them too.\n")
         return
     forget(FreeCAD.ParamGet("User parameter:BaseApp"))
     FreeCAD.saveParameter()

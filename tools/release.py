@@ -4,8 +4,8 @@
     release.py LIBRARIES FOLDER
 
 writes an addon to unpack into FreeCAD's Mod folder, a wheel with the native library for each platform, the
-list of parts and SHA256SUMS; and into the source the list of the wheels, which belongs into the commit that is
-released. The same content gives the same bytes.
+list of parts and SHA256SUMS; and into the source the list of the wheels, which belongs into the commit that
+is released. The same content gives the same bytes.
 """
 
 from __future__ import annotations
