@@ -19,13 +19,14 @@ class BalloonWorkbench(Gui.Workbench):
 
     def Initialize(self):
         from BalloonWorkbench.app.properties import QT_TRANSLATE_NOOP
-        from BalloonWorkbench.gui import commands, equipment
+        from BalloonWorkbench.gui import commands, equipment, native_offer
         from BalloonWorkbench.gui.paint import ready
 
         toolbar, menu = commands.register()
         self.appendToolbar(QT_TRANSLATE_NOOP("Workbench", "Film Balloon"), toolbar)
         self.appendMenu(QT_TRANSLATE_NOOP("Workbench", "Film &Balloon"), menu)
         equipment.tell_missing()
+        native_offer.offer()
         ready.begin()
 
     def GetClassName(self):

@@ -16,8 +16,9 @@ from typing import Any
 
 from BalloonWorkbench import cli_console, cli_document, cli_making, cli_pattern
 from BalloonWorkbench.cli_home import home
-from BalloonWorkbench.cli_options import parser
+from BalloonWorkbench.cli_options import FETCH, parser
 from BalloonWorkbench.cli_summary import summary
+from BalloonWorkbench.core import native_wheel
 from BalloonWorkbench.core.design.size_goal import SizeGoal
 from BalloonWorkbench.core.errors import (
     BalloonError,
@@ -62,10 +63,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
     cli_console.quiet()
     run = _Run()
     try:
-        with cli_console.signals_are_errors(), home():
-            for sentence in left_out():
-                cli_console.complain(sentence)
-            return run.command(parser().parse_args(arguments))
+        with cli_console.signals_are_errors():
+            options = parser().parse_args(arguments)
+            if options.command == FETCH:
+                return _fetch_solver()
+            with home():
+                for sentence in left_out():
+                    cli_console.complain(sentence)
+                return run.command(options)
     except BalloonError as error:
         cli_console.complain(error)
         return FAULT if isinstance(error, ProgramFault) else 2
@@ -200,8 +205,8 @@ class _Run:
         """Tell what was found and written; the exit code."""
         told = summary(balloon.report, balloon.settings.correct, balloon.settings.film.seam)
         told += [f"Note: {note}" for note in self._left_out]
-        slow = native.unusable_library() if balloon.settings.backend is None else None
-        told += [*([f"Note: {slow}"] if slow else []), *lines, *(f"Wrote {path}" for path in self._paths)]
+        slow = native_wheel.slow_notes() if balloon.settings.backend is None else []
+        told += [*(f"Note: {note}" for note in slow), *lines, *(f"Wrote {path}" for path in self._paths)]
         problem = cli_console.show("\n".join(told) + "\n")
         if self._fault is not None:
             cli_console.complain(self._fault)
@@ -210,6 +215,28 @@ class _Run:
             cli_console.complain(f"The summary cannot be shown ({problem.strerror}); {self.outcome()}.")
             return cli_console.UNSHOWN
         return 0
+
+
+def _fetch_solver() -> int:
+    """Fetch the native solver, telling before from where and where to; the exit code."""
+    if native.problem_with_library() is None:
+        return _show("The native solver is here already.")
+    wheel = native_wheel.wheel()
+    told = _show(
+        f"Fetching {wheel.address} ({wheel.size / 1e6:.1f} MB) "
+        f"into {native_wheel.place()}; only the file with SHA-256 {wheel.sha256} is kept."
+    )
+    line = cli_console.StatusLine(sys.stderr)
+    try:
+        native_wheel.fetch(wheel, line.show)
+    finally:
+        line.clear()
+    return told or _show("The native solver is in use.")
+
+
+def _show(text: str) -> int:
+    """Show a line; the exit code."""
+    return 0 if cli_console.show(f"{text}\n") is None else cli_console.UNSHOWN
 
 
 def _refuse_streams(name: str | None) -> None:

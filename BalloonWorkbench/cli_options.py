@@ -20,6 +20,9 @@ from BalloonWorkbench.core.outline.symmetry import AUTO, CHOICES
 from BalloonWorkbench.core.solver.backend import SOLVERS
 from BalloonWorkbench.core.solver.model import BENDING_FLOOR
 
+#: The command that designs nothing.
+FETCH = "fetch-solver"
+
 
 class _Parser(argparse.ArgumentParser):
     """An argument parser whose complaints are one line."""
@@ -89,6 +92,11 @@ def parser() -> argparse.ArgumentParser:
         cli_making.add_making(command)
         cli_pattern.add_pattern(command)
         _add_simulation(command)
+    commands.add_parser(
+        FETCH,
+        help="fetch the native solver from the network, where the workbench came without it",
+        description="Fetches the native solver of this version, checks its SHA-256 and puts it in its place.",
+    )
     return known
 
 

@@ -4,7 +4,8 @@
     release.py LIBRARIES FOLDER
 
 writes an addon to unpack into FreeCAD's Mod folder, a wheel with the native library for each platform, the
-list of parts and SHA256SUMS. The same content gives the same bytes.
+list of parts and SHA256SUMS; and into the source the list of the wheels, which belongs into the commit that
+is released. The same content gives the same bytes.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ import base64
 import hashlib
 import io
 import json
+import re
 import subprocess
 import sys
 import zipfile
@@ -27,7 +29,7 @@ ADDON = "BalloonWorkbench"
 WHEEL = "film_balloon_native"
 #: What an addon needs, and what its README leads to; of a folder all that is in it.
 PARTS = (
-    *("BalloonWorkbench", "resources", "Init.py", "InitGui.py", "package.xml"),
+    *("BalloonWorkbench", "resources", "Init.py", "InitGui.py", "package.xml", "uninstall.py"),
     *(
         "LICENSE",
         "LICENSE-ARTWORK",
@@ -39,6 +41,8 @@ PARTS = (
 )
 PARTS_LIST = "parts.cdx.json"
 SUMS = "SHA256SUMS"
+WHEEL_LIST = ROOT / "resources" / "native-wheels.json"
+_LOADER = ROOT / "BalloonWorkbench" / "core" / "solver" / "native.py"
 _LICENCES = ("LICENSE", "LICENSE-THIRD-PARTY")
 
 
@@ -135,13 +139,42 @@ def _digest(content: bytes) -> str:
     return base64.urlsafe_b64encode(hashlib.sha256(content).digest()).rstrip(b"=").decode()
 
 
+def wheels(libraries: Path) -> dict[str, tuple[str, bytes]]:
+    """File name and content of the wheel of each platform."""
+    version, date = version_and_date()
+    return {
+        name: (
+            f"{WHEEL}-{version}-py3-none-{platform.wheel}.whl",
+            wheel(libraries / name / platform.file, platform.wheel, version, date),
+        )
+        for name, platform in PLATFORMS.items()
+    }
+
+
+def wheel_list(libraries: Path) -> bytes:
+    """What a workbench without a library may fetch, and how it knows that file: core/native_wheel.py."""
+    version, _ = version_and_date()
+    manifest = ElementTree.parse(ROOT / "package.xml").getroot()
+    address = str(manifest.findtext("{*}url[@type='repository']", "")).strip().rstrip("/")
+    interface = re.search(r"^ABI_VERSION = (\d+)$", _LOADER.read_text(encoding="utf-8"), re.MULTILINE)
+    if interface is None:
+        raise SystemExit(f"{_LOADER} does not say which interface it needs.")
+    listed = {
+        "version": version,
+        "interface": int(interface[1]),
+        "address": f"{address}/releases/download/v{version}",
+        "wheels": {
+            name: {"file": file, "size": len(content), "sha256": hashlib.sha256(content).hexdigest()}
+            for name, (file, content) in wheels(libraries).items()
+        },
+    }
+    return f"{json.dumps(listed, indent=2)}\n".encode()
+
+
 def files(libraries: Path) -> dict[str, bytes]:
     """Everything that is released, by name."""
     version, date = version_and_date()
-    made = {f"film-balloon-{version}.zip": addon(libraries, date)}
-    for name, platform in PLATFORMS.items():
-        file = f"{WHEEL}-{version}-py3-none-{platform.wheel}.whl"
-        made[file] = wheel(libraries / name / platform.file, platform.wheel, version, date)
+    made = {f"film-balloon-{version}.zip": addon(libraries, date), **dict(wheels(libraries).values())}
     made[f"film-balloon-{version}.cdx.json"] = _parts_list(made, libraries)
     return {**made, SUMS: sums(made)}
 
@@ -150,6 +183,7 @@ def main(arguments: list[str]) -> None:
     """Write the files."""
     libraries, folder = map(Path, arguments)
     folder.mkdir(parents=True, exist_ok=True)
+    WHEEL_LIST.write_bytes(wheel_list(libraries))
     for name, content in files(libraries).items():
         (folder / name).write_bytes(content)
         print(f"{len(content):8d} bytes  {folder / name}")

@@ -43,6 +43,7 @@ def _items() -> tuple[Item, ...]:
         of("balloon", balloon, "Live"),
         Item("ExportFolder", ""),
         Item("Machine", "any-dxf"),
+        Item("OfferSolver", True),
     )
 
 

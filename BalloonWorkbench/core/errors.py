@@ -43,6 +43,10 @@ class MissingPackageError(BalloonError):
     """A package that this step needs is not installed."""
 
 
+class FetchError(BalloonError):
+    """What was to come from the network did not come, or is not what it should be; nothing was changed."""
+
+
 class Cancelled(BalloonError):
     """The user stopped the work; nothing was changed."""
 

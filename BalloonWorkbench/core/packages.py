@@ -21,16 +21,36 @@ ABSENCES = {
     "spyrrow": "Panels are laid on the film in rows instead of closely; nothing else changes.",
     "reportlab": "PDF files need it; DXF, SVG and HPGL can be written.",
 }
+#: One sentence for a Python that was built or packed without it, as in some Snaps.
+NO_CTYPES = (
+    "This Python has no working ctypes module, which SciPy and the native solver need: patterns can be "
+    "changed and written, but no balloon can be inflated anew. Take another build of FreeCAD or of Python."
+)
 _TO_INSTALL = {"cv2": "opencv-python-headless"}
 
 
 def missing() -> list[str]:
     """A sentence for each package that is not installed: what that costs, what remains, how to get it."""
-    return [
-        f"The Python package {name} is missing. {told} To get it: pip install {_TO_INSTALL.get(name, name)}"
-        for name, told in ABSENCES.items()
+    told = [NO_CTYPES] if lacks_ctypes() else []
+    return told + [
+        f"The Python package {name} is missing. {cost} To get it: pip install {_TO_INSTALL.get(name, name)}"
+        for name, cost in ABSENCES.items()
         if importlib.util.find_spec(name) is None
     ]
+
+
+def lacks_ctypes() -> bool:
+    """Whether Python's ctypes is missing or does not load."""
+    try:
+        import ctypes  # noqa: F401
+    except ImportError:
+        return True
+    return False
+
+
+def without_scipy(text: str) -> MissingPackageError:
+    """What to raise where scipy does not load: `text`, unless installing it would be of no use."""
+    return MissingPackageError(NO_CTYPES if lacks_ctypes() else text)
 
 
 def shapely() -> Any:

@@ -7,7 +7,7 @@ import FreeCAD as App
 
 from BalloonWorkbench import __version__
 from BalloonWorkbench.core import packages
-from BalloonWorkbench.core.errors import BalloonError
+from BalloonWorkbench.core.errors import BalloonError, FetchError
 from BalloonWorkbench.core.solver import library
 
 
@@ -21,8 +21,24 @@ def described() -> list[str]:
     """Paragraphs about this installation."""
     told = [f"Film Balloon {__version__} in FreeCAD {'.'.join(App.Version()[:3])}", _solver()]
     why = _unusable_library()
-    told += [library.unusable(why)] if why else []
+    told += [library.unusable(why), _not_fetchable() or library.SLOWER] if why else []
     return [*told, *(packages.missing() or ["All packages are installed."])]
+
+
+def can_be_fetched() -> bool:
+    """Whether the native solver is not in use, but could be fetched."""
+    return _unusable_library() is not None and not _not_fetchable()
+
+
+def _not_fetchable() -> str:
+    """Why the native solver cannot be fetched; empty where it can."""
+    from BalloonWorkbench.core import native_wheel
+
+    try:
+        native_wheel.wheel()
+    except FetchError as error:
+        return str(error)
+    return ""
 
 
 def _solver() -> str:

@@ -72,6 +72,7 @@ class PreferencesPage(Guarded):
                 ("Backend", translate("Solver")),
                 ("MeshSize", translate("Mesh size (0: automatic)")),
                 ("Live", translate("Follow every change at once")),
+                ("OfferSolver", translate("Offer the native solver where it is missing")),
             ],
             translate("Export"): [
                 ("ExportFolder", translate("Folder")),

@@ -2,7 +2,7 @@
 """Which solver is taken, and what is said when one is missing."""
 
 import hashlib
-import importlib.util
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -37,8 +37,7 @@ def no_library(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Path:
 
 @pytest.fixture
 def no_scipy(monkeypatch: pytest.MonkeyPatch) -> None:
-    real = importlib.util.find_spec
-    monkeypatch.setattr(importlib.util, "find_spec", lambda name: None if name == "scipy" else real(name))
+    monkeypatch.setitem(sys.modules, "scipy", None)
 
 
 @needs_native

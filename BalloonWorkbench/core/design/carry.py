@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from BalloonWorkbench.core.errors import MissingPackageError
 from BalloonWorkbench.core.mesh.panel import Panel
 from BalloonWorkbench.core.mesh.thickness import kd_tree
+from BalloonWorkbench.core.packages import without_scipy
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.solver.start import vertex_normals
 from BalloonWorkbench.core.types import Floats
@@ -21,9 +21,7 @@ def delaunay(points: Floats) -> Any:
     try:
         from scipy.spatial import Delaunay
     except ImportError as error:
-        raise MissingPackageError(
-            "Pattern correction needs scipy: install it with pip install scipy."
-        ) from error
+        raise without_scipy("Pattern correction needs scipy: install it with pip install scipy.") from error
     return Delaunay(points)
 
 

@@ -12,8 +12,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from BalloonWorkbench.core.errors import MissingPackageError
 from BalloonWorkbench.core.mesh.panel import Panel
+from BalloonWorkbench.core.packages import without_scipy
 from BalloonWorkbench.core.solver.dkt import gradients
 from BalloonWorkbench.core.solver.start import DOME, dome
 from BalloonWorkbench.core.types import Floats
@@ -31,9 +31,7 @@ def grown(panel: Panel) -> Floats:
         from scipy.sparse import coo_matrix
         from scipy.sparse.linalg import splu
     except ImportError as error:
-        raise MissingPackageError(
-            "Pattern correction needs scipy: install it with pip install scipy."
-        ) from error
+        raise without_scipy("Pattern correction needs scipy: install it with pip install scipy.") from error
     triangles, count = panel.triangles, len(panel.rest_positions)
     height = HEIGHT * np.sqrt(2.0) / DOME * dome(panel)[:, 2]
     shape, areas = gradients(panel.rest_positions[triangles])

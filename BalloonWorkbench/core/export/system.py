@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import contextlib
-import ctypes
 import os
 import signal
 import sys
@@ -12,6 +11,8 @@ import threading
 import time
 from collections.abc import Iterator
 from pathlib import Path
+
+from BalloonWorkbench.core.packages import lacks_ctypes
 
 PATIENCE = 60.0  # s, for another run that writes beside us
 _POLL = 0.02  # s
@@ -22,6 +23,10 @@ _SIGNALS = ("SIGINT", "SIGTERM", "SIGHUP", "SIGBREAK")
 
 def exchange(one: Path, other: Path) -> bool:
     """Exchange two folders in one step; False, and nothing has changed, where system or disk cannot."""
+    if lacks_ctypes():
+        return False
+    import ctypes
+
     first, second = os.fsencode(one), os.fsencode(other)
     try:
         library = ctypes.CDLL(None, use_errno=True)

@@ -11,7 +11,8 @@ from collections import deque
 
 import numpy as np
 
-from BalloonWorkbench.core.errors import MeshError, MissingPackageError
+from BalloonWorkbench.core.errors import MeshError
+from BalloonWorkbench.core.packages import without_scipy
 from BalloonWorkbench.core.types import Floats, Ints
 
 _CROSSING = "The outline crosses or touches itself and cannot be meshed: separate the parts that meet."
@@ -22,9 +23,7 @@ def recovered_delaunay(points: Floats, segments: Ints) -> Ints:
     try:
         from scipy.spatial import Delaunay
     except ImportError as error:
-        raise MissingPackageError(
-            "Meshing needs pythoncdt or scipy: install one of them with pip."
-        ) from error
+        raise without_scipy("Meshing needs pythoncdt or scipy: install one of them with pip.") from error
     # A wide frame keeps the boundary off the convex hull, where Qhull may drop collinear points.
     low, high = points.min(axis=0), points.max(axis=0)
     middle, reach = 0.5 * (low + high), 2.0 * float(np.max(high - low))

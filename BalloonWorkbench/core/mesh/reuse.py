@@ -8,9 +8,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from BalloonWorkbench.core.errors import MissingPackageError
 from BalloonWorkbench.core.mesh.panel import Panel
 from BalloonWorkbench.core.mesh.quality import corner_angles, delaunay_loss, flipped, min_angles, worn
+from BalloonWorkbench.core.packages import without_scipy
 from BalloonWorkbench.core.types import Floats, Ints
 
 #: A triangle may not become much sharper than this [rad], or than it was before.
@@ -54,7 +54,7 @@ def _harmonic(panel: Panel, seam: Ints, free: Ints, shift: Floats) -> Floats:
         from scipy.sparse import coo_matrix
         from scipy.sparse.linalg import splu
     except ImportError as error:
-        raise MissingPackageError("Mesh reuse needs scipy: install it with pip install scipy.") from error
+        raise without_scipy("Mesh reuse needs scipy: install it with pip install scipy.") from error
     triangles = panel.triangles
     half_cotangents = 0.5 / np.tan(corner_angles(panel.rest_positions, triangles))
     p, q = np.roll(triangles, -1, axis=1).ravel(), np.roll(triangles, -2, axis=1).ravel()

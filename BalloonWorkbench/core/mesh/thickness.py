@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from BalloonWorkbench.core.errors import MissingPackageError
 from BalloonWorkbench.core.outline.outline import Outline, signed_area
 from BalloonWorkbench.core.outline.sampling import arc_lengths, point_at
+from BalloonWorkbench.core.packages import without_scipy
 from BalloonWorkbench.core.types import Bools, Floats, Ints
 
 #: Walls face each other where their normals, or their directions from between them, differ by more [rad].
@@ -50,7 +50,7 @@ def kd_tree(points: Floats) -> Any:
     try:
         from scipy.spatial import cKDTree
     except ImportError as error:
-        raise MissingPackageError("Meshing needs scipy: install it with pip install scipy.") from error
+        raise without_scipy("Meshing needs scipy: install it with pip install scipy.") from error
     return cKDTree(points)
 
 

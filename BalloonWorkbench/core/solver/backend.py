@@ -7,11 +7,11 @@ Both are the same quasi-static Newton method. Motion in time (Newmark) is slower
 from __future__ import annotations
 
 import functools
-import importlib.util
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
+from BalloonWorkbench.core import packages
 from BalloonWorkbench.core.errors import InputError, MissingPackageError
 from BalloonWorkbench.core.solver import motion, native, newton
 from BalloonWorkbench.core.solver.problem import Energies, Equilibrium, FilmProblem, NewtonSettings
@@ -52,6 +52,8 @@ def available() -> tuple[Backend, ...]:
         found.append(Backend("native", native.solve, native.energies))
     if _scipy_is_there():
         found.append(Backend("numpy", newton.solve, newton.energies))
+    if not found and packages.lacks_ctypes():
+        raise MissingPackageError(f"No solver works here: {packages.NO_CTYPES}")
     if not found:
         raise MissingPackageError(
             f"No solver works here: {native.problem_with_library()} Build it or install the package scipy."
@@ -65,7 +67,12 @@ def active_backend() -> str:
 
 
 def _scipy_is_there() -> bool:
-    return importlib.util.find_spec("scipy") is not None  # some FreeCADs lack it
+    """Some FreeCADs lack it, and it does not load in a Python without ctypes."""
+    try:
+        import scipy  # noqa: F401
+    except ImportError:
+        return False
+    return True
 
 
 def backend_named(name: str | Backend | None) -> Backend:

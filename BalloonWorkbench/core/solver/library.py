@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where the native library is: beside the workbench, built here or released, or in a package of its own.
+"""Where the native library is: beside the workbench (built, released or fetched), or in its own package.
 
 A library is loaded only if the sum in the file beside it is its own: the system maps a damaged one
 into memory, and then ends the process.
@@ -18,12 +18,15 @@ import shutil
 import sys
 import tempfile
 from collections.abc import Iterator
+from contextlib import suppress
 from pathlib import Path
 
 #: Of the workbench's own libraries.
 FOLDER = Path(__file__).resolve().parents[2] / "native" / "lib"
 #: A Python package with the library of this platform alone.
 PACKAGE = "film_balloon_native"
+#: What it costs to go on without one, for all who say so.
+SLOWER = "NumPy computes the same, 20 to 30 times slower."
 _NAMES = {"win32": "film_solver.dll", "darwin": "libfilm_solver.dylib"}
 _SYSTEMS = {"win32": "windows", "darwin": "macos", "linux": "linux"}
 _MACHINES = {"amd64": "x86_64", "x64": "x86_64", "arm64": "aarch64"}
@@ -40,12 +43,25 @@ def platform_name() -> str:
     return f"{_SYSTEMS.get(sys.platform, sys.platform)}-{_MACHINES.get(machine, machine)}"
 
 
+def fetched_folders(folder: Path) -> list[Path]:
+    """Where a library that was fetched for this version goes: with the workbench's own, else in the home.
+
+    That of another version is not looked at: it may know the interface, and compute something else.
+    """
+    from BalloonWorkbench import __version__
+
+    bases = [folder]
+    with suppress(RuntimeError):  # nobody knows where home is
+        bases.append(Path.home() / ".film-balloon" / "native")
+    return [base / str(__version__) / platform_name() for base in bases]
+
+
 def candidates(folder: Path) -> Iterator[Path]:
-    """The libraries that are there, best first: built here, released with the workbench, installed.
+    """The libraries that are there, best first: built here, released with the workbench, fetched, installed.
 
     folder  of the workbench's own libraries
     """
-    places = [folder, folder / platform_name()]
+    places = [folder, folder / platform_name(), *fetched_folders(folder)]
     package = importlib.util.find_spec(PACKAGE)
     places += map(Path, (package and package.submodule_search_locations) or ())
     for place in places:
@@ -74,6 +90,11 @@ def damage(path: Path) -> str | None:
 def unusable(why: str) -> str:
     """What a user is told of a library that is there, but of no use."""
     return f"The native solver, which is faster, is not available: {why}"
+
+
+def is_lacking() -> bool:
+    """Whether there is no library that could be loaded; loads none."""
+    return None not in map(damage, candidates(FOLDER))
 
 
 def damaged() -> list[str]:

@@ -6,6 +6,8 @@ from __future__ import annotations
 import FreeCADGui as Gui
 
 from BalloonWorkbench.app.properties import QT_TRANSLATE_NOOP
+from BalloonWorkbench.core.errors import FetchError
+from BalloonWorkbench.gui import native_offer
 from BalloonWorkbench.gui.borders import Panel
 from BalloonWorkbench.gui.panels import show
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, icon, number_of, translate
@@ -36,7 +38,7 @@ class _Panel(Panel):
     """Text to read and to copy."""
 
     def __init__(self):
-        from BalloonWorkbench.gui.equipment import described
+        from BalloonWorkbench.gui.equipment import can_be_fetched, described
 
         self.form = QtWidgets.QWidget()
         self.form.setWindowTitle(translate("What works here"))
@@ -45,7 +47,19 @@ class _Panel(Panel):
         text.setObjectName("Equipment")
         text.setWordWrap(True)
         text.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
-        QtWidgets.QVBoxLayout(self.form).addWidget(text)
+        column = QtWidgets.QVBoxLayout(self.form)
+        column.addWidget(text)
+        if can_be_fetched():
+            fetch = QtWidgets.QPushButton(translate("Fetch the native solver ..."))
+            fetch.setObjectName("FetchSolver")
+            fetch.clicked.connect(self._fetch)
+            column.addWidget(fetch)
+
+    def _fetch(self) -> None:
+        try:
+            native_offer.ask()
+        except FetchError as error:
+            self.fail(error)
 
     def getStandardButtons(self):
         return number_of(QtWidgets.QDialogButtonBox.Close)
