@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is wrong with the looks of an open panel: what is cut off, and scroll bars that nobody can follow."""
+
+import hands
+
+QtCore, QtGui, QtWidgets = hands.QtCore, hands.QtGui, hands.QtWidgets
+
+_SLACK = 2  # px
+
+
+def faults(tops):
+    """A line for each fault of the widgets under `tops`, as they are on the screen."""
+    widgets = [
+        widget
+        for top in tops
+        for widget in (top, *top.findChildren(QtWidgets.QWidget))
+        if widget.isVisible()
+    ]
+    return [line for widget in widgets for line in (*_narrow(widget), *_outside(widget), *_scrolls(widget))]
+
+
+def _name(widget):
+    text = widget.text()[:40] if hasattr(widget, "text") else ""
+    return f"{widget.metaObject().className()} {widget.objectName()} {text!r}"
+
+
+def _narrow(widget):
+    """Texts and signs for which there is no room."""
+    if isinstance(widget, QtWidgets.QTabBar):
+        yield from _tabs(widget)
+        return
+    room = widget.width() + _SLACK
+    if isinstance(widget, QtWidgets.QLabel) and widget.text():
+        if widget.wordWrap():
+            if widget.heightForWidth(widget.width()) > widget.height() + _SLACK:
+                yield f"{_name(widget)} is too low: {widget.height()} px"
+            room_of_words = widget.minimumSizeHint().width()
+            if room_of_words > room:
+                yield f"{_name(widget)} has a word that is cut off: {widget.width()} px of {room_of_words}"
+        elif widget.sizeHint().width() > room and not hasattr(widget, "elided_text"):
+            yield f"{_name(widget)} is cut off: {widget.width()} px of {widget.sizeHint().width()}"
+    elif isinstance(widget, (QtWidgets.QAbstractButton, QtWidgets.QAbstractSpinBox)):
+        needed = widget.minimumSizeHint().width()
+        if needed > room:
+            yield f"{_name(widget)} is cut off: {widget.width()} px of {needed}"
+    elif isinstance(widget, QtWidgets.QComboBox):
+        needed = widget.fontMetrics().boundingRect(widget.currentText()).width() + 24
+        if needed > room:
+            yield f"{_name(widget)} {widget.currentText()!r} is cut off: {widget.width()} px of {needed}"
+    elif isinstance(widget, QtWidgets.QLineEdit) and widget.text():
+        if isinstance(widget.parentWidget(), (QtWidgets.QAbstractSpinBox, QtWidgets.QComboBox)):
+            return
+        needed = widget.fontMetrics().boundingRect(widget.text()).width() + 6
+        if needed > room:
+            yield f"{_name(widget)} is cut off: {widget.width()} px of {needed}"
+
+
+def _tabs(bar):
+    for index in range(bar.count()):
+        place, text = bar.tabRect(index), bar.tabText(index)
+        if place.right() > bar.width() + _SLACK or place.left() < -_SLACK:
+            yield f"tab {text!r} is off its bar"
+        if bar.fontMetrics().boundingRect(text).width() > place.width() - 8:
+            yield f"tab {text!r} is cut off: {place.width()} px"
+    for button in bar.findChildren(QtWidgets.QToolButton):
+        if button.isVisible():
+            yield "tabs have to be scrolled"
+            return
+
+
+def _areas(widget):
+    """The areas that scroll, from the one that holds a widget outward."""
+    holder = widget.parentWidget()
+    while holder is not None:
+        if isinstance(holder, QtWidgets.QScrollArea):
+            yield holder
+        holder = holder.parentWidget()
+
+
+def _outside(widget):
+    """Sideways out of what scrolls; out of the window."""
+    for area in _areas(widget):
+        port = area.viewport()
+        left = widget.mapTo(port, QtCore.QPoint(0, 0)).x() if port.isAncestorOf(widget) else 0
+        if left < -_SLACK or left + widget.width() > port.width() + _SLACK:
+            yield f"{_name(widget)} reaches out of its area: {left} + {widget.width()} px of {port.width()}"
+            return
+
+
+def _scrolls(widget):
+    """Bars across, and bars within bars."""
+    if not isinstance(widget, QtWidgets.QAbstractScrollArea):
+        return
+    if widget.horizontalScrollBar().isVisible():
+        yield f"{_name(widget)} scrolls sideways"
+    outer = [area for area in _areas(widget) if area.verticalScrollBar().isVisible()]
+    if widget.verticalScrollBar().isVisible() and outer and isinstance(widget, QtWidgets.QScrollArea):
+        yield f"{_name(widget)} scrolls inside what scrolls"
+
+
+def buttons_off_screen(window):
+    """OK and Cancel of a panel that cannot be reached."""
+    for row in hands.panel_buttons():
+        for button in row.buttons():
+            low = button.mapTo(window, QtCore.QPoint(0, 0))
+            if not window.rect().contains(QtCore.QRect(low, button.size())):
+                yield f"{_name(button)} is off the window"
