@@ -125,8 +125,8 @@ def export(
 
     A pattern larger than the machine's bed (`bed` gives another one, such as "600 x 400 mm", "600 mm" for a
     roll, or "none") is refused; with oversize "write" it is written all the same, with "scale" the balloon is
-    made smaller until it fits. Given a Balloon object it writes what the film does everywhere, as .vtu, .npz or .stl; given an artwork,
-    all its files into a folder. Raises ExportError.
+    made smaller until it fits. Given a Balloon object it writes what the film does everywhere, as .vtu, .npz
+    or .stl; given an artwork, all its files into a folder. Raises ExportError.
     """
     from BalloonWorkbench.app import artwork as prints
 

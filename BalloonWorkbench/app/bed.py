@@ -44,10 +44,10 @@ def scale_to_bed(pattern_obj, machine_name: str, bed: str | None = None) -> floa
     from BalloonWorkbench.core.export.machine import machine
     from BalloonWorkbench.core.units import to_mm
 
+    made_for, first = machine(machine_name, bed), sheet(pattern_obj)
     why = hindrance(pattern_obj)
     if why:
-        raise ExportError(f"The balloon cannot be scaled to fit. {why}")
-    made_for, first = machine(machine_name, bed), sheet(pattern_obj)
+        raise ExportError(why)
     outline = leader(patterns_in(pattern_obj)[0].Balloon.Outline)
     before = outline.Width.Value, outline.Height.Value
     size = before if any(before) else (to_mm(read_all(outline)[0].size[0]), 0.0)

@@ -85,6 +85,17 @@ def _film_findings(pattern_obj, made_for) -> tuple:
     return tuple(finding for each in films for finding in film_preflight(each, made_for))
 
 
+def files_of(pattern_obj, path) -> list[Path]:
+    """The files that `export_for` writes for a path: what is cut from another film has one of its own.
+
+    Raises what `sheet` raises.
+    """
+    from BalloonWorkbench.core.export.fabricate import file_of_stock
+
+    path, (_, *others) = Path(path), sheet(pattern_obj).stocks
+    return [path, *(path.with_name(file_of_stock(path.name, stock)) for stock in others)]
+
+
 def export_for(
     pattern_obj,
     machine_name: str,

@@ -128,7 +128,8 @@ def test_a_bed_that_nothing_fits() -> None:
 def test_every_refusal_offers_a_way_on() -> None:
     """Each sentence with which an export ends tells what to do."""
     actions = (
-        "choose", "close it", "simplify", "make the", "let the", "leave out", "repair that", "move the", "lay out",
+        "choose", "close it", "simplify", "make the", "let the", "leave out", "repair that", "move the",
+        "lay out",
     )  # fmt: skip
     package = Path(BalloonWorkbench.__file__).parent
     files = [

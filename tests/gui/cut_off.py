@@ -11,10 +11,7 @@ _SLACK = 2  # px
 def faults(tops):
     """A line for each fault of the widgets under `tops`, as they are on the screen."""
     widgets = [
-        widget
-        for top in tops
-        for widget in (top, *top.findChildren(QtWidgets.QWidget))
-        if widget.isVisible()
+        widget for top in tops for widget in (top, *top.findChildren(QtWidgets.QWidget)) if widget.isVisible()
     ]
     return [line for widget in widgets for line in (*_narrow(widget), *_outside(widget), *_scrolls(widget))]
 
@@ -48,8 +45,6 @@ def _narrow(widget):
         if needed > room:
             yield f"{_name(widget)} {widget.currentText()!r} is cut off: {widget.width()} px of {needed}"
     elif isinstance(widget, QtWidgets.QLineEdit) and widget.text():
-        if isinstance(widget.parentWidget(), (QtWidgets.QAbstractSpinBox, QtWidgets.QComboBox)):
-            return
         needed = widget.fontMetrics().boundingRect(widget.text()).width() + 6
         if needed > room:
             yield f"{_name(widget)} is cut off: {widget.width()} px of {needed}"
@@ -68,33 +63,26 @@ def _tabs(bar):
             return
 
 
-def _areas(widget):
-    """The areas that scroll, from the one that holds a widget outward."""
-    holder = widget.parentWidget()
-    while holder is not None:
-        if isinstance(holder, QtWidgets.QScrollArea):
-            yield holder
-        holder = holder.parentWidget()
-
-
-def _outside(widget):
-    """Sideways out of what scrolls; out of the window."""
-    for area in _areas(widget):
+def _outside(widget, areas):
+    """Sideways out of what scrolls."""
+    for area in areas:
         port = area.viewport()
-        left = widget.mapTo(port, QtCore.QPoint(0, 0)).x() if port.isAncestorOf(widget) else 0
+        if not port.isAncestorOf(widget):
+            continue
+        left = widget.mapTo(port, QtCore.QPoint(0, 0)).x()
         if left < -_SLACK or left + widget.width() > port.width() + _SLACK:
             yield f"{_name(widget)} reaches out of its area: {left} + {widget.width()} px of {port.width()}"
             return
 
 
-def _scrolls(widget):
+def _scrolls(widget, areas):
     """Bars across, and bars within bars."""
     if not isinstance(widget, QtWidgets.QAbstractScrollArea):
         return
     if widget.horizontalScrollBar().isVisible():
         yield f"{_name(widget)} scrolls sideways"
-    outer = [area for area in _areas(widget) if area.verticalScrollBar().isVisible()]
-    if widget.verticalScrollBar().isVisible() and outer and isinstance(widget, QtWidgets.QScrollArea):
+    outer = [area for area in areas if area.isAncestorOf(widget) and area.verticalScrollBar().isVisible()]
+    if widget.verticalScrollBar().isVisible() and outer:
         yield f"{_name(widget)} scrolls inside what scrolls"
 
 

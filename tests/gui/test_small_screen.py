@@ -43,10 +43,9 @@ def look(name):
     hands.wait(0.2)
     hands.screenshot(f"small-{name}")
     (row,) = hands.panel_buttons()
-    view = row.parentWidget()
-    while view.parentWidget() is not None and not isinstance(view, QtWidgets.QDockWidget):
-        view = view.parentWidget()
-    return [f"{name}: {line}" for line in (*cut_off.faults([view]), *cut_off.buttons_off_screen(Gui.getMainWindow()))]
+    (dock,) = [each for each in hands.visible(QtWidgets.QDockWidget) if each.isAncestorOf(row)]
+    found = [*cut_off.faults(dock), *cut_off.buttons_off_screen(Gui.getMainWindow())]
+    return [f"{name}: {line}" for line in found]
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
@@ -73,7 +72,16 @@ def test_panel_of_a_picture(small, speak, doc, language):
     assert not told, "\n".join(told)
 
 
-COMMANDS = ("ExportPattern", "Advice", "Artwork", "Nest", "AssemblySheet", "ColourMap", "Animate", "Equipment")
+COMMANDS = (
+    "ExportPattern",
+    "Advice",
+    "Artwork",
+    "Nest",
+    "AssemblySheet",
+    "ColourMap",
+    "Animate",
+    "Equipment",
+)
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
@@ -101,7 +109,7 @@ def test_page_of_the_preferences(speak, language):
     page.form.resize(700, 560)
     page.form.show()
     hands.wait(0.1)
-    told = cut_off.faults([page.form])
+    told = cut_off.faults(page.form)
     needed = page.form.minimumSizeHint()
     page.form.hide()
     page.form.deleteLater()
