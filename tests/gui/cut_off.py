@@ -8,12 +8,15 @@ QtCore, QtGui, QtWidgets = hands.QtCore, hands.QtGui, hands.QtWidgets
 _SLACK = 2  # px
 
 
-def faults(tops):
-    """A line for each fault of the widgets under `tops`, as they are on the screen."""
-    widgets = [
-        widget for top in tops for widget in (top, *top.findChildren(QtWidgets.QWidget)) if widget.isVisible()
+def faults(top):
+    """A line for each fault of the widgets of a panel, as they are on the screen."""
+    widgets = [widget for widget in hands.visible(QtWidgets.QWidget) if top.isAncestorOf(widget)]
+    areas = [widget for widget in widgets if isinstance(widget, QtWidgets.QScrollArea)]
+    return [
+        line
+        for widget in widgets
+        for line in (*_narrow(widget), *_outside(widget, areas), *_scrolls(widget, areas))
     ]
-    return [line for widget in widgets for line in (*_narrow(widget), *_outside(widget), *_scrolls(widget))]
 
 
 def _name(widget):

@@ -30,7 +30,10 @@ _HIGHEST = 160  # px, of the list of findings
 
 
 class MachineBox(QtWidgets.QWidget):
-    """Chooses a machine and its bed. `changed` follows each choice, `scaled` is the wish for a smaller one."""
+    """Chooses a machine and its bed.
+
+    `changed` follows each choice, `scaled` is the wish for a balloon that fits.
+    """
 
     changed = QtCore.Signal()
     scaled = QtCore.Signal()
