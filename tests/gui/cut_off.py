@@ -6,6 +6,7 @@ import hands
 QtCore, QtGui, QtWidgets = hands.QtCore, hands.QtGui, hands.QtWidgets
 
 _SLACK = 2  # px
+_QTS_OWN = ("qt_dockwidget_floatbutton", "qt_dockwidget_closebutton", "ScrollLeftButton", "ScrollRightButton")
 
 
 def faults(top):
@@ -39,9 +40,9 @@ def _narrow(widget):
                 yield f"{_name(widget)} has a word that is cut off: {widget.width()} px of {room_of_words}"
         elif widget.sizeHint().width() > room and not hasattr(widget, "elided_text"):
             yield f"{_name(widget)} is cut off: {widget.width()} px of {widget.sizeHint().width()}"
-    elif isinstance(widget, (QtWidgets.QAbstractButton, QtWidgets.QAbstractSpinBox)):
+    elif isinstance(widget, QtWidgets.QAbstractButton):
         needed = widget.minimumSizeHint().width()
-        if needed > room:
+        if widget.objectName() not in _QTS_OWN and needed > room:
             yield f"{_name(widget)} is cut off: {widget.width()} px of {needed}"
     elif isinstance(widget, QtWidgets.QComboBox):
         needed = widget.fontMetrics().boundingRect(widget.currentText()).width() + 24
@@ -84,7 +85,11 @@ def _scrolls(widget, areas):
         return
     if widget.horizontalScrollBar().isVisible():
         yield f"{_name(widget)} scrolls sideways"
-    outer = [area for area in areas if area.isAncestorOf(widget) and area.verticalScrollBar().isVisible()]
+    outer = [
+        area
+        for area in areas
+        if area is not widget and area.isAncestorOf(widget) and area.verticalScrollBar().isVisible()
+    ]
     if widget.verticalScrollBar().isVisible() and outer:
         yield f"{_name(widget)} scrolls inside what scrolls"
 

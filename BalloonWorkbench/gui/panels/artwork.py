@@ -11,7 +11,7 @@ from BalloonWorkbench.gui import record
 from BalloonWorkbench.gui.borders import undo_step
 from BalloonWorkbench.gui.paint.display import MODE
 from BalloonWorkbench.gui.panels import show
-from BalloonWorkbench.gui.panels.narrow import narrow_form
+from BalloonWorkbench.gui.panels.narrow import NarrowForm
 from BalloonWorkbench.gui.panels.object_panel import ObjectPanel
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.sentences import tell
@@ -44,7 +44,7 @@ class ArtworkPanel(ObjectPanel):
         self.message = QtWidgets.QLabel()
         self.message.setObjectName("ArtworkMessage")
         self.message.setWordWrap(True)
-        form = narrow_form(self.form)
+        form = NarrowForm(self.form)
         form.addRow(translate("Front"), self.front)
         form.addRow(translate("Back"), self.back)
         form.addRow(translate("Bleed"), self.fields.quantity("Bleed", "mm"))

@@ -12,7 +12,7 @@ from BalloonWorkbench.core.fonts import can_show
 from BalloonWorkbench.gui import record
 from BalloonWorkbench.gui.borders import Panel
 from BalloonWorkbench.gui.panels.maker_rows import MakerRows
-from BalloonWorkbench.gui.panels.narrow import narrow_form
+from BalloonWorkbench.gui.panels.narrow import NarrowForm
 from BalloonWorkbench.gui.panels.target_file import TargetFile, name_of
 from BalloonWorkbench.gui.panels.watch import Watch
 from BalloonWorkbench.gui.qt import QtGui, QtWidgets, icon, translate
@@ -36,8 +36,8 @@ class AssemblyPanel(Panel):
         self.message = QtWidgets.QLabel()
         self.message.setObjectName("AssemblyMessage")
         self.message.setWordWrap(True)
-        form = narrow_form(self.form)
-        numbers = narrow_form()
+        form = NarrowForm(self.form)
+        numbers = NarrowForm()
         self.numbers = MakerRows(numbers)
         self.numbers.show(parts)
         form.addRow(numbers)

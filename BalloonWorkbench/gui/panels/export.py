@@ -13,7 +13,7 @@ from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.gui import record
 from BalloonWorkbench.gui.borders import Panel, undo_step
 from BalloonWorkbench.gui.panels.machine_box import MachineBox
-from BalloonWorkbench.gui.panels.narrow import NarrowCombo, narrow_form
+from BalloonWorkbench.gui.panels.narrow import NarrowCombo, NarrowForm
 from BalloonWorkbench.gui.panels.target_file import TargetFile, name_of
 from BalloonWorkbench.gui.panels.watch import Watch
 from BalloonWorkbench.gui.qt import QtGui, QtWidgets, icon, translate
@@ -42,7 +42,7 @@ class ExportPanel(Panel):
         self.message = QtWidgets.QLabel()
         self.message.setObjectName("Message")
         self.message.setWordWrap(True)
-        form = narrow_form(self.form)
+        form = NarrowForm(self.form)
         for text, widget in (
             (translate("Pattern"), self.choice),
             (translate("Machine"), self.machine),

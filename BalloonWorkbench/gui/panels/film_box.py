@@ -9,7 +9,7 @@ from BalloonWorkbench.app.balloon import VOLUME
 from BalloonWorkbench.app.film import CUSTOM
 from BalloonWorkbench.gui.panels.card_box import CardBox
 from BalloonWorkbench.gui.panels.fields import Fields
-from BalloonWorkbench.gui.panels.narrow import narrow_form
+from BalloonWorkbench.gui.panels.narrow import NarrowForm
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.sentences import tell
 
@@ -27,7 +27,7 @@ class FilmBox(QtWidgets.QWidget):
         film_values.offer(balloon)
         film = self.fields.choice("Film")
         _describe(film)
-        form = narrow_form(self)
+        form = NarrowForm(self)
         form.addRow(translate("Film"), film)
         self.card = CardBox(balloon)
         self.card.changed.connect(self.changed)

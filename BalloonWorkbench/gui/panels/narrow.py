@@ -5,13 +5,28 @@ from __future__ import annotations
 
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets
 
+_ROOM = 200  # px, for a name and its field in a panel as FreeCAD opens it
 
-def narrow_form(parent=None):
+
+class NarrowForm(QtWidgets.QFormLayout):
     """A form whose fields go below their names where there is no room beside them."""
-    form = QtWidgets.QFormLayout() if parent is None else QtWidgets.QFormLayout(parent)
-    form.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)
-    form.setFieldGrowthPolicy(QtWidgets.QFormLayout.AllNonFixedFieldsGrow)
-    return form
+
+    def __init__(self, *parent):
+        super().__init__(*parent)
+        self.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)
+        self.setFieldGrowthPolicy(QtWidgets.QFormLayout.AllNonFixedFieldsGrow)
+
+    def addRow(self, *row):
+        """Qt would rather cut off an entry of a choice than put it below its name."""
+        if len(row) == 2 and isinstance(row[1], QtWidgets.QComboBox):
+            name, field = row
+            label = QtWidgets.QLabel(name) if isinstance(name, str) else name
+            if label.sizeHint().width() + field.sizeHint().width() + self.horizontalSpacing() > _ROOM:
+                super().addRow(label)
+                super().addRow(field)
+                return
+            row = label, field
+        super().addRow(*row)
 
 
 class NarrowCombo(QtWidgets.QComboBox):
@@ -56,8 +71,11 @@ class FullList(QtWidgets.QListWidget):
         """Take the height of the rows, as wide as they are now."""
         self.doItemsLayout()
         rows = sum(self.sizeHintForRow(row) for row in range(self.count()))
-        spare = 2 * self.frameWidth() + 4
-        self.setFixedHeight(min(max(rows, self.fontMetrics().height()) + spare, self._highest))
+        height = max(rows, self.fontMetrics().height()) + 2 * self.frameWidth() + 4
+        scrolls = height > self._highest
+        policy = QtCore.Qt.ScrollBarAsNeeded if scrolls else QtCore.Qt.ScrollBarAlwaysOff
+        self.setVerticalScrollBarPolicy(policy)
+        self.setFixedHeight(min(height, self._highest))
 
     def resizeEvent(self, event):
         super().resizeEvent(event)

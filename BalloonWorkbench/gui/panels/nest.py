@@ -10,7 +10,7 @@ from BalloonWorkbench.app.parts import patterns
 from BalloonWorkbench.gui import record
 from BalloonWorkbench.gui.borders import undo_step
 from BalloonWorkbench.gui.panels import show
-from BalloonWorkbench.gui.panels.narrow import FullList, narrow_form
+from BalloonWorkbench.gui.panels.narrow import FullList, NarrowForm
 from BalloonWorkbench.gui.panels.object_panel import ObjectPanel
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.sentences import tell
@@ -51,7 +51,7 @@ class NestPanel(ObjectPanel):
         self.message = QtWidgets.QLabel()
         self.message.setObjectName("NestMessage")
         self.message.setWordWrap(True)
-        form = narrow_form(self.form)
+        form = NarrowForm(self.form)
         form.addRow(translate("Patterns"), self.choice)
         form.addRow(translate("Film"), self.fields.choice("Film"))
         form.addRow(translate("Balloons of each"), self.fields.whole("Balloons", 1, _MOST))

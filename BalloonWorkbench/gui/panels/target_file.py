@@ -34,13 +34,13 @@ class TargetFile(QtWidgets.QWidget):
         self.replace = QtWidgets.QCheckBox(translate("Replace the file"))
         self.replace.setObjectName(f"{object_name}Replace")
         self.replace.setToolTip(translate("A file of this name is there already"))
-        row = QtWidgets.QHBoxLayout()
-        row.addWidget(self.line)
-        row.addWidget(browse)
+        below = QtWidgets.QHBoxLayout()
+        below.addWidget(self.place)
+        below.addWidget(browse)
         column = QtWidgets.QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
-        column.addLayout(row)
-        column.addWidget(self.place)
+        column.addWidget(self.line)
+        column.addLayout(below)
         column.addWidget(self.replace)
         self.line.editingFinished.connect(self._take)
         self.line.textEdited.connect(lambda _text: self.replace.setChecked(False))
@@ -58,6 +58,7 @@ class TargetFile(QtWidgets.QWidget):
         if name != own:
             self.replace.setChecked(False)
         self.line.setText(name)
+        self.line.setCursorPosition(0)  # a long name is read from its beginning
         self._show()
 
     @property
