@@ -110,13 +110,13 @@ def export_folder(doc) -> Path:
     if get("ExportFolder"):
         return Path(get("ExportFolder"))
     document = Path(doc.FileName).parent if doc.FileName else ""
-    known = (_folders.get(doc.Uid, ""), document, App.ParamGet(PATH).GetString(_RECENT, ""))
+    known = (_folders.get(doc.FileName or doc.Name, ""), document, App.ParamGet(PATH).GetString(_RECENT, ""))
     return next((Path(folder) for folder in known if folder and Path(folder).is_dir()), Path.home())
 
 
 def put_export_folder(doc, folder) -> None:
     """Remember where a document's file went."""
-    _folders[doc.Uid] = str(folder)
+    _folders[doc.FileName or doc.Name] = str(folder)
     App.ParamGet(PATH).SetString(_RECENT, str(folder))
 
 

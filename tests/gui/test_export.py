@@ -81,19 +81,25 @@ def test_names_are_fit_for_every_file_system(made):
     assert hands.find("File").text() == "Fish_ _3_4_ _new_.dxf"
 
 
+def type_name(text):
+    """Into the field of the file, which is left then; Return would be OK."""
+    hands.type_into(hands.find("File"), text, confirm=False)
+    hands.find("File").editingFinished.emit()
+
+
 def test_no_file_is_replaced_unasked(panel, tmp_path):
     """A box asks; its tick is for that name only."""
     there = tmp_path / "mine.dxf"
     there.write_text("precious")
-    hands.type_into(hands.find("File"), str(there))
+    type_name(str(there))
     assert hands.find("FileReplace").isVisible()
     hands.press("Ok")
     assert "mine.dxf" in hands.message()
     assert there.read_text() == "precious"
     hands.click(hands.find("FileReplace"), x=8)
-    hands.type_into(hands.find("File"), "other.dxf")
+    type_name("other.dxf")
     assert not hands.find("FileReplace").isVisible()
-    hands.type_into(hands.find("File"), "mine.dxf")
+    type_name("mine.dxf")
     assert not hands.find("FileReplace").isChecked()
     hands.click(hands.find("FileReplace"), x=8)
     hands.press("Ok")

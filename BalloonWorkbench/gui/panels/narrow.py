@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets
 
-_ROOM = 200  # px, for a name and its field in a panel as FreeCAD opens it
+_ROOM = 180  # px, for a name and its field in a panel as FreeCAD opens it
 
 
 class NarrowForm(QtWidgets.QFormLayout):

@@ -69,8 +69,10 @@ class Pages(QtWidgets.QWidget):
         if index == self._index:
             return
         if index not in self._boxes:
-            self._boxes[index] = self._makers[index]()
-            self._column.addWidget(self._boxes[index])
+            self._boxes[index] = box = self._makers[index]()
+            margins = box.layout().contentsMargins()
+            box.layout().setContentsMargins(0, margins.top(), 0, margins.bottom())
+            self._column.addWidget(box)
         self._index = index
         self._buttons[index].setChecked(True)
         for number, box in self._boxes.items():
