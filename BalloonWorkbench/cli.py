@@ -14,7 +14,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from BalloonWorkbench import cli_console, cli_document, cli_making, cli_pattern
+from BalloonWorkbench import cli_bed, cli_console, cli_document, cli_making, cli_pattern
 from BalloonWorkbench.cli_home import home
 from BalloonWorkbench.cli_options import FETCH, parser
 from BalloonWorkbench.cli_summary import summary
@@ -27,9 +27,10 @@ from BalloonWorkbench.core.errors import (
     MissingPackageError,
     ProgramFault,
 )
+from BalloonWorkbench.core.export.bed import SCALE
 from BalloonWorkbench.core.export.fabricate import checked_files, machines_for
 from BalloonWorkbench.core.export.files import check_folder, write_files
-from BalloonWorkbench.core.export.machine import Machine, left_out, machine
+from BalloonWorkbench.core.export.machine import Machine, left_out
 from BalloonWorkbench.core.faults import UNFORESEEN, report_fault
 from BalloonWorkbench.core.film.filling import Filling, gas
 from BalloonWorkbench.core.film.film import Film
@@ -106,20 +107,29 @@ class _Run:
         for name in (options.input, options.artwork, options.artwork_back, *options.machine):
             _refuse_streams(name)
         # a mistake shows before the work
-        chosen, doubts = machines_for(settings.film, [machine(name) for name in options.machine])
+        chosen, doubts = machines_for(settings.film, cli_bed.machines_of(options))
         make = cli_making.checked(options, _decode())
         check_folder(options.out)
         line = cli_console.StatusLine(sys.stderr)
-        try:
-            balloon = make_balloon(
+
+        def design(size: cli_bed.Size) -> Balloon:
+            return make_balloon(
                 options.input,
                 settings,
-                width=width,
-                height=height,
+                width=size[0],
+                height=size[1],
                 decode=_decode(),
                 progress=line.show,
                 attempt=self._attempt,
             )
+
+        smaller: list[str] = []
+        try:
+            balloon = design((width, height))
+            if options.oversize == SCALE:
+                balloon, (width, height), smaller = cli_bed.scaled_to_fit(
+                    balloon, chosen, (width, height), design
+                )
             if settings.goal is not None:
                 width = balloon.drawing.size[0]
             with cli_document.document(options.input, settings, balloon.designs, width, height) as document:
@@ -137,7 +147,7 @@ class _Run:
         if not contents:
             raise self._fault or ExportError(f"No file could be made. {' '.join(self._left_out)}")
         write_files(options.out, contents, self._written)
-        return self._tell(balloon, [*(f"Check: {doubt}" for doubt in doubts), *lines])
+        return self._tell(balloon, [*(f"Check: {doubt}" for doubt in doubts), *smaller, *lines])
 
     def _contents(
         self,
@@ -167,7 +177,8 @@ class _Run:
         refused: list[ExportError] = []
         for name, machines, paper in asked:
             try:
-                made = self._attempt(name, partial(checked_files, balloon.sheet, machines, paper))
+                work = partial(checked_files, balloon.sheet, machines, paper, options.oversize)
+                made = self._attempt(name, work)
             except ExportError as error:
                 refused.append(error)
                 continue
@@ -175,8 +186,8 @@ class _Run:
                 contents |= made[0]
                 lines += [f"Check: {remark}" for remark in made[1]]
         if refused and len(refused) == len(asked):
-            raise ExportError(" ".join(map(str, refused)))
-        self._left_out += map(str, refused)
+            raise ExportError(" ".join([*map(str, refused), *cli_bed.ways_on(balloon, chosen)]))
+        self._left_out += [*map(str, refused), *(cli_bed.ways_on(balloon, chosen) if refused else [])]
         more = self._attempt("What else is made", lambda: make(balloon, chosen, line.show, self._attempt))
         files, told = more or ({}, [])
         return contents | files, [*lines, *told]

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import argparse
-import re
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -21,7 +20,7 @@ from BalloonWorkbench.core.making import Artwork, assembly_files, nested, print_
 from BalloonWorkbench.core.nesting.layout import SPACING, Grain, Stock
 from BalloonWorkbench.core.outline.decode import decode, picture_size
 from BalloonWorkbench.core.types import Attempt, Progress
-from BalloonWorkbench.core.units import mm_text, parse_length, to_mm
+from BalloonWorkbench.core.units import mm_text, parse_length, parse_size, to_mm
 
 
 def add_making(command: argparse.ArgumentParser) -> None:
@@ -77,12 +76,12 @@ def checked(options: argparse.Namespace, reader: Callable[[Path], Any] | None) -
         made: list[tuple[Mapping[str, bytes], list[str]] | None] = []
         if artwork is not None:
             progress(1.0, "printing")
-            made.append(attempt("The print", lambda: _print(balloon, artwork, asked)))
+            made.append(attempt("The print", lambda: _print(balloon, artwork, asked, options.oversize)))
         if stock is not None:
             made.append(
                 attempt(
                     "The layout on film",
-                    lambda: _nest(balloon, stock, options.balloons, asked, progress),
+                    lambda: _nest(balloon, stock, options.balloons, asked, options.oversize, progress),
                 )
             )
         if options.assembly is not None:
@@ -98,13 +97,13 @@ def checked(options: argparse.Namespace, reader: Callable[[Path], Any] | None) -
 
 
 def _print(
-    balloon: Balloon, artwork: Artwork, asked: Sequence[Machine]
+    balloon: Balloon, artwork: Artwork, asked: Sequence[Machine], oversize: str
 ) -> tuple[dict[str, bytes], list[str]]:
     files, remarks, front, back = print_files(balloon, artwork)
     contents = dict(files)
     lines = [f"Note: {remark}" for remark in remarks]
     for side, sheet in (("front", front), ("back", back)):
-        made, doubts = checked_files(sheet.pattern, asked)
+        made, doubts = checked_files(sheet.pattern, asked, oversize=oversize)
         contents |= {f"print-{side}-{name}": content for name, content in made.items()}
         lines += [f"Check, {side}: {doubt}" for doubt in doubts]
     width, height = front.size
@@ -128,13 +127,9 @@ def _artwork(options: argparse.Namespace, reader: Callable[[Path], Any]) -> Artw
 
 def _stock(options: argparse.Namespace) -> Stock:
     """'500mm', '500mmx700mm' or '50 x 70 cm': width, and length of a sheet."""
-    words = re.split(r"\s*[x×]\s*", options.nest.strip())
-    if not 1 <= len(words) <= 2:
-        raise InputError(f"'{options.nest}' is no film: write 500mm for a roll, 500mmx700mm for sheets.")
-    unit = re.sub(r"[\d.\s]", "", words[-1])
-    sizes = [parse_length(word if re.search(r"[^\d.]", word) else word + unit) for word in words]
+    width, length = parse_size(options.nest)
     spacing = SPACING if options.spacing is None else parse_length(options.spacing)
-    return Stock(sizes[0], sizes[1] if len(sizes) > 1 else None, spacing, Grain(options.grain_lies))
+    return Stock(width, length, spacing, Grain(options.grain_lies))
 
 
 def _nest(
@@ -142,6 +137,7 @@ def _nest(
     stock: Stock,
     count: int,
     machines: Sequence[Machine],
+    oversize: str,
     progress: Progress,
 ) -> tuple[dict[str, bytes], list[str]]:
     contents: dict[str, bytes] = {}
@@ -154,7 +150,7 @@ def _nest(
             which = "" if number == 1 else f"-{number}"
             for each in machines:
                 try:
-                    made, doubts = checked_files(layout.pattern(pieces), [each])
+                    made, doubts = checked_files(layout.pattern(pieces), [each], oversize=oversize)
                 except ExportError as error:
                     lines.append(f"Left out: {error}")
                     continue

@@ -7,6 +7,7 @@ import argparse
 from typing import Any, NoReturn
 
 from BalloonWorkbench import __version__, cli_making, cli_pattern
+from BalloonWorkbench.cli_bed import add_bed
 from BalloonWorkbench.cli_console import UNSHOWN, complain, show
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.export.machine import machines
@@ -109,6 +110,7 @@ def _add_machines(command: argparse.ArgumentParser) -> None:
         default=[],
         help=f"also write what it reads: {', '.join(machines())}, or a .json file; may be repeated",
     )
+    add_bed(command)
     command.add_argument(
         "--tiled",
         metavar="PAPER",

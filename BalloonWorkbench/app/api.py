@@ -113,11 +113,20 @@ def repair(made: Parts, rule: str, near=(0.0, 0.0)) -> None:
 
 
 @_bordered
-def export(obj, path, machine: str | None = None, paper: str | None = None) -> Path:
+def export(
+    obj,
+    path,
+    machine: str | None = None,
+    paper: str | None = None,
+    bed: str | None = None,
+    oversize: str = "refuse",
+) -> Path:
     """Write a pattern, or all of a group, to a DXF or SVG file, or as a machine reads it; returns the file.
 
-    Given a Balloon object it writes what the film does everywhere, as .vtu, .npz or .stl; given an artwork,
-    all its files into a folder. Raises ExportError.
+    A pattern larger than the machine's bed (`bed` gives another one, such as "600 x 400 mm", "600 mm" for a
+    roll, or "none") is refused; with oversize "write" it is written all the same, with "scale" the balloon is
+    made smaller until it fits. Given a Balloon object it writes what the film does everywhere, as .vtu, .npz
+    or .stl; given an artwork, all its files into a folder. Raises ExportError.
     """
     from BalloonWorkbench.app import artwork as prints
 
@@ -127,7 +136,7 @@ def export(obj, path, machine: str | None = None, paper: str | None = None) -> P
         prints.write(obj, path)
         return Path(path)
     if machine:
-        return writer.export_for(obj, machine, path, paper)
+        return writer.export_for(obj, machine, path, paper, bed, oversize)
     results = isinstance(getattr(obj, "Proxy", None), balloon.BalloonProxy)
     return (writer.export_results if results else writer.export_pattern)(obj, path)
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from BalloonWorkbench.app import status
-from BalloonWorkbench.core.errors import ExportError
+from BalloonWorkbench.core.errors import ExportError, InputError
 
 
 def export_pattern(pattern_obj, target) -> Path:
@@ -47,21 +47,29 @@ def sheet(pattern_obj):
     return on_one_sheet([pattern.sheet(obj) for obj in objects])
 
 
-def check_for(pattern_obj, machine_name: str):
+def patterns_in(obj) -> list:
+    """The pattern objects of what can be exported: of itself, a group, an artwork or a sheet of film."""
+    from BalloonWorkbench.app import pattern
+
+    cut = getattr(obj, "Patterns", None) or [getattr(obj, "Pattern", None) or obj]
+    return [each for one in cut for each in getattr(one, "Group", [one]) if pattern.is_pattern(each)]
+
+
+def check_for(pattern_obj, machine_name: str, bed: str | None = None, oversize: str = "refuse"):
     """What a machine may find wrong with a pattern: `preflight`'s findings, errors first.
 
-    Raises what `sheet` and `machine` raise.
+    bed and oversize as for `export_for`. Raises what `sheet` and `machine` raise.
     """
     from BalloonWorkbench.app import hooks
     from BalloonWorkbench.core.export.machine import machine
     from BalloonWorkbench.core.export.preflight import ERROR, preflight
 
-    made_for, pattern = machine(machine_name), sheet(pattern_obj)
+    made_for, pattern = machine(machine_name, bed), sheet(pattern_obj)
 
     parts = [pattern.of_stock(stock) for stock in pattern.stocks]
 
     def findings(_progress) -> list:
-        return [finding for part in parts for finding in preflight(part, made_for)]
+        return [finding for part in parts for finding in preflight(part, made_for, oversize)]
 
     both = (*_film_findings(pattern_obj, made_for), *hooks.work("Checking the pattern", findings))
     each_once = {finding.text: finding for finding in both}.values()
@@ -70,29 +78,53 @@ def check_for(pattern_obj, machine_name: str):
 
 def _film_findings(pattern_obj, made_for) -> tuple:
     """What the machine does that the films of the patterns do not take: the core's findings."""
-    from BalloonWorkbench.app import film, pattern
+    from BalloonWorkbench.app import film
     from BalloonWorkbench.core.export.preflight import film_preflight
 
-    cut = getattr(pattern_obj, "Patterns", None) or [getattr(pattern_obj, "Pattern", None) or pattern_obj]
-    objects = [each for obj in cut for each in getattr(obj, "Group", [obj]) if pattern.is_pattern(each)]
-    films = dict.fromkeys(film.read(obj.Balloon) for obj in objects)
+    films = dict.fromkeys(film.read(obj.Balloon) for obj in patterns_in(pattern_obj))
     return tuple(finding for each in films for finding in film_preflight(each, made_for))
 
 
-def export_for(pattern_obj, machine_name: str, target, paper: str | None = None) -> Path:
+def files_of(pattern_obj, path) -> list[Path]:
+    """The files that `export_for` writes for a path: what is cut from another film has one of its own.
+
+    Raises what `sheet` raises.
+    """
+    from BalloonWorkbench.core.export.fabricate import file_of_stock
+
+    path, (_, *others) = Path(path), sheet(pattern_obj).stocks
+    return [path, *(path.with_name(file_of_stock(path.name, stock)) for stock in others)]
+
+
+def export_for(
+    pattern_obj,
+    machine_name: str,
+    target,
+    paper: str | None = None,
+    bed: str | None = None,
+    oversize: str = "refuse",
+) -> Path:
     """Write the file that a machine reads, to a file or under its usual name into a folder; returns the file.
 
     What is cut from another film than the balloon's goes into a file of its own beside it.
-    paper divides a PDF into pages of "A4", "A3" or "Letter". Raises ExportError, and writes nothing, when the
-    machine cannot make the pattern.
+    paper divides a PDF into pages of "A4", "A3" or "Letter"; bed is another one than in the machine's file,
+    such as "600 x 400 mm", "600 mm" for a roll, or "none". A pattern that is larger is refused; with oversize
+    "write" it is written all the same, with "scale" the balloon is made smaller first, see `scale_to_bed`.
+    Raises ExportError, and writes nothing, when the machine cannot make the pattern.
     """
     from BalloonWorkbench.app import hooks
+    from BalloonWorkbench.app.bed import scale_to_bed
+    from BalloonWorkbench.core.export.bed import OVERSIZE, SCALE
     from BalloonWorkbench.core.export.fabricate import file_of_stock, machine_file
     from BalloonWorkbench.core.export.files import write_files
     from BalloonWorkbench.core.export.machine import machine
     from BalloonWorkbench.core.export.preflight import ERROR, preflight
 
-    made_for, pattern = machine(machine_name), sheet(pattern_obj)
+    if oversize not in OVERSIZE:
+        raise InputError(f'There is no way "{oversize}" with a large pattern: choose {", ".join(OVERSIZE)}.')
+    if oversize == SCALE:
+        scale_to_bed(pattern_obj, machine_name, bed)
+    made_for, pattern = machine(machine_name, bed), sheet(pattern_obj)
     doubts = _film_findings(pattern_obj, made_for)
     path = Path(target)
     if path.is_dir():
@@ -102,7 +134,7 @@ def export_for(pattern_obj, machine_name: str, target, paper: str | None = None)
         found = {}
         for number, stock in enumerate(pattern.stocks):
             part = pattern.of_stock(stock)
-            for finding in (*doubts, *preflight(part, made_for)):
+            for finding in (*doubts, *preflight(part, made_for, oversize)):
                 if finding.severity == ERROR:
                     raise ExportError(finding.text)
             name = file_of_stock(path.name, stock) if number else path.name

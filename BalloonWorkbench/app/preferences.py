@@ -6,11 +6,15 @@ Only commands of the window look at them: a macro or a program gives the same ba
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any, NamedTuple
 
 import FreeCAD as App
 
 PATH = "User parameter:BaseApp/Preferences/Mod/BalloonWorkbench"
+_BEDS = f"{PATH}/Beds"  # by the name of the machine, as text
+_RECENT = "RecentExportFolder"
+_folders: dict[str, str] = {}  # where files went, by the document
 
 
 class Item(NamedTuple):
@@ -76,6 +80,45 @@ def put(key: str, value) -> None:
         getattr(group, f"Rem{kind}")(key)
     else:
         getattr(group, f"Set{kind}")(key, type(item.default)(value))
+
+
+def bed(machine) -> tuple[float, float] | None:
+    """The bed that the user has given a machine [m], else that of its file; None where there is no limit."""
+    from BalloonWorkbench.core.errors import InputError
+    from BalloonWorkbench.core.export.machine import parse_bed
+
+    try:
+        return parse_bed(App.ParamGet(_BEDS).GetString(machine.name, ""))
+    except InputError:  # none is kept, or it makes no sense
+        return machine.bed
+
+
+def put_bed(machine, size: tuple[float, float] | None) -> None:
+    """Keep the bed of a machine [m]; that of its file is not kept."""
+    from BalloonWorkbench.core.export.machine import bed_text
+
+    group = App.ParamGet(_BEDS)
+    if size == machine.bed:
+        group.RemString(machine.name)
+    else:
+        group.SetString(machine.name, bed_text(size))
+
+
+def export_folder(doc) -> Path:
+    """Where files go: the folder that the user prefers, else the last one for this document, else beside it,
+    else the last one for any document, else the home folder.
+    """
+    if get("ExportFolder"):
+        return Path(get("ExportFolder"))
+    document = Path(doc.FileName).parent if doc.FileName else ""
+    known = (_folders.get(doc.FileName or doc.Name, ""), document, App.ParamGet(PATH).GetString(_RECENT, ""))
+    return next((Path(folder) for folder in known if folder and Path(folder).is_dir()), Path.home())
+
+
+def put_export_folder(doc, folder) -> None:
+    """Remember where a document's file went."""
+    _folders[doc.FileName or doc.Name] = str(folder)
+    App.ParamGet(PATH).SetString(_RECENT, str(folder))
 
 
 def choices(key: str) -> list[str]:

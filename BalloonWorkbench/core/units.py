@@ -86,6 +86,19 @@ def parse_length(text: str | float) -> float:
     return _parse(text, LENGTH_UNITS, "length", "300mm, 30cm, 0.3m or 12in")
 
 
+def parse_size(text: str, plain: str = "m") -> tuple[float, float | None]:
+    """'500mmx700mm', '50 x 70 cm' -> width and height in m; height None where only a width is given.
+
+    A number without a unit has that of the other one, or the plain unit. InputError where it makes no sense.
+    """
+    words = re.split(r"\s*[x×]\s*", text.strip())
+    if not 1 <= len(words) <= 2:
+        raise InputError(f"'{text}' is no size: write 500mm for a width, 500mmx700mm for width and height.")
+    unit = re.sub(r"[\d.\s]", "", words[-1]) or plain
+    sizes = [parse_length(word if re.search(r"[^\d.]", word) else word + unit) for word in words]
+    return sizes[0], sizes[1] if len(sizes) > 1 else None
+
+
 def parse_pressure(text: str | float) -> float:
     """'2kPa', '20 mbar', '5 psi', or a plain number in pascals -> Pa. InputError where it makes no sense."""
     return _parse(text, PRESSURE_UNITS, "pressure", "2kPa, 20mbar or 0.3psi")

@@ -3,9 +3,15 @@
 
 from __future__ import annotations
 
+import math
+
 import FreeCAD as App
 
 from BalloonWorkbench.app.quantities import kilopascals
+from BalloonWorkbench.core.units import to_mm
+
+#: Stands where a measure is not known yet.
+NOTHING = "\N{EN DASH}"
 
 
 def user_unit(unit: str, largest: float) -> tuple[float, str]:
@@ -31,6 +37,14 @@ def size_text(width: float, height: float) -> str:
     """Two lengths in mm, in one unit."""
     factor, unit = user_unit("mm", max(width, height))
     return f"{width * factor:.4g} x {height * factor:.4g} {unit}"
+
+
+def bed_size_text(bed: tuple[float, float] | None) -> str:
+    """The bed of a machine [m]: its width alone for a roll, empty where there is no limit."""
+    if bed is None:
+        return ""
+    width, height = map(to_mm, bed)
+    return length_text(width) if math.isinf(height) else size_text(width, height)
 
 
 def volume_text(volume: float) -> str:

@@ -10,10 +10,12 @@ import pytest
 import shapely
 import sketches
 
-from BalloonWorkbench.app import create
+import BalloonWorkbench
+from BalloonWorkbench.app import create, film_sheet, status
+from BalloonWorkbench.app.bed import hindrance, scale_to_bed
 from BalloonWorkbench.app.export import check_for, export_for
 from BalloonWorkbench.app.pattern import build
-from BalloonWorkbench.core.errors import ExportError
+from BalloonWorkbench.core.errors import ExportError, InputError
 from BalloonWorkbench.core.export.machine import FOLDER, machine
 from BalloonWorkbench.core.film.library import DEFAULT_FILM
 from BalloonWorkbench.core.pattern.pattern import Role
@@ -107,6 +109,75 @@ def test_too_large_is_refused_and_nothing_written(pattern, tmp_path, monkeypatch
         export_for(pattern, "tiny", tmp_path)
     assert [path.name for path in tmp_path.iterdir()] == ["tiny.json"]
     assert np.all([check.severity == "warning" for check in check_for(pattern, "lightburn")])
+
+
+@pytest.fixture
+def square(doc, tmp_path):
+    """Two shapes of one drawing, the larger 200 mm wide, which is no sketch."""
+    path = tmp_path / "squares.svg"
+    path.write_text(
+        '<svg xmlns="http://www.w3.org/2000/svg" width="300mm" height="150mm" viewBox="0 0 300 150">'
+        '<path d="M0 0H200V150H0Z"/><path d="M220 0H300V80H220Z"/></svg>'
+    )
+    return create.balloon_from_picture(doc, path, "300 mm", mesh_size=25, correct=False, intake=False)
+
+
+@pytest.mark.parametrize("live", [True, False])
+def test_scaled_until_it_fits(square, tmp_path, live):
+    """Both balloons of the drawing become smaller, also where they wait for Inflate; the weld stays."""
+    for parts in (square, *create.companions(square)):
+        parts.balloon.Live = live
+    volumes = [parts.balloon.Volume.Value for parts in (square, *create.companions(square))]
+    assert len(volumes) == 2
+    scale = scale_to_bed(square.pattern, "lightburn", "170 x 130 mm")
+    assert scale < 0.95
+    assert square.outline.Width.Value == pytest.approx(300 * scale)
+    for parts, before in zip((square, *create.companions(square)), volumes, strict=True):
+        assert parts.pattern.Status == status.READY
+        assert parts.balloon.Volume.Value < 0.9 * before
+    (cut,), (seal,) = build(square.pattern).of(Role.CUT), build(square.pattern).of(Role.SEAL)
+    beside = 500.0 * (np.ptp(cut.points, axis=0) - np.ptp(seal.points, axis=0))
+    weld = build(square.pattern).seal_width * 1000.0
+    assert beside == pytest.approx(np.full(2, 0.5 * weld + square.pattern.Allowance.Value), abs=0.1)
+    assert not any(finding.oversize for finding in check_for(square.pattern, "lightburn", "170 x 130 mm"))
+    assert export_for(square.pattern, "lightburn", tmp_path, bed="170 x 130 mm").exists()
+
+
+def test_what_is_larger_is_written_or_scaled_when_asked(square, tmp_path):
+    width = square.outline.Width.Value
+    with pytest.raises(ExportError, match="written"):
+        BalloonWorkbench.export(square.pattern, tmp_path / "a.dxf", "lightburn", bed="150 mm")
+    BalloonWorkbench.export(square.pattern, tmp_path / "b.dxf", "lightburn", bed="150 mm", oversize="write")
+    assert square.outline.Width.Value == width
+    BalloonWorkbench.export(square.pattern, tmp_path / "c.dxf", "lightburn", bed="150 mm", oversize="scale")
+    assert square.outline.Width.Value < width
+    assert {path.name for path in tmp_path.glob("*.dxf")} == {"b.dxf", "c.dxf"}
+    with pytest.raises(InputError, match="refuse"):
+        BalloonWorkbench.export(square.pattern, tmp_path / "d.dxf", "lightburn", oversize="squeeze")
+
+
+def test_nothing_changes_where_no_size_fits(square):
+    with pytest.raises(ExportError, match="another machine"):
+        scale_to_bed(square.pattern, "inkscape", "8 mm")
+    assert square.outline.Width.Value == pytest.approx(300)
+    assert square.pattern.Status == status.READY
+
+
+def test_what_else_decides_the_size_is_told(square, pattern):
+    """A sketch, an expression, a goal: none of them is overruled."""
+    assert hindrance(square.pattern) == ""
+    assert "Ring" in hindrance(pattern)
+    square.balloon.SizeGoal = "Volume"
+    assert "volume" in hindrance(square.pattern)
+    square.balloon.SizeGoal = "Width"
+    sheet = square.outline.Document.addObject("Spreadsheet::Sheet", "Sheet")
+    sheet.set("A1", "=250 mm")
+    square.outline.setExpression("Width", "Sheet.A1")
+    assert "expression" in hindrance(square.pattern)
+    with pytest.raises(ExportError, match="expression"):
+        scale_to_bed(square.pattern, "lightburn", "100 mm")
+    layout = film_sheet.make(square.outline.Document, [square.pattern])
+    assert "film" in hindrance(layout)
 
 
 def test_notches_and_tab_are_in_shape_and_files(pattern, tmp_path):

@@ -1,10 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Preferences are kept in FreeCAD's parameters, and new balloons of the window begin with them."""
 
+import math
+from pathlib import Path
+
 import FreeCAD as App
 import pytest
 
 from BalloonWorkbench.app import create, preferences
+from BalloonWorkbench.core.export.machine import machines
 
 
 @pytest.fixture(autouse=True)
@@ -90,10 +94,47 @@ def test_senseless_value_is_not_taken(usual, kind, key, value):
     assert preferences.get(key) == preferences.items()[key].default
 
 
+def test_a_bed_for_each_machine():
+    """That of the machine's file is not kept; what makes no sense is not taken; none is no limit."""
+    known = machines()
+    laser, paper = known["lightburn"], known["paper"]
+    assert preferences.bed(laser) == laser.bed
+    preferences.put_bed(laser, (0.9, 0.6))
+    preferences.put_bed(paper, (0.3, math.inf))
+    assert preferences.bed(laser) == pytest.approx((0.9, 0.6))
+    assert preferences.bed(paper) == (pytest.approx(0.3), math.inf)
+    preferences.put_bed(laser, None)
+    assert preferences.bed(laser) is None
+    beds = App.ParamGet(f"{preferences.PATH}/Beds")
+    preferences.put_bed(laser, laser.bed)
+    assert beds.GetStrings() == ["paper"]
+    beds.SetString("lightburn", "-3 x mm")
+    assert preferences.bed(laser) == laser.bed
+
+
+def test_where_files_go(doc, tmp_path):
+    """The user's wish, the last folder for this document, beside it, the last one at all."""
+    used, beside = tmp_path / "used", tmp_path / "beside"
+    used.mkdir()
+    beside.mkdir()
+    preferences.put_export_folder(doc, used)
+    assert preferences.export_folder(doc) == used
+    other = App.newDocument("Other")
+    try:
+        assert preferences.export_folder(other) == used
+        other.saveAs(str(beside / "other.FCStd"))
+        assert preferences.export_folder(other) == beside
+    finally:
+        App.closeDocument(other.Name)
+    preferences.put("ExportFolder", str(tmp_path / "wish"))
+    assert preferences.export_folder(doc) == tmp_path / "wish"
+    preferences.put("ExportFolder", "")
+    used.rmdir()
+    assert preferences.export_folder(doc) == Path.home()
+
+
 def test_parameters_are_touched_in_one_place():
     """Apart from the registration of material cards, which is FreeCAD's own place."""
-    from pathlib import Path
-
     package = Path(preferences.__file__).resolve().parents[1]
     found = {path.name for path in package.rglob("*.py") if "ParamGet(" in path.read_text(encoding="utf-8")}
     assert found == {"preferences.py", "material.py"}

@@ -73,7 +73,7 @@ def show_tab(widget):
     """Bring the tab that holds a widget to the front."""
     tabs = find("Steps")
     for index in range(tabs.count()):
-        if tabs.widget(index).isAncestorOf(widget):
+        if tabs.widget(index) is not None and tabs.widget(index).isAncestorOf(widget):
             tabs.setCurrentIndex(index)
     wait(0.02)
 

@@ -65,7 +65,7 @@ def test_every_field_has_a_tooltip_and_changes_nothing_by_itself(made):
 def test_tab_goes_down_the_page(made):
     open_panel(made.balloon)
     hands.find("Film").setFocus()
-    page = hands.find("Steps").currentWidget().widget()
+    page = hands.find("Steps").currentWidget()
     seen, places = [], []
     for _ in range(6):
         widget = QtWidgets.QApplication.focusWidget()

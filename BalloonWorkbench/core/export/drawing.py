@@ -76,7 +76,9 @@ def draw(pattern: Pattern, machine: Machine) -> Drawing:
     ]
     if not paths:
         wanted = ", ".join(role.value for role in machine.layers)
-        raise ExportError(f"The pattern has no lines for {machine.title}, which takes {wanted}.")
+        raise ExportError(
+            f"The pattern has no lines for {machine.title}, which takes {wanted}: choose another machine."
+        )
     paths = _once(paths)
     if machine.control_bar and Role.REGISTRATION in machine.layers:
         low = np.min([path.curve.bounds[0] for path in paths], axis=0)
@@ -137,11 +139,6 @@ def _bar(low: Floats) -> Iterator[Curve]:
         ((left + BAR, y - 0.5 * _TICK), (left + BAR, y + 0.5 * _TICK)),
     ):
         yield polyline(np.array([a, b]), False)
-
-
-def bed_size(machine: Machine) -> tuple[float, float] | None:
-    """The bed's width and height [mm]."""
-    return None if machine.bed is None else (to_mm(machine.bed[0]), to_mm(machine.bed[1]))
 
 
 def in_unit(drawing: Drawing, unit: float) -> Drawing:

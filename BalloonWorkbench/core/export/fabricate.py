@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from BalloonWorkbench.core.errors import ExportError, MissingPackageError
+from BalloonWorkbench.core.export.bed import REFUSE
 from BalloonWorkbench.core.export.drawing import Drawing, draw
 from BalloonWorkbench.core.export.machine import FOLDER, Machine, read_machine
 from BalloonWorkbench.core.export.machine_dxf import drawing_dxf
@@ -66,13 +67,13 @@ def machines_for(film: Film, chosen: Sequence[Machine]) -> tuple[list[Machine], 
 
 
 def checked_files(
-    pattern: Pattern, chosen: Sequence[Machine], paper: str | None = None
+    pattern: Pattern, chosen: Sequence[Machine], paper: str | None = None, oversize: str = REFUSE
 ) -> tuple[dict[str, bytes], tuple[str, ...]]:
     """Contents of the files for several machines by name, and what is doubtful about them, a sentence each.
 
     What is cut from another film than the balloon's has files of its own. A machine that cannot make the
     pattern, or whose format needs a package that is missing, is left out with a sentence. paper adds the
-    pattern on pages of "A4", "A3" or "Letter".
+    pattern on pages of "A4", "A3" or "Letter"; oversize as for `preflight`.
     Raises ExportError or MissingPackageError where nothing is left for all of them.
     """
     contents: dict[str, bytes] = {}
@@ -80,7 +81,7 @@ def checked_files(
     left_out: list[ExportError | MissingPackageError] = []
     for machine in chosen:
         try:
-            files, doubts = _files(pattern, machine)
+            files, doubts = _files(pattern, machine, oversize)
             contents |= files
             remarks += doubts
         except (ExportError, MissingPackageError) as error:
@@ -93,13 +94,13 @@ def checked_files(
     return contents, tuple(dict.fromkeys([*remarks, *map(str, left_out)]))
 
 
-def _files(pattern: Pattern, machine: Machine) -> tuple[dict[str, bytes], list[str]]:
+def _files(pattern: Pattern, machine: Machine, oversize: str) -> tuple[dict[str, bytes], list[str]]:
     """The files for one machine, one for each film, and what is doubtful; ExportError for what it cannot."""
     contents: dict[str, bytes] = {}
     doubts: list[str] = []
     for stock in pattern.stocks:
         part = pattern.of_stock(stock)
-        doubts += _doubts(preflight(part, machine), machine)
+        doubts += _doubts(preflight(part, machine, oversize), machine)
         contents[file_of_stock(machine.file_name, stock)] = machine_file(part, machine)
     return contents, doubts
 

@@ -5,12 +5,24 @@ from __future__ import annotations
 
 import contextlib
 import os
+import re
 from collections.abc import Callable, Mapping
 from pathlib import Path
 
 from BalloonWorkbench.core.errors import ExportError
 from BalloonWorkbench.core.export.swap import PART, beside, make_folder, put_files, recover
 from BalloonWorkbench.core.export.system import locked, signals_wait
+
+#: Signs that some system does not take in the name of a file, and names that Windows keeps for itself.
+_FORBIDDEN = re.compile(r"""[<>:"/\\|?*\x00-\x1f\x7f\ud800-\udfff]+""")
+_KEPT = re.compile(r"(con|prn|aux|nul|com\d|lpt\d)(\..*)?", re.IGNORECASE)
+_LONGEST = 80
+
+
+def safe_name(text: str) -> str:
+    """A text as the name of a file, still without its ending, that every system takes; "pattern" for none."""
+    name = " ".join(_FORBIDDEN.sub("_", text).split())[:_LONGEST].strip(" .")
+    return f"_{name}" if _KEPT.fullmatch(name) else name or "pattern"
 
 
 def _nothing(_paths: tuple[Path, ...]) -> None: ...

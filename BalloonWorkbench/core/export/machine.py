@@ -6,10 +6,11 @@ One file each in resources/machines, and those of the user's own in a folder (`o
 
 from __future__ import annotations
 
+import math
 import os
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -18,13 +19,16 @@ from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.export.layers import LAYERS
 from BalloonWorkbench.core.pattern.arcs import TOLERANCE
 from BalloonWorkbench.core.pattern.pattern import Role
-from BalloonWorkbench.core.units import INCH, MILLIMETRE, from_mm, to_mm
+from BalloonWorkbench.core.units import INCH, MILLIMETRE, from_mm, parse_size, to_mm
 
 FOLDER = Path(__file__).resolve().parents[3] / "resources" / "machines"
 
 #: Endings of the formats, and the versions that each has.
 ENDINGS = {"dxf": "dxf", "svg": "svg", "pdf": "pdf", "hpgl": "plt", "lbrn2": "lbrn2"}
 _VERSIONS = {"dxf": ("R2000", "R12"), "svg": ("",), "pdf": ("",), "hpgl": ("",), "lbrn2": ("",)}
+#: The bed of a machine that has none.
+NO_LIMIT = "none"
+_LEAST_BED, _MOST = 1.0, 1e5  # mm
 UNITS = {"mm": MILLIMETRE, "in": INCH}
 LINE_TYPES = ("CONTINUOUS", "DASHED")
 #: After so many offsets a knife that came down turned by 150 degrees is 8 degrees off: the tangent of half
@@ -32,6 +36,8 @@ LINE_TYPES = ("CONTINUOUS", "DASHED")
 _SWING = 4.0
 #: What a machine does to the film that not every film takes; "" where nothing is known of it.
 PROCESSES = ("", "laser", "heat-sealing")
+#: What files are about whose name tells no more.
+_PATTERN = "pattern"
 _LAYER_NAME = re.compile(r"[A-Z0-9_$-]{1,31}")
 _FILE_NAME = re.compile(r"[\w .-]{0,60}")
 _COLOUR = re.compile(r"#[0-9a-f]{6}")
@@ -59,7 +65,8 @@ class Machine:
     unit       of the coordinates, "mm" or "in"
     arcs       arcs where they fit, else polylines only; tolerance how far they may be from the points [m]
     layers     the roles that are written
-    bed        width and height that it can work on [m], None where there is no limit
+    bed        width and height that it can work on [m], None where there is no limit; the height of a roll is
+               infinite
     kerf       width that the beam takes away; knife_offset of a swivel knife behind its axis; overcut of a
                closed cut and overrun of a closed weld past its start; least_radius and least_gap that it
                can follow [m]
@@ -93,10 +100,13 @@ class Machine:
     @property
     def file_name(self) -> str:
         """A name that tells the machine, and the unit where the format may leave it open."""
-        if self.file:
-            return f"{self.file}.{ENDINGS[self.format]}"
+        return self.file_of(_PATTERN)
+
+    def file_of(self, subject: str) -> str:
+        """The same name about a certain thing, "fish-lightburn_mm.dxf"; a file that has a name keeps it."""
         unit = f"_{self.unit}" if self.format == "dxf" else ""
-        return f"pattern-{self.name}{unit}.{ENDINGS[self.format]}"
+        stem = subject if self.file == _PATTERN else self.file or f"{subject}-{self.name}{unit}"
+        return f"{stem}.{ENDINGS[self.format]}"
 
 
 def own_folder() -> Path:
@@ -136,11 +146,40 @@ def _own_machines() -> dict[Path, Machine | InputError]:
 ANY = {"dxf": "any-dxf", "svg": "any-svg"}
 
 
-def machine(name: str) -> Machine:
-    """The machine of this name, or the one that a file (.json) describes.
+def machine(name: str, bed: str | None = None) -> Machine:
+    """The machine of this name, or the one that a file (.json) describes; with another bed, see parse_bed.
 
     Raises InputError with the known names when there is none.
     """
+    chosen = _known_machine(name)
+    return chosen if bed is None else replace(chosen, bed=parse_bed(bed))
+
+
+def parse_bed(text: str, plain: str = "m") -> tuple[float, float] | None:
+    """'600mmx400mm', '600mm' for a roll so wide, 'none' where there is no limit -> width and height [m].
+
+    Numbers alone are in the plain unit. InputError for what is no bed.
+    """
+    if text.strip().lower() == NO_LIMIT:
+        return None
+    width, height = parse_size(text, plain)
+    for length in (width, height):
+        if length is not None and not _LEAST_BED <= to_mm(length) <= _MOST:
+            raise InputError(
+                f"A bed is {_LEAST_BED:g} mm to {_MOST:g} mm wide and high: write 600mmx400mm, 600mm for a"
+                f" roll, or {NO_LIMIT}."
+            )
+    return width, math.inf if height is None else height
+
+
+def bed_text(bed: tuple[float, float] | None) -> str:
+    """A bed as parse_bed reads it."""
+    if bed is None:
+        return NO_LIMIT
+    return " x ".join(f"{to_mm(length):g} mm" for length in bed if math.isfinite(length))
+
+
+def _known_machine(name: str) -> Machine:
     if name.lower().endswith(".json"):
         return read_machine(Path(name))
     known, plain = machines(), "-".join(name.lower().split())
@@ -279,10 +318,10 @@ def _bed(value: object) -> tuple[float, float] | None:
         return None
     if not (isinstance(value, list) and len(value) == 2):
         raise InputError(f"bed_mm is {value!r}: give [width, height], or null where there is no limit.")
-    return _length(value[0], "bed_mm", 1.0), _length(value[1], "bed_mm", 1.0)
+    return _length(value[0], "bed_mm", _LEAST_BED), _length(value[1], "bed_mm", _LEAST_BED)
 
 
-def _length(value: object, what: str, low: float, high: float = 1e5) -> float:
+def _length(value: object, what: str, low: float, high: float = _MOST) -> float:
     number = float(value) if isinstance(value, (int, float)) else float("nan")
     if not low <= number <= high:
         raise InputError(f"{what} is {value!r}: give a number from {low:g} to {high:g}.")

@@ -3,13 +3,15 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from BalloonWorkbench.core.export.drawing import BAR, BAR_ROOM, fitted
+from BalloonWorkbench.core.export.bed import REFUSE, WRITE, fits_turned, fits_upright, pieces_fit, size_on
+from BalloonWorkbench.core.export.drawing import fitted
 from BalloonWorkbench.core.export.machine import Machine
 from BalloonWorkbench.core.export.order import CUTS
 from BalloonWorkbench.core.film.film import Film
@@ -38,22 +40,29 @@ _WELDS = (Role.SEAL, Role.WELD)
 
 @dataclass(frozen=True)
 class Finding:
-    """One remark: ERROR when the file would be of no use, else WARNING; a place (2,) m where it has one."""
+    """One remark: ERROR when the file would be of no use, else WARNING; a place (2,) m where it has one.
+
+    oversize  the pattern is larger than the bed, see OVERSIZE
+    """
 
     severity: str
     text: str
     place: Floats | None = None
+    oversize: bool = False
 
 
-def preflight(pattern: Pattern, machine: Machine) -> tuple[Finding, ...]:
-    """Everything that is wrong or doubtful about a pattern on a machine, errors first."""
+def preflight(pattern: Pattern, machine: Machine, oversize: str = REFUSE) -> tuple[Finding, ...]:
+    """Everything that is wrong or doubtful about a pattern on a machine, errors first.
+
+    With oversize WRITE, that it is larger than the bed is no error.
+    """
     taken = [contour for contour in pattern.contours if contour.role in machine.layers]
     findings = [*_closed(taken), *_simple(taken, machine)]
     if not any(finding.severity == ERROR for finding in findings):
         cuts = [contour for contour in taken if contour.role in CUTS]
         findings += _radius(cuts or [contour for contour in taken if contour.role in _WELDS], machine)
         findings += _gap(taken, machine)
-    findings += _size(pattern, machine)
+    findings += _size(pattern, machine, oversize)
     findings += [Finding(WARNING, remark) for remark in machine.remarks]
     return tuple(sorted(findings, key=lambda finding: finding.severity != ERROR))
 
@@ -202,24 +211,29 @@ def _samples(contours: list[Contour]) -> tuple[Floats, Floats, Floats, Floats]:
     return np.concatenate(points), np.concatenate(along), np.concatenate(which), np.concatenate(lengths)
 
 
-def _size(pattern: Pattern, machine: Machine) -> list[Finding]:
+def _size(pattern: Pattern, machine: Machine, oversize: str) -> list[Finding]:
     """Against the bed, upright and turned, in millimetres and inches."""
-    if machine.bed is None:
+    if machine.bed is None or fits_upright(pattern, machine):
         return []
-    width, height = pattern.size
-    if machine.control_bar and Role.REGISTRATION in machine.layers:
-        width, height = max(width, from_mm(BAR)), height + from_mm(BAR_ROOM)
-    bed_width, bed_height = machine.bed
-    if width <= bed_width and height <= bed_height:
-        return []
-    bed = _both(bed_width, bed_height)
-    sizes = f"The pattern measures {_both(width, height)}, the bed of {machine.title} {bed}"
-    if width <= bed_height and height <= bed_width:
+    size, bed = _both(*size_on(pattern, machine).tolist()), _both(*machine.bed)
+    sizes = f"The pattern measures {size}, the bed of {machine.title} {bed}"
+    if fits_turned(pattern, machine):
         return [Finding(WARNING, f"{sizes}: turn the pattern by 90 degrees there.")]
-    return [Finding(ERROR, f"{sizes}: make the balloon smaller, or choose another machine or paper.")]
+    if oversize == WRITE:
+        return [Finding(WARNING, f"{sizes}: it is written all the same.", oversize=True)]
+    text = (
+        f"{sizes}: lay its pieces out on sheets of that size, make the balloon smaller, or have the file"
+        " written all the same."
+        if pieces_fit(pattern, machine)
+        else f"{sizes}: make the balloon smaller, choose another machine or paper, or have the file written"
+        " all the same."
+    )
+    return [Finding(ERROR, text, oversize=True)]
 
 
 def _both(width: float, height: float) -> str:
+    if math.isinf(height):
+        return f"{mm_text(width)} ({width / INCH:.2f} in) across"
     return (
         f"{mm_text(width).removesuffix(' mm')} x {mm_text(height)}"
         f" ({width / INCH:.2f} x {height / INCH:.2f} in)"

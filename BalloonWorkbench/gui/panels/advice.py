@@ -17,12 +17,14 @@ from BalloonWorkbench.core.units import to_mm
 from BalloonWorkbench.gui import record
 from BalloonWorkbench.gui.borders import Panel, undo_step
 from BalloonWorkbench.gui.marks import COLOURS, Overlay
+from BalloonWorkbench.gui.panels.narrow import FullList
 from BalloonWorkbench.gui.panels.watch import Watch
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, drawn_icon, number_of, translate
 from BalloonWorkbench.gui.sentences import tell
 from BalloonWorkbench.gui.user_units import length_text
 
 _DOT = 12  # px
+_HIGHEST = 260  # px, of the list of findings
 
 
 class AdvicePanel(Panel):
@@ -41,15 +43,15 @@ class AdvicePanel(Panel):
         self.source = QtWidgets.QLabel()
         self.source.setObjectName("AdviceSource")
         self.source.setWordWrap(True)
-        self.list = QtWidgets.QListWidget()
+        self.list = FullList(_HIGHEST)
         self.list.setObjectName("Findings")
-        self.list.setWordWrap(True)
         self.repair = QtWidgets.QPushButton()
         self.repair.setObjectName("Repair")
         self.map = QtWidgets.QCheckBox(translate("Expected thickness"))
         self.map.setObjectName("ThicknessMap")
         self.legend = QtWidgets.QLabel()
         self.legend.setObjectName("Legend")
+        self.legend.setWordWrap(True)
         self.message = QtWidgets.QLabel()
         self.message.setObjectName("AdviceMessage")
         self.message.setWordWrap(True)
@@ -114,6 +116,7 @@ class AdvicePanel(Panel):
         for item in items:
             self.list.addItem(item)
         self.list.blockSignals(False)
+        self.list.fit()
         if not self.found and not self.message.text():
             problem = status.problem(self.parts.outline)
             self.message.setText(tell(problem) or translate("Nothing to improve."))

@@ -11,6 +11,7 @@ from BalloonWorkbench.gui import record
 from BalloonWorkbench.gui.borders import undo_step
 from BalloonWorkbench.gui.paint.display import MODE
 from BalloonWorkbench.gui.panels import show
+from BalloonWorkbench.gui.panels.narrow import NarrowForm
 from BalloonWorkbench.gui.panels.object_panel import ObjectPanel
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.sentences import tell
@@ -43,8 +44,7 @@ class ArtworkPanel(ObjectPanel):
         self.message = QtWidgets.QLabel()
         self.message.setObjectName("ArtworkMessage")
         self.message.setWordWrap(True)
-        form = QtWidgets.QFormLayout(self.form)
-        form.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)
+        form = NarrowForm(self.form)
         form.addRow(translate("Front"), self.front)
         form.addRow(translate("Back"), self.back)
         form.addRow(translate("Bleed"), self.fields.quantity("Bleed", "mm"))

@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import FreeCADGui as Gui
 
 from BalloonWorkbench.app import maker
@@ -14,6 +12,8 @@ from BalloonWorkbench.core.fonts import can_show
 from BalloonWorkbench.gui import record
 from BalloonWorkbench.gui.borders import Panel
 from BalloonWorkbench.gui.panels.maker_rows import MakerRows
+from BalloonWorkbench.gui.panels.narrow import NarrowForm
+from BalloonWorkbench.gui.panels.target_file import TargetFile, name_of
 from BalloonWorkbench.gui.panels.watch import Watch
 from BalloonWorkbench.gui.qt import QtGui, QtWidgets, icon, translate
 from BalloonWorkbench.gui.sentences import tell
@@ -31,56 +31,37 @@ class AssemblyPanel(Panel):
         self.paper = QtWidgets.QComboBox()
         self.paper.setObjectName("Paper")
         self.paper.addItems(list(PAGES))
-        self.path = QtWidgets.QLineEdit(str(self.suggestion()))
-        self.path.setObjectName("AssemblyFile")
-        self.path.setMinimumWidth(60)
-        browse = QtWidgets.QToolButton()
-        browse.setText("…")
-        line = QtWidgets.QHBoxLayout()
-        line.addWidget(self.path)
-        line.addWidget(browse)
+        self.file = TargetFile(parts.balloon.Document, "AssemblyFile", translate("Assembly sheet"))
+        self.file.suggest(f"{name_of(parts.balloon)}-assembly.pdf")
         self.message = QtWidgets.QLabel()
         self.message.setObjectName("AssemblyMessage")
         self.message.setWordWrap(True)
-        form = QtWidgets.QFormLayout(self.form)
-        form.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)
-        numbers = QtWidgets.QFormLayout()
-        numbers.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)
+        form = NarrowForm(self.form)
+        numbers = NarrowForm()
         self.numbers = MakerRows(numbers)
         self.numbers.show(parts)
         form.addRow(numbers)
         form.addRow(translate("Paper"), self.paper)
-        form.addRow(translate("File"), line)
+        form.addRow(QtWidgets.QLabel(translate("File")))
+        form.addRow(self.file)
         form.addRow(self.message)
         self.message.setText(_remark())
-        browse.clicked.connect(lambda _checked=False: self.browse())
         self.watch = Watch(parts, self.close)
-
-    def suggestion(self) -> Path:
-        """A file beside the document, or in the home folder while that is not saved."""
-        document, group = self.parts.balloon.Document.FileName, self.parts.balloon.getParentGroup()
-        folder = Path(document).parent if document else Path.home()
-        return folder / f"{group.Label if group else self.parts.balloon.Label}-assembly.pdf"
-
-    def browse(self) -> None:
-        path, _ = QtWidgets.QFileDialog.getSaveFileName(
-            self.form, translate("Assembly sheet"), self.path.text(), "PDF (*.pdf)"
-        )
-        if path:
-            self.path.setText(path)
 
     def accept(self):
         """Write the page; the panel stays with the reason when that fails."""
-        path = Path(self.path.text().strip() or self.suggestion())
-        if path.suffix.lower() != ".pdf":
-            path = path.with_name(path.name + ".pdf")
+        objection = self.file.objection([self.file.path])
+        if objection:
+            self.message.setText(objection)
+            return False
         try:
-            written = maker.write_assembly(self.parts, path, self.paper.currentText())
+            written = maker.write_assembly(self.parts, self.file.path, self.paper.currentText())
         except BalloonError as error:
             self.message.setText(tell(str(error)))
             return False
         balloon = f"BalloonWorkbench.parts({record.obj(self.parts.balloon)})"
         record.call("assembly_sheet", balloon, record.text(written), record.text(self.paper.currentText()))
+        self.file.wrote()
         self.close()
         told = translate("Assembly sheet written to {}").format(written)
         Gui.getMainWindow().statusBar().showMessage(told, 8000)

@@ -90,7 +90,7 @@ class BalloonPanel(Panel):
         self.result.live_changed.connect(self.values_changed)
         self.result.asked_for.connect(self.accept_and_go)
         self.watch = Watch(parts, self.abandon)
-        self.pages.begin(parts.index(start) if start in parts else 0)
+        self.pages.setCurrentIndex(parts.index(start) if start in parts else 0)
         self.show_state()
         if parts.outline.Source and self.is_new:
             QtCore.QTimer.singleShot(0, self.apply)
@@ -307,7 +307,6 @@ class BalloonPanel(Panel):
         """Show what the objects say."""
         for box in self.pages.boxes:
             box.refresh()
-        self.pages.fit()
         self.result.show_result(self.parts)
 
 

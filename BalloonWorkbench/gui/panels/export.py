@@ -3,20 +3,22 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import FreeCADGui as Gui
 
-from BalloonWorkbench.app import preferences
-from BalloonWorkbench.app.export import export_for
+from BalloonWorkbench.app import bed, preferences, status
+from BalloonWorkbench.app.export import export_for, files_of, patterns_in
+from BalloonWorkbench.app.outline import leader
+from BalloonWorkbench.app.parts import parts_of
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.gui import record
-from BalloonWorkbench.gui.borders import Panel
+from BalloonWorkbench.gui.borders import Panel, undo_step
 from BalloonWorkbench.gui.panels.machine_box import MachineBox
+from BalloonWorkbench.gui.panels.narrow import NarrowCombo, NarrowForm
+from BalloonWorkbench.gui.panels.target_file import TargetFile, name_of
 from BalloonWorkbench.gui.panels.watch import Watch
 from BalloonWorkbench.gui.qt import QtGui, QtWidgets, icon, translate
 from BalloonWorkbench.gui.sentences import tell
-from BalloonWorkbench.gui.user_units import length_text, size_text
+from BalloonWorkbench.gui.user_units import NOTHING, length_text, size_text
 
 
 class ExportPanel(Panel):
@@ -24,102 +26,94 @@ class ExportPanel(Panel):
 
     def __init__(self, patterns, chosen=None):
         self.patterns = patterns
+        self.is_open = True
         self.form = QtWidgets.QWidget()
         self.form.setWindowTitle(translate("Export pattern"))
         self.form.setWindowIcon(QtGui.QIcon(icon("export_pattern")))
-        self.choice = QtWidgets.QComboBox()
+        self.choice = NarrowCombo()
         self.choice.setObjectName("Pattern")
         self.choice.addItems([_name(pattern) for pattern in patterns])
         self.machine = MachineBox(patterns[0].Document.Name)
         self.machine.choose(preferences.get("Machine"))
-        self.path = QtWidgets.QLineEdit()
-        self.path.setMinimumWidth(60)
-        self.path.setObjectName("File")
-        browse = QtWidgets.QToolButton()
-        browse.setText("…")
-        row = QtWidgets.QHBoxLayout()
-        row.addWidget(self.path)
-        row.addWidget(browse)
+        self.file = TargetFile(patterns[0].Document, "File", translate("Export pattern"))
         self.size = QtWidgets.QLabel()
         self.size.setObjectName("Size")
         self.size.setWordWrap(True)
         self.message = QtWidgets.QLabel()
         self.message.setObjectName("Message")
         self.message.setWordWrap(True)
-        form = QtWidgets.QFormLayout(self.form)
-        form.addRow(translate("Pattern"), self.choice)
-        form.addRow(translate("Machine"), self.machine)
-        form.addRow(translate("File"), row)
+        form = NarrowForm(self.form)
+        for text, widget in (
+            (translate("Pattern"), self.choice),
+            (translate("Machine"), self.machine),
+            (translate("File"), self.file),
+        ):
+            form.addRow(QtWidgets.QLabel(text))
+            form.addRow(widget)
         form.addRow(translate("Size"), self.size)
         form.addRow(self.message)
         self.choice.currentIndexChanged.connect(self.show_pattern)
-        self.machine.changed.connect(self.follow_machine)
-        browse.clicked.connect(self.browse)
+        self.machine.changed.connect(self.show_pattern)
+        self.machine.scaled.connect(self.scale_to_fit)
         self.choice.setCurrentIndex(patterns.index(chosen) if chosen in patterns else 0)
         self.show_pattern()
-        self.suggested = self.suggestion()
-        self.path.setText(str(self.suggested))
         self.watch = Watch(patterns, self.close)
 
     def pattern(self):
         """The chosen pattern object."""
         return self.patterns[self.choice.currentIndex()]
 
-    def suggestion(self) -> Path:
-        """A file in the preferred folder, else beside the document, else in the home folder."""
-        document = self.pattern().Document.FileName
-        folder = Path(document).parent if document else Path.home()
-        folder = Path(preferences.get("ExportFolder") or folder)
-        return folder / self.machine.machine.file_name
-
-    def ending(self) -> str:
-        """The ending of the file's name."""
-        return Path(self.machine.machine.file_name).suffix[1:]
-
     def show_pattern(self, _index: int = 0) -> None:
+        """Check the chosen pattern for the machine, and name its file."""
         pattern = self.pattern()
-        self.size.setText(
-            translate("{}, seam {}").format(
-                size_text(pattern.PatternWidth.Value, pattern.PatternHeight.Value),
-                length_text(pattern.SeamLength.Value),
-            )
-        )
-
+        self.message.setText("")
+        self.size.setText(_size(pattern) if status.is_ready(pattern) else NOTHING)
+        self.file.suggest(self.machine.machine.file_of(name_of(pattern)))
         self.machine.show_for(pattern)
 
-    def follow_machine(self) -> None:
-        """Check the pattern for the machine; a name that the user has given keeps all but its ending."""
-        written = Path(self.path.text().strip() or self.suggested)
-        name = self.suggestion().name
-        if str(written.name) != self.suggested.name:
-            name = written.with_suffix("." + self.ending()).name
-        self.suggested = self.suggestion()
-        self.path.setText(str(written.parent / name))
-        self.machine.show_for(self.pattern())
-
-    def browse(self, _checked: bool = False) -> None:
-        ending = self.ending()
-        path, _ = QtWidgets.QFileDialog.getSaveFileName(
-            self.form, translate("Export pattern"), self.path.text(), f"{ending.upper()} (*.{ending})"
-        )
-        if path:
-            self.path.setText(path)
+    def scale_to_fit(self) -> None:
+        """Make the balloon smaller until its pattern fits the bed, in one undo step."""
+        pattern, doc = self.pattern(), self.pattern().Document
+        outline = leader(patterns_in(pattern)[0].Balloon.Outline)
+        parts, before = parts_of(outline), outline.SizeX.Value
+        edit = record.Edit(parts)
+        self.form.setEnabled(False)
+        try:
+            with undo_step(doc, translate("Scale to fit")):
+                bed.scale_to_bed(pattern, self.machine.machine.name, self.machine.own_bed)
+                doc.commitTransaction()
+        except BalloonError as error:
+            if self.is_open:
+                self.message.setText(tell(str(error)))
+            return
+        finally:
+            if self.is_open:
+                self.form.setEnabled(True)
+        edit.write()
+        if self.is_open:
+            self.show_pattern()
+            told = translate("Scaled to fit: {} wide instead of {}.")
+            self.message.setText(told.format(length_text(outline.SizeX.Value), length_text(before)))
 
     def accept(self):
         """Write the file; the panel stays with the reason when that fails."""
-        path = self.path.text().strip() or str(self.suggestion())
-        made_for = self.machine.machine
-        if not path.lower().endswith("." + self.ending()):
-            path += "." + self.ending()
+        made_for, paper, oversize = self.machine.machine, self.machine.paper, self.machine.oversize
+        own_bed = self.machine.own_bed
         try:
-            written = export_for(self.pattern(), made_for.name, path, self.machine.paper)
+            objection = self.file.objection(files_of(self.pattern(), self.file.path))
+            if objection:
+                self.message.setText(objection)
+                return False
+            written = export_for(self.pattern(), made_for.name, self.file.path, paper, own_bed, oversize)
         except BalloonError as error:
             self.message.setText(tell(str(error)))
             return False
-        chosen = {"machine": record.text(made_for.name)}
-        if self.machine.paper:
-            chosen["paper"] = record.text(self.machine.paper)
-        record.call("export", record.obj(self.pattern()), record.text(written), **chosen)
+        chosen = {"machine": made_for.name, "paper": paper, "bed": own_bed}
+        if self.machine.write.isChecked():
+            chosen["oversize"] = oversize
+        told = {key: record.text(value) for key, value in chosen.items() if value}
+        record.call("export", record.obj(self.pattern()), record.text(written), **told)
+        self.file.wrote()
         self.close()
         Gui.getMainWindow().statusBar().showMessage(translate("Pattern written to {}").format(written), 8000)
         return True
@@ -129,9 +123,17 @@ class ExportPanel(Panel):
         return True
 
     def close(self) -> None:
+        self.is_open = False
         self.watch.remove()
         self.machine.release()
         Gui.Control.closeDialog()
+
+
+def _size(pattern) -> str:
+    return translate("{}, seam {}").format(
+        size_text(pattern.PatternWidth.Value, pattern.PatternHeight.Value),
+        length_text(pattern.SeamLength.Value),
+    )
 
 
 def _name(pattern) -> str:

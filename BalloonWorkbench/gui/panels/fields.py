@@ -139,7 +139,8 @@ class Fields(QtCore.QObject):
 
     def _add(self, name: str, widget, show) -> None:
         widget.setObjectName(name)
-        widget.setMinimumWidth(_MIN_WIDTH)
+        if not isinstance(widget, QtWidgets.QCheckBox):
+            widget.setMinimumWidth(_MIN_WIDTH)
         widget.setToolTip(translate(self.obj.getDocumentationOfProperty(name), "App::Property"))
         self._widgets[name] = widget, show
         if isinstance(widget, QtWidgets.QAbstractSpinBox):

@@ -9,6 +9,7 @@ from BalloonWorkbench.app.drawing import place_in_picture
 from BalloonWorkbench.app.outline import DRAWN_AS, set_drawing
 from BalloonWorkbench.gui import record
 from BalloonWorkbench.gui.panels.fields import Fields, ReturnKey
+from BalloonWorkbench.gui.panels.narrow import NarrowForm
 from BalloonWorkbench.gui.panels.preview import Preview, notes_of
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 
@@ -41,8 +42,7 @@ class FileBox(QtWidgets.QWidget):
         self.preview = Preview()
         self.notes = QtWidgets.QLabel()
         self.notes.setWordWrap(True)
-        form = QtWidgets.QFormLayout(self)
-        form.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)
+        form = NarrowForm(self)
         form.addRow(translate("File"), row)
         form.addRow(translate("Width"), self.fields.quantity("Width", "mm", 10.0))
         form.addRow(translate("Height"), self.fields.quantity("Height", "mm", 10.0))

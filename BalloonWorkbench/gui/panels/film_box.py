@@ -9,6 +9,7 @@ from BalloonWorkbench.app.balloon import VOLUME
 from BalloonWorkbench.app.film import CUSTOM
 from BalloonWorkbench.gui.panels.card_box import CardBox
 from BalloonWorkbench.gui.panels.fields import Fields
+from BalloonWorkbench.gui.panels.narrow import NarrowForm
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.sentences import tell
 
@@ -26,13 +27,13 @@ class FilmBox(QtWidgets.QWidget):
         film_values.offer(balloon)
         film = self.fields.choice("Film")
         _describe(film)
-        form = QtWidgets.QFormLayout(self)
-        form.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)
+        form = NarrowForm(self)
         form.addRow(translate("Film"), film)
         self.card = CardBox(balloon)
         self.card.changed.connect(self.changed)
         self.card.refused.connect(self.refused)
-        form.addRow(translate("Material"), self.card)
+        form.addRow(QtWidgets.QLabel(translate("Material")))
+        form.addRow(self.card)
         form.addRow(translate("Young's modulus"), self.fields.quantity("YoungModulus", "kPa", 1e5))
         form.addRow(translate("Poisson's ratio"), self.fields.number("PoissonRatio", 0.01, 3))
         form.addRow(translate("E across the grain"), self.fields.quantity("YoungModulusAcross", "kPa", 1e5))

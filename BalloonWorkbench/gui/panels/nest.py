@@ -10,11 +10,13 @@ from BalloonWorkbench.app.parts import patterns
 from BalloonWorkbench.gui import record
 from BalloonWorkbench.gui.borders import undo_step
 from BalloonWorkbench.gui.panels import show
+from BalloonWorkbench.gui.panels.narrow import FullList, NarrowForm
 from BalloonWorkbench.gui.panels.object_panel import ObjectPanel
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.sentences import tell
 from BalloonWorkbench.gui.user_units import size_text
 
+_HIGHEST = 160  # px, of the list of patterns
 _MOST = 100  # balloons of each kind, and sheets
 
 
@@ -30,15 +32,15 @@ class NestPanel(ObjectPanel):
     def __init__(self, obj):
         super().__init__(obj, "NestPanel", translate("Lay out on film"), "nest")
         self.is_new = not obj.LaidOutFor
-        self.choice = QtWidgets.QListWidget()
+        self.choice = FullList(_HIGHEST)
         self.choice.setObjectName("NestPatterns")
-        self.choice.setMaximumHeight(90)
         for pattern in patterns(self.doc):
             entry = QtWidgets.QListWidgetItem(_name(pattern))
             entry.setData(QtCore.Qt.UserRole, pattern.Name)
             taken = pattern in obj.Patterns
             entry.setCheckState(QtCore.Qt.Checked if taken else QtCore.Qt.Unchecked)
             self.choice.addItem(entry)
+        self.choice.fit()
         self.shown = self.fields.whole("Shown", 1, _MOST)
         self.apply = QtWidgets.QPushButton(translate("Lay out"))
         self.apply.setObjectName("LayOut")
@@ -49,8 +51,7 @@ class NestPanel(ObjectPanel):
         self.message = QtWidgets.QLabel()
         self.message.setObjectName("NestMessage")
         self.message.setWordWrap(True)
-        form = QtWidgets.QFormLayout(self.form)
-        form.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)
+        form = NarrowForm(self.form)
         form.addRow(translate("Patterns"), self.choice)
         form.addRow(translate("Film"), self.fields.choice("Film"))
         form.addRow(translate("Balloons of each"), self.fields.whole("Balloons", 1, _MOST))

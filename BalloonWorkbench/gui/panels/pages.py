@@ -1,71 +1,107 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The pages of a panel behind one another, only as high as the one in front: the result stays in view."""
+"""The pages of a panel behind one another: each is as high as it has to be, and only the panel scrolls."""
 
 from __future__ import annotations
 
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets
 
-_HIGHEST = 320  # px; a longer page scrolls
-_FRAME = 10  # px above and below it
 
-
-class Pages(QtWidgets.QTabWidget):
-    """A tab for each (title, function that makes its box).
+class Pages(QtWidgets.QWidget):
+    """A button for each (title, function that makes its box): side by side, in two rows in a narrow panel.
 
     A box is made when its page is looked at: all at once would keep the window busy.
     """
+
+    currentChanged = QtCore.Signal(int)
 
     def __init__(self, kinds):
         super().__init__()
         self.setObjectName("Steps")
         self._makers = [make for _, make in kinds]
         self._boxes: dict[int, QtWidgets.QWidget] = {}
-        self._soon = QtCore.QTimer(self)
-        self._soon.setSingleShot(True)
-        self._soon.timeout.connect(self.fit)
-        for title, _ in kinds:
-            page = QtWidgets.QScrollArea()
-            page.setFrameShape(QtWidgets.QFrame.NoFrame)
-            page.setWidgetResizable(True)
-            page.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarAlwaysOff)
-            self.addTab(page, title)
-        self.currentChanged.connect(self._turned)
+        self._index = -1
+        self._group = QtWidgets.QButtonGroup(self)
+        self._buttons = []
+        self._tabs = QtWidgets.QGridLayout()
+        self._tabs.setSpacing(2)
+        for index, (title, _) in enumerate(kinds):
+            button = QtWidgets.QToolButton()
+            button.setObjectName(f"Step{index}")
+            button.setText(title)
+            button.setCheckable(True)
+            button.setSizePolicy(QtWidgets.QSizePolicy.Expanding, QtWidgets.QSizePolicy.Fixed)
+            button.clicked.connect(lambda _checked=False, chosen=index: self.setCurrentIndex(chosen))
+            self._group.addButton(button, index)
+            self._buttons.append(button)
+        self._column = QtWidgets.QVBoxLayout(self)
+        self._column.setContentsMargins(0, 0, 0, 0)
+        self._column.addLayout(self._tabs)
+        self._in_a_row = 0
+        self._arrange()
 
     @property
     def boxes(self) -> tuple:
         """Those that there are."""
         return tuple(self._boxes.values())
 
-    def begin(self, index: int) -> None:
-        """Show this page first."""
-        self.setCurrentIndex(index)
-        self._turned(index)
+    def count(self) -> int:
+        """How many pages there are."""
+        return len(self._makers)
 
-    def _turned(self, index: int) -> None:
-        if index not in self._boxes:
-            box, page = self._makers[index](), self.widget(index)
-            self._boxes[index] = box
-            box.installEventFilter(self)
-            page.setWidget(box)
-            page.setMinimumWidth(box.minimumSizeHint().width())
-        self.fit()
+    def tabText(self, index: int) -> str:
+        """The title of a page."""
+        return self._buttons[index].text()
 
-    def fit(self) -> None:
-        """Take the height of the page in front, once that is made."""
-        box = self._boxes.get(self.currentIndex())
-        if box is None:
+    def currentIndex(self) -> int:
+        """The page in front."""
+        return self._index
+
+    def currentWidget(self):
+        """Its box."""
+        return self._boxes.get(self._index)
+
+    def widget(self, index: int):
+        """The box of a page, None while it was not looked at."""
+        return self._boxes.get(index)
+
+    def setCurrentIndex(self, index: int) -> None:
+        """Turn to a page."""
+        if index == self._index:
             return
-        wanted = box.sizeHint().height()
-        if box.hasHeightForWidth():
-            wanted = max(wanted, box.heightForWidth(self.currentWidget().viewport().width()))
-        self.setFixedHeight(min(wanted, _HIGHEST) + self.tabBar().sizeHint().height() + _FRAME)
-
-    def eventFilter(self, box, event):
-        if event.type() == QtCore.QEvent.LayoutRequest:
-            self._soon.start(0)
-        return False
+        if index not in self._boxes:
+            self._boxes[index] = box = self._makers[index]()
+            margins = box.layout().contentsMargins()
+            box.layout().setContentsMargins(0, margins.top(), 0, margins.bottom())
+            self._column.addWidget(box)
+        self._index = index
+        self._buttons[index].setChecked(True)
+        for number, box in self._boxes.items():
+            box.setVisible(number == index)
+        self.currentChanged.emit(index)
 
     def resizeEvent(self, event):
         super().resizeEvent(event)
-        if event.size().width() != event.oldSize().width():
-            self.fit()
+        self._arrange()
+
+    def minimumSizeHint(self):
+        """As narrow as two titles side by side."""
+        least = super().minimumSizeHint()
+        return QtCore.QSize(min(least.width(), self._widest(2)), least.height())
+
+    def _widest(self, in_a_row: int) -> int:
+        widths = [button.sizeHint().width() for button in self._buttons]
+        return max(
+            sum(widths[first : first + in_a_row]) + self._tabs.spacing() * (in_a_row - 1)
+            for first in range(0, len(widths), in_a_row)
+        )
+
+    def _arrange(self) -> None:
+        """The titles side by side where there is room, else in two rows."""
+        whole = len(self._buttons)
+        in_a_row = whole if self._widest(whole) <= self.width() else (whole + 1) // 2
+        if in_a_row == self._in_a_row:
+            return
+        self._in_a_row = in_a_row
+        for number, button in enumerate(self._buttons):
+            self._tabs.removeWidget(button)
+            self._tabs.addWidget(button, number // in_a_row, number % in_a_row)

@@ -11,6 +11,7 @@ from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.pattern.panels import MOST_COPIES
 from BalloonWorkbench.gui.intake_handle import IntakeHandle
 from BalloonWorkbench.gui.panels.fields import Fields
+from BalloonWorkbench.gui.panels.narrow import NarrowForm
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.sentences import tell
 
@@ -25,8 +26,7 @@ class PatternBox(QtWidgets.QWidget):
         self.pattern = pattern
         self.handle: IntakeHandle | None = None
         self.fields = fields = Fields(pattern, self)
-        self.form = QtWidgets.QFormLayout(self)
-        self.form.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)
+        self.form = NarrowForm(self)
         self._labels: dict[str, QtWidgets.QWidget] = {}
         self._heading(translate("Weld and cut"))
         self._row("SealWidth", translate("Seal width"), fields.quantity("SealWidth", "mm"))

@@ -10,9 +10,17 @@ from BalloonWorkbench.app.balloon import VOLUME
 from BalloonWorkbench.app.quantities import pascals
 from BalloonWorkbench.gui.panels.fields import Fields
 from BalloonWorkbench.gui.panels.maker_rows import MakerRows, value_label
+from BalloonWorkbench.gui.panels.narrow import NarrowForm
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, drawn_icon, translate
 from BalloonWorkbench.gui.sentences import tell
-from BalloonWorkbench.gui.user_units import length_text, lengths_text, pressure_text, size_text, volume_text
+from BalloonWorkbench.gui.user_units import (
+    NOTHING,
+    length_text,
+    lengths_text,
+    pressure_text,
+    size_text,
+    volume_text,
+)
 
 _ICON = 16
 #: Commands for a finished balloon, with their icons.
@@ -69,7 +77,7 @@ class ResultBox(QtWidgets.QWidget):
         told = QtWidgets.QHBoxLayout()
         told.addWidget(self._sign)
         told.addWidget(self._message, 1)
-        self._measures = QtWidgets.QFormLayout()
+        self._measures = NarrowForm()
         self._maker = MakerRows(self._measures, short=True)
         column = QtWidgets.QVBoxLayout(self)
         start = QtWidgets.QHBoxLayout()
@@ -169,13 +177,14 @@ def _has_source(outline) -> bool:
 def measures(balloon, pattern) -> list[tuple[str, str]]:
     """Names and values of what a user wants to know about a balloon."""
     mean, largest = lengths_text(balloon.ResidualMean.Value, balloon.ResidualMax.Value)
+    cut = size_text(pattern.PatternWidth.Value, pattern.PatternHeight.Value)
     told = [
         (translate("Size"), size_text(balloon.InflatedWidth.Value, balloon.InflatedHeight.Value)),
         (translate("Thickness"), length_text(balloon.InflatedThickness.Value)),
         (translate("Volume"), volume_text(balloon.Volume.Value)),
         (translate("Off the drawing"), translate("{}, at most {}").format(mean, largest)),
-        (translate("Pattern"), size_text(pattern.PatternWidth.Value, pattern.PatternHeight.Value)),
-        (translate("Weight"), _weight(balloon)),
+        (translate("Pattern"), cut if pattern.Roles else NOTHING),
+        (translate("Weight"), _weight(balloon) if balloon.Weight else NOTHING),
         (translate("Film"), _state(balloon)),
         (translate("Solver"), balloon.ActiveBackend),
     ]

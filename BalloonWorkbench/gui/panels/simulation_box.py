@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from BalloonWorkbench.app.balloon import VOLUME
 from BalloonWorkbench.gui.panels.fields import Fields
+from BalloonWorkbench.gui.panels.narrow import NarrowForm
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 
 
@@ -17,8 +18,7 @@ class SimulationBox(QtWidgets.QWidget):
         super().__init__()
         self.balloon = balloon
         self.fields = Fields(balloon, self)
-        form = QtWidgets.QFormLayout(self)
-        form.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)
+        form = NarrowForm(self)
         form.addRow(translate("Mesh size"), self.fields.quantity("MeshSize", "mm", 1.0))
         form.addRow(translate("Given"), self.fields.choice("Load"))
         form.addRow(translate("Volume"), self.fields.quantity("TargetVolume", "l", 1e5))

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from BalloonWorkbench.gui.panels.fields import Fields
+from BalloonWorkbench.gui.panels.narrow import NarrowForm
 from BalloonWorkbench.gui.panels.preview import Preview, notes_of
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.selection import SelectionWatch, selected_source
@@ -27,7 +28,7 @@ class SketchBox(QtWidgets.QWidget):
         self.pick.setChecked(not outline.Source)
         self.pick.setToolTip(translate("While this is pressed, what you select becomes the source"))
         self.fields = Fields(outline, self)
-        symmetry = QtWidgets.QFormLayout()
+        symmetry = NarrowForm()
         symmetry.addRow(translate("Symmetry"), self.fields.choice("Symmetry"))
         self.preview = Preview()
         self.notes = QtWidgets.QLabel()

@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The options of the command line about a pattern that is larger than the bed of a machine."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Callable, Sequence
+
+from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.export.bed import OVERSIZE, REFUSE, SCALE, fits, scale_to_fit
+from BalloonWorkbench.core.export.machine import NO_LIMIT, Machine, machine
+from BalloonWorkbench.core.job import Balloon
+from BalloonWorkbench.core.pattern.pattern import Pattern
+from BalloonWorkbench.core.units import mm_text
+
+Size = tuple[float | None, float | None]
+
+
+def add_bed(command: argparse.ArgumentParser) -> None:
+    """What the bed is, and what becomes of a larger pattern."""
+    command.add_argument(
+        "--bed",
+        metavar="WIDTH[xHEIGHT]",
+        help=f"what the machine can work on, such as 600mmx400mm, 600mm for a roll, or {NO_LIMIT}; by default"
+        " as its file has it",
+    )
+    command.add_argument(
+        "--oversize",
+        choices=OVERSIZE,
+        default=REFUSE,
+        help="for a pattern larger than the bed there is no file (refuse, the default), one all the same"
+        " (write), or the balloon is made smaller until it fits (scale)",
+    )
+
+
+def machines_of(options: argparse.Namespace) -> list[Machine]:
+    """The machines that were asked for, each with the bed that was given; InputError."""
+    if not options.machine and (options.bed is not None or options.oversize != REFUSE):
+        raise InputError("A bed is that of a machine: give --machine too.")
+    decided = ("target_volume", "target_lift", "gas_volume")
+    if options.oversize == SCALE and any(getattr(options, name) is not None for name in decided):
+        raise InputError(
+            "A volume or a lift decides the size, so the balloon cannot be scaled to fit: leave out"
+            " --oversize scale, or what you give of --target-volume, --target-lift and --gas-volume."
+        )
+    return [machine(name, options.bed) for name in options.machine]
+
+
+def scaled_to_fit(
+    first: Balloon, machines: Sequence[Machine], size: Size, design: Callable[[Size], Balloon]
+) -> tuple[Balloon, Size, list[str]]:
+    """A balloon that fits the beds, the size of its drawing, and a line for the user where it is smaller.
+
+    size, design  width and height that were asked for, and what makes a balloon of others
+    """
+    if size == (None, None):
+        size = first.drawing.size[0], None
+    balloon, used = first, size
+
+    def make(scale: float) -> Pattern:
+        nonlocal balloon, used
+        width, height = size
+        used = width and scale * width, height and scale * height
+        balloon = design(used)
+        return balloon.sheet
+
+    scale = scale_to_fit(first.sheet, machines, make)
+    if scale == 1.0:
+        return first, size, []
+    before, after = (mm_text(each.drawing.size[0]) for each in (first, balloon))
+    return balloon, used, [f"Scaled to fit: the drawing is {after} wide instead of {before}."]
+
+
+def ways_on(balloon: Balloon, machines: Sequence[Machine]) -> list[str]:
+    """A line for the user about patterns that a bed is too small for."""
+    sheet = balloon.sheet
+    if all(fits(sheet.of_stock(stock), each) for stock in sheet.stocks for each in machines):
+        return []
+    return [
+        "--oversize scale makes the balloon smaller until it fits, --oversize write writes the file all the"
+        " same, --bed tells how large the bed is."
+    ]

@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Widgets for a panel that may be narrow: nothing in them is cut off, nothing scrolls inside the panel."""
+
+from __future__ import annotations
+
+from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets
+
+_ROOM = 180  # px, for a name and its field in a panel as FreeCAD opens it
+
+
+class NarrowForm(QtWidgets.QFormLayout):
+    """A form whose fields go below their names where there is no room beside them."""
+
+    def __init__(self, *parent):
+        super().__init__(*parent)
+        self.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)
+        self.setFieldGrowthPolicy(QtWidgets.QFormLayout.AllNonFixedFieldsGrow)
+
+    def addRow(self, *row):
+        """Qt would rather cut off an entry of a choice than put it below its name."""
+        if len(row) == 2 and isinstance(row[1], QtWidgets.QComboBox):
+            name, field = row
+            label = QtWidgets.QLabel(name) if isinstance(name, str) else name
+            if label.sizeHint().width() + field.sizeHint().width() + self.horizontalSpacing() > _ROOM:
+                super().addRow(label)
+                super().addRow(field)
+                return
+            row = label, field
+        super().addRow(*row)
+
+
+class NarrowCombo(QtWidgets.QComboBox):
+    """A choice that may be narrower than its entries; what is chosen can be read as its tooltip then."""
+
+    def __init__(self):
+        super().__init__()
+        self.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
+        self.setMinimumContentsLength(8)
+        self.currentTextChanged.connect(self.setToolTip)
+
+
+class ElidedLabel(QtWidgets.QLabel):
+    """A line of text of which the middle is left out where there is no room for it."""
+
+    def __init__(self):
+        super().__init__()
+        self.setSizePolicy(QtWidgets.QSizePolicy.Ignored, QtWidgets.QSizePolicy.Preferred)
+
+    @property
+    def elided_text(self) -> str:
+        """What can be read."""
+        return self.fontMetrics().elidedText(self.text(), QtCore.Qt.ElideMiddle, self.width())
+
+    def paintEvent(self, event):
+        painter = QtGui.QPainter(self)
+        painter.drawText(self.rect(), QtCore.Qt.AlignVCenter | QtCore.Qt.AlignLeft, self.elided_text)
+        painter.end()  # now, not when Python forgets it
+
+
+class FullList(QtWidgets.QListWidget):
+    """A list that is as high as its rows, up to a limit."""
+
+    def __init__(self, highest: int):
+        super().__init__()
+        self._highest = highest
+        self.setWordWrap(True)
+        self.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarAlwaysOff)
+        self.setVerticalScrollMode(QtWidgets.QAbstractItemView.ScrollPerPixel)
+
+    def fit(self) -> None:
+        """Take the height of the rows, as wide as they are now."""
+        self.doItemsLayout()
+        rows = sum(self.sizeHintForRow(row) for row in range(self.count()))
+        height = max(rows, self.fontMetrics().height()) + 2 * self.frameWidth() + 4
+        scrolls = height > self._highest
+        policy = QtCore.Qt.ScrollBarAsNeeded if scrolls else QtCore.Qt.ScrollBarAlwaysOff
+        self.setVerticalScrollBarPolicy(policy)
+        self.setFixedHeight(min(height, self._highest))
+
+    def resizeEvent(self, event):
+        super().resizeEvent(event)
+        if event.size().width() != event.oldSize().width():
+            QtCore.QTimer.singleShot(0, self.fit)
