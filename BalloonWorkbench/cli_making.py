@@ -21,7 +21,7 @@ from BalloonWorkbench.core.making import Artwork, assembly_files, nested, print_
 from BalloonWorkbench.core.nesting.layout import SPACING, Grain, Stock
 from BalloonWorkbench.core.outline.decode import decode, picture_size
 from BalloonWorkbench.core.types import Attempt, Progress
-from BalloonWorkbench.core.units import mm_text, parse_length, to_mm
+from BalloonWorkbench.core.units import length_text, number_text, parse_length, percent_text, size_text
 
 
 def add_making(command: argparse.ArgumentParser) -> None:
@@ -34,12 +34,16 @@ def add_making(command: argparse.ArgumentParser) -> None:
     )
     group.add_argument("--artwork-back", metavar="PICTURE", help="another picture for the back")
     group.add_argument(
-        "--dpi", metavar="N", type=float, default=DPI, help=f"resolution of the prints (default {DPI:g})"
+        "--dpi",
+        metavar="N",
+        type=float,
+        default=DPI,
+        help=f"resolution of the prints (default {number_text(DPI)})",
     )
     group.add_argument(
         "--bleed",
         metavar="LENGTH",
-        help=f"how far the print goes past the cut (default {mm_text(BLEED).replace(' ', '')})",
+        help=f"how far the print goes past the cut (default {length_text(BLEED).replace(' ', '')})",
     )
     group.add_argument(
         "--nest", metavar="WIDTH[xLENGTH]", help="lay all panels out on a roll of this width, or on sheets"
@@ -50,7 +54,7 @@ def add_making(command: argparse.ArgumentParser) -> None:
     group.add_argument(
         "--spacing",
         metavar="LENGTH",
-        help=f"between pieces laid out (default {mm_text(SPACING).replace(' ', '')})",
+        help=f"between pieces laid out (default {length_text(SPACING).replace(' ', '')})",
     )
     group.add_argument(
         "--grain-lies",
@@ -108,7 +112,7 @@ def _print(
         contents |= {f"print-{side}-{name}": content for name, content in made.items()}
         lines += [f"Check, {side}: {doubt}" for doubt in doubts]
     width, height = front.size
-    lines.append(f"Print {to_mm(width):.0f} x {to_mm(height):.0f} mm at {front.dpi:g} dpi, front and back")
+    lines.append(f"Print {size_text(width, height)} at {number_text(front.dpi)} dpi, front and back")
     return contents, lines
 
 
@@ -161,8 +165,8 @@ def _nest(
                 contents |= {f"nested{which}-{name}": content for name, content in made.items()}
                 lines += [f"Check, {title.lower()} {number}: {doubt}" for doubt in doubts]
             lines.append(
-                f"{title} {number}: {len(layout.places)} pieces on {to_mm(layout.length):.0f} x"
-                f" {to_mm(stock.width):.0f} mm, {100.0 * layout.utilisation:.0f} % used"
+                f"{title} {number}: {len(layout.places)} piece{'s' * (len(layout.places) > 1)} on"
+                f" {size_text(layout.length, stock.width)}, {percent_text(layout.utilisation)} used"
             )
     lines += [f"Note: {remark}" for remark in dict.fromkeys(notes)]
     return contents, lines

@@ -173,7 +173,7 @@ def _add_simulation(command: argparse.ArgumentParser) -> None:
         metavar="D",
         type=float,
         default=BENDING_FLOOR,
-        help=f"least bending stiffness in p w^3, w the typical width (default {BENDING_FLOOR:g})",
+        help=f"least bending stiffness in p w^3, w the typical width (default {BENDING_FLOOR})",
     )
     group.add_argument(
         "--two-panels", action="store_true", help="both panels, instead of one and its mirror image"

@@ -24,6 +24,7 @@ from BalloonWorkbench.app.outline import OutlineProxy, set_drawing, shape_count
 from BalloonWorkbench.app.pattern import PatternProxy
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.solver.model import BENDING_FLOOR, Model
+from BalloonWorkbench.core.units import number_text
 
 
 class Parts(NamedTuple):
@@ -257,7 +258,7 @@ def _size(name: str, value) -> float:
 
     size = 0.0 if value is None else length(value)
     if value is not None and not size > 0.0:
-        raise InputError(f"The {name} is {size:g} mm: give one above 0, for example 300 mm.")
+        raise InputError(f"The {name} is {number_text(size)} mm: give one above 0, for example 300 mm.")
     return size
 
 

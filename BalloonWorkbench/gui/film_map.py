@@ -12,7 +12,7 @@ from BalloonWorkbench.app.properties import QT_TRANSLATE_NOOP
 from BalloonWorkbench.core.export import colour_map
 from BalloonWorkbench.core.export.results import results
 from BalloonWorkbench.core.solver.film_state import FilmState, State, film_state
-from BalloonWorkbench.core.units import to_mm
+from BalloonWorkbench.core.units import number_text, to_mm
 from BalloonWorkbench.gui.legend import TOP, Legend, label_node
 from BalloonWorkbench.gui.legend_row import legend_node, title
 from BalloonWorkbench.gui.qt import translate
@@ -61,7 +61,7 @@ def map_nodes(obj, kind: str) -> list:
     nodes = [_film(SkinNodes(skin, shown.shares), _scale_nodes()), legend_node(obj, legend, TOP)]
     if shown.place is not None:
         name = f"{tell(safe.weakest)} " if safe is not None and safe.weakest else ""
-        nodes.append(label_node(shown.place, f"{name}{shown.largest * factor:.4g} {unit}"))
+        nodes.append(label_node(shown.place, f"{name}{number_text(shown.largest * factor)} {unit}"))
     return nodes
 
 
@@ -140,7 +140,7 @@ def _title(obj, kind: str, unit: str) -> str:
 
 
 def _ticks(top: float) -> tuple[tuple[float, str], ...]:
-    return tuple((value / top, f"{value:.6g}") for value in colour_map.ticks(top))
+    return tuple((value / top, number_text(value, 4)) for value in colour_map.ticks(top))
 
 
 def _states(found: FilmState) -> tuple:
@@ -159,13 +159,15 @@ def _states(found: FilmState) -> tuple:
 def _notes(safe, shown, factor: float, unit: str) -> tuple[str, ...]:
     told = []
     if shown.largest > 1.05 * shown.top:
-        told.append(translate("at most {:.4g} {}").format(shown.largest * factor, unit))
+        told.append(translate("at most {} {}").format(number_text(shown.largest * factor), unit))
     if safe is not None:
         if safe.safe_pressure is None:
             told.append(translate("strength of the film not known"))
         else:
             told.append(
-                translate("safe to {}, margin {:.2g}").format(pressure_text(safe.safe_pressure), safe.margin)
+                translate("safe to {}, margin {}").format(
+                    pressure_text(safe.safe_pressure), number_text(safe.margin)
+                )
             )
     return tuple(told)
 

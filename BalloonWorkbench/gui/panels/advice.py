@@ -13,7 +13,7 @@ from BalloonWorkbench.app import advice, status
 from BalloonWorkbench.app.guard import Guarded
 from BalloonWorkbench.core.advice import repair_text
 from BalloonWorkbench.core.errors import BalloonError
-from BalloonWorkbench.core.units import to_mm
+from BalloonWorkbench.core.units import number_text, to_mm
 from BalloonWorkbench.gui import record
 from BalloonWorkbench.gui.borders import Panel, undo_step
 from BalloonWorkbench.gui.marks import COLOURS, Overlay
@@ -175,7 +175,7 @@ class AdvicePanel(Panel):
             advice.take(self.parts, repair)
             self.doc.recompute()
             self.doc.commitTransaction()
-        near = "({:.4g}, {:.4g})".format(*(to_mm(value) for value in finding.place))
+        near = "({}, {})".format(*(number_text(to_mm(value), 4) for value in finding.place))
         balloon = f"BalloonWorkbench.parts({record.obj(self.parts.balloon)})"
         record.call("repair", balloon, record.text(finding.rule), near=near)
         self.refresh()
