@@ -16,7 +16,7 @@ from typing import Any
 
 from BalloonWorkbench import cli_console, cli_document, cli_making, cli_pattern
 from BalloonWorkbench.cli_home import home
-from BalloonWorkbench.cli_options import parser
+from BalloonWorkbench.cli_options import language_of, parser
 from BalloonWorkbench.cli_summary import summary
 from BalloonWorkbench.core.design.size_goal import SizeGoal
 from BalloonWorkbench.core.errors import (
@@ -42,10 +42,11 @@ from BalloonWorkbench.core.job import (
     makers,
     report_bytes,
 )
+from BalloonWorkbench.core.language import speech
 from BalloonWorkbench.core.outline.raster import opencv
 from BalloonWorkbench.core.solver import native
 from BalloonWorkbench.core.solver.model import Model
-from BalloonWorkbench.core.types import Made
+from BalloonWorkbench.core.types import Made, Progress, Say, in_english
 from BalloonWorkbench.core.units import (
     parse_length,
     parse_mass,
@@ -63,30 +64,39 @@ def main(arguments: Sequence[str] | None = None) -> int:
     run = _Run()
     try:
         with cli_console.signals_are_errors(), home():
+            run.say = speech(language_of(arguments))
             for sentence in left_out():
-                cli_console.complain(sentence)
+                run.complain(sentence)
             return run.command(parser().parse_args(arguments))
     except BalloonError as error:
-        cli_console.complain(error)
+        run.complain(error)
         return FAULT if isinstance(error, ProgramFault) else 2
     except KeyboardInterrupt:
-        cli_console.complain(f"stopped; {run.outcome()}.")
+        run.complain(f"stopped; {run.outcome()}.")
         return INTERRUPTED
     except cli_console.Ended as ended:
-        cli_console.complain(f"stopped; {run.outcome()}.")
+        run.complain(f"stopped; {run.outcome()}.")
         return ended.end()
     except Exception as error:  # noqa: BLE001 - the command line is a border
-        cli_console.complain(report_fault(error, "designing a balloon"))
+        run.complain(report_fault(error, "designing a balloon"))
         return FAULT
 
 
 class _Run:
-    """One run: the files that were written, what was left out, and the first fault of the program."""
+    """One run: its language, the files that were written, what was left out, and the first fault."""
 
     def __init__(self) -> None:
+        self.say: Say = in_english
         self._paths: tuple[Path, ...] = ()
         self._left_out: list[str] = []
         self._fault: ProgramFault | None = None
+
+    def complain(self, text: object) -> None:
+        """One line on stderr, in the language of the run."""
+        cli_console.complain(self.say(str(text)))
+
+    def _progress(self, line: cli_console.StatusLine) -> Progress:
+        return lambda fraction, text: line.show(fraction, self.say(text))
 
     def outcome(self) -> str:
         """Whether files were written, as the end of a sentence."""
@@ -102,9 +112,10 @@ class _Run:
             _refuse_streams(name)
         # a mistake shows before the work
         chosen, doubts = machines_for(settings.film, [machine(name) for name in options.machine])
-        make = cli_making.checked(options, _decode())
+        make = cli_making.checked(options, _decode(), self.say)
         check_folder(options.out)
         line = cli_console.StatusLine(sys.stderr)
+        progress = self._progress(line)
         try:
             balloon = make_balloon(
                 options.input,
@@ -112,13 +123,13 @@ class _Run:
                 width=width,
                 height=height,
                 decode=_decode(),
-                progress=line.show,
+                progress=progress,
                 attempt=self._attempt,
             )
             if settings.goal is not None:
                 width = balloon.drawing.size[0]
             with cli_document.document(options.input, settings, balloon.designs, width, height) as document:
-                contents, lines = self._contents(balloon, chosen, options, make, line)
+                contents, lines = self._contents(balloon, chosen, options, make, progress)
                 made = document and self._attempt(cli_document.NAME, document.content)
             if made:
                 contents[cli_document.NAME] = made
@@ -130,9 +141,9 @@ class _Run:
         if report:
             contents["report.json"] = report
         if not contents:
-            raise self._fault or ExportError(f"No file could be made. {' '.join(self._left_out)}")
+            raise self._fault or ExportError("\n".join(["No file could be made.", *self._left_out]))
         write_files(options.out, contents, self._written)
-        return self._tell(balloon, [*(f"Check: {doubt}" for doubt in doubts), *lines])
+        return self._tell(balloon, [*(self.say(f"Check: {doubt}") for doubt in doubts), *lines])
 
     def _contents(
         self,
@@ -140,10 +151,10 @@ class _Run:
         chosen: Sequence[Machine],
         options: argparse.Namespace,
         make: Callable[..., Any],
-        line: cli_console.StatusLine,
+        progress: Progress,
     ) -> tuple[dict[str, bytes], list[str]]:
         """Contents of the files that can be made, by name, and lines for the user."""
-        line.show(1.0, "writing files")
+        progress(1.0, "writing files")
         contents: dict[str, bytes] = {}
         usual = self._attempt("The patterns' files", lambda: makers(balloon, options.results))
         for name, maker in (usual or {}).items():
@@ -152,27 +163,27 @@ class _Run:
                 contents[name] = content
         if options.frames is not None:
             contents |= (
-                self._attempt("inflation.pvd", lambda: inflation_files(balloon, options.frames, line.show))
+                self._attempt("inflation.pvd", lambda: inflation_files(balloon, options.frames, progress))
                 or {}
             )
-        lines = [f"{each.title}: {each.note}" for each in chosen]
+        lines = [f"{self.say(each.title)}: {self.say(each.note)}" for each in chosen]
         asked = [(each.file_name, [each], None) for each in chosen]
         if options.tiled is not None:
             asked.append((f"pattern-{options.tiled.lower()}.pdf", [], options.tiled))
         refused: list[ExportError] = []
         for name, machines, paper in asked:
             try:
-                made = self._attempt(name, partial(checked_files, balloon.sheet, machines, paper))
+                made = self._attempt(name, partial(checked_files, balloon.sheet, machines, paper, self.say))
             except ExportError as error:
                 refused.append(error)
                 continue
             if made is not None:
                 contents |= made[0]
-                lines += [f"Check: {remark}" for remark in made[1]]
+                lines += [self.say(f"Check: {remark}") for remark in made[1]]
         if refused and len(refused) == len(asked):
-            raise ExportError(" ".join(map(str, refused)))
+            raise ExportError("\n".join(map(str, refused)))
         self._left_out += map(str, refused)
-        more = self._attempt("What else is made", lambda: make(balloon, chosen, line.show, self._attempt))
+        more = self._attempt("What else is made", lambda: make(balloon, chosen, progress, self._attempt))
         files, told = more or ({}, [])
         return contents | files, [*lines, *told]
 
@@ -198,16 +209,17 @@ class _Run:
 
     def _tell(self, balloon: Balloon, lines: Sequence[str]) -> int:
         """Tell what was found and written; the exit code."""
-        told = summary(balloon.report, balloon.settings.correct, balloon.settings.film.seam)
-        told += [f"Note: {note}" for note in self._left_out]
-        slow = native.unusable_library() if balloon.settings.backend is None else None
-        told += [*([f"Note: {slow}"] if slow else []), *lines, *(f"Wrote {path}" for path in self._paths)]
+        say, settings = self.say, balloon.settings
+        told = summary(balloon.report, settings.film, settings.correct, say)
+        slow = native.unusable_library() if settings.backend is None else None
+        told += [say(f"Note: {note}") for note in (*self._left_out, *([slow] if slow else []))]
+        told += [*lines, *(say(f"Wrote {path}") for path in self._paths)]
         problem = cli_console.show("\n".join(told) + "\n")
         if self._fault is not None:
-            cli_console.complain(self._fault)
+            self.complain(self._fault)
             return FAULT
         if problem is not None:
-            cli_console.complain(f"The summary cannot be shown ({problem.strerror}); {self.outcome()}.")
+            self.complain(f"The summary cannot be shown ({problem.strerror}); {self.outcome()}.")
             return cli_console.UNSHOWN
         return 0
 

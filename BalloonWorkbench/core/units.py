@@ -122,8 +122,9 @@ def pressure_text(pascals: float) -> str:
 
 
 def money_text(amount: float, currency: str) -> str:
-    """A price for people: two decimals, more only for less than a hundredth."""
-    return f"{f'{amount:.2f}' if amount >= 0.005 or not amount else number_text(amount, 1)} {currency}"
+    """A price for people: two decimals, but for very small and large ones."""
+    usual = amount == 0.0 or 0.005 <= amount < 100.0
+    return f"{f'{amount:.2f}' if usual else number_text(amount, 1)} {currency}"
 
 
 def percent_text(share: float) -> str:
@@ -144,9 +145,10 @@ def _unit(size: float, units: _Units) -> tuple[float, str]:
 
 
 def place_text(point: NDArray[np.float64]) -> str:
-    """A point (2,) m for people, to a tenth of a millimetre."""
-    x, y = (number_text(round(to_mm(float(value)), 1), 4) for value in point)
-    return f"({x}, {y}) mm"
+    """A point (2,) m for people."""
+    scale, unit = _unit(max(float(np.abs(point).max()), MILLIMETRE), _LENGTHS)
+    x, y = (number_text(round(float(value) / scale, 1 if scale == MILLIMETRE else 2), 4) for value in point)
+    return f"({x}, {y}) {unit}"
 
 
 def parse_length(text: str | float) -> float:

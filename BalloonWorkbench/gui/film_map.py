@@ -12,7 +12,7 @@ from BalloonWorkbench.app.properties import QT_TRANSLATE_NOOP
 from BalloonWorkbench.core.export import colour_map
 from BalloonWorkbench.core.export.results import results
 from BalloonWorkbench.core.solver.film_state import FilmState, State, film_state
-from BalloonWorkbench.core.units import number_text, to_mm
+from BalloonWorkbench.core.units import number_text, percent_text, to_mm
 from BalloonWorkbench.gui.legend import TOP, Legend, label_node
 from BalloonWorkbench.gui.legend_row import legend_node, title
 from BalloonWorkbench.gui.qt import translate
@@ -146,13 +146,14 @@ def _ticks(top: float) -> tuple[tuple[float, str], ...]:
 def _states(found: FilmState) -> tuple:
     """The colours of the states, and how much of the film is in each."""
     names = {
-        State.SLACK: translate("slack: {:.0f} %"),
-        State.WRINKLED: translate("wrinkled, taut along one direction: {:.0f} %"),
-        State.TAUT: translate("taut: {:.0f} %"),
+        State.SLACK: translate("loose: {}"),
+        State.WRINKLED: translate("wrinkled: {}"),
+        State.TAUT: translate("tight: {}"),
     }
     rgb = colour_map.colours(np.array([0.0, 0.5, 1.0])).tolist()
     return tuple(
-        (tuple(rgb[state]), names[state].format(100.0 * share)) for state, share in found.shares().items()
+        (tuple(rgb[state]), names[state].format(percent_text(share)))
+        for state, share in found.shares().items()
     )
 
 

@@ -4,14 +4,26 @@
 from __future__ import annotations
 
 import ast
+import json
+import os
 import re
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from drawn_shapes import NAMED
+from test_assembly import subject
 
+from BalloonWorkbench import cli
 from BalloonWorkbench.core import units
+from BalloonWorkbench.core.advice import repair_text
+from BalloonWorkbench.core.assembly.steps import steps
+from BalloonWorkbench.core.assembly.texts import figures, material
+from BalloonWorkbench.core.coach.coach import advise
+from BalloonWorkbench.core.film.library import film
 
+PICTURES = Path(__file__).parents[2] / "resources" / "examples" / "pictures"
 PACKAGE = Path(units.__file__).resolve().parents[1]
 #: These write numbers for programs: files of machines, macros, fingerprints, and the functions themselves.
 FOR_PROGRAMS = (
@@ -31,7 +43,7 @@ def numbers_formatted(tree: ast.AST) -> Iterator[int]:
         elif (
             isinstance(node, ast.Constant)
             and isinstance(node.value, str)
-            and re.search(r"{\w*:[^{}]*[efgEFG%]}", node.value)
+            and re.search(r"{\w*:[.,+\d]*[efgEFG%]}", node.value)
         ):
             yield node.lineno
 
@@ -88,7 +100,126 @@ def test_numbers_have_the_digits_that_count(value: float, digits: int, text: str
         (units.pressure_text(35.0), "35 Pa"),
         (units.percent_text(0.0034), "0.34 %"),
         (units.place_text(units.from_mm(units.np.array([-1e-9, 1234.56]))), "(0, 1235) mm"),
+        (units.place_text(units.np.array([-0.001, 19.461])), "(0, 19.46) m"),
+        (units.money_text(0.021, "EUR"), "0.02 EUR"),
+        (units.money_text(0.00021, "EUR"), "0.0002 EUR"),
+        (units.money_text(4486.17, "EUR"), "4486 EUR"),
     ],
 )
 def test_measures_have_the_unit_that_people_use(text: str, wanted: str) -> None:
     assert text == wanted
+
+
+#: A number that people cannot read, or that says nothing.
+ODD = {
+    "exponent": re.compile(r"\d[eE][+-]?\d"),
+    "no number": re.compile(r"\b(nan|inf|None)\b"),
+    "nothing": re.compile(r"(?<![\d.,])-?0(\.0*)? (µm|mm|m|in|ml|l|m³|mg|g|kg|Pa|kPa|%|cm²)(?!\w)"),
+    "minus nothing": re.compile(r"-0(\.0*)?(?![\d.])"),
+    "five digits": re.compile(r"(?<![\w.])(?:0*\.?0*)(?=[1-9])(?:\d\.?){5,}(?![\w.])"),
+}
+
+
+def odd_numbers(text: str) -> list[str]:
+    """What is odd about the numbers of a text, but for names of files."""
+    lines = [line for line in text.splitlines() if not line.startswith("Wrote ")]
+    return [f"{name}: {line}" for line in lines for name, form in ODD.items() if form.search(line)]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Weld length 1.57e+03 mm",
+        "Height 0.00 mm",
+        "Pattern 0 x 0 mm, 0 g",
+        "-0 mm",
+        "nan kPa",
+        "15743 mm",
+        "1.2345 g",
+    ],
+)
+def test_odd_numbers_are_seen(text: str) -> None:
+    assert odd_numbers(text)
+
+
+@pytest.mark.parametrize(
+    "text", ["297.4 mm", "0.0309 mg", "12.35 m at 2000 kPa, 10 %", "0.8 l", "(0, 1235) mm"]
+)
+def test_good_numbers_are_left_alone(text: str) -> None:
+    assert not odd_numbers(text)
+
+
+#: For the long version: more shapes and sizes.
+SHAPES = os.environ.get("BALLOON_WORD_SHAPES", "star").split()
+SIZES = os.environ.get("BALLOON_WORD_SIZES", "3mm 30m").split()
+
+
+@pytest.mark.parametrize("shape", SHAPES)
+@pytest.mark.parametrize("size", SIZES)
+def test_numbers_of_tiny_and_huge_balloons(
+    shape: str, size: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """All that the command line, the sheet and the advice say of them."""
+    width = units.parse_length(size)
+    film = ["--young", "1e8", "--poisson", "0.4", "--thickness", "1e-6" if width < 1.0 else "1e-4"]
+    film += ["--pressure", f"{2.0 / width}Pa"]
+    mesh = [
+        "--mesh-size",
+        f"{width / 16}m",
+        "--seal-width",
+        f"{width / 60}m",
+        "--allowance",
+        f"{width / 90}m",
+    ]
+    intake = ["--intake-width", f"{width / 30}m", "--intake-length", f"{width / 10}m"]
+    words = [str(PICTURES / f"{shape}.png"), "--width", size, "--out", str(tmp_path), "--language", "en"]
+    assert cli.main(["inflate", *words, *film, *mesh, *intake]) == 0
+    told = capsys.readouterr()
+    assert not odd_numbers(told.out + told.err)
+    report = json.loads((tmp_path / "report.json").read_text(encoding="utf-8"))
+    assert not odd_numbers("\n".join([*report["warnings"], report["maker"]["will_it_float"]]))
+
+
+@pytest.mark.parametrize("scale", [1e-3, 0.03, 1.0, 30.0])
+def test_numbers_of_the_sheet(scale: float) -> None:
+    """The lists and steps of a sheet, as if the balloon were so many times as large."""
+    about = subject("ring", "nylon-foil", "film-valve")
+    numbers = about.numbers
+    grown = replace(
+        numbers,
+        film_area=numbers.film_area * scale**2,
+        roll=(0.5 * scale, 0.7 * scale),
+        seam_length=numbers.seam_length * scale,
+        inner=numbers.inner * scale**2,
+        border=numbers.border * scale**2,
+        valve=numbers.valve * scale**2,
+        volume=numbers.volume * scale**3,
+        floating=tuple(
+            replace(
+                one,
+                carries=one.carries * scale**3,
+                left=one.left * scale**3,
+                from_width=None if one.from_width is None else one.from_width * scale,
+                gas_needed=one.gas_needed * scale**3,
+                cost=None if one.cost is None else one.cost * scale**3,
+            )
+            for one in numbers.floating
+        ),
+    )
+    for each in (grown, replace(grown, roll=None)):
+        rows = [*material(about.film, about.pattern, each), *figures(about.film, each)]
+        told = [value for _, value in rows] + steps(about.pattern, about.film, each)
+        told += [each.sentence(number) for number in range(len(each.floating))]
+        assert not odd_numbers("\n".join(told))
+
+
+@pytest.mark.parametrize("scale", [0.01, 1.0, 100.0])
+def test_numbers_of_advice(scale: float) -> None:
+    """What is predicted of all shapes that we know, 3 mm, 0.3 m and 30 m large."""
+    said = 0
+    for outline in NAMED.values():
+        for finding in advise(outline.map(lambda loop: loop * scale), film("mylar")).findings:
+            said += 1
+            assert not odd_numbers(finding.text)
+            assert finding.repair is None or not odd_numbers(repair_text(finding.repair))
+    assert said > 10

@@ -47,7 +47,9 @@ def material(film: Film, pattern: Pattern, numbers: Numbers, say: Say = in_engli
         width, length = numbers.roll
         found.append((say("Needed"), say(f"{length_text(length, 3)} of a roll {length_text(width)} wide")))
     wide = length_text(pattern.seal_width, 3)
-    found.append((say(film.seam.capitalize()), say(f"{wide} wide, {length_text(numbers.seam_length)} long")))
+    found.append(
+        (say(film.seam.capitalize()), say(f"{wide} wide, {length_text(numbers.seam_length, 3)} long"))
+    )
     intakes = pattern.intakes
     if intakes:
         kind = intake_kind(intakes[0].kind)
@@ -74,7 +76,7 @@ def figures(film: Film, numbers: Numbers, say: Say = in_english) -> list[tuple[s
     one = numbers.floating[0]
     gas = volume_text(one.gas_needed)
     if one.cost is not None:
-        gas = say(f"{gas}, about {money_text(one.cost, numbers.currency)}")
+        gas = gas + say(f", about {money_text(one.cost, numbers.currency)}")
     found.append((say(one.gas.capitalize()), gas))
     found.append((say("Will it float?"), say(numbers.sentence())))
     return found
@@ -82,7 +84,9 @@ def figures(film: Film, numbers: Numbers, say: Say = in_english) -> list[tuple[s
 
 def broken(text: str, fits: Callable[[str], bool]) -> list[str]:
     """Lines that fit; a number stays with its unit, a French mark with its word."""
-    kept = re.sub(r"(\d) (?=(?:mm|cm|m|m²|µm|g|kPa|[lL]it(?:re|er|ro)s?)(?![^\W\d]))", rf"\1{_BLANK}", text)
+    kept = re.sub(
+        r"(\d) (?=(?:[µm]?m|cm[²³]?|m[²³]|mm[²³]|m?l|[mk]?g|[kM]?Pa)(?![^\W\d]))", rf"\1{_BLANK}", text
+    )
     kept = re.sub(r" (?=[:;?!»%])|(?<=«) ", _BLANK, kept)
     lines, line = [], ""
     for piece in _PIECE.findall(kept):

@@ -27,8 +27,7 @@ class Limit:
 
 @dataclass(frozen=True)
 class Rule:
-    f"""One rule; `above` where large measures are bad. The sentences of its limits have {places} for"
-    " numbers."""
+    """One rule; `above` where large measures are bad. Its sentences have {places} for numbers."""
 
     name: str
     title: str

@@ -76,13 +76,14 @@ class Numbers:
     def sentence(self, number: int = 0) -> str:
         """Will it float? In one sentence, for the gas of that number."""
         one, weight = self.floating[number], mass_text(self.weight)
+        gas, carries = one.gas.capitalize(), mass_text(one.carries)
         weighs = f"film and valve weigh {weight}" if self.valve else f"the film weighs {weight}"
-        told = f"{one.gas.capitalize()} lifts {mass_text(one.carries)}, {weighs}"
         if one.left > 0.0:
-            return f"{told}: yes, and it carries {mass_text(one.left)}."
+            return f"{gas} lifts {carries}, {weighs}: yes, and it carries {mass_text(one.left)}."
         if one.from_width is None:
-            return f"{told}: no, at no size."
-        return f"{told}: no. From {length_text(one.from_width, 3)} width on it would."
+            return f"{gas} lifts {carries}, {weighs}: no, at no size."
+        wide = length_text(one.from_width, 3)
+        return f"{gas} lifts {carries}, {weighs}: no. From {wide} width on it would."
 
 
 def maker_numbers(

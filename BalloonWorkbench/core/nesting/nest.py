@@ -186,8 +186,8 @@ def _search(package: Any, instance: Any, config: Any, goal: float | None, progre
                 best.append(solution)
         reached = goal is not None and best and best[-1].width <= goal
         share = 1.0 - _USUAL / (_USUAL + time.monotonic() - began)
-        told = f", {length_text(from_mm(best[-1].width))} so far" if best else ""
-        if reached or not progress(share, f"laying out{told}"):
+        told = f"laying out, {length_text(from_mm(best[-1].width))} so far" if best else "laying out"
+        if reached or not progress(share, told):
             raise _Enough
 
     if threading.current_thread() is not threading.main_thread():

@@ -81,7 +81,7 @@ def value_label(text: str):
 def _rows(numbers, short: bool, seam: str) -> list[tuple[str, str]]:
     found = [
         (translate("Film needed"), _film(numbers), True),
-        (translate("Seam length"), length_text(to_mm(numbers.seam_length)), False),
+        (translate("Seam length"), length_text(to_mm(numbers.seam_length), 3), False),
         (translate("Weight"), _weight(numbers), False),
         (translate("Safe pressure"), _strength(numbers, seam), True),
         *_weakest(numbers, seam),
@@ -93,9 +93,9 @@ def _rows(numbers, short: bool, seam: str) -> list[tuple[str, str]]:
 
 def _film(numbers) -> str:
     if numbers.roll is None:
-        return translate("{}, wider than the usual roll").format(area_text(numbers.film_area))
+        return tell(f"{area_text(numbers.film_area)}; wider than the usual roll")
     width, length = numbers.roll
-    return translate("{} of a roll of {}").format(length_text(_METRE * length), length_text(to_mm(width)))
+    return tell(f"{length_text(_METRE * length, 3)} of a roll {length_text(to_mm(width))} wide")
 
 
 def _weight(numbers) -> str:
@@ -116,8 +116,7 @@ def _strength(numbers, seam: str) -> str:
     if safe.safe_pressure < safe.pressure:
         told = translate("less than its {} with a margin of {} ({})")
         return told.format(pressure_text(safe.pressure), number_text(safe.margin), weakest)
-    told = translate("{}, margin {} ({})")
-    return told.format(pressure_text(safe.safe_pressure), number_text(safe.margin), weakest)
+    return tell(f"{pressure_text(safe.safe_pressure)} ({weakest}, margin {number_text(safe.margin)})")
 
 
 def _weaker(safe, seam: str) -> str:
@@ -142,4 +141,4 @@ def _gas(numbers) -> str:
     told = translate("{} of {}").format(volume_text(cubic_millimetres(one.gas_needed)), tell(one.gas))
     if one.cost is None:
         return told
-    return told + translate(", about {}").format(money_text(one.cost, numbers.currency))
+    return told + tell(f", about {money_text(one.cost, numbers.currency)}")

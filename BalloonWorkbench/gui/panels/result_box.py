@@ -8,7 +8,7 @@ import FreeCADGui as Gui
 from BalloonWorkbench.app import status
 from BalloonWorkbench.app.balloon import VOLUME
 from BalloonWorkbench.app.quantities import pascals
-from BalloonWorkbench.core.units import from_grams, mass_text
+from BalloonWorkbench.core.units import from_grams, mass_text, percent_text
 from BalloonWorkbench.gui.panels.fields import Fields
 from BalloonWorkbench.gui.panels.maker_rows import MakerRows, value_label
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, drawn_icon, translate
@@ -177,6 +177,7 @@ def measures(balloon, pattern) -> list[tuple[str, str]]:
         (translate("Off the drawing"), translate("{}, at most {}").format(mean, largest)),
         (translate("Pattern"), size_text(pattern.PatternWidth.Value, pattern.PatternHeight.Value)),
         (translate("Weight"), _weight(balloon)),
+        (translate("Film"), _state(balloon)),
         (translate("Solver"), balloon.ActiveBackend),
     ]
     if balloon.Load == VOLUME:
@@ -193,3 +194,8 @@ def _weight(balloon) -> str:
         return translate("{}, never floats with {}").format(weight, gas)
     told = translate("{}, floats from {} width on with {}")
     return told.format(weight, length_text(balloon.FloatsFrom.Value, 3), gas)
+
+
+def _state(balloon) -> str:
+    told = translate("{} of it wrinkles, {} is loose")
+    return told.format(percent_text(balloon.WrinkledShare), percent_text(balloon.SlackShare))
