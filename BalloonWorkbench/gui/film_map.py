@@ -25,7 +25,7 @@ CHOICES = [OFF, *colour_map.KINDS]
 _TITLES = {
     colour_map.TENSION: QT_TRANSLATE_NOOP("BalloonWorkbench", "Membrane tension"),
     colour_map.WRINKLES: QT_TRANSLATE_NOOP("BalloonWorkbench", "Width hidden in wrinkles"),
-    colour_map.STATE: QT_TRANSLATE_NOOP("BalloonWorkbench", "Film"),
+    colour_map.STATE: QT_TRANSLATE_NOOP("BalloonWorkbench", "Where the film wrinkles"),
     colour_map.THICKNESS: QT_TRANSLATE_NOOP("BalloonWorkbench", "Thickness of the balloon"),
     colour_map.STRAIN: QT_TRANSLATE_NOOP("BalloonWorkbench", "Largest strain"),
     colour_map.RESIDUAL: QT_TRANSLATE_NOOP("BalloonWorkbench", "Silhouette off the drawing"),
@@ -33,6 +33,11 @@ _TITLES = {
 _COLOURS = 256  # of the scale, as a texture
 _LINE = 5.0  # px, of the silhouette
 _GREY = (0.72, 0.74, 0.77)
+
+
+def choice_title(choice: str) -> str:
+    """What people read for one of CHOICES."""
+    return translate(_TITLES[choice]) if choice in _TITLES else tell(choice)
 
 
 def map_nodes(obj, kind: str) -> list:

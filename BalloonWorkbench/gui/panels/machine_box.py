@@ -91,7 +91,7 @@ class MachineBox(QtWidgets.QWidget):
             word = translate("Not possible") if finding.severity == ERROR else translate("Mind")
             self.list.addItem(f"{word}: {tell(finding.text)}")
         if not self.findings:
-            self.list.addItem(translate("Checked: nothing is in the way."))
+            self.list.addItem(translate("Checked: ready to make."))
 
     def mark(self, row: int) -> None:
         """Mark the place of a finding in the 3D view."""
