@@ -16,7 +16,7 @@ from typing import Any
 
 from BalloonWorkbench import cli_bed, cli_console, cli_document, cli_making, cli_pattern
 from BalloonWorkbench.cli_home import home
-from BalloonWorkbench.cli_options import FETCH, parser
+from BalloonWorkbench.cli_options import FETCH, language_of, parser
 from BalloonWorkbench.cli_summary import summary
 from BalloonWorkbench.core import native_wheel
 from BalloonWorkbench.core.design.size_goal import SizeGoal
@@ -44,11 +44,13 @@ from BalloonWorkbench.core.job import (
     makers,
     report_bytes,
 )
+from BalloonWorkbench.core.language import speech
 from BalloonWorkbench.core.outline.raster import opencv
 from BalloonWorkbench.core.solver import native
 from BalloonWorkbench.core.solver.model import Model
-from BalloonWorkbench.core.types import Made
+from BalloonWorkbench.core.types import Made, Progress, Say, in_english
 from BalloonWorkbench.core.units import (
+    number_text,
     parse_length,
     parse_mass,
     parse_pressure,
@@ -65,34 +67,43 @@ def main(arguments: Sequence[str] | None = None) -> int:
     run = _Run()
     try:
         with cli_console.signals_are_errors():
+            run.say = speech(language_of(arguments))
             options = parser().parse_args(arguments)
             if options.command == FETCH:
-                return _fetch_solver()
+                return run.fetch_solver()
             with home():
                 for sentence in left_out():
-                    cli_console.complain(sentence)
+                    run.complain(sentence)
                 return run.command(options)
     except BalloonError as error:
-        cli_console.complain(error)
+        run.complain(error)
         return FAULT if isinstance(error, ProgramFault) else 2
     except KeyboardInterrupt:
-        cli_console.complain(f"stopped; {run.outcome()}.")
+        run.complain(f"stopped; {run.outcome()}.")
         return INTERRUPTED
     except cli_console.Ended as ended:
-        cli_console.complain(f"stopped; {run.outcome()}.")
+        run.complain(f"stopped; {run.outcome()}.")
         return ended.end()
     except Exception as error:  # noqa: BLE001 - the command line is a border
-        cli_console.complain(report_fault(error, "designing a balloon"))
+        run.complain(report_fault(error, "designing a balloon"))
         return FAULT
 
 
 class _Run:
-    """One run: the files that were written, what was left out, and the first fault of the program."""
+    """One run: its language, the files that were written, what was left out, and the first fault."""
 
     def __init__(self) -> None:
+        self.say: Say = in_english
         self._paths: tuple[Path, ...] = ()
         self._left_out: list[str] = []
         self._fault: ProgramFault | None = None
+
+    def complain(self, text: object) -> None:
+        """One line on stderr, in the language of the run."""
+        cli_console.complain(self.say(str(text)))
+
+    def _progress(self, line: cli_console.StatusLine) -> Progress:
+        return lambda fraction, text: line.show(fraction, self.say(text))
 
     def outcome(self) -> str:
         """Whether files were written, as the end of a sentence."""
@@ -108,9 +119,10 @@ class _Run:
             _refuse_streams(name)
         # a mistake shows before the work
         chosen, doubts = machines_for(settings.film, cli_bed.machines_of(options))
-        make = cli_making.checked(options, _decode())
+        make = cli_making.checked(options, _decode(), self.say)
         check_folder(options.out)
         line = cli_console.StatusLine(sys.stderr)
+        progress = self._progress(line)
 
         def design(size: cli_bed.Size) -> Balloon:
             return make_balloon(
@@ -119,7 +131,7 @@ class _Run:
                 width=size[0],
                 height=size[1],
                 decode=_decode(),
-                progress=line.show,
+                progress=progress,
                 attempt=self._attempt,
             )
 
@@ -133,7 +145,7 @@ class _Run:
             if settings.goal is not None:
                 width = balloon.drawing.size[0]
             with cli_document.document(options.input, settings, balloon.designs, width, height) as document:
-                contents, lines = self._contents(balloon, chosen, options, make, line)
+                contents, lines = self._contents(balloon, chosen, options, make, progress)
                 made = document and self._attempt(cli_document.NAME, document.content)
             if made:
                 contents[cli_document.NAME] = made
@@ -145,9 +157,11 @@ class _Run:
         if report:
             contents["report.json"] = report
         if not contents:
-            raise self._fault or ExportError(f"No file could be made. {' '.join(self._left_out)}")
+            raise self._fault or ExportError("\n".join(["No file could be made.", *self._left_out]))
         write_files(options.out, contents, self._written)
-        return self._tell(balloon, [*(f"Check: {doubt}" for doubt in doubts), *smaller, *lines])
+        return self._tell(
+            balloon, [*(self.say(f"Check: {doubt}") for doubt in doubts), *map(self.say, smaller), *lines]
+        )
 
     def _contents(
         self,
@@ -155,10 +169,10 @@ class _Run:
         chosen: Sequence[Machine],
         options: argparse.Namespace,
         make: Callable[..., Any],
-        line: cli_console.StatusLine,
+        progress: Progress,
     ) -> tuple[dict[str, bytes], list[str]]:
         """Contents of the files that can be made, by name, and lines for the user."""
-        line.show(1.0, "writing files")
+        progress(1.0, "writing files")
         contents: dict[str, bytes] = {}
         usual = self._attempt("The patterns' files", lambda: makers(balloon, options.results))
         for name, maker in (usual or {}).items():
@@ -167,28 +181,28 @@ class _Run:
                 contents[name] = content
         if options.frames is not None:
             contents |= (
-                self._attempt("inflation.pvd", lambda: inflation_files(balloon, options.frames, line.show))
+                self._attempt("inflation.pvd", lambda: inflation_files(balloon, options.frames, progress))
                 or {}
             )
-        lines = [f"{each.title}: {each.note}" for each in chosen]
+        lines = [f"{self.say(each.title)}: {self.say(each.note)}" for each in chosen]
         asked = [(each.file_name, [each], None) for each in chosen]
         if options.tiled is not None:
             asked.append((f"pattern-{options.tiled.lower()}.pdf", [], options.tiled))
         refused: list[ExportError] = []
         for name, machines, paper in asked:
             try:
-                work = partial(checked_files, balloon.sheet, machines, paper, options.oversize)
+                work = partial(checked_files, balloon.sheet, machines, paper, options.oversize, self.say)
                 made = self._attempt(name, work)
             except ExportError as error:
                 refused.append(error)
                 continue
             if made is not None:
                 contents |= made[0]
-                lines += [f"Check: {remark}" for remark in made[1]]
+                lines += [self.say(f"Check: {remark}") for remark in made[1]]
         if refused and len(refused) == len(asked):
-            raise ExportError(" ".join([*map(str, refused), *cli_bed.ways_on(balloon, chosen)]))
+            raise ExportError("\n".join([*map(str, refused), *cli_bed.ways_on(balloon, chosen)]))
         self._left_out += [*map(str, refused), *(cli_bed.ways_on(balloon, chosen) if refused else [])]
-        more = self._attempt("What else is made", lambda: make(balloon, chosen, line.show, self._attempt))
+        more = self._attempt("What else is made", lambda: make(balloon, chosen, progress, self._attempt))
         files, told = more or ({}, [])
         return contents | files, [*lines, *told]
 
@@ -212,42 +226,41 @@ class _Run:
     def _written(self, paths: tuple[Path, ...]) -> None:
         self._paths = paths
 
+    def fetch_solver(self) -> int:
+        """Fetch the native solver, telling before from where and where to; the exit code."""
+        if native.problem_with_library() is None:
+            return self._show("The native solver is here already.")
+        wheel = native_wheel.wheel()
+        shown = self._show(
+            f"Fetching {wheel.address} ({number_text(wheel.size / 1e6, 2)} MB) "
+            f"into {native_wheel.place()}; only the file with SHA-256 {wheel.sha256} is kept."
+        )
+        line = cli_console.StatusLine(sys.stderr)
+        try:
+            native_wheel.fetch(wheel, self._progress(line))
+        finally:
+            line.clear()
+        return shown or self._show("The native solver is in use.")
+
+    def _show(self, text: str) -> int:
+        """Show a line; the exit code."""
+        return 0 if cli_console.show(f"{self.say(text)}\n") is None else cli_console.UNSHOWN
+
     def _tell(self, balloon: Balloon, lines: Sequence[str]) -> int:
         """Tell what was found and written; the exit code."""
-        told = summary(balloon.report, balloon.settings.correct, balloon.settings.film.seam)
-        told += [f"Note: {note}" for note in self._left_out]
-        slow = native_wheel.slow_notes() if balloon.settings.backend is None else []
-        told += [*(f"Note: {note}" for note in slow), *lines, *(f"Wrote {path}" for path in self._paths)]
+        say, settings = self.say, balloon.settings
+        told = summary(balloon.report, settings.film, settings.correct, say)
+        slow = native_wheel.slow_notes() if settings.backend is None else []
+        told += [say(f"Note: {note}") for note in (*self._left_out, *slow)]
+        told += [*lines, *(say(f"Wrote {path}") for path in self._paths)]
         problem = cli_console.show("\n".join(told) + "\n")
         if self._fault is not None:
-            cli_console.complain(self._fault)
+            self.complain(self._fault)
             return FAULT
         if problem is not None:
-            cli_console.complain(f"The summary cannot be shown ({problem.strerror}); {self.outcome()}.")
+            self.complain(f"The summary cannot be shown ({problem.strerror}); {self.outcome()}.")
             return cli_console.UNSHOWN
         return 0
-
-
-def _fetch_solver() -> int:
-    """Fetch the native solver, telling before from where and where to; the exit code."""
-    if native.problem_with_library() is None:
-        return _show("The native solver is here already.")
-    wheel = native_wheel.wheel()
-    told = _show(
-        f"Fetching {wheel.address} ({wheel.size / 1e6:.1f} MB) "
-        f"into {native_wheel.place()}; only the file with SHA-256 {wheel.sha256} is kept."
-    )
-    line = cli_console.StatusLine(sys.stderr)
-    try:
-        native_wheel.fetch(wheel, line.show)
-    finally:
-        line.clear()
-    return told or _show("The native solver is in use.")
-
-
-def _show(text: str) -> int:
-    """Show a line; the exit code."""
-    return 0 if cli_console.show(f"{text}\n") is None else cli_console.UNSHOWN
 
 
 def _refuse_streams(name: str | None) -> None:

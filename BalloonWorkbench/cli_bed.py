@@ -11,7 +11,7 @@ from BalloonWorkbench.core.export.bed import OVERSIZE, REFUSE, SCALE, fits, scal
 from BalloonWorkbench.core.export.machine import NO_LIMIT, Machine, machine
 from BalloonWorkbench.core.job import Balloon
 from BalloonWorkbench.core.pattern.pattern import Pattern
-from BalloonWorkbench.core.units import mm_text
+from BalloonWorkbench.core.units import length_text
 
 Size = tuple[float | None, float | None]
 
@@ -67,7 +67,7 @@ def scaled_to_fit(
     scale = scale_to_fit(first.sheet, machines, make)
     if scale == 1.0:
         return first, size, []
-    before, after = (mm_text(each.drawing.size[0]) for each in (first, balloon))
+    before, after = (length_text(each.drawing.size[0]) for each in (first, balloon))
     return balloon, used, [f"Scaled to fit: the drawing is {after} wide instead of {before}."]
 
 

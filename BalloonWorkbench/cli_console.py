@@ -102,7 +102,7 @@ class StatusLine:
 
     def show(self, fraction: float, text: str) -> bool:
         """Show the progress; never asks to stop."""
-        self._write(f"\r\033[K{100.0 * fraction:3.0f} %  {text}")
+        self._write(f"\r\033[K{round(100.0 * fraction):3d} %  {text}")
         return True
 
     def clear(self) -> None:

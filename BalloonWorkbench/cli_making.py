@@ -19,8 +19,15 @@ from BalloonWorkbench.core.job import Balloon
 from BalloonWorkbench.core.making import Artwork, assembly_files, nested, print_files
 from BalloonWorkbench.core.nesting.layout import SPACING, Grain, Stock
 from BalloonWorkbench.core.outline.decode import decode, picture_size
-from BalloonWorkbench.core.types import Attempt, Progress
-from BalloonWorkbench.core.units import mm_text, parse_length, parse_size, to_mm
+from BalloonWorkbench.core.types import Attempt, Progress, Say
+from BalloonWorkbench.core.units import (
+    length_text,
+    number_text,
+    parse_length,
+    parse_size,
+    percent_text,
+    size_text,
+)
 
 
 def add_making(command: argparse.ArgumentParser) -> None:
@@ -33,12 +40,16 @@ def add_making(command: argparse.ArgumentParser) -> None:
     )
     group.add_argument("--artwork-back", metavar="PICTURE", help="another picture for the back")
     group.add_argument(
-        "--dpi", metavar="N", type=float, default=DPI, help=f"resolution of the prints (default {DPI:g})"
+        "--dpi",
+        metavar="N",
+        type=float,
+        default=DPI,
+        help=f"resolution of the prints (default {number_text(DPI)})",
     )
     group.add_argument(
         "--bleed",
         metavar="LENGTH",
-        help=f"how far the print goes past the cut (default {mm_text(BLEED).replace(' ', '')})",
+        help=f"how far the print goes past the cut (default {length_text(BLEED).replace(' ', '')})",
     )
     group.add_argument(
         "--nest", metavar="WIDTH[xLENGTH]", help="lay all panels out on a roll of this width, or on sheets"
@@ -49,7 +60,7 @@ def add_making(command: argparse.ArgumentParser) -> None:
     group.add_argument(
         "--spacing",
         metavar="LENGTH",
-        help=f"between pieces laid out (default {mm_text(SPACING).replace(' ', '')})",
+        help=f"between pieces laid out (default {length_text(SPACING).replace(' ', '')})",
     )
     group.add_argument(
         "--grain-lies",
@@ -60,10 +71,13 @@ def add_making(command: argparse.ArgumentParser) -> None:
     group.add_argument("--assembly", choices=list(PAGES), help="write an assembly sheet on this paper")
 
 
-def checked(options: argparse.Namespace, reader: Callable[[Path], Any] | None) -> Callable[..., Any]:
+def checked(
+    options: argparse.Namespace, reader: Callable[[Path], Any] | None, say: Say
+) -> Callable[..., Any]:
     """Look at the options before the work; returns what makes the files of a balloon.
 
-    reader  of pictures, None for OpenCV. Raises InputError for options that make no sense.
+    reader  of pictures, None for OpenCV; say gives texts in the user's language
+    Raises InputError for options that make no sense.
     """
     artwork = _artwork(options, reader or decode)
     stock = None if options.nest is None else _stock(options)
@@ -76,18 +90,18 @@ def checked(options: argparse.Namespace, reader: Callable[[Path], Any] | None) -
         made: list[tuple[Mapping[str, bytes], list[str]] | None] = []
         if artwork is not None:
             progress(1.0, "printing")
-            made.append(attempt("The print", lambda: _print(balloon, artwork, asked, options.oversize)))
+            made.append(attempt("The print", lambda: _print(balloon, artwork, asked, options.oversize, say)))
         if stock is not None:
             made.append(
                 attempt(
                     "The layout on film",
-                    lambda: _nest(balloon, stock, options.balloons, asked, options.oversize, progress),
+                    lambda: _nest(balloon, stock, options.balloons, asked, options.oversize, progress, say),
                 )
             )
         if options.assembly is not None:
             title = readable(Path(options.input).stem).capitalize()
             made.append(
-                attempt("assembly.pdf", lambda: (assembly_files(balloon, title, options.assembly), []))
+                attempt("assembly.pdf", lambda: (assembly_files(balloon, title, options.assembly, say), []))
             )
         done = [each for each in made if each is not None]
         contents = {name: content for files, _ in done for name, content in files.items()}
@@ -97,17 +111,17 @@ def checked(options: argparse.Namespace, reader: Callable[[Path], Any] | None) -
 
 
 def _print(
-    balloon: Balloon, artwork: Artwork, asked: Sequence[Machine], oversize: str
+    balloon: Balloon, artwork: Artwork, asked: Sequence[Machine], oversize: str, say: Say
 ) -> tuple[dict[str, bytes], list[str]]:
     files, remarks, front, back = print_files(balloon, artwork)
     contents = dict(files)
-    lines = [f"Note: {remark}" for remark in remarks]
-    for side, sheet in (("front", front), ("back", back)):
+    lines = [say(f"Note: {remark}") for remark in remarks]
+    for side, seen, sheet in (("front", say("front"), front), ("back", say("back"), back)):
         made, doubts = checked_files(sheet.pattern, asked, oversize=oversize)
         contents |= {f"print-{side}-{name}": content for name, content in made.items()}
-        lines += [f"Check, {side}: {doubt}" for doubt in doubts]
+        lines += [say(f"Check, {seen}: {doubt}") for doubt in doubts]
     width, height = front.size
-    lines.append(f"Print {to_mm(width):.0f} x {to_mm(height):.0f} mm at {front.dpi:g} dpi, front and back")
+    lines.append(say(f"Print {size_text(width, height)} at {number_text(front.dpi)} dpi, front and back"))
     return contents, lines
 
 
@@ -139,26 +153,25 @@ def _nest(
     machines: Sequence[Machine],
     oversize: str,
     progress: Progress,
+    say: Say,
 ) -> tuple[dict[str, bytes], list[str]]:
     contents: dict[str, bytes] = {}
     lines: list[str] = []
     notes: list[str] = []
     for film, (layouts, pieces, remarks) in nested(balloon, stock, count, progress).items():
-        title = f"{film} film".lstrip().capitalize()
+        title = f"{film} film".strip().capitalize()
         notes += remarks
         for number, layout in enumerate(layouts, 1):
-            which = "" if number == 1 else f"-{number}"
+            suffix, which = "" if number == 1 else f"-{number}", f"{say(title)} {number}"
             for each in machines:
                 try:
                     made, doubts = checked_files(layout.pattern(pieces), [each], oversize=oversize)
                 except ExportError as error:
-                    lines.append(f"Left out: {error}")
+                    lines.append(say(f"Left out: {error}"))
                     continue
-                contents |= {f"nested{which}-{name}": content for name, content in made.items()}
-                lines += [f"Check, {title.lower()} {number}: {doubt}" for doubt in doubts]
-            lines.append(
-                f"{title} {number}: {len(layout.places)} pieces on {to_mm(layout.length):.0f} x"
-                f" {to_mm(stock.width):.0f} mm, {100.0 * layout.utilisation:.0f} % used"
-            )
-    lines += [f"Note: {remark}" for remark in dict.fromkeys(notes)]
+                contents |= {f"nested{suffix}-{name}": content for name, content in made.items()}
+                lines += [say(f"Check, {which}: {doubt}") for doubt in doubts]
+            size, used = size_text(layout.length, stock.width), percent_text(layout.utilisation)
+            lines.append(say(f"{which}: pieces {len(layout.places)}, on {size}, {used} used"))
+    lines += [say(f"Note: {remark}") for remark in dict.fromkeys(notes)]
     return contents, lines

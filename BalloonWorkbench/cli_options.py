@@ -4,6 +4,8 @@
 from __future__ import annotations
 
 import argparse
+import os
+from collections.abc import Sequence
 from typing import Any, NoReturn
 
 from BalloonWorkbench import __version__, cli_making, cli_pattern
@@ -16,6 +18,7 @@ from BalloonWorkbench.core.export.results import FORMATS
 from BalloonWorkbench.core.film.filling import DEFAULT_GAS, gases
 from BalloonWorkbench.core.film.library import DEFAULT_FILM, films
 from BalloonWorkbench.core.job import DEFAULT_PRESSURE
+from BalloonWorkbench.core.language import language_named, short_names, users_language
 from BalloonWorkbench.core.outline.segment import DRAWN_AS
 from BalloonWorkbench.core.outline.symmetry import AUTO, CHOICES
 from BalloonWorkbench.core.solver.backend import SOLVERS
@@ -29,7 +32,7 @@ class _Parser(argparse.ArgumentParser):
     """An argument parser whose complaints are one line."""
 
     def error(self, message: str) -> NoReturn:
-        raise InputError(f"{message}. See --help.")
+        raise InputError(f"The options cannot be used ({message}). See --help.")
 
     def _print_message(self, message: str, file: Any = None) -> None:
         """The help and the version, which are all that it prints."""
@@ -39,20 +42,40 @@ class _Parser(argparse.ArgumentParser):
             self.exit(UNSHOWN)
 
 
+def language_of(arguments: Sequence[str] | None) -> str:
+    """The language that the arguments name, else that of the environment; known before all others are read.
+
+    InputError for one that there is not.
+    """
+    known = _Parser(add_help=False, allow_abbrev=False)
+    _add_language(known)
+    name = known.parse_known_args(arguments)[0].language
+    return users_language(os.environ) if name is None else language_named(name)
+
+
+def _add_language(command: argparse.ArgumentParser) -> None:
+    command.add_argument(
+        "--language",
+        metavar="NAME",
+        help=f"of all that is told, and of the assembly sheet: {', '.join(short_names())}; by default that of"
+        " LC_ALL, LC_MESSAGES or LANG",
+    )
+
+
 def parser() -> argparse.ArgumentParser:
     """What the command line understands; InputError for anything else."""
     known = _Parser(prog="python -m BalloonWorkbench", description="Designs balloons from film.")
     known.add_argument("--version", action="version", version=__version__)
     commands = known.add_subparsers(dest="command", required=True, parser_class=_Parser)
-    for name, purpose in (
-        ("design", "correct the pattern until the inflated silhouette is the drawing"),
-        ("inflate", "inflate the outline as it is; it is the pattern"),
+    for command in (
+        _add_parser(commands, "design", "correct the pattern until the inflated silhouette is the drawing"),
+        _add_parser(commands, "inflate", "inflate the outline as it is; it is the pattern"),
     ):
-        command = commands.add_parser(name, help=purpose, description=f"{purpose[0].upper()}{purpose[1:]}.")
         command.add_argument(
             "input", metavar="INPUT", help="PNG, JPEG or BMP picture, or SVG, DXF or JSON outline"
         )
         command.add_argument("--out", metavar="DIR", required=True, help="folder for the files")
+        _add_language(command)
         _add_size(command)
         load = command.add_mutually_exclusive_group()
         load.add_argument(
@@ -99,6 +122,13 @@ def parser() -> argparse.ArgumentParser:
         description="Fetches the native solver of this version, checks its SHA-256 and puts it in its place.",
     )
     return known
+
+
+def _add_parser(commands: Any, name: str, purpose: str) -> argparse.ArgumentParser:
+    parser: argparse.ArgumentParser = commands.add_parser(
+        name, help=purpose, description=f"{purpose[0].upper()}{purpose[1:]}."
+    )
+    return parser
 
 
 def _add_machines(command: argparse.ArgumentParser) -> None:
@@ -183,7 +213,7 @@ def _add_simulation(command: argparse.ArgumentParser) -> None:
         metavar="D",
         type=float,
         default=BENDING_FLOOR,
-        help=f"least bending stiffness in p w^3, w the typical width (default {BENDING_FLOOR:g})",
+        help=f"least bending stiffness in p w^3, w the typical width (default {BENDING_FLOOR})",
     )
     group.add_argument(
         "--two-panels", action="store_true", help="both panels, instead of one and its mirror image"

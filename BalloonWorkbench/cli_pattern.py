@@ -10,7 +10,7 @@ from BalloonWorkbench.core.outline.passages import PASSAGE
 from BalloonWorkbench.core.pattern.intake_kinds import STRAW, intake_kinds
 from BalloonWorkbench.core.pattern.intake_places import FARTHEST, PLACES
 from BalloonWorkbench.core.pattern.make import Wanted
-from BalloonWorkbench.core.units import mm_text, parse_length
+from BalloonWorkbench.core.units import length_text, parse_length
 
 _USUAL = Wanted()
 
@@ -20,7 +20,7 @@ def add_pattern(command: argparse.ArgumentParser) -> None:
     group = command.add_argument_group("pattern")
 
     def length(name: str, told: str, usual: float | None = None) -> None:
-        default = "" if usual is None else f" (default {mm_text(usual).replace(' ', '')})"
+        default = "" if usual is None else f" (default {length_text(usual).replace(' ', '')})"
         group.add_argument(name, metavar="LENGTH", help=told + default)
 
     length("--seal-width", "width of the weld; by default the film's")

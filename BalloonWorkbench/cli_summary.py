@@ -1,59 +1,87 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the command line tells of a finished job."""
+"""What the command line tells of a finished job, in the words of the window's panels."""
 
 from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
+
+from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.maker.safety import WELD
+from BalloonWorkbench.core.types import Say
+from BalloonWorkbench.core.units import (
+    area_text,
+    from_mm,
+    length_text,
+    number_text,
+    place_text,
+    pressure_text,
+    size_text,
+    volume_text,
+)
 
 
-def summary(report: dict[str, Any], corrected: bool, seam: str) -> list[str]:
+def summary(report: dict[str, Any], film: Film, corrected: bool, say: Say) -> list[str]:
     """Lines about the balloons, notes and advice; none where there is no report.
 
-    corrected: the pattern was, so that the silhouette tells how well; seam: what the film's seam is called
+    corrected: the pattern was, so that it says something how far the balloon is off the drawing
     """
     lines = []
     for part in report.get("parts", ()):
-        inflated, error = part["inflated"], part["design"]["silhouette_error_mm"]
-        size = f"{inflated['width_mm']:.0f} x {inflated['height_mm']:.0f} x {inflated['thickness_mm']:.0f} mm"
-        lines.append(f"Balloon {size}, {1e3 * inflated['volume_m3']:.2f} l, solver {report['backend']}")
-        if report["load"]["kind"] == "volume":
-            lines.append(f"Pressure {part['pressure_Pa']:.4g} Pa")
-        if corrected:
-            lines.append(
-                f"Silhouette {error['mean']:.2f} mm off the drawing on average, {error['max']:.1f} mm at most"
-            )
-        lines.append(_lift_line(part["lift"]))
-        lines.append(_making_line(part["maker"], seam))
-    lines += [f"Note: {warning}" for warning in report.get("warnings", ())]
-    return lines + [_advice_line(finding) for part in report.get("parts", ()) for finding in part["advice"]]
+        lines += _balloon(part, report, corrected, say)
+        lines += _making(part["maker"], film, part["pressure_Pa"], say)
+    lines += [say(f"Note: {warning}") for warning in report.get("warnings", ())]
+    return lines + [_advice(finding, say) for part in report.get("parts", ()) for finding in part["advice"]]
 
 
-def _lift_line(lift: dict[str, Any]) -> str:
-    weight, gas_name = f"Weight {lift['weight_g']:.3g} g", lift["gas"]
-    if lift["floats"]:
-        return f"{weight}; filled with {gas_name} it carries {lift['lift_g']:.3g} g"
-    if lift["floats_from_width_mm"] is None:
-        return f"{weight}; it does not float with {gas_name}"
-    return f"{weight}; filled with {gas_name} it floats from {lift['floats_from_width_mm']:.0f} mm width on"
+def _balloon(part: dict[str, Any], report: dict[str, Any], corrected: bool, say: Say) -> list[str]:
+    """How large it is, and how well it was met."""
+    inflated, error = part["inflated"], part["design"]["silhouette_error_mm"]
+    size = size_text(*(from_mm(inflated[key]) for key in ("width_mm", "height_mm", "thickness_mm")))
+    lines = [say(f"Balloon: {size}, {volume_text(inflated['volume_m3'])}, solver {report['backend']}")]
+    if report["load"]["kind"] == "volume":
+        lines.append(say(f"Pressure: {pressure_text(part['pressure_Pa'])}"))
+    if corrected:
+        mean, largest = (length_text(from_mm(error[key]), 2) for key in ("mean", "max"))
+        lines.append(say(f"Off the drawing: {mean} on average, at most {largest}"))
+    return lines
 
 
-def _making_line(maker: dict[str, Any], seam: str) -> str:
-    """What it takes, and how much pressure it bears."""
-    strong = maker["strength"]
-    told = f"Film {1e4 * maker['film_area_m2']:.0f} cm2"
-    if maker["roll_length_mm"] is not None:
-        told += f" from {maker['roll_length_mm']:.0f} mm of a {maker['roll_width_mm']:.0f} mm roll"
-    told += f", {seam} {maker['seam_length_mm']:.0f} mm"
-    if strong["safe_pressure_Pa"] is None:
-        return told
+def _making(maker: dict[str, Any], film: Film, pressure: float, say: Say) -> list[str]:
+    """What it takes, whether it floats, and how much pressure [Pa] it bears."""
+    needed = area_text(maker["film_area_m2"])
+    if maker["roll_length_mm"] is None:
+        needed = say(f"{needed}; wider than the usual roll")
+    else:
+        length, width = (from_mm(maker[key]) for key in ("roll_length_mm", "roll_width_mm"))
+        needed = say(f"{length_text(length, 3)} of a roll {length_text(width)} wide")
+    seam = length_text(from_mm(maker["seam_length_mm"]), 3)
+    return [
+        say(f"Film: {film.title or film.name}"),
+        say(f"Film needed: {needed}"),
+        say(f"Seam length: {seam}"),
+        say(f"Will it float? {maker['will_it_float']}"),
+        *_strength(maker["strength"], film.seam, pressure, say),
+    ]
+
+
+def _strength(strong: dict[str, Any], seam: str, pressure: float, say: Say) -> list[str]:
+    """Nothing where no strength is known."""
+    safe = strong["safe_pressure_Pa"]
+    if safe is None:
+        return []
     weakest = seam if strong["weakest"] == WELD else strong["weakest"]
-    x, y, _ = strong["weakest_at_mm"]
-    told += f"; {weakest} at ({x:.0f}, {y:.0f}) mm safe to {1e-3 * strong['safe_pressure_Pa']:.2g} kPa"
-    return told if strong["at_rest"] else told + ", estimated: the film did not come to rest"
+    safely = f"{pressure_text(safe)} ({weakest}, margin {number_text(strong['margin'])})"
+    lines = [say(f"Safe pressure: {safely}")]
+    if safe < pressure:
+        lines = [say(f"Safe pressure: {safely}, less than its {pressure_text(pressure)}")]
+    place = f"{weakest} at {place_text(from_mm(np.array(strong['weakest_at_mm'][:2])))}"
+    if strong["at_rest"]:
+        return [*lines, say(f"Weakest place: {place}")]
+    return [*lines, say(f"Weakest place: {place}, estimated: the film did not come to rest")]
 
 
-def _advice_line(finding: dict[str, Any]) -> str:
-    x, y = finding["at_mm"]
-    return f"Advice, {finding['severity']}, at ({x:.0f}, {y:.0f}) mm: {finding['text']}"
+def _advice(finding: dict[str, Any], say: Say) -> str:
+    at = place_text(from_mm(np.array(finding["at_mm"])))
+    return say(f"Advice ({finding['severity']}), at {at}: {finding['text']}")

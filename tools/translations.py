@@ -30,7 +30,8 @@ OURS, PROPERTY = "BalloonWorkbench", "App::Property"
 _SILENT = ("export/preview.py", "export/vtu.py", "export/machine_svg.py", "export/render.py")
 _SILENT += ("export/machine_hpgl.py", "core/report.py", "app/host.py")
 _SILENT += ("core/fonts.py",)
-_SPOKEN = ("equipment.py",)  # of the window, but in plain sentences like the engine
+#: Of the window and the command line, but in plain sentences like the engine.
+_SPOKEN = ("equipment.py", "cli.py", "cli_summary.py", "cli_making.py", "cli_options.py", "cli_document.py")
 #: Keys of the data files that people read, by folder or file.
 _DATA = {
     "advice/rules.json": ("title", "sentence"),
@@ -115,12 +116,19 @@ def _sentences(tree: ast.AST) -> Iterator[str]:
 
 
 def _not_for_people(tree: ast.AST) -> Iterator[ast.AST]:
-    """Docstrings, annotations, tooltips and what is looked up."""
+    """Docstrings, annotations, tooltips, what is looked up, and the help of the command line."""
     for node in ast.walk(tree):
         if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant):
             yield node.value
         if isinstance(node, ast.Call) and getattr(node.func, "id", "") in ("Property", "QT_TRANSLATE_NOOP"):
             yield node
+        if isinstance(node, ast.Call) and _called(node) in (
+            "_Parser",
+            "_add_parser",
+            "add_argument",
+            "length",
+        ):
+            yield node  # --help is in English, as the options are
 
 
 def _outermost(node: ast.AST, skipped: set[int]) -> Iterator[ast.AST]:

@@ -29,7 +29,13 @@ OUTLINE_PROPERTIES = (
     ),
 )
 BALLOON_PROPERTIES = (
-    Property("Float", "Puffiness", "Result", "Roundness: 1 for a disc, 0 for a flat thing", result=True),
+    Property(
+        "Float",
+        "Puffiness",
+        "Result",
+        "Air that it holds, as a share of what a round balloon of as much film would",
+        result=True,
+    ),
     Property("StringList", "Advice", "Result", "What would make the balloon better", result=True),
 )
 

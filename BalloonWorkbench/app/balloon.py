@@ -72,7 +72,7 @@ PROPERTIES = (
     Property("Float", "MaxTension", "Result", "Largest membrane tension in N/m", result=True),
     Property("Float", "MaxStrain", "Result", "Largest strain of the film", result=True),
     Property("Float", "WrinkledShare", "Result", "Part of the film's area that is wrinkled", result=True),
-    Property("Float", "SlackShare", "Result", "Part of the film's area that is slack", result=True),
+    Property("Float", "SlackShare", "Result", "Part of the film's area that hangs loose", result=True),
     Property("Length", "ResidualMean", "Result", "Mean distance between drawing and silhouette", result=True),
     Property("Length", "ResidualP95", "Result", "Distance that 95 % of the silhouette keep to", result=True),
     Property(

@@ -19,11 +19,12 @@ from BalloonWorkbench.app.balloon import (
     VOLUME,
     BalloonProxy,
 )
-from BalloonWorkbench.app.group import make_group
+from BalloonWorkbench.app.group import MEMBERS, make_group, name_group
 from BalloonWorkbench.app.outline import OutlineProxy, set_drawing, shape_count
 from BalloonWorkbench.app.pattern import PatternProxy
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.solver.model import BENDING_FLOOR, Model
+from BalloonWorkbench.core.units import number_text
 
 
 class Parts(NamedTuple):
@@ -34,18 +35,17 @@ class Parts(NamedTuple):
     pattern: object
 
 
-def make(doc, label: str = "Balloon") -> Parts:
+def make(doc, label: str = "Film balloon") -> Parts:
     """The three objects, linked and in a group of their own, still without a drawing; nothing is computed."""
-    return _make_in(make_group(doc, label))
+    parts = _make_in(make_group(doc))
+    name_group(parts.balloon.getParentGroup(), label)
+    return parts
 
 
 def _make_in(group) -> Parts:
     doc = group.Document
-    parts = Parts(
-        doc.addObject("Part::Part2DObjectPython", "Outline"),
-        doc.addObject("Mesh::FeaturePython", "Balloon"),
-        doc.addObject("Part::Part2DObjectPython", "Pattern"),
-    )
+    kinds = "Part::Part2DObjectPython", "Mesh::FeaturePython", "Part::Part2DObjectPython"
+    parts = Parts(*(doc.addObject(kind, name) for kind, name in zip(kinds, MEMBERS, strict=True)))
     for obj, proxy in zip(parts, (OutlineProxy, BalloonProxy, PatternProxy), strict=True):
         proxy(obj)
         hooks.dress(obj)
@@ -257,7 +257,7 @@ def _size(name: str, value) -> float:
 
     size = 0.0 if value is None else length(value)
     if value is not None and not size > 0.0:
-        raise InputError(f"The {name} is {size:g} mm: give one above 0, for example 300 mm.")
+        raise InputError(f"The {name} is {number_text(size)} mm: give one above 0, for example 300 mm.")
     return size
 
 

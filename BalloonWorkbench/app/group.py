@@ -22,12 +22,27 @@ class GroupProxy(Stateless):
         hooks.dress(obj)
 
 
-def make_group(doc, label: str):
-    """A new group."""
+#: What its members are called: their labels are theirs.
+MEMBERS = ("Outline", "Balloon", "Pattern")
+
+
+def make_group(doc):
+    """A new group, still without a name of its own."""
     from BalloonWorkbench.app import hooks
 
     obj = doc.addObject("App::DocumentObjectGroupPython", "BalloonGroup")
     GroupProxy(obj)
     hooks.dress(obj)
-    obj.Label = label
     return obj
+
+
+def name_group(group, label: str) -> None:
+    """Call a group by what its balloon is made from: the first one "Fish", the next one "Fish 2"."""
+    taken = {obj.Label for obj in group.Document.Objects if obj != group}
+    label = f"{label} drawing" if label in MEMBERS else label
+    name, number = label, 1
+    while name in taken:
+        number += 1
+        name = f"{label} {number}"
+    if group.Label != name:
+        group.Label = name

@@ -9,7 +9,7 @@ import numpy as np
 
 from BalloonWorkbench.core.coach.findings import Advice, Finding, Repair, RepairKind, Severity
 from BalloonWorkbench.core.types import Floats
-from BalloonWorkbench.core.units import from_mm, to_mm
+from BalloonWorkbench.core.units import from_mm, length_text, number_text, to_mm
 
 _DIGITS = 4  # of a mm
 
@@ -72,16 +72,11 @@ def repair_from(data: dict[str, Any]) -> Repair:
 def repair_text(repair: Repair) -> str:
     """What a repair does, for a button."""
     if repair.kind is RepairKind.MOVE_INTAKE:
-        return f"Move the intake to {np.degrees(repair.size):.0f}°"
+        return f"Move the intake to {number_text(float(np.degrees(repair.size)))}°"
     if repair.kind is RepairKind.LOWER_INTAKE:
         return "Put the intake low"
     what = "Round with a radius of" if repair.kind is RepairKind.ROUND else "Widen to"
-    return f"{what} {_short(repair.size)} mm"
-
-
-def _short(length: float) -> str:
-    value = to_mm(length)
-    return f"{value:.1f}" if value < 10.0 else f"{value:.0f}"
+    return f"{what} {length_text(repair.size, 2)}"
 
 
 def _mm(length: float) -> float:

@@ -28,7 +28,7 @@ from BalloonWorkbench.core.pattern.layout import beside
 from BalloonWorkbench.core.pattern.make import sheet_of
 from BalloonWorkbench.core.pattern.motion import split
 from BalloonWorkbench.core.pattern.pattern import Pattern, Role
-from BalloonWorkbench.core.types import Floats, Progress, no_progress
+from BalloonWorkbench.core.types import Floats, Progress, Say, no_progress
 
 
 @dataclass(frozen=True)
@@ -130,7 +130,7 @@ def nested(
     return laid
 
 
-def assembly_files(balloon: Balloon, title: str, paper: str) -> Mapping[str, bytes]:
+def assembly_files(balloon: Balloon, title: str, paper: str, say: Say) -> Mapping[str, bytes]:
     """Contents of the assembly sheets by name, one for each shape whose numbers are known.
 
     Raises what assembly_pdf raises.
@@ -142,5 +142,5 @@ def assembly_files(balloon: Balloon, title: str, paper: str) -> Mapping[str, byt
             continue
         name = title if count == 1 else f"{title} {number}"
         subject = Subject(name, balloon.settings.film, part.design.inflation, part.pattern, part.numbers)
-        found["assembly.pdf" if number == 1 else f"assembly-{number}.pdf"] = assembly_pdf(subject, paper)
+        found["assembly.pdf" if number == 1 else f"assembly-{number}.pdf"] = assembly_pdf(subject, paper, say)
     return found

@@ -55,6 +55,16 @@ VOLUME_UNITS = {
 #: A lift may be given as a force; a kilogram weighs 9.80665 N.
 MASS_UNITS = {"g": 1e-3, "gram": 1e-3, "grams": 1e-3, "kg": 1.0, "oz": 28.349523125e-3, "n": 1.0 / 9.80665}
 
+#: Units for people: from which size on [SI], how large [SI], name; the second is the usual one.
+_Units = tuple[tuple[float, float, str], ...]
+_LENGTHS: _Units = ((0.0, 1e-6, "µm"), (1e-5, 1e-3, "mm"), (10.0, 1.0, "m"))
+_AREAS: _Units = ((0.0, 1e-6, "mm²"), (1e-4, 1e-4, "cm²"), (1.0, 1.0, "m²"))
+_VOLUMES: _Units = ((0.0, 1e-9, "mm³"), (1e-6, 1e-6, "ml"), (1e-3, 1e-3, "l"), (1.0, 1.0, "m³"))
+_MASSES: _Units = ((0.0, 1e-6, "mg"), (1e-3, 1e-3, "g"), (1.0, 1.0, "kg"))
+_PRESSURES: _Units = ((0.0, 1.0, "Pa"), (100.0, 1e3, "kPa"), (1e7, 1e6, "MPa"))
+#: Smaller than this many decimals, a number is none.
+_DECIMALS = 9
+
 _QUANTITY = re.compile(r"([+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?)\s*(.*)", re.IGNORECASE | re.DOTALL)
 
 Number = TypeVar("Number", float, NDArray[np.float64])
@@ -70,15 +80,75 @@ def from_mm(millimetres: Number) -> Number:
     return millimetres * MILLIMETRE
 
 
-def mm_text(metres: float) -> str:
-    """A length for messages: three to four figures, in millimetres."""
-    value = to_mm(metres)
-    return f"{value:.0f} mm" if abs(value) >= 1000 else f"{value:.4g} mm"
+def number_text(value: float, digits: int = 3) -> str:
+    """A number for people: so many digits that count, all of those before the point, never an exponent."""
+    if not math.isfinite(value):
+        return "?"
+    first = math.floor(math.log10(abs(value))) if value else 0
+    text = f"{value:.{min(max(digits - 1 - first, 0), _DECIMALS)}f}"
+    text = text.rstrip("0").rstrip(".") if "." in text else text
+    return "0" if text == "-0" else text
+
+
+def length_text(metres: float, digits: int = 4) -> str:
+    """A length for people: millimetres, from 10 m on metres."""
+    return _measure(metres, digits, _LENGTHS)
+
+
+def size_text(*metres: float) -> str:
+    """Lengths of one thing, such as width, height and thickness, in one unit."""
+    scale, unit = _unit(max(map(abs, metres)), _LENGTHS)
+    return f"{' x '.join(number_text(length / scale) for length in metres)} {unit}"
+
+
+def area_text(square_metres: float) -> str:
+    """An area for people."""
+    return _measure(square_metres, 3, _AREAS)
+
+
+def volume_text(cubic_metres: float) -> str:
+    """A volume for people."""
+    return _measure(cubic_metres, 3, _VOLUMES)
+
+
+def mass_text(kilograms: float) -> str:
+    """A mass for people."""
+    return _measure(kilograms, 3, _MASSES)
+
+
+def pressure_text(pascals: float) -> str:
+    """A pressure for people."""
+    return _measure(pascals, 3, _PRESSURES)
+
+
+def money_text(amount: float, currency: str) -> str:
+    """A price for people: two decimals, but for very small and large ones."""
+    usual = amount == 0.0 or 0.005 <= amount < 100.0
+    return f"{f'{amount:.2f}' if usual else number_text(amount, 1)} {currency}"
+
+
+def percent_text(share: float) -> str:
+    """A share of 1 for people."""
+    return f"{number_text(100.0 * share, 2)} %"
+
+
+def _measure(value: float, digits: int, units: _Units) -> str:
+    scale, unit = _unit(abs(value), units)
+    return f"{number_text(value / scale, digits)} {unit}"
+
+
+def _unit(size: float, units: _Units) -> tuple[float, str]:
+    """The largest unit that begins at or below a size; the usual one for nothing."""
+    if size == 0.0:
+        return units[1][1:]
+    return next((unit[1:] for unit in reversed(units) if size >= unit[0]), units[0][1:])
 
 
 def place_text(point: NDArray[np.float64]) -> str:
-    """A point (2,) m for messages, in millimetres."""
-    return f"({to_mm(float(point[0])):.4g}, {to_mm(float(point[1])):.4g}) mm"
+    """A point (2,) m for people."""
+    scale, unit = _unit(max(float(np.abs(point).max()), MILLIMETRE), _LENGTHS)
+    x, y = (number_text(round(float(value) / scale, 1 if scale == MILLIMETRE else 2), 4) for value in point)
+    return f"({x}, {y}) {unit}"
 
 
 def parse_length(text: str | float) -> float:

@@ -12,7 +12,7 @@ from BalloonWorkbench.app.properties import QT_TRANSLATE_NOOP
 from BalloonWorkbench.core.export import colour_map
 from BalloonWorkbench.core.export.results import results
 from BalloonWorkbench.core.solver.film_state import FilmState, State, film_state
-from BalloonWorkbench.core.units import to_mm
+from BalloonWorkbench.core.units import number_text, percent_text, to_mm
 from BalloonWorkbench.gui.legend import TOP, Legend, label_node
 from BalloonWorkbench.gui.legend_row import legend_node, title
 from BalloonWorkbench.gui.qt import translate
@@ -25,7 +25,7 @@ CHOICES = [OFF, *colour_map.KINDS]
 _TITLES = {
     colour_map.TENSION: QT_TRANSLATE_NOOP("BalloonWorkbench", "Membrane tension"),
     colour_map.WRINKLES: QT_TRANSLATE_NOOP("BalloonWorkbench", "Width hidden in wrinkles"),
-    colour_map.STATE: QT_TRANSLATE_NOOP("BalloonWorkbench", "Film"),
+    colour_map.STATE: QT_TRANSLATE_NOOP("BalloonWorkbench", "Where the film wrinkles"),
     colour_map.THICKNESS: QT_TRANSLATE_NOOP("BalloonWorkbench", "Thickness of the balloon"),
     colour_map.STRAIN: QT_TRANSLATE_NOOP("BalloonWorkbench", "Largest strain"),
     colour_map.RESIDUAL: QT_TRANSLATE_NOOP("BalloonWorkbench", "Silhouette off the drawing"),
@@ -33,6 +33,11 @@ _TITLES = {
 _COLOURS = 256  # of the scale, as a texture
 _LINE = 5.0  # px, of the silhouette
 _GREY = (0.72, 0.74, 0.77)
+
+
+def choice_title(choice: str) -> str:
+    """What people read for one of CHOICES."""
+    return translate(_TITLES[choice]) if choice in _TITLES else tell(choice)
 
 
 def map_nodes(obj, kind: str) -> list:
@@ -61,7 +66,7 @@ def map_nodes(obj, kind: str) -> list:
     nodes = [_film(SkinNodes(skin, shown.shares), _scale_nodes()), legend_node(obj, legend, TOP)]
     if shown.place is not None:
         name = f"{tell(safe.weakest)} " if safe is not None and safe.weakest else ""
-        nodes.append(label_node(shown.place, f"{name}{shown.largest * factor:.4g} {unit}"))
+        nodes.append(label_node(shown.place, f"{name}{number_text(shown.largest * factor)} {unit}"))
     return nodes
 
 
@@ -140,32 +145,35 @@ def _title(obj, kind: str, unit: str) -> str:
 
 
 def _ticks(top: float) -> tuple[tuple[float, str], ...]:
-    return tuple((value / top, f"{value:.6g}") for value in colour_map.ticks(top))
+    return tuple((value / top, number_text(value, 4)) for value in colour_map.ticks(top))
 
 
 def _states(found: FilmState) -> tuple:
     """The colours of the states, and how much of the film is in each."""
     names = {
-        State.SLACK: translate("slack: {:.0f} %"),
-        State.WRINKLED: translate("wrinkled, taut along one direction: {:.0f} %"),
-        State.TAUT: translate("taut: {:.0f} %"),
+        State.SLACK: translate("loose: {}"),
+        State.WRINKLED: translate("wrinkled: {}"),
+        State.TAUT: translate("tight: {}"),
     }
     rgb = colour_map.colours(np.array([0.0, 0.5, 1.0])).tolist()
     return tuple(
-        (tuple(rgb[state]), names[state].format(100.0 * share)) for state, share in found.shares().items()
+        (tuple(rgb[state]), names[state].format(percent_text(share)))
+        for state, share in found.shares().items()
     )
 
 
 def _notes(safe, shown, factor: float, unit: str) -> tuple[str, ...]:
     told = []
     if shown.largest > 1.05 * shown.top:
-        told.append(translate("at most {:.4g} {}").format(shown.largest * factor, unit))
+        told.append(translate("at most {} {}").format(number_text(shown.largest * factor), unit))
     if safe is not None:
         if safe.safe_pressure is None:
             told.append(translate("strength of the film not known"))
         else:
             told.append(
-                translate("safe to {}, margin {:.2g}").format(pressure_text(safe.safe_pressure), safe.margin)
+                translate("safe to {}, margin {}").format(
+                    pressure_text(safe.safe_pressure), number_text(safe.margin)
+                )
             )
     return tuple(told)
 

@@ -42,7 +42,7 @@ def came_from(outline, path) -> None:
     _drawings[outline.Drawing] = str(path)
 
 
-def begin(doc, label: str = "Balloon"):
+def begin(doc, label: str = "Film balloon"):
     """The objects of a new balloon with the user's preferences, and the edit that begins with them."""
     parts = create.make(doc, label)
     edit = Edit(parts, values.texts(parts))

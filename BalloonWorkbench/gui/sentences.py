@@ -7,18 +7,11 @@ in; here they are recognised by their form, translated, and filled again.
 
 from __future__ import annotations
 
-import json
-from functools import cache
-
-from BalloonWorkbench.gui import forms
-from BalloonWorkbench.gui.qt import TRANSLATIONS, translate
+from BalloonWorkbench.core import forms
+from BalloonWorkbench.core.language import listed
+from BalloonWorkbench.gui.qt import translate
 
 
 def tell(text: str) -> str:
     """A text of the engine in the user's language; one that is not known stays as it is."""
-    return forms.told(text, _known(), translate)
-
-
-@cache
-def _known() -> forms.Known:
-    return forms.known(json.loads((TRANSLATIONS / "sentences.json").read_text(encoding="utf-8")))
+    return forms.told(text, listed(), translate)

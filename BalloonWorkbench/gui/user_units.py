@@ -8,7 +8,7 @@ import math
 import FreeCAD as App
 
 from BalloonWorkbench.app.quantities import kilopascals
-from BalloonWorkbench.core.units import to_mm
+from BalloonWorkbench.core.units import number_text, to_mm
 
 #: Stands where a measure is not known yet.
 NOTHING = "\N{EN DASH}"
@@ -25,18 +25,19 @@ def user_unit(unit: str, largest: float) -> tuple[float, str]:
 def length_text(length: float, digits: int = 4) -> str:
     """A length in mm."""
     factor, unit = user_unit("mm", length)
-    return f"{length * factor:.{digits}g} {unit}"
+    return f"{number_text(length * factor, digits)} {unit}"
 
 
 def lengths_text(*lengths: float) -> list[str]:
-    """Lengths in mm, with three digits."""
-    return [length_text(length, 3) for length in lengths]
+    """Lengths in mm that are compared, with three digits in one unit."""
+    factor, unit = user_unit("mm", max(map(abs, lengths)))
+    return [f"{number_text(length * factor)} {unit}" for length in lengths]
 
 
-def size_text(width: float, height: float) -> str:
-    """Two lengths in mm, in one unit."""
-    factor, unit = user_unit("mm", max(width, height))
-    return f"{width * factor:.4g} x {height * factor:.4g} {unit}"
+def size_text(*lengths: float) -> str:
+    """Lengths in mm of one thing, in one unit."""
+    factor, unit = user_unit("mm", max(lengths))
+    return f"{' x '.join(number_text(length * factor, 4) for length in lengths)} {unit}"
 
 
 def bed_size_text(bed: tuple[float, float] | None) -> str:
@@ -50,7 +51,7 @@ def bed_size_text(bed: tuple[float, float] | None) -> str:
 def volume_text(volume: float) -> str:
     """A volume in mm3."""
     _, factor, unit = App.Units.Quantity(volume, App.Units.Volume).getUserPreferred()
-    return f"{volume / factor:.3g} {unit}"
+    return f"{number_text(volume / factor)} {unit.replace('^3', '³')}"
 
 
 def pressure_text(pressure: float) -> str:
@@ -58,4 +59,4 @@ def pressure_text(pressure: float) -> str:
     _, factor, unit = App.Units.Quantity(kilopascals(pressure), App.Units.Pressure).getUserPreferred()
     if unit == "Pa":
         factor, unit = 1.0, "kPa"
-    return f"{kilopascals(pressure) / factor:.3g} {unit}"
+    return f"{number_text(kilopascals(pressure) / factor)} {unit}"

@@ -11,6 +11,7 @@ import sketches
 from BalloonWorkbench.app import create, status
 from BalloonWorkbench.app.balloon import request
 from BalloonWorkbench.app.export import export_pattern
+from BalloonWorkbench.app.group import name_group
 from BalloonWorkbench.app.outline import set_drawing
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film.film import Film
@@ -195,3 +196,21 @@ def test_senseless_pressure(doc, pressure):
 def test_open_sketch(doc):
     line = sketches.sketch(doc, sketches.line((0, 0), (50, 0)), name="Line")
     failing(doc, "open", lambda: create.balloon_from_sketch(doc, line))
+
+
+@pytest.mark.parametrize("label", ["Film balloon", "Fish", "Balloon", "Pattern"])
+def test_first_one_has_no_number(doc, label):
+    """A group may not take the name of its own members, nor they its name."""
+    parts = create.make(doc, label)
+    group = parts.balloon.getParentGroup()
+    assert [obj.Label for obj in parts] == ["Outline", "Balloon", "Pattern"]
+    assert group.Label.startswith(label)
+    assert not any(letter.isdigit() for letter in group.Label)
+    second = create.make(doc, label).balloon.getParentGroup()
+    assert second.Label == f"{group.Label} 2"
+    name_group(second, label)
+    assert second.Label == f"{group.Label} 2"
+    name = group.Label
+    create.discard(parts)
+    name_group(second, label)
+    assert second.Label == name

@@ -9,7 +9,6 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-import told_in
 from matplotlib.image import imread
 from test_assembly import POPPLER, subject, told_by
 from test_export_pages import PAPER, SMALL
@@ -20,6 +19,7 @@ from BalloonWorkbench.core.assembly.steps import steps
 from BalloonWorkbench.core.assembly.texts import broken, figures, material
 from BalloonWorkbench.core.export.fabricate import machine_file
 from BalloonWorkbench.core.film.library import films
+from BalloonWorkbench.core.language import languages, speech
 from BalloonWorkbench.core.pattern.intake_kinds import intake_kinds
 from BalloonWorkbench.core.types import in_english
 
@@ -32,7 +32,7 @@ SEEN = {
 }
 MARGIN, GUTTER = 13.0, 6.0  # mm
 JAPANESE = pytest.mark.skipif(not fonts.can_show("組"), reason="no Japanese font is installed")
-EACH = [pytest.param(name, marks=JAPANESE if name == "ja" else ()) for name in told_in.LANGUAGES]
+EACH = [pytest.param(name, marks=JAPANESE if name == "ja" else ()) for name in languages()[1:]]
 
 
 def text_of(path: Path) -> str:
@@ -44,7 +44,7 @@ def sheet(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFacto
     """The page with the longest steps, on the shorter paper."""
     path = tmp_path_factory.mktemp("assembly") / f"{request.param}.pdf"
     about = subject("ring", "nylon-foil", "film-valve")
-    path.write_bytes(assembly_pdf(about, "Letter", told_in.says(request.param)))
+    path.write_bytes(assembly_pdf(about, "Letter", speech(request.param)))
     return path, request.param
 
 
@@ -115,8 +115,8 @@ def test_every_text_is_translated() -> None:
     for each in (tight, lacking, carried, never):
         figures(about.film, each, say)
     assert len(said) > 60
-    for language in told_in.LANGUAGES:
-        tell = told_in.says(language)
+    for language in languages()[1:]:
+        tell = speech(language)
         same = {text for text in said if tell(text) == text}
         # words that are the same in two languages
         assert not {text for text in same if len(text.split()) > 2 and "litres" not in text}, language
@@ -125,7 +125,7 @@ def test_every_text_is_translated() -> None:
 
 @JAPANESE
 def test_the_same_bytes_again() -> None:
-    about, say = subject("disc"), told_in.says("ja")
+    about, say = subject("disc"), speech("ja")
     assert assembly_pdf(about, say=say) == assembly_pdf(about, say=say)
 
 
@@ -133,7 +133,7 @@ def test_without_a_japanese_font_it_is_english(monkeypatch: pytest.MonkeyPatch) 
     monkeypatch.setattr(fonts, "_JAPANESE", ("No such font",))
     about = subject("disc")
     assert not fonts.can_show("組み立て図")
-    assert assembly_pdf(about, say=told_in.says("ja")) == assembly_pdf(about)
+    assert assembly_pdf(about, say=speech("ja")) == assembly_pdf(about)
 
 
 @JAPANESE
@@ -155,7 +155,7 @@ def test_japanese_name_on_an_english_page(tmp_path: Path) -> None:
 )
 def test_pattern_on_pages(tmp_path: Path, language: str, title: str, place: str) -> None:
     file = tmp_path / "tiles.pdf"
-    file.write_bytes(machine_file(SMALL, PAPER, "A4", told_in.says(language)))
+    file.write_bytes(machine_file(SMALL, PAPER, "A4", speech(language)))
     text = text_of(file)
     assert title in text
     assert place in text
@@ -168,7 +168,7 @@ def test_pattern_on_pages(tmp_path: Path, language: str, title: str, place: str)
 def test_pattern_on_pages_in_japanese(tmp_path: Path) -> None:
     """Drawn letters: as much ink as the English ones have, in the same lines, and none of these."""
     dark = []
-    for name, say in (("en", in_english), ("ja", told_in.says("ja"))):
+    for name, say in (("en", in_english), ("ja", speech("ja"))):
         file = tmp_path / f"{name}.pdf"
         file.write_bytes(machine_file(SMALL, PAPER, "A4", say))
         subprocess.run(["pdftoppm", "-r", "100", "-png", "-singlefile", file, tmp_path / name], check=True)
@@ -182,7 +182,7 @@ def test_pattern_on_pages_in_japanese(tmp_path: Path) -> None:
 
 def test_pattern_on_pages_without_a_japanese_font(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(fonts, "_JAPANESE", ("No such font",))
-    assert machine_file(SMALL, PAPER, "A4", told_in.says("ja")) == machine_file(SMALL, PAPER, "A4")
+    assert machine_file(SMALL, PAPER, "A4", speech("ja")) == machine_file(SMALL, PAPER, "A4")
 
 
 @pytest.mark.parametrize(

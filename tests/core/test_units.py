@@ -80,8 +80,8 @@ def test_millimetres_and_back():
     assert units.to_mm(0.3) == pytest.approx(300)
     values = np.array([[0.001, 2.0]])
     assert np.allclose(units.from_mm(units.to_mm(values)), values)
-    assert units.mm_text(0.0123456) == "12.35 mm"
-    assert units.mm_text(1e5) == "100000000 mm"
+    assert units.length_text(0.0123456) == "12.35 mm"
+    assert units.length_text(1e5) == "100000000 mm"
 
 
 @pytest.mark.parametrize(

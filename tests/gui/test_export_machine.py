@@ -44,7 +44,7 @@ def remarks():
 
 def test_machine_names_the_file_and_it_is_written(made, tmp_path):
     choose("Plain paper (PDF)")
-    assert remarks() == ["Checked: nothing is in the way."]
+    assert remarks() == ["Checked: ready to make."]
     assert hands.find("File").text() == "Ring balloon-paper.pdf"
     assert hands.find("Pages").isVisible()
     hands.find("Pages").setCurrentIndex(1)

@@ -160,10 +160,10 @@ def test_errors_of_the_engine_are_recognised():
     """Real errors, not their text: each must lead to a known sentence."""
     from BalloonWorkbench.core.errors import BalloonError
     from BalloonWorkbench.core.film import library
+    from BalloonWorkbench.core.language import listed
     from BalloonWorkbench.core.units import parse_length
-    from BalloonWorkbench.gui import sentences
 
-    plain, forms = sentences._known()
+    plain, forms = listed()
     for act in (
         lambda: library.film("cheese"),
         lambda: library.custom_film(1e3, 0.3, 1e-5),

@@ -12,7 +12,7 @@ from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
 from BalloonWorkbench.core.pattern.shapes import closed_loop, parts
 from BalloonWorkbench.core.types import Floats
-from BalloonWorkbench.core.units import from_mm, mm_text
+from BalloonWorkbench.core.units import from_mm, length_text
 
 #: The print goes that far past the cut, unless told otherwise [m].
 BLEED = from_mm(3.0)
@@ -27,7 +27,7 @@ def bordered(pattern: Pattern, bleed: float = BLEED) -> Pattern:
     InputError for a bleed that makes no sense.
     """
     if not 0.0 <= bleed <= _MOST_BLEED:
-        raise InputError(f"The bleed must be from 0 to {mm_text(_MOST_BLEED)}, not {mm_text(bleed)}.")
+        raise InputError(f"The bleed must be from 0 to {length_text(_MOST_BLEED)}, not {length_text(bleed)}.")
     package = shapely()
     films = [package.Polygon(cut.points) for cut in pattern.of(Role.CUT)]
     holes = [package.Polygon(cut.points) for cut in pattern.of(Role.CUT_INNER) if not cut.front]

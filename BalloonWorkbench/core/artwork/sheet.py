@@ -18,7 +18,7 @@ from BalloonWorkbench.core.pattern.motion import back_of
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.types import Bools, Floats, Ints
-from BalloonWorkbench.core.units import INCH, from_mm
+from BalloonWorkbench.core.units import INCH, from_mm, number_text
 
 DPI = 300.0
 _LEAST_DPI, _MOST_DPI = 20.0, 2400.0
@@ -77,12 +77,14 @@ def artwork_sheets(prints: Sequence[Print], pattern: Pattern, dpi: float = DPI) 
     """
     if not _LEAST_DPI <= dpi <= _MOST_DPI:
         raise InputError(
-            f"{dpi:g} dots per inch cannot be printed well: give {_LEAST_DPI:g} to {_MOST_DPI:g}."
+            f"{number_text(dpi)} dots per inch cannot be printed well: give {number_text(_LEAST_DPI)} to"
+            f" {number_text(_MOST_DPI)}."
         )
     width, height = (int(np.ceil((size + 2.0 * _BORDER) * dpi / INCH)) for size in pattern.size)
     if width * height > _MOST_PIXELS:
         raise InputError(
-            f"At {dpi:g} dots per inch the sheet would have {width} x {height} pixels: give a lower"
+            f"At {number_text(dpi)} dots per inch the sheet would have {width} x {height} pixels: give a"
+            " lower"
             " resolution."
         )
     frame = _Frame(pattern.bounds[0] - _BORDER, INCH / dpi, width, height)

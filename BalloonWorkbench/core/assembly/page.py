@@ -23,7 +23,7 @@ from BalloonWorkbench.core.maker.numbers import Numbers
 from BalloonWorkbench.core.pattern.pattern import Pattern, Role
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.types import Floats, Say, in_english
-from BalloonWorkbench.core.units import to_mm
+from BalloonWorkbench.core.units import from_mm, length_text, number_text, size_text, to_mm, volume_text
 
 #: Pages by name, upright [mm].
 PAGES = {"A4": (210.0, 297.0), "Letter": (215.9, 279.4)}
@@ -130,10 +130,10 @@ def _fill(pen: Pen, subject: Subject, size: tuple[float, float]) -> None:
 
 def _head(pen: Pen, subject: Subject, right: float, top: float) -> None:
     low, high = subject.inflation.positions.min(axis=0), subject.inflation.positions.max(axis=0)
-    across, up, _ = to_mm(high - low)
-    thick, litres = to_mm(2.0 * float(high[2])), 1e3 * subject.numbers.volume
+    across, up, _ = map(float, high - low)
+    size = size_text(across, up, 2.0 * float(high[2]))
     pen.text(_MARGIN, top - 6.5, subject.title, 20.0, right - _MARGIN, fontweight="bold")
-    told = pen.say(f"inflated {across:.0f} × {up:.0f} × {thick:.0f} mm, {litres:.3g} litres")
+    told = pen.say(f"inflated {size}, {volume_text(subject.numbers.volume)}")
     pen.text(_MARGIN, top - 12.0, f"{pen.say('Assembly sheet')}  ·  {told}", 9.0, right - _MARGIN, color=SOFT)
     pen.axes.plot([_MARGIN, right], [top - 14.6, top - 14.6], color=ACCENT, lw=1.6, solid_capstyle="butt")
 
@@ -166,8 +166,8 @@ def _pattern(pen: Pen, subject: Subject, box: tuple[float, float, float, float])
         axes.plot(*points.T, color=LAYERS[contour.role].rgb, lw=thin, solid_joinstyle="round", **style)
     (x0, y0), (x1, y1) = place(low), place(high)
     width, height = high - low
-    _dimension(axes, (x0, y0 - 5.0), (x1, y0 - 5.0), f"{width:.1f} mm")
-    _dimension(axes, (x0 - 5.0, y0), (x0 - 5.0, y1), f"{height:.1f} mm", 90.0)
+    _dimension(axes, (x0, y0 - 5.0), (x1, y0 - 5.0), length_text(from_mm(float(width))))
+    _dimension(axes, (x0 - 5.0, y0), (x0 - 5.0, y1), length_text(from_mm(float(height))), 90.0)
     for x in (x0, x1):
         axes.plot([x, x], [y0 - 6.5, y0 - 1.0], color=SOFT, lw=0.4)
     for y in (y0, y1):
@@ -272,5 +272,10 @@ def _foot(pen: Pen, scale: float, y: float, right: float) -> None:
         x = _MARGIN + k * _BAR / 5.0
         colour = INK if k % 2 == 0 else "white"
         axes.fill([x, x + 10.0, x + 10.0, x], [base, base, base + 1.6, base + 1.6], fc=colour, ec=INK, lw=0.5)
-    pen.text(_MARGIN + _BAR + 3.0, base, say(f"{_BAR:g} mm on paper = {_BAR * scale:g} mm of film"), 7.5)
-    pen.text(right, base, say(f"Pattern drawn 1 : {scale:.3g}"), 7.5, color=SOFT, ha="right")
+    pen.text(
+        _MARGIN + _BAR + 3.0,
+        base,
+        say(f"{number_text(_BAR)} mm on paper = {length_text(from_mm(_BAR * scale))} of film"),
+        7.5,
+    )
+    pen.text(right, base, say(f"Pattern drawn 1 : {number_text(scale)}"), 7.5, color=SOFT, ha="right")

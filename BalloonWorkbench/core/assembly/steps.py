@@ -14,7 +14,7 @@ from BalloonWorkbench.core.maker.numbers import Numbers
 from BalloonWorkbench.core.pattern.intake_kinds import RIM, intake_kind
 from BalloonWorkbench.core.pattern.pattern import Pattern, Role
 from BalloonWorkbench.core.types import Say, in_english
-from BalloonWorkbench.core.units import to_mm
+from BalloonWorkbench.core.units import length_text, number_text, pressure_text
 
 FILE = Path(__file__).resolve().parents[3] / "resources" / "assembly" / "steps.json"
 
@@ -36,10 +36,10 @@ def steps(pattern: Pattern, film: Film, numbers: Numbers, say: Say = in_english)
     }
     words = {
         "film": film.title or film.name,
-        "seal": f"{to_mm(pattern.seal_width):.3g}",
-        "pressure": f"{1e-3 * numbers.safety.pressure:.3g}",
-        "safe": "" if safe is None else f"{1e-3 * safe:.3g}",
-        "margin": f"{numbers.safety.margin:g}",
+        "seal": length_text(pattern.seal_width, 3),
+        "pressure": pressure_text(numbers.safety.pressure),
+        "safe": "" if safe is None else pressure_text(safe),
+        "margin": number_text(numbers.safety.margin),
     }
     names = list(dict.fromkeys(kind.name for kind in kinds))
     found = []

@@ -13,7 +13,15 @@ from BalloonWorkbench.core.maker.safety import WELD
 from BalloonWorkbench.core.pattern.intake_kinds import intake_kind
 from BalloonWorkbench.core.pattern.pattern import Pattern
 from BalloonWorkbench.core.types import Say, in_english
-from BalloonWorkbench.core.units import to_grams, to_mm
+from BalloonWorkbench.core.units import (
+    area_text,
+    length_text,
+    mass_text,
+    money_text,
+    number_text,
+    pressure_text,
+    volume_text,
+)
 
 # Japanese is broken between any two letters, but for these that end or begin a line.
 _LAST, _FIRST = "、。，．・：；？！）」』】〕ーぁぃぅぇぉっゃゅょァィゥェォッャュョ々～)", "（「『【〔"
@@ -28,19 +36,24 @@ def material(film: Film, pattern: Pattern, numbers: Numbers, say: Say = in_engli
     """What it is made of: names and values."""
     found = [
         (say("Film"), say(film.title or film.name)),
-        (say("Thickness"), f"{1e6 * film.thickness:.3g} µm, {1e3 * film.areal_density:.3g} g/m²"),
+        (
+            say("Thickness"),
+            f"{number_text(1e6 * film.thickness)} µm, {number_text(1e3 * film.areal_density)} g/m²",
+        ),
     ]
     if numbers.roll is None:
-        found.append((say("Needed"), say(f"{numbers.film_area:.3g} m²; wider than the usual roll")))
+        found.append((say("Needed"), say(f"{area_text(numbers.film_area)}; wider than the usual roll")))
     else:
         width, length = numbers.roll
-        found.append((say("Needed"), say(f"{length:.2f} m of a roll {to_mm(width):.0f} mm wide")))
-    wide = to_mm(pattern.seal_width)
-    found.append((say(film.seam.capitalize()), say(f"{wide:.3g} mm wide, {numbers.seam_length:.2f} m long")))
+        found.append((say("Needed"), say(f"{length_text(length, 3)} of a roll {length_text(width)} wide")))
+    wide = length_text(pattern.seal_width, 3)
+    found.append(
+        (say(film.seam.capitalize()), say(f"{wide} wide, {length_text(numbers.seam_length, 3)} long"))
+    )
     intakes = pattern.intakes
     if intakes:
         kind = intake_kind(intakes[0].kind)
-        found.append((say("Intake"), f"{say(kind.title)}, {to_mm(intakes[0].width):.3g} mm"))
+        found.append((say("Intake"), f"{say(kind.title)}, {length_text(intakes[0].width, 3)}"))
         if kind.stock is not None:
             found.append((say("Strips"), say(kind.stock.title)))
     return found
@@ -48,22 +61,22 @@ def material(film: Film, pattern: Pattern, numbers: Numbers, say: Say = in_engli
 
 def figures(film: Film, numbers: Numbers, say: Say = in_english) -> list[tuple[str, str]]:
     """What it takes and bears: names and values."""
-    safe, weight = numbers.safety, f"{to_grams(numbers.weight):.3g} g"
+    safe, weight = numbers.safety, mass_text(numbers.weight)
     if numbers.valve:
-        weight = say(f"{to_grams(numbers.weight):.3g} g with valve {to_grams(numbers.valve):.2g} g")
+        weight = say(f"{weight} with valve {mass_text(numbers.valve)}")
     found = [
-        (say("Volume"), say(f"{1e3 * numbers.volume:.3g} litres")),
+        (say("Volume"), volume_text(numbers.volume)),
         (say("Weight"), weight),
-        (say("Pressure"), f"{1e-3 * safe.pressure:.3g} kPa"),
+        (say("Pressure"), pressure_text(safe.pressure)),
     ]
     if safe.safe_pressure is not None:
         weakest = film.seam if safe.weakest == WELD else safe.weakest
-        bears = say(f"{1e-3 * safe.safe_pressure:.3g} kPa ({weakest}, margin {safe.margin:g})")
+        bears = say(f"{pressure_text(safe.safe_pressure)} ({weakest}, margin {number_text(safe.margin)})")
         found.append((say("Safe to"), bears))
     one = numbers.floating[0]
-    gas = say(f"{1e3 * one.gas_needed:.3g} litres")
+    gas = volume_text(one.gas_needed)
     if one.cost is not None:
-        gas = say(f"{1e3 * one.gas_needed:.3g} litres, about {one.cost:.2f} {numbers.currency}")
+        gas = gas + say(f", about {money_text(one.cost, numbers.currency)}")
     found.append((say(one.gas.capitalize()), gas))
     found.append((say("Will it float?"), say(numbers.sentence())))
     return found
@@ -71,7 +84,9 @@ def figures(film: Film, numbers: Numbers, say: Say = in_english) -> list[tuple[s
 
 def broken(text: str, fits: Callable[[str], bool]) -> list[str]:
     """Lines that fit; a number stays with its unit, a French mark with its word."""
-    kept = re.sub(r"(\d) (?=(?:mm|cm|m|m²|µm|g|kPa|[lL]it(?:re|er|ro)s?)(?![^\W\d]))", rf"\1{_BLANK}", text)
+    kept = re.sub(
+        r"(\d) (?=(?:[µm]?m|cm[²³]?|m[²³]|mm[²³]|m?l|[mk]?g|[kM]?Pa)(?![^\W\d]))", rf"\1{_BLANK}", text
+    )
     kept = re.sub(r" (?=[:;?!»%])|(?<=«) ", _BLANK, kept)
     lines, line = [], ""
     for piece in _PIECE.findall(kept):

@@ -83,6 +83,7 @@ def whole(outline: Outline) -> Any:
 def thin_parts(outline: Outline, width: float) -> list[ThinPart]:
     """The parts narrower than `width` [m]: what is lost when the area is opened with a disc (Serra 1982)."""
     area = whole(outline)
+    width = min(width, max(outline.size))  # wider discs see no more
     around = sum(float(arc_lengths(loop)[-1]) for loop in outline.loops)
     across = sections(outline, max(width / 6.0, around / 4000.0))
     rooms = bodies(area, width)

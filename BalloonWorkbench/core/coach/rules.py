@@ -17,37 +17,37 @@ FILE = Path(__file__).resolve().parents[3] / "resources" / "advice" / "rules.jso
 
 @dataclass(frozen=True)
 class Limit:
-    """From where on a measure has a severity: `times` the scale named `of`."""
+    """From where on a measure has a severity: `times` the scale named `of`; and how that is said."""
 
     severity: Severity
     times: float
     of: str
+    sentence: str
 
 
 @dataclass(frozen=True)
 class Rule:
-    """One rule; `above` where large measures are bad. The sentence has {places} for numbers."""
+    """One rule; `above` where large measures are bad. Its sentences have {places} for numbers."""
 
     name: str
     title: str
     measure: str
     above: bool
     limits: tuple[Limit, ...]
-    sentence: str
     sources: tuple[str, ...]
 
-    def judge(self, measured: float, scales: dict[str, float]) -> tuple[Severity, float] | None:
-        """The worst severity that a measure deserves and the limit it breaks; None where all is well.
+    def judge(self, measured: float, scales: dict[str, float]) -> tuple[Limit, float] | None:
+        """The worst limit that a measure breaks, and its value; None where all is well.
 
         scales  values of the names that limits are given in
         """
         broken = [
-            (limit.severity, value)
+            (limit, value)
             for limit in self.limits
             for value in (limit.times * scales[limit.of],)
             if (measured > value if self.above else measured < value)
         ]
-        return max(broken, key=lambda found: found[0].rank, default=None)
+        return max(broken, key=lambda found: found[0].severity.rank, default=None)
 
     def first(self, scales: dict[str, float]) -> float:
         """The limit at which a measure begins to matter."""
@@ -71,7 +71,12 @@ def _rule(name: str, entry: dict[str, Any]) -> Rule:
     if entry["worse"] not in ("above", "below"):
         raise ValueError(f'"worse" of {name} is neither "above" nor "below"')
     limits = tuple(
-        Limit(Severity(limit["severity"]), float(limit["times"]), str(limit["of"]))
+        Limit(
+            Severity(limit["severity"]),
+            float(limit["times"]),
+            str(limit["of"]),
+            str(limit.get("sentence", entry["sentence"])),  # a hint may be said more mildly
+        )
         for limit in entry["limits"]
     )
     return Rule(
@@ -80,6 +85,5 @@ def _rule(name: str, entry: dict[str, Any]) -> Rule:
         str(entry["measure"]),
         entry["worse"] == "above",
         limits,
-        str(entry["sentence"]),
         tuple(str(source) for source in entry["sources"]),
     )

@@ -12,12 +12,13 @@ import numpy as np
 from BalloonWorkbench.core.coach.findings import Finding, Repair, RepairKind
 from BalloonWorkbench.core.coach.places import NOTCH_REACH, bodies, notches, whole
 from BalloonWorkbench.core.coach.rules import rules
-from BalloonWorkbench.core.coach.subject import Subject, mm, percent
+from BalloonWorkbench.core.coach.subject import Subject
 from BalloonWorkbench.core.outline.outline import Outline, signed_area
 from BalloonWorkbench.core.outline.passages import chambers
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.pattern.intake_places import FARTHEST, LOW
 from BalloonWorkbench.core.types import Floats
+from BalloonWorkbench.core.units import length_text, number_text, percent_text
 
 #: Tension is averaged over this part of the size round a notch: nearer it grows without end.
 PEAK_REACH = 2.0 * NOTCH_REACH
@@ -40,8 +41,8 @@ def sharp_notches(subject: Subject) -> Iterator[Finding]:
             notch.place,
             (notch.extent,),
             Repair(RepairKind.ROUND, notch.place[None], wanted) if wanted > 1.2 * notch.radius else None,
-            measured=f"{measured:.1f} times",
-            wanted=mm(wanted),
+            measured=f"{number_text(measured, 2)} times",
+            wanted=length_text(wanted, 2),
         )
         if found is not None:
             yield found
@@ -52,7 +53,7 @@ def rings(subject: Subject) -> Iterator[Finding]:
     for hole in subject.outline.holes:
         warp = predicted_warp(subject.outline, hole)
         found = subject.finding(
-            "warping_ring", warp, hole.mean(axis=0), (hole,), None, length=mm(warp * subject.size)
+            "warping_ring", warp, hole.mean(axis=0), (hole,), None, length=length_text(warp * subject.size, 2)
         )
         if found is not None:
             yield found
@@ -69,7 +70,7 @@ def roundness(subject: Subject) -> Iterator[Finding]:
     score = subject.gauge.puffiness
     centre = np.asarray(whole(subject.outline).representative_point().coords[0])
     found = subject.finding(
-        "flat_shape", score, centre, (subject.outline.outer,), None, percent=percent(score)
+        "flat_shape", score, centre, (subject.outline.outer,), None, percent=percent_text(score)
     )
     if found is not None:
         yield found
@@ -105,7 +106,7 @@ def _hidden(subject: Subject, at: Floats, alone: bool) -> Iterator[Finding]:
         at,
         (at[None],),
         _moved(subject, area, rooms, largest, at) if alone else None,
-        percent=percent(share),
+        percent=percent_text(share),
     )
     if found is not None:
         yield found
@@ -142,7 +143,7 @@ def _delicate(subject: Subject, at: Floats) -> Iterator[Finding]:
         at,
         (at[None],),
         Repair(RepairKind.LOWER_INTAKE, better[0][None], 0.0) if better else None,
-        measured=percent(measured),
+        measured=percent_text(measured),
     )
     if found is not None:
         yield found

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the rules look at: a drawing, its film and a gauge; and how findings are put into words."""
+"""What the rules look at: a drawing, its film and a gauge."""
 
 from __future__ import annotations
 
@@ -19,7 +19,6 @@ from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.pattern.intake_places import Places, Wish
 from BalloonWorkbench.core.pattern.make import Wanted, intake_of
 from BalloonWorkbench.core.types import Floats
-from BalloonWorkbench.core.units import to_mm
 
 #: Thickness of a tube of film over its flat width.
 TUBE = 2.0 / np.pi
@@ -110,11 +109,11 @@ class Subject:
         found = rules()[rule].judge(measured, self.scales)
         if found is None:
             return None
-        severity, limit = found
-        text = rules()[rule].sentence.format(**words)
+        limit, value = found
+        text = limit.sentence.format(**words)
         at = (float(place[0]), float(place[1]))
         lines = tuple(simple_line(line, _DETAIL * self.size) for line in extent)
-        return Finding(rule, severity, text, at, lines, measured, limit, self._possible(repair))
+        return Finding(rule, limit.severity, text, at, lines, measured, value, self._possible(repair))
 
     def _possible(self, repair: Repair | None) -> Repair | None:
         if repair is None:
@@ -124,14 +123,3 @@ class Subject:
         except OutlineError:
             return None
         return repair
-
-
-def mm(length: float) -> str:
-    """A length in a sentence."""
-    value = to_mm(length)
-    return f"{value:.1f} mm" if value < 10.0 else f"{value:.0f} mm"
-
-
-def percent(share: float) -> str:
-    """A share in a sentence."""
-    return f"{100.0 * share:.0f} %"

@@ -10,8 +10,9 @@ import numpy as np
 from BalloonWorkbench.core.coach.findings import Finding, Repair, RepairKind, Severity
 from BalloonWorkbench.core.coach.places import Kind, ThinPart, rim_near, simple_line
 from BalloonWorkbench.core.coach.rules import rules
-from BalloonWorkbench.core.coach.subject import Subject, mm, percent
+from BalloonWorkbench.core.coach.subject import Subject
 from BalloonWorkbench.core.types import Floats
+from BalloonWorkbench.core.units import length_text, percent_text
 
 #: Parts are looked for up to this much wider than the limit: the prediction is not exact.
 _MARGIN = 1.15
@@ -35,16 +36,16 @@ def arms(subject: Subject) -> Iterator[Finding]:
         judged = rule.judge(measured, subject.scales)
         if judged is None:
             continue
-        wanted = _arm_width(subject, judged[0])
+        wanted = _arm_width(subject, judged[0].severity)
         found = subject.finding(
             "thin_arm",
             measured,
             part.middle[len(part.middle) // 2],
             rim_near(subject.outline, part.area, 0.02 * width),
             _widening(part, width, wanted),
-            width=mm(width),
-            measured=mm(measured),
-            wanted=mm(wanted),
+            width=length_text(width, 2),
+            measured=length_text(measured, 2),
+            wanted=length_text(wanted, 2),
         )
         if found is not None:
             yield found
@@ -68,7 +69,7 @@ def necks(subject: Subject) -> Iterator[Finding]:
         judged = rule.judge(measured, subject.scales)
         if judged is None:
             continue
-        worst = judged[0] is Severity.HINT
+        worst = judged[0].severity is Severity.HINT
         wanted = _ENOUGH * (rule.first(subject.scales) if worst else subject.intake_width) / subject.growth
         if part.length >= _ARM * width:  # or the arm that it is would be too thin next
             wanted = max(wanted, _arm_width(subject, Severity.WARNING))
@@ -79,10 +80,10 @@ def necks(subject: Subject) -> Iterator[Finding]:
             0.5 * (start + end),
             (np.stack([start, end]), *rim_near(subject.outline, part.area, 0.02 * width)),
             _widening(part, width, wanted),
-            measured=mm(measured),
-            intake=mm(subject.intake_width),
-            behind=percent(part.behind),
-            wanted=mm(wanted),
+            measured=length_text(measured, 2),
+            intake=length_text(subject.intake_width, 2),
+            behind=percent_text(part.behind),
+            wanted=length_text(wanted, 2),
         )
         if found is not None:
             yield found
@@ -102,8 +103,8 @@ def tips(subject: Subject) -> Iterator[Finding]:
             part.middle[0],
             rim_near(subject.outline, part.area, 0.02 * width),
             Repair(RepairKind.ROUND, part.middle[:1], 0.5 * width),
-            length=mm(flat),
-            wanted=mm(0.5 * width),
+            length=length_text(flat, 2),
+            wanted=length_text(0.5 * width, 2),
         )
         if found is not None:
             yield found

@@ -18,7 +18,7 @@ from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.outline.sampling import arc_lengths
 from BalloonWorkbench.core.types import Progress, no_progress
-from BalloonWorkbench.core.units import mm_text
+from BalloonWorkbench.core.units import length_text, mass_text, percent_text, volume_text
 
 START_WIDTH = 0.3  # m, of a drawing whose size is to be found
 TOLERANCE = 5e-3  # of the goal
@@ -164,10 +164,10 @@ def _check(goal: SizeGoal, buoyancy: Buoyancy) -> None:
     if (goal.volume is None) == (goal.lift is None):
         raise InputError("Give either a volume or a lift as the goal.")
     if goal.volume is not None and not (math.isfinite(goal.volume) and goal.volume > 0.0):
-        raise InputError(f"A volume of {1e3 * goal.volume:g} litres cannot be made: give one such as 10l.")
+        raise InputError(f"A volume of {volume_text(goal.volume)} cannot be made: give one such as 10l.")
     if goal.lift is not None:
         if not (math.isfinite(goal.lift) and goal.lift >= 0.0):
-            raise InputError(f"A lift of {1e3 * goal.lift:g} g cannot be made: give one such as 5g.")
+            raise InputError(f"A lift of {mass_text(goal.lift)} cannot be made: give one such as 5g.")
         if buoyancy.lightness <= 0.0:
             raise InputError(
                 "This gas is not lighter than the air around, so the balloon never floats: choose another gas"
@@ -181,8 +181,8 @@ def _step(known: Scaling, goal: SizeGoal, buoyancy: Buoyancy) -> float:
         scale = (goal.volume / known.volume) ** (1.0 / known.exponent)
         if not SMALLEST <= scale * known.size <= LARGEST:
             raise InputError(
-                f"For {1e3 * goal.volume:.4g} litres the drawing would be {mm_text(scale * known.size)}"
-                f" large: choose a volume that makes it {mm_text(SMALLEST)} to {LARGEST:g} m."
+                f"For {volume_text(goal.volume)} the drawing would be {length_text(scale * known.size)}"
+                f" large: choose a volume that makes it {length_text(SMALLEST)} to {length_text(LARGEST)}."
             )
         return scale
     assert goal.lift is not None
@@ -190,12 +190,13 @@ def _step(known: Scaling, goal: SizeGoal, buoyancy: Buoyancy) -> float:
     if found is None:
         most = known.lift_at(LARGEST / known.size, buoyancy)
         raise InputError(
-            f"A lift of {goal.lift:.4g} kg is out of reach: {LARGEST:g} m large, this balloon would"
-            f" {'carry' if most > 0.0 else 'lack'} {abs(most):.3g} kg. Choose a lighter film or gas, a"
+            f"A lift of {mass_text(goal.lift)} is out of reach: {length_text(LARGEST)} large, this balloon"
+            " would"
+            f" {'carry' if most > 0.0 else 'lack'} {mass_text(abs(most))}. Choose a lighter film or gas, a"
             " smaller lift, or a rounder shape."
         )
     if found * known.size < SMALLEST:
-        raise InputError(f"The drawing would be smaller than {mm_text(SMALLEST)}: choose a larger lift.")
+        raise InputError(f"The drawing would be smaller than {length_text(SMALLEST)}: choose a larger lift.")
     return found
 
 
@@ -213,7 +214,7 @@ def _remarks(known: Scaling, goal: SizeGoal, buoyancy: Buoyancy) -> tuple[str, .
     if miss <= TOLERANCE:
         return ()
     what = "volume" if goal.volume is not None else "lift"
-    return (f"The {what} is {100.0 * miss:.1f} % off what was wanted: correct the goal by as much.",)
+    return (f"The {what} is {percent_text(miss)} off what was wanted: correct the goal by as much.",)
 
 
 def _part(progress: Progress, number: int) -> Progress:

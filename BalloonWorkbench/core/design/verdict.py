@@ -7,7 +7,7 @@ from BalloonWorkbench.core.design.attempt import Pass
 from BalloonWorkbench.core.design.design import Design, Stretch
 from BalloonWorkbench.core.design.reach import stretches
 from BalloonWorkbench.core.outline.outline import Outline
-from BalloonWorkbench.core.units import mm_text, to_mm
+from BalloonWorkbench.core.units import length_text, place_text
 
 REACHED = 1e-2
 MOST_SENTENCES = 3  # about single stretches that are not reached
@@ -25,7 +25,7 @@ def verdict(target: Outline, best: Pass, passes: int, meshes: int, seconds: floa
     reached = error.mean <= REACHED * size
     if passes and not reached:
         warnings.append(
-            f"The inflated outline stays {mm_text(error.mean)} from the drawing on average:"
+            f"The inflated outline stays {length_text(error.mean)} from the drawing on average:"
             " film cannot follow this shape everywhere. Round off notches and widen thin parts."
         )
     unreached = stretches(target, best.misfit) if passes else ()
@@ -46,9 +46,10 @@ def verdict(target: Outline, best: Pass, passes: int, meshes: int, seconds: floa
 
 
 def _sentence(stretch: Stretch) -> str:
-    x, y = to_mm(stretch.middle)
     return (
-        f"Near ({x:.0f}, {y:.0f}) mm the inflated outline stays up to {mm_text(stretch.max)} from the"
-        f" drawing, along {mm_text(stretch.end - stretch.start)}: film cannot follow it there. Round it off"
+        f"Near {place_text(stretch.middle)} the inflated outline stays up to {length_text(stretch.max, 3)}"
+        " from the"
+        f" drawing, along {length_text(stretch.end - stretch.start, 3)}: film cannot follow it there. Round"
+        " it off"
         " or widen it."
     )

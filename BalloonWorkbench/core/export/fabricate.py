@@ -67,7 +67,11 @@ def machines_for(film: Film, chosen: Sequence[Machine]) -> tuple[list[Machine], 
 
 
 def checked_files(
-    pattern: Pattern, chosen: Sequence[Machine], paper: str | None = None, oversize: str = REFUSE
+    pattern: Pattern,
+    chosen: Sequence[Machine],
+    paper: str | None = None,
+    oversize: str = REFUSE,
+    say: Say = in_english,
 ) -> tuple[dict[str, bytes], tuple[str, ...]]:
     """Contents of the files for several machines by name, and what is doubtful about them, a sentence each.
 
@@ -87,10 +91,12 @@ def checked_files(
         except (ExportError, MissingPackageError) as error:
             left_out.append(error)
     if left_out and not contents:
-        raise left_out[0] if len(left_out) == 1 else ExportError(" ".join(map(str, left_out)))
+        raise left_out[0] if len(left_out) == 1 else ExportError("\n".join(map(str, left_out)))
     for stock in pattern.stocks if paper is not None else ():
         name = file_of_stock(f"pattern-{str(paper).lower()}.pdf", stock)
-        contents[name] = machine_file(pattern.of_stock(stock), read_machine(FOLDER / "paper.json"), paper)
+        contents[name] = machine_file(
+            pattern.of_stock(stock), read_machine(FOLDER / "paper.json"), paper, say
+        )
     return contents, tuple(dict.fromkeys([*remarks, *map(str, left_out)]))
 
 

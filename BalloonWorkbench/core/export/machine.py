@@ -19,7 +19,7 @@ from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.export.layers import LAYERS
 from BalloonWorkbench.core.pattern.arcs import TOLERANCE
 from BalloonWorkbench.core.pattern.pattern import Role
-from BalloonWorkbench.core.units import INCH, MILLIMETRE, from_mm, parse_size, to_mm
+from BalloonWorkbench.core.units import INCH, MILLIMETRE, from_mm, number_text, parse_size, to_mm
 
 FOLDER = Path(__file__).resolve().parents[3] / "resources" / "machines"
 
@@ -324,5 +324,7 @@ def _bed(value: object) -> tuple[float, float] | None:
 def _length(value: object, what: str, low: float, high: float = _MOST) -> float:
     number = float(value) if isinstance(value, (int, float)) else float("nan")
     if not low <= number <= high:
-        raise InputError(f"{what} is {value!r}: give a number from {low:g} to {high:g}.")
+        raise InputError(
+            f"{what} is {value!r}: give a number from {number_text(low)} to {number_text(high)}."
+        )
     return from_mm(number)

@@ -20,7 +20,7 @@ from BalloonWorkbench.core.pattern.arcs import TOLERANCE, fit_curve
 from BalloonWorkbench.core.pattern.curves import polyline
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
 from BalloonWorkbench.core.types import Floats
-from BalloonWorkbench.core.units import INCH, from_mm, mm_text, place_text, to_mm
+from BalloonWorkbench.core.units import INCH, from_mm, length_text, number_text, place_text, size_text
 
 ERROR, WARNING = "error", "warning"
 
@@ -148,8 +148,8 @@ def _radius(contours: list[Contour], machine: Machine) -> list[Finding]:
     return [
         Finding(
             WARNING,
-            f"The smallest radius is {to_mm(least[0]):.2g} mm, near {place_text(least[1])};"
-            f" {machine.title} follows {mm_text(machine.least_radius)}. It will come out rounder there.",
+            f"The smallest radius is {length_text(least[0], 2)}, near {place_text(least[1])};"
+            f" {machine.title} follows {length_text(machine.least_radius)}. It will come out rounder there.",
             least[1],
         )
     ]
@@ -190,8 +190,8 @@ def _gap(contours: list[Contour], machine: Machine) -> list[Finding]:
     return [
         Finding(
             WARNING,
-            f"Only {mm_text(least)} of film stay between two cuts near {place_text(place)};"
-            f" {machine.title} wants {mm_text(machine.least_gap)}. It may tear or melt there.",
+            f"Only {length_text(least)} of film stay between two cuts near {place_text(place)};"
+            f" {machine.title} wants {length_text(machine.least_gap)}. It may tear or melt there.",
             place,
         )
     ]
@@ -233,11 +233,8 @@ def _size(pattern: Pattern, machine: Machine, oversize: str) -> list[Finding]:
 
 def _both(width: float, height: float) -> str:
     if math.isinf(height):
-        return f"{mm_text(width)} ({width / INCH:.2f} in) across"
-    return (
-        f"{mm_text(width).removesuffix(' mm')} x {mm_text(height)}"
-        f" ({width / INCH:.2f} x {height / INCH:.2f} in)"
-    )
+        return f"{length_text(width)} ({number_text(width / INCH)} in) across"
+    return f"{size_text(width, height)} ({number_text(width / INCH)} x {number_text(height / INCH)} in)"
 
 
 def _line(points: Floats, closed: bool) -> Any:

@@ -19,7 +19,7 @@ from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.pattern.layout import on_one_sheet
 from BalloonWorkbench.core.pattern.pattern import Pattern, Role
 from BalloonWorkbench.core.types import Floats
-from BalloonWorkbench.core.units import to_mm
+from BalloonWorkbench.core.units import from_mm, length_text, percent_text, size_text, to_mm, volume_text
 
 _WIDTH, _HEIGHT, _DPI = 1800, 1000, 100
 _PAPER, _CARD, _EDGE = "#eef0f4", "#ffffff", "#d5d9e1"
@@ -137,11 +137,11 @@ def _drawing(axes: Any, designs: Sequence[Design]) -> None:
         _area(axes, design.target, frame, fc=_DRAWING, ec="none")
         for weld in design.target.welds:
             axes.plot(*frame(to_mm(weld)).T, color=_CARD, lw=1.4, solid_capstyle="round")
-    width, height = to_mm(np.ptp(np.concatenate([design.target.outer for design in designs]), axis=0))
+    width, height = np.ptp(np.concatenate([design.target.outer for design in designs]), axis=0)
     holes = sum(len(design.target.holes) for design in designs)
     shapes = "" if len(designs) == 1 else f", {len(designs)} shapes"
     inside = "" if not holes else ", 1 hole" if holes == 1 else f", {holes} holes"
-    _caption(axes, f"{width:.0f} × {height:.0f} mm{shapes}{inside}")
+    _caption(axes, f"{size_text(width, height)}{shapes}{inside}")
 
 
 def _silhouette(axes: Any, designs: Sequence[Design]) -> None:
@@ -155,13 +155,13 @@ def _silhouette(axes: Any, designs: Sequence[Design]) -> None:
             axes.plot(x, y, color=_UNREACHED, lw=5.0, alpha=0.8, solid_capstyle="round", zorder=3)
     worst = max(designs, key=lambda design: design.residual.mean / max(design.target.size))
     off = worst.residual
-    mean, most = to_mm(off.mean), to_mm(off.max)
-    share = 100.0 * off.mean / max(*worst.target.size, 1e-12)
+    share = off.mean / max(*worst.target.size, 1e-12)
     which = "" if len(designs) == 1 else "worst: "
     marked = "; yellow: missed" if any(design.unreached for design in designs) else ""
     _caption(
         axes,
-        f"{which}{mean:.2g} mm ({share:.2g} %) off, {most:.2g} mm at most{marked}",
+        f"{which}{length_text(off.mean, 2)} ({percent_text(share)}) off, {length_text(off.max, 2)} at"
+        f" most{marked}",
         _SOFT if all(design.reached for design in designs) else "#b3541e",
     )
 
@@ -185,8 +185,10 @@ def _pattern(axes: Any, patterns: Sequence[Pattern], seam: str) -> None:
         style: dict[str, Any] = {"lw": 1.0, "ls": (0, (5, 2))} if welded else {"lw": thick}
         axes.plot(*_drawn(path, frame).T, color=LAYERS[path.role].rgb, solid_joinstyle="round", **style)
     low, high = frame(np.zeros(2)), frame(np.array([sheet.width, sheet.height]))
-    _dimension(axes, (low[0], low[1] - 26), (high[0], low[1] - 26), f"{sheet.width:.0f} mm")
-    _dimension(axes, (low[0] - 26, low[1]), (low[0] - 26, high[1]), f"{sheet.height:.0f} mm", rotation=90)
+    _dimension(axes, (low[0], low[1] - 26), (high[0], low[1] - 26), length_text(from_mm(sheet.width)))
+    _dimension(
+        axes, (low[0] - 26, low[1]), (low[0] - 26, high[1]), length_text(from_mm(sheet.height)), rotation=90
+    )
     _scale_bar(axes, frame.scale)
     left, height = 24, 62
     for number, role in enumerate(reversed(pattern.roles)):
@@ -196,10 +198,10 @@ def _pattern(axes: Any, patterns: Sequence[Pattern], seam: str) -> None:
         axes.text(left + 32, height, names[role], color=_SOFT, fontsize=11, va="center")
         left += 60 + 8 * len(names[role])
     widths = [part.intake.width for part in patterns if part.intake is not None]
-    neck = f"intake {to_mm(max(widths)):.0f} mm wide inside" if widths else "no intake"
+    neck = f"intake {length_text(max(widths), 3)} wide inside" if widths else "no intake"
     _caption(
         axes,
-        f"{seam} {to_mm(pattern.seal_width):.2g} mm wide, {to_mm(pattern.seam_length):.0f} mm long, {neck}",
+        f"{seam} {length_text(pattern.seal_width, 3)} wide, {length_text(pattern.seam_length)} long, {neck}",
     )
 
 
@@ -236,7 +238,13 @@ def _scale_bar(axes: Any, scale: float) -> None:
     left = right - length * scale
     axes.plot([left, left, left, right, right, right], [y - 6, y + 6, y, y, y - 6, y + 6], color=_INK, lw=1.4)
     axes.text(
-        0.5 * (left + right), y + 16, f"{length:g} mm", color=_INK, fontsize=10, ha="center", va="center"
+        0.5 * (left + right),
+        y + 16,
+        length_text(from_mm(length)),
+        color=_INK,
+        fontsize=10,
+        ha="center",
+        va="center",
     )
 
 
@@ -249,7 +257,6 @@ def _balloon(axes: Any, designs: Sequence[Design], patterns: Sequence[Pattern]) 
     axes.set_xlim(0, width)
     axes.set_ylim(0, height)
     positions = np.concatenate([inflation.positions for inflation in inflations])
-    across, up, _ = to_mm(np.ptp(positions, axis=0))
-    thick = to_mm(2.0 * float(positions[:, 2].max()))
-    litres = 1e3 * sum(inflation.volume for inflation in inflations)
-    _caption(axes, f"{across:.0f} × {up:.0f} × {thick:.0f} mm, {litres:.3g} litres")
+    across, up, _ = np.ptp(positions, axis=0)
+    size = size_text(across, up, 2.0 * float(positions[:, 2].max()))
+    _caption(axes, f"{size}, {volume_text(sum(inflation.volume for inflation in inflations))}")

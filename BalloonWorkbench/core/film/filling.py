@@ -14,6 +14,7 @@ from typing import Any
 
 from BalloonWorkbench.core.data_file import UNUSABLE, read_data
 from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.units import number_text
 
 FILE = Path(__file__).resolve().parents[3] / "resources" / "gases.json"
 DEFAULT_GAS = "helium"
@@ -69,7 +70,8 @@ class Filling:
         for what, kelvin in (("air", self.air_temperature), ("gas", self.temperature)):
             if not _COLDEST <= kelvin <= _HOTTEST:
                 raise InputError(
-                    f"The temperature of the {what}, {kelvin - ZERO_CELSIUS:.4g} degrees Celsius, is out of"
+                    f"The temperature of the {what}, {number_text(kelvin - ZERO_CELSIUS)} degrees Celsius,"
+                    " is out of"
                     " range: give one such as 20C."
                 )
         outside = air_pressure(self.altitude)
@@ -81,7 +83,7 @@ class Filling:
 def air_pressure(altitude: float) -> float:
     """Pressure [Pa] at an altitude [m]: ISO 2533, p0 (1 - a h/T0)^(g/(a R)). InputError above 11 km."""
     if not _LOWEST <= altitude <= _TROPOPAUSE:
-        raise InputError(f"The altitude {altitude:g} m is out of range: give one up to 11000 m.")
+        raise InputError(f"The altitude {number_text(altitude)} m is out of range: give one up to 11000 m.")
     exponent = GRAVITY / (_GRADIENT * _SPECIFIC)
     return float(_PRESSURE * (1.0 - _GRADIENT * altitude / _TEMPERATURE) ** exponent)
 

@@ -13,6 +13,7 @@ from typing import Any
 from BalloonWorkbench.core.data_file import UNUSABLE, read_data
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film.film import JOININGS, LOOKS, Film, Look
+from BalloonWorkbench.core.units import number_text, pressure_text
 
 FOLDER = Path(__file__).resolve().parents[3] / "resources" / "films"
 DEFAULT_FILM = "mylar"
@@ -50,7 +51,7 @@ def custom_film(young: float, poisson: float, thickness: float, areal_density: f
         areal_density = _TYPICAL_DENSITY * _thickness(thickness)
     return Film(
         name="custom",
-        young_modulus=_within(young, 1e5, 1e12, "Young's modulus", "Pa", "3e9"),
+        young_modulus=_within(young, 1e5, 1e12, "Young's modulus", "Pa", "3000000000"),
         poisson_ratio=_poisson(poisson),
         thickness=_thickness(thickness),
         areal_density=_within(areal_density, 1e-4, 20.0, "areal density", "kg/m2", "0.035"),
@@ -64,14 +65,16 @@ def with_grain(film: Film, young_across: float, angle: float = 0.0) -> Film:
     Raises InputError for a modulus beyond what any film of this Poisson's ratio can have: its energy would
     not be positive (Jones, Mechanics of Composite Materials, 2.4).
     """
-    across = _within(young_across, 1e5, 1e12, "Young's modulus across the grain", "Pa", "2e9")
+    across = _within(young_across, 1e5, 1e12, "Young's modulus across the grain", "Pa", "2000000000")
     if film.poisson_ratio**2 * across >= 0.99 * film.young_modulus:
         raise InputError(
-            f"The Young's modulus across the grain {across:g} Pa is too large for one along it of "
-            f"{film.young_modulus:g} Pa: turn the grain by 90 degrees and exchange the two."
+            f"The Young's modulus across the grain {pressure_text(across)} is too large for one along it of "
+            f"{pressure_text(film.young_modulus)}: turn the grain by 90 degrees and exchange the two."
         )
     if not math.isfinite(angle):
-        raise InputError(f"The grain's angle {angle:g} is no number: give degrees from the x axis.")
+        raise InputError(
+            f"The grain's angle {number_text(angle)} is no number: give degrees from the x axis."
+        )
     # whole turns change nothing
     return replace(film, young_modulus_across=across, grain_angle=math.fmod(angle, math.tau))
 
@@ -105,12 +108,12 @@ def _film_of(data: dict[str, Any]) -> Film:
         float(data["areal_density_kg_m2"]),
     )
     low, high = map(float, data["young_modulus_range_Pa"])
-    _within(own.young_modulus, low, high, "Young's modulus", "Pa, its own range", f"{low:g}")
+    _within(own.young_modulus, low, high, "Young's modulus", "Pa, its own range", number_text(low))
     return replace(
         own,
         name=str(data["name"]),
         seal_width=_within(float(data["seal_width_m"]), 0.0, 0.1, "seal width", "m", "0.005"),
-        max_stress=_within(float(data["max_stress_Pa"]), 1e4, 1e11, "strength", "Pa", "100e6"),
+        max_stress=_within(float(data["max_stress_Pa"]), 1e4, 1e11, "strength", "Pa", "100000000"),
         title=str(data["title"]),
         look=_look(**data["look"]),
         sealing_side=_sealing_side(data.get("sealing_side")),
@@ -152,18 +155,22 @@ def _truth(data: dict[str, Any], key: str, unknown: bool | None) -> Any:
 
 
 def _thickness(value: float) -> float:
-    return _within(value, 1e-6, 5e-3, "thickness", "m", "25e-6")
+    return _within(value, 1e-6, 5e-3, "thickness", "m", "0.000025")
 
 
 def _poisson(value: float) -> float:
     if not 0.0 <= value < 0.5:
-        raise InputError(f"The Poisson's ratio {value:g} is not between 0 and 0.5: give one such as 0.38.")
+        raise InputError(
+            f"The Poisson's ratio {number_text(value)} is not between 0 and 0.5: give one such as 0.38."
+        )
     return float(value)
 
 
 def _within(value: float, low: float, high: float, what: str, unit: str, example: str) -> float:
     if not low <= value <= high:  # NaN fails too
         raise InputError(
-            f"The {what} {value:g} is not between {low:g} and {high:g} {unit}: give one such as {example}."
+            f"The {what} {number_text(value)} is not between {number_text(low)} and {number_text(high)}"
+            f" {unit}:"
+            f" give one such as {example}."
         )
     return float(value)

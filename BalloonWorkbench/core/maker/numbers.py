@@ -18,7 +18,7 @@ from BalloonWorkbench.core.nesting.rows import in_rows
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.pattern.pattern import Pattern
 from BalloonWorkbench.core.solver.inflation import Inflation
-from BalloonWorkbench.core.units import to_grams, to_mm
+from BalloonWorkbench.core.units import length_text, mass_text, to_grams, to_mm
 
 #: Gas is sold by the cubic metre at 15 degrees Celsius and 1 bar (ISO 2533 uses the same temperature).
 _SOLD_AT = (ZERO_CELSIUS + 15.0, 1e5)  # K, Pa
@@ -75,14 +75,15 @@ class Numbers:
 
     def sentence(self, number: int = 0) -> str:
         """Will it float? In one sentence, for the gas of that number."""
-        one, weight = self.floating[number], f"{to_grams(self.weight):.3g}"
-        weighs = f"film and valve weigh {weight} g" if self.valve else f"the film weighs {weight} g"
-        told = f"{one.gas.capitalize()} lifts {to_grams(one.carries):.3g} g, {weighs}"
+        one, weight = self.floating[number], mass_text(self.weight)
+        gas, carries = one.gas.capitalize(), mass_text(one.carries)
+        weighs = f"film and valve weigh {weight}" if self.valve else f"the film weighs {weight}"
         if one.left > 0.0:
-            return f"{told}: yes, and it carries {to_grams(one.left):.3g} g."
+            return f"{gas} lifts {carries}, {weighs}: yes, and it carries {mass_text(one.left)}."
         if one.from_width is None:
-            return f"{told}: no, at no size."
-        return f"{told}: no. From {to_mm(one.from_width) / 10.0:.0f} cm width it would."
+            return f"{gas} lifts {carries}, {weighs}: no, at no size."
+        wide = length_text(one.from_width, 3)
+        return f"{gas} lifts {carries}, {weighs}: no. From {wide} width on it would."
 
 
 def maker_numbers(

@@ -13,7 +13,7 @@ from BalloonWorkbench.core.mesh.sizing import SizeField
 from BalloonWorkbench.core.outline.crossings import first_crossing
 from BalloonWorkbench.core.outline.sampling import arc_lengths, corners, line_lengths, point_at, point_on
 from BalloonWorkbench.core.types import Floats, Ints
-from BalloonWorkbench.core.units import to_mm
+from BalloonWorkbench.core.units import place_text
 
 #: Turn within about an edge length that makes a corner [rad].
 _CORNER = np.radians(30.0)
@@ -50,9 +50,8 @@ def seam_points(
     while (place := first_crossing(seams)) is not None:
         closer = 0.5 * float(field.at(place[None])[0])
         if closer < 0.02 * field.size:
-            x, y = to_mm(place)
             raise MeshError(
-                f"The outline crosses or nearly touches itself near ({x:.1f}, {y:.1f}) mm:"
+                f"The outline crosses or nearly touches itself near {place_text(place)}:"
                 " separate the parts that meet there.",
                 (float(place[0]), float(place[1])),
             )
@@ -81,9 +80,8 @@ def weld_points(welds: tuple[Floats, ...], seams: tuple[Floats, ...], field: Siz
         found.append(Weld(points[ends[0] is not None : len(points) - (ends[1] is not None)], *ends))
     place = first_crossing(seams, [weld.points for weld in found if len(weld.points) > 1]) if found else None
     if place is not None:
-        x, y = to_mm(place)
         raise MeshError(
-            f"A weld runs too near to another one or to the outline at ({x:.1f}, {y:.1f}) mm for this mesh:"
+            f"A weld runs too near to another one or to the outline at {place_text(place)} for this mesh:"
             " move it away, or use a smaller mesh size.",
             (float(place[0]), float(place[1])),
         )

@@ -12,7 +12,7 @@ from BalloonWorkbench.core.mesh.thickness import fine_spacing, kd_tree, sampled,
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.outline.sampling import arc_lengths, line_lengths, point_on
 from BalloonWorkbench.core.types import Floats
-from BalloonWorkbench.core.units import mm_text, to_mm
+from BalloonWorkbench.core.units import length_text, place_text
 
 #: Elements wanted across a thin part; where thin parts are few, and that costs no more than this share of all
 #: vertices; and the fewest that will do.
@@ -79,11 +79,10 @@ def size_field(outline: Outline, size: float, rough: bool = False) -> SizeField:
         thinnest, place = mean, walls.points[0]
     coarsest = thinnest / (_FEWEST_ACROSS * _CHANNEL_SHARE)
     if size > coarsest:
-        x, y = to_mm(place)
         raise MeshError(
-            f"The shape is only {to_mm(thinnest):.2g} mm thick near ({x:.1f}, {y:.1f}) mm, too thin for a"
-            f" mesh of {mm_text(size)}: make it thicker there, or use a mesh size of at most"
-            f" {to_mm(0.9 * coarsest):.2g} mm.",
+            f"The shape is only {length_text(thinnest, 2)} thick near {place_text(place)}, too thin for a"
+            f" mesh of {length_text(size)}: make it thicker there, or use a mesh size of at most"
+            f" {length_text(0.9 * coarsest, 2)}.",
             (float(place[0]), float(place[1])),
         )
     share = np.where(walls.channel, _CHANNEL_SHARE, _TIP_SHARE)
@@ -147,16 +146,16 @@ def _even_size(outline: Outline, vertices: int) -> float:
 
 def _check_proportion(outline: Outline, size: float) -> None:
     if not (np.isfinite(size) and size > 0.0):
-        raise MeshError(f"The mesh size is {to_mm(size):g} mm: give one above 0.")
+        raise MeshError(f"The mesh size is {length_text(size)}: give one above 0.")
     extent = max(outline.size)
     if size > 0.5 * extent:
         raise MeshError(
-            f"A mesh of {mm_text(size)} is too coarse for a shape of {mm_text(extent)}:"
-            f" use at most {mm_text(0.1 * extent)}."
+            f"A mesh of {length_text(size)} is too coarse for a shape of {length_text(extent)}:"
+            f" use at most {length_text(0.1 * extent)}."
         )
     finest = _even_size(outline, _MOST_VERTICES)
     if size < finest:
         raise MeshError(
-            f"A mesh of {mm_text(size)} would need more than a million vertices for a shape of"
-            f" {mm_text(extent)}: use at least {mm_text(finest)}."
+            f"A mesh of {length_text(size)} would need more than a million vertices for a shape of"
+            f" {length_text(extent)}: use at least {length_text(finest)}."
         )

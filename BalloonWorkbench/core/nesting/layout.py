@@ -15,7 +15,7 @@ from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.pattern.motion import back_of, turned
 from BalloonWorkbench.core.pattern.pattern import Pattern, Role
 from BalloonWorkbench.core.types import Floats
-from BalloonWorkbench.core.units import from_mm, mm_text
+from BalloonWorkbench.core.units import from_mm, length_text
 
 #: One piece of a kind: number of the piece, and whether it is the back.
 Unit = tuple[int, bool]
@@ -153,7 +153,9 @@ def check(pieces: Sequence[Piece], stock: Stock) -> None:
     if not (np.isfinite(numbers).all() and stock.spacing >= 0.0 and stock.room > 0.0):
         raise InputError("The film needs a width of more than two spacings, and no spacing below 0.")
     if max(stock.width, stock.length or 0.0) > _MOST_FILM:
-        raise InputError(f"Film {max(stock.width, stock.length or 0.0):g} m large is too much: write 500mm.")
+        raise InputError(
+            f"Film {length_text(max(stock.width, stock.length or 0.0))} large is too much: write 500mm."
+        )
     room = np.inf if stock.length is None else stock.length - 2.0 * stock.spacing
     for piece in pieces:
         sizes = [
@@ -162,10 +164,11 @@ def check(pieces: Sequence[Piece], stock: Stock) -> None:
         ]
         if not any(width <= room and height <= stock.room for width, height in sizes):
             width, height = min(sizes, key=lambda size: size[1])
-            wanted = mm_text(height + 2.0 * stock.spacing)
-            where = "" if stock.length is None else f" x {mm_text(stock.length)}"
+            wanted = length_text(height + 2.0 * stock.spacing)
+            where = "" if stock.length is None else f" x {length_text(stock.length)}"
             raise InputError(
-                f"A piece of {mm_text(width)} x {mm_text(height)} does not fit on film of"
-                f" {mm_text(stock.width)}{where}: take film at least {wanted} wide, or let the grain lie in"
+                f"A piece of {length_text(width)} x {length_text(height)} does not fit on film of"
+                f" {length_text(stock.width)}{where}: take film at least {wanted} wide, or let the grain"
+                " lie in"
                 " another direction."
             )

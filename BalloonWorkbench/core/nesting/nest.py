@@ -33,7 +33,7 @@ from BalloonWorkbench.core.nesting.layout import (
 )
 from BalloonWorkbench.core.nesting.rows import in_rows
 from BalloonWorkbench.core.types import Progress, no_progress
-from BalloonWorkbench.core.units import from_mm, to_mm
+from BalloonWorkbench.core.units import from_mm, length_text, to_mm
 
 PACKAGE = "spyrrow"
 ROWS_NOTE = (
@@ -186,8 +186,8 @@ def _search(package: Any, instance: Any, config: Any, goal: float | None, progre
                 best.append(solution)
         reached = goal is not None and best and best[-1].width <= goal
         share = 1.0 - _USUAL / (_USUAL + time.monotonic() - began)
-        told = f", {best[-1].width:.0f} mm so far" if best else ""
-        if reached or not progress(share, f"laying out{told}"):
+        told = f"laying out, {length_text(from_mm(best[-1].width))} so far" if best else "laying out"
+        if reached or not progress(share, told):
             raise _Enough
 
     if threading.current_thread() is not threading.main_thread():

@@ -7,6 +7,7 @@ import math
 import time
 
 from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.units import number_text
 
 #: Points of all lines of a drawing, curves flattened.
 MOST_POINTS = 200_000
@@ -73,6 +74,7 @@ class Budget:
         self._looked = now
         if time.thread_time() - self._began > share * self._seconds:
             raise InputError(
-                f"The drawing takes more than {self._seconds:.0f} s to read. Simplify it in the program it "
+                f"The drawing takes more than {number_text(self._seconds)} s to read. Simplify it in the"
+                " program it "
                 "comes from, or leave only the outline and its holes in it."
             )

@@ -18,7 +18,7 @@ from BalloonWorkbench.core.outline.drawing import Drawing, arranged, with_welds
 from BalloonWorkbench.core.outline.loops import clean
 from BalloonWorkbench.core.outline.outline import signed_area
 from BalloonWorkbench.core.types import Floats
-from BalloonWorkbench.core.units import from_mm, mm_text, place_text
+from BalloonWorkbench.core.units import from_mm, length_text, place_text
 
 #: Ends this close to each other are one point, as exactly as curves are flattened.
 SAME_END = from_mm(0.02)
@@ -50,7 +50,9 @@ def drawing_from(
     loops, rest = join(pieces, SAME_END, budget)
     more, rest = join(rest, NEAR_END, budget)
     if more:
-        remarks.append(f"Gaps of up to {mm_text(NEAR_END)} between lines were closed ({len(more)} loops).")
+        remarks.append(
+            f"Gaps of up to {length_text(NEAR_END)} between lines were closed ({len(more)} loops)."
+        )
     areas = {piece.tobytes() for piece in filled}
     closable = [line.tobytes() in areas for line in rest]
     loops += more + [line for line, close in zip(rest, closable) if close]
@@ -63,7 +65,7 @@ def drawing_from(
             first, last = max(rest, key=_length)[[0, -1]]
             gap = float(np.linalg.norm(last - first))
             raise OutlineError(
-                f"The drawing is open: a line starts at {place_text(first)} and ends {mm_text(gap)} "
+                f"The drawing is open: a line starts at {place_text(first)} and ends {length_text(gap)} "
                 f"away at {place_text(last)}. Close it."
             )
         raise OutlineError("The drawing has no closed line. Draw one, and turn texts and groups into paths.")

@@ -16,7 +16,7 @@ from BalloonWorkbench.core.outline.outline import Outline, signed_area
 from BalloonWorkbench.core.outline.sampling import CORNER_ANGLE, corners, resample, simplify, smooth
 from BalloonWorkbench.core.outline.welds import valid_welds
 from BalloonWorkbench.core.types import Floats
-from BalloonWorkbench.core.units import mm_text, place_text
+from BalloonWorkbench.core.units import length_text, place_text
 
 if TYPE_CHECKING:
     from BalloonWorkbench.core.outline.drawing import Drawing
@@ -203,5 +203,5 @@ def scale_to(outline: Sized, width: float | None, height: float | None) -> Sized
 
 def _check_size(what: str, size: float, advice: str) -> None:
     if not (math.isfinite(size) and SMALLEST * (1 - 1e-9) <= size <= LARGEST * (1 + 1e-9)):
-        shown = mm_text(size) if math.isfinite(size) else str(size)
+        shown = length_text(size) if math.isfinite(size) else str(size)
         raise InputError(f"{what} {shown} cannot be made; {advice} size between 1 mm and 100 m.")

@@ -13,7 +13,7 @@ from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.outline.sampling import line_lengths, point_on
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.types import Floats
-from BalloonWorkbench.core.units import from_mm, mm_text, place_text
+from BalloonWorkbench.core.units import from_mm, length_text, place_text
 
 PASSAGE = from_mm(10.0)
 """Usual width of a passage [m]."""
@@ -67,7 +67,7 @@ def linked(outline: Outline, width: float = PASSAGE) -> Outline:
         welds = (*outline.welds[:number], *pieces, *outline.welds[number + 1 :])
         outline = replace(outline, welds=welds)
         notes.append(
-            f"A passage of {mm_text(width)} is left open in the weld at {place_text(middle)}, so that air"
+            f"A passage of {length_text(width)} is left open in the weld at {place_text(middle)}, so that air"
             " reaches both sides."
         )
 

@@ -13,6 +13,7 @@ from BalloonWorkbench.core.outline.background import coverage
 from BalloonWorkbench.core.outline.pen import Strokes, close_gaps, draw_line, join_near, strokes
 from BalloonWorkbench.core.outline.raster import Pixels, label, neighbours
 from BalloonWorkbench.core.types import Bools, Floats
+from BalloonWorkbench.core.units import percent_text
 
 #: How a picture is drawn: told by its lines; as a filled shape, whose holes are holes; by pen, with lines
 #: that are filled inside.
@@ -113,10 +114,10 @@ def _close(silhouette: Pixels, lines: Strokes) -> tuple[Pixels, list[str]]:
     if not count:
         return closed, []
     width = np.ptp(np.flatnonzero((closed > 0.5).any(axis=0))) + 1
-    widest = 100 * max(float(np.linalg.norm(other - one)) for one, other in bridges) / width
+    widest = max(float(np.linalg.norm(other - one)) for one, other in bridges) / float(width)
     return closed, [
         f"{count} gap{'s' * (count > 1)} between the lines closed, "
-        f"the widest {widest:.0f} % of the drawing's width."
+        f"the widest {percent_text(widest)} of the drawing's width."
     ]
 
 

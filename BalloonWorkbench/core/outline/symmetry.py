@@ -18,6 +18,7 @@ from BalloonWorkbench.core.outline.outline import Outline, signed_area
 from BalloonWorkbench.core.outline.sampling import arc_lengths, point_at
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.types import Floats
+from BalloonWorkbench.core.units import percent_text
 
 AUTO, OFF, FORCE = "auto", "off", "force"
 CHOICES = (AUTO, OFF, FORCE)
@@ -109,7 +110,7 @@ def symmetric(outline: Outline, choice: str, *, drawn: bool) -> Outline:
         return outline
     notes = outline.notes
     if mirror.error > _AS_GOOD:
-        off = f"{100.0 * mirror.error:.1f} % of its size"
+        off = f"{percent_text(mirror.error)} of its size"
         notes += (f"The drawing was made symmetric: its halves were {off} apart, the left one was kept.",)
     return replace(mirrored(outline, mirror), notes=notes)
 

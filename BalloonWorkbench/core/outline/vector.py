@@ -17,7 +17,7 @@ from BalloonWorkbench.core.outline.loops import scale_to
 from BalloonWorkbench.core.outline.points import read_points
 from BalloonWorkbench.core.outline.svg import read_svg
 from BalloonWorkbench.core.types import Floats
-from BalloonWorkbench.core.units import from_mm
+from BalloonWorkbench.core.units import from_mm, number_text
 
 #: Largest distance between a curve of the file and the outline [m].
 FLATNESS = from_mm(0.02)
@@ -60,7 +60,7 @@ def _check_places(lines: Sequence[Floats]) -> None:
     for line in lines:
         if not (np.abs(line) <= _FARTHEST).all():
             raise InputError(
-                f"The drawing has points more than {_FARTHEST / 1000:.0f} km from its origin. "
+                f"The drawing has points more than {number_text(1e-3 * _FARTHEST)} km from its origin. "
                 "Move it there, and give it a size between 1 mm and 100 m."
             )
 

@@ -38,7 +38,7 @@ from BalloonWorkbench.core.pattern.shapes import (
 )
 from BalloonWorkbench.core.pattern.valve import closed_channel
 from BalloonWorkbench.core.types import Floats
-from BalloonWorkbench.core.units import mm_text, to_mm
+from BalloonWorkbench.core.units import length_text, place_text
 
 
 def build_pattern(
@@ -151,14 +151,15 @@ def _between_welds(whole: Any, holes: list[Any], seam: Outline, seal_width: floa
 
 def _advice(neck: Neck) -> str:
     """What to do about an intake into a narrow place."""
-    wanted = mm_text(neck.intake.width)
+    wanted = length_text(neck.intake.width)
     if neck.way == 0.0:
         return (
             f"The balloon is nowhere {wanted} wide behind its intake: choose another intake angle or a"
             " narrower intake, else air enters slowly."
         )
     return (
-        f"The way from the intake into the balloon narrows to {mm_text(neck.way or 0.0)}, and the intake is"
+        f"The way from the intake into the balloon narrows to {length_text(neck.way or 0.0)}, and the"
+        " intake is"
         f" {wanted} wide: put it where the balloon is wider, else air enters slowly."
     )
 
@@ -171,20 +172,21 @@ def _inner(
     walls = shapely().union_all([weld.exterior for weld in welds])
     wells = [well for piece in parts(offset(hole, -margin)) for well in opened_hole(piece)]
     cuts = [relieved(well, walls, 0.5 * seal_width, corner_radius) for well in wells]
-    x, y = to_mm(np.asarray(hole.centroid.coords[0]))
+    middle = np.asarray(hole.centroid.coords[0])
     radius = float(shapely().maximum_inscribed_circle(hole).length)
     if not welds:
         # The nearest line that is still inside the hole; the weld then reaches into the balloon a little.
         welds = parts(offset(hole, -0.5 * radius))
         warnings.append(
-            f"The hole at ({x:.1f}, {y:.1f}) mm is too small for a {mm_text(seal_width)} seal, and its weld"
-            f" reaches {mm_text(0.5 * (seal_width - radius))} into the balloon: make the hole at least"
-            f" {mm_text(2.0 * margin)} wide, or the seal narrower."
+            f"The hole at {place_text(middle)} is too small for a {length_text(seal_width)} seal, and its"
+            " weld"
+            f" reaches {length_text(0.5 * (seal_width - radius))} into the balloon: make the hole at least"
+            f" {length_text(2.0 * margin)} wide, or the seal narrower."
         )
     elif not cuts:
         warnings.append(
-            f"The hole at ({x:.1f}, {y:.1f}) mm is welded but not cut out: for that, make it wider than two"
-            f" seals with their allowances, {mm_text(2.0 * margin)}."
+            f"The hole at {place_text(middle)} is welded but not cut out: for that, make it wider than two"
+            f" seals with their allowances, {length_text(2.0 * margin)}."
         )
     return [
         Contour(role, closed_loop(piece.exterior, False), True)

@@ -14,7 +14,7 @@ from BalloonWorkbench.core.pattern.intake_kinds import FILM, intake_kind
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
 from BalloonWorkbench.core.pattern.shapes import closed_loop, polygon
 from BalloonWorkbench.core.types import Floats
-from BalloonWorkbench.core.units import from_mm, mm_text
+from BalloonWorkbench.core.units import from_mm, length_text, number_text
 
 #: Notches keep that far from the intake's mouth and from each other [m].
 _CLEAR = from_mm(5.0)
@@ -41,7 +41,8 @@ def with_notches(pattern: Pattern, count: int, depth: float) -> Pattern:
     if any(package.LineString(mark.points).distance(seals) < welded - from_mm(0.02) for mark in marks):
         room = min(package.Point(mark.points[0]).distance(seals) for mark in marks) - welded
         raise InputError(
-            f"Notches of {mm_text(depth)} do not end before the weld: the allowance is {mm_text(room)}."
+            f"Notches of {length_text(depth)} do not end before the weld: the allowance is"
+            f" {length_text(room)}."
         )
     return replace(pattern, contours=(*marks, *pattern.contours))
 
@@ -50,7 +51,7 @@ def _notches(cut: Contour, pattern: Pattern, count: int, depth: float) -> list[C
     loop = np.concatenate([cut.points, cut.points[:1]])
     along = np.append(0.0, np.cumsum(np.hypot(*np.diff(loop, axis=0).T)))
     if along[-1] / count < _CLEAR:
-        raise InputError(f"{count} notches are closer than {mm_text(_CLEAR)}: take fewer.")
+        raise InputError(f"{count} notches are closer than {length_text(_CLEAR)}: take fewer.")
     places = np.arange(count) * along[-1] / count
     edges = np.searchsorted(along, places, side="right") - 1
     direction = np.diff(loop, axis=0)[edges]
@@ -81,7 +82,8 @@ def with_tie_tab(pattern: Pattern, angle: float | None = None) -> Pattern:
     if angle is None:
         angle = 0.5 * np.pi if pattern.intake is None else pattern.intake.angle + np.pi
     elsewhere = InputError(
-        f"The tie tab at {np.degrees(angle):.0f} degrees would run into another part: choose another angle."
+        f"The tie tab at {number_text(float(np.degrees(angle)))} degrees would run into another part:"
+        " choose another angle."
     )
     if not np.isfinite(angle):
         raise elsewhere

@@ -16,7 +16,7 @@ from BalloonWorkbench.core.pattern.pattern import Contour, Intake
 from BalloonWorkbench.core.pattern.rim import Rim
 from BalloonWorkbench.core.pattern.shapes import offset, parts
 from BalloonWorkbench.core.types import Floats
-from BalloonWorkbench.core.units import from_mm, mm_text
+from BalloonWorkbench.core.units import from_mm, length_text
 
 #: Film left between a nozzle's flange and the weld [m].
 _BESIDE_FLANGE = from_mm(3.0)
@@ -62,8 +62,8 @@ def place_neck(film: Any, chamber: Any, rim: Rim, wish: Wish, seal_width: float,
         raise InputError("The intake's length must be above 0, up to 100 m: give it about 30 mm.")
     if lengths[0] < least:
         raise InputError(
-            f"An intake of {mm_text(lengths[0])} does not reach past the cut:"
-            f" give it at least {mm_text(least)}."
+            f"An intake of {length_text(lengths[0])} does not reach past the cut:"
+            f" give it at least {length_text(least)}."
         )
     chosen = _free_length(film, at, direction, lengths.tolist(), width, margin)
     start = _roomy(chamber, at, width)
@@ -87,7 +87,7 @@ def _fitting(
     middle = _roomy(chamber, at, flange + 2.0 * _BESIDE_FLANGE)
     if middle is None:
         raise InputError(
-            f"There is no room for a flange of {mm_text(flange)} there: choose another place or a smaller"
+            f"There is no room for a flange of {length_text(flange)} there: choose another place or a smaller"
             " one."
         )
     intake = Intake(middle, turn, wish.width, flange, rim.nearest(at), wish.kind.name)

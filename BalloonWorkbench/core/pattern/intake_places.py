@@ -16,7 +16,7 @@ from BalloonWorkbench.core.pattern.intake_kinds import IntakeKind
 from BalloonWorkbench.core.pattern.rim import Rim
 from BalloonWorkbench.core.pattern.shapes import offset, polygon
 from BalloonWorkbench.core.types import Bools, Floats, Ints
-from BalloonWorkbench.core.units import from_mm, mm_text, place_text
+from BalloonWorkbench.core.units import from_mm, length_text, number_text, place_text
 
 #: Where an intake sits by itself: at the point of the seam farthest from the centre, or low on the balloon.
 FARTHEST, LOW = "farthest", "low"
@@ -141,7 +141,8 @@ def _lowest(film: Any, chamber: Any, rim: Rim, wish: Wish, margin: float) -> flo
             break
     else:
         raise InputError(
-            f"Nowhere on the seam is room for an intake of {mm_text(wish.width)}: choose a narrower one, or"
+            f"Nowhere on the seam is room for an intake of {length_text(wish.width)}: choose a narrower"
+            " one, or"
             " a place for it."
         )
     size = float(np.ptp(rim.points, axis=0).max())
@@ -266,7 +267,7 @@ def _hit(film: Any, centre: Floats, angle: float) -> tuple[Floats, Floats]:
     points = shapely().get_coordinates(met)
     if not len(points):
         raise InputError(
-            f"There is no outline at {np.degrees(angle):.0f} degrees from the centre:"
+            f"There is no outline at {number_text(float(np.degrees(angle)))} degrees from the centre:"
             " choose another intake angle."
         )
     return points[np.argmax((points - centre) @ direction)], direction

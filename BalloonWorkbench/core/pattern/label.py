@@ -14,7 +14,7 @@ from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
 from BalloonWorkbench.core.pattern.shapes import closed_loop
 from BalloonWorkbench.core.types import Floats
-from BalloonWorkbench.core.units import from_mm, mm_text
+from BalloonWorkbench.core.units import from_mm, length_text
 
 #: Size at which letters are turned into polylines: fine steps at any height.
 _FINE = 2000.0
@@ -47,8 +47,8 @@ def with_label(pattern: Pattern, text: str, height: float) -> Pattern:
     low, high = _box(letters)
     if 0.5 * float(np.hypot(*(high - low))) > radius:
         raise InputError(
-            f'The label "{text}" is {mm_text(float(high[0] - low[0]))} long, and the film is only'
-            f" {mm_text(2.0 * radius)} wide: take a shorter text or lower letters."
+            f'The label "{text}" is {length_text(float(high[0] - low[0]))} long, and the film is only'
+            f" {length_text(2.0 * radius)} wide: take a shorter text or lower letters."
         )
     return replace(pattern, contours=(*_at(letters, np.array([x, y])), *pattern.contours))
 

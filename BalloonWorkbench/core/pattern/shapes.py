@@ -10,7 +10,7 @@ import numpy as np
 from BalloonWorkbench.core.errors import InputError, OutlineError
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.types import Floats
-from BalloonWorkbench.core.units import from_mm, mm_text, to_mm
+from BalloonWorkbench.core.units import from_mm, length_text, place_text
 
 #: Corners blunter than 60 degrees stay corners when a contour is offset; sharper ones are cut off there.
 _MITRE = 2.0
@@ -27,9 +27,9 @@ def polygon(loop: Floats) -> Any:
     if not area.is_valid:
         reason = package.is_valid_reason(area)
         where = reason[reason.find("[") + 1 : reason.find("]")].split()
-        x, y = to_mm(np.array(where, dtype=np.float64)) if len(where) == 2 else to_mm(loop[0])
+        place = np.array(where, dtype=np.float64) if len(where) == 2 else loop[0]
         raise OutlineError(
-            f"The pattern crosses itself near ({x:.1f}, {y:.1f}) mm: simplify the drawing there."
+            f"The pattern crosses itself near {place_text(place)}: simplify the drawing there."
         )
     return area
 
@@ -55,7 +55,7 @@ def relieved(area: Any, weld: Any, half_width: float, radius: float) -> Any:
     left = 0.0 if closed.is_empty else closed.boundary.distance(weld)
     if left < half_width - TOLERANCE or len(parts(closed)) != 1:
         raise InputError(
-            f"A corner relief of {mm_text(radius)} would cut into the weld: choose a smaller radius or a"
+            f"A corner relief of {length_text(radius)} would cut into the weld: choose a smaller radius or a"
             " wider allowance."
         )
     return parts(closed)[0]

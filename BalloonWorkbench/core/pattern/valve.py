@@ -12,7 +12,7 @@ from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.pattern.intake_kinds import RIM, intake_kind, placed
 from BalloonWorkbench.core.pattern.pattern import Contour, Intake, Role
 from BalloonWorkbench.core.types import Floats
-from BalloonWorkbench.core.units import from_mm, mm_text, place_text
+from BalloonWorkbench.core.units import from_mm, length_text, place_text
 
 #: Between two places at which the room beside the channel is measured [m].
 _STEP = from_mm(0.5)
@@ -59,12 +59,15 @@ def closed_channel(intake: Intake, free: Any, seal_width: float) -> str | None:
     at = place_text(intake.at + places[worst] * axis)
     if room[worst] == 0.0:
         return (
-            f"The valve reaches {mm_text(-float(along.min()))} into the balloon, past the weld at {at}: put"
+            f"The valve reaches {length_text(-float(along.min()))} into the balloon, past the weld at {at}:"
+            " put"
             " the intake where the balloon is longer, or take another one."
         )
     return (
-        f"On the way of the valve the balloon narrows to {mm_text(float(room[worst]))} at {at}; its channel"
-        f" takes {mm_text(float(need[worst]))} with its welds there. Make the neck wider or put it elsewhere,"
+        f"On the way of the valve the balloon narrows to {length_text(float(room[worst]))} at {at}; its"
+        " channel"
+        f" takes {length_text(float(need[worst]))} with its welds there. Make the neck wider or put it"
+        " elsewhere,"
         " else the weld closes the valve."
     )
 

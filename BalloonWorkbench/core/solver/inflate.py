@@ -20,6 +20,7 @@ from BalloonWorkbench.core.solver.membrane import principal_stresses
 from BalloonWorkbench.core.solver.model import Model, film_problem, stiffness_levels
 from BalloonWorkbench.core.solver.problem import NewtonSettings
 from BalloonWorkbench.core.types import Progress, no_progress
+from BalloonWorkbench.core.units import pressure_text
 
 #: The lower half is the upper one mirrored in the plane of the seam.
 MIRROR = np.array([1.0, 1.0, -1.0])
@@ -51,7 +52,8 @@ def inflate(
     """
     if not _LEAST <= pressure <= _MOST:
         raise InputError(
-            f"The pressure must be positive and at most {_MOST:g} Pa, not {pressure:g} Pa. "
+            f"The pressure must be positive and at most {pressure_text(_MOST)}, not"
+            f" {pressure_text(pressure)}. "
             "A party balloon has about 2 kPa."
         )
     model = model or Model()

@@ -14,6 +14,7 @@ from BalloonWorkbench.core.solver.dkt import gradients
 from BalloonWorkbench.core.solver.orthotropic import Grain
 from BalloonWorkbench.core.solver.problem import FilmProblem
 from BalloonWorkbench.core.types import Ints
+from BalloonWorkbench.core.units import number_text
 
 #: Smallest flexural rigidity, in p w^3 with w the typical width of the panel: below it the step count grows
 #: with the mesh and nothing visible changes.
@@ -63,8 +64,8 @@ def film_problem(
     model = model or Model()
     if not 0.0 <= model.bending_floor <= 1.0:
         raise InputError(
-            f"The bending floor must be between 0 and 1, not {model.bending_floor:g}. "
-            f"Usual is {BENDING_FLOOR:g}."
+            f"The bending floor must be between 0 and 1, not {number_text(model.bending_floor)}. "
+            f"Usual is {number_text(BENDING_FLOOR)}."
         )
     size = float(np.ptp(panel.rest_positions, axis=0).max())
     fixed = np.zeros((len(panel.rest_positions), 5), dtype=bool)

@@ -14,6 +14,7 @@ from BalloonWorkbench.core.solver.inflate import inflate
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.solver.model import Model
 from BalloonWorkbench.core.types import Progress, no_progress
+from BalloonWorkbench.core.units import pressure_text, volume_text
 
 #: Pressures tried are such that E t / (p L) lies between these; the first is such a film.
 SOFTEST, FIRST, STIFFEST = 2.0, 200.0, 1e6
@@ -38,7 +39,7 @@ def search_pressure(
     Raises InputError when the film would be limp at that volume, or stretched beyond what it can bear.
     """
     if not (math.isfinite(volume) and volume > 0.0):
-        raise InputError(f"The volume must be positive, not {volume:g} m3.")
+        raise InputError(f"The volume must be positive, not {volume_text(volume)}.")
     lowest, highest = -math.log(STIFFEST), -math.log(SOFTEST)
     low, high = lowest, highest
     miss_low = miss_high = math.nan  # not tried yet
@@ -61,8 +62,8 @@ def search_pressure(
         if at in (lowest, highest) and (math.isnan(miss_low) or math.isnan(miss_high)):
             bound = "less than" if miss < 0.0 else "more than"
             raise InputError(
-                f"This balloon holds {bound} {1e3 * volume:.4g} litres at any pressure that suits its film: "
-                f"{1e3 * volume_of(found):.4g} litres at {unit * math.exp(at):.3g} Pa. "
+                f"This balloon holds {bound} {volume_text(volume)} at any pressure that suits its film: "
+                f"{volume_text(volume_of(found))} at {pressure_text(unit * math.exp(at))}. "
                 "Change the size of the balloon or the volume."
             )
         if math.isnan(miss_high):

@@ -28,6 +28,7 @@ class FromSketch:
         return App.ActiveDocument is not None and not Gui.Control.activeDialog()
 
     def Activated(self):
+        from BalloonWorkbench.app.group import name_group
         from BalloonWorkbench.gui import record
         from BalloonWorkbench.gui.panels import show
         from BalloonWorkbench.gui.panels.balloon import BalloonPanel
@@ -39,7 +40,7 @@ class FromSketch:
             parts, edit = record.begin(doc)
             if source is not None:
                 parts.outline.Source = source
-                parts.balloon.getParentGroup().Label = f"{source[0].Label} balloon"
+                name_group(parts.balloon.getParentGroup(), f"{source[0].Label} balloon")
                 if source[0].isDerivedFrom("Sketcher::SketchObject"):
                     source[0].ViewObject.Visibility = False  # the outline shows it
             show(BalloonPanel(parts, sketch=True, edit=edit))

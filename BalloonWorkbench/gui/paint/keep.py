@@ -12,6 +12,7 @@ import FreeCAD as App
 from BalloonWorkbench.app import balloon, create, pattern
 from BalloonWorkbench.app import painting as painted
 from BalloonWorkbench.app.create import Parts
+from BalloonWorkbench.app.group import name_group
 from BalloonWorkbench.app.outline import DRAWN_AS, SYMMETRY
 from BalloonWorkbench.core.export.files import write_files
 from BalloonWorkbench.core.job import Settings
@@ -68,7 +69,7 @@ def keep(doc, parts: Parts | None, look, width: float, pause) -> Parts:
 
     parts = painted.make(doc, look.file, width, look.solved, pause, begin)
     _record(edits[0], look.file)
-    parts.balloon.getParentGroup().Label = translate("Painted balloon")
+    name_group(parts.balloon.getParentGroup(), translate("Painted balloon"))
     for each in (parts, *create.companions(parts)):
         each.balloon.ViewObject.DisplayMode = MODE
         pause()

@@ -7,6 +7,8 @@ from typing import NamedTuple
 
 import FreeCAD as App
 
+from BalloonWorkbench.core.units import from_mm, length_text, number_text
+
 _IMPERIAL = {"in", '"', "ft", "'", "thou", "mil", "yd", "mi"}
 
 
@@ -29,4 +31,4 @@ def large() -> Large:
 
 def short(length: float) -> str:
     """A length in mm in a sentence."""
-    return f"{length / 25.4:.2g} in" if is_imperial() else f"{length:.0f} mm"
+    return f"{number_text(length / 25.4, 2)} in" if is_imperial() else length_text(from_mm(length), 2)

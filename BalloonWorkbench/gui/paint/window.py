@@ -280,7 +280,7 @@ class PaintWindow(PaintDock):
         """Thin places turn orange; the worst thing is said."""
         self.canvas.thin.show(remarks)
         serious = [remark.text for remark in remarks if remark.severity != "hint"]
-        fine = translate("Nothing is in the way. Paint on, or press Make it!")
+        fine = translate("Ready to make. Paint on, or press Make it!")
         look = self.live.latest
         filled = [note for note in (look.drawing.notes if look else ()) if KEEP_HOLES in note]
         self.form.tell((*serious, *filled, fine)[0])

@@ -13,7 +13,7 @@ from BalloonWorkbench.app import advice, status
 from BalloonWorkbench.app.guard import Guarded
 from BalloonWorkbench.core.advice import repair_text
 from BalloonWorkbench.core.errors import BalloonError
-from BalloonWorkbench.core.units import to_mm
+from BalloonWorkbench.core.units import number_text, percent_text, to_mm
 from BalloonWorkbench.gui import record
 from BalloonWorkbench.gui.borders import Panel, undo_step
 from BalloonWorkbench.gui.marks import COLOURS, Overlay
@@ -124,7 +124,7 @@ class AdvicePanel(Panel):
         self.show_map()
 
     def _source(self, measured: bool) -> str:
-        """Where the findings come from, and how round the shape is."""
+        """Where the findings come from, and how full the shape becomes."""
         if measured:
             text, puffiness = translate("Measured on the inflated balloon."), self.parts.balloon.Puffiness
         elif self.message.text() or not status.is_ready(self.parts.outline):
@@ -132,7 +132,9 @@ class AdvicePanel(Panel):
         else:
             text = translate("Predicted from the outline; not inflated yet.")
             puffiness = advice.advice_before(self.parts).puffiness
-        return f"{text} " + translate("Roundness {:.0f} % of a disc's.").format(100.0 * puffiness)
+        return f"{text} " + translate(
+            "It holds {} of the air that a round balloon of as much film would."
+        ).format(percent_text(puffiness))
 
     def show_map(self):
         """Colour the shape by the thickness predicted from its outline, or stop that."""
@@ -178,7 +180,7 @@ class AdvicePanel(Panel):
             advice.take(self.parts, repair)
             self.doc.recompute()
             self.doc.commitTransaction()
-        near = "({:.4g}, {:.4g})".format(*(to_mm(value) for value in finding.place))
+        near = "({}, {})".format(*(number_text(to_mm(value), 4) for value in finding.place))
         balloon = f"BalloonWorkbench.parts({record.obj(self.parts.balloon)})"
         record.call("repair", balloon, record.text(finding.rule), near=near)
         self.refresh()

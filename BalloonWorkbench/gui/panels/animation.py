@@ -6,10 +6,12 @@ from __future__ import annotations
 import FreeCADGui as Gui
 
 from BalloonWorkbench.core.errors import BalloonError
+from BalloonWorkbench.core.units import number_text
 from BalloonWorkbench.gui.animation import FRAMES, Player, request_of
 from BalloonWorkbench.gui.borders import Panel
 from BalloonWorkbench.gui.panels.watch import Watch
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, drawn_icon, number_of, translate
+from BalloonWorkbench.gui.user_units import pressure_text
 from BalloonWorkbench.gui.worker import Worker
 
 _BEAT = 40  # ms between frames
@@ -140,8 +142,8 @@ class AnimationPanel(Panel):
         self.player.show(number)
         frame = self.player.strip.frames[number]
         self.told.setText(
-            translate("{:.0f} ms, {:.0f} Pa, frame {} of {}").format(
-                1000.0 * frame.time, frame.pressure, number + 1, FRAMES
+            translate("{} ms, {}, frame {} of {}").format(
+                number_text(1000.0 * frame.time), pressure_text(frame.pressure), number + 1, FRAMES
             )
         )
 

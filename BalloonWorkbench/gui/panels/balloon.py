@@ -17,6 +17,7 @@ import FreeCADGui as Gui
 from BalloonWorkbench.app import balloon as balloon_object
 from BalloonWorkbench.app import create, status
 from BalloonWorkbench.app.create import Parts
+from BalloonWorkbench.app.group import name_group
 from BalloonWorkbench.app.outline import leader
 from BalloonWorkbench.app.solve import Told
 from BalloonWorkbench.core.errors import BalloonError
@@ -156,7 +157,7 @@ class BalloonPanel(Panel):
     def trace(self) -> bool:
         """Find the outline anew where something changed; True when there is one."""
         if self.is_new and self.parts.outline.Drawing:
-            self.parts.balloon.getParentGroup().Label = Path(self.parts.outline.Drawing).stem
+            name_group(self.parts.balloon.getParentGroup(), Path(self.parts.outline.Drawing).stem)
         with self._doing():
             for outline in (leader(self.parts.outline), self.parts.outline):
                 if "Touched" in outline.State or not status.is_ready(outline):

@@ -8,7 +8,7 @@ import FreeCADGui as Gui
 from BalloonWorkbench.app import status
 from BalloonWorkbench.core.export.colour_map import TENSION
 from BalloonWorkbench.gui.borders import Panel
-from BalloonWorkbench.gui.film_map import CHOICES, OFF
+from BalloonWorkbench.gui.film_map import CHOICES, OFF, choice_title
 from BalloonWorkbench.gui.panels.results_file import save_results
 from BalloonWorkbench.gui.panels.watch import Watch
 from BalloonWorkbench.gui.qt import QtWidgets, drawn_icon, translate
@@ -32,7 +32,7 @@ class ColourMapPanel(Panel):
         self.choice.setObjectName("ColourMap")
         self.choice.setToolTip(translate("Result that is shown as colours, with a legend"))
         for entry in CHOICES:
-            self.choice.addItem(tell(entry), entry)
+            self.choice.addItem(choice_title(entry), entry)
         self.curves = QtWidgets.QCheckBox(translate("Drawing over silhouette"))
         self.curves.setObjectName("CompareOutlines")
         self.curves.setToolTip(translate("Show the drawing and the silhouette over each other"))

@@ -72,9 +72,10 @@ class FilmBox(QtWidgets.QWidget):
 
 
 def _describe(combo) -> None:
-    """The full names of the materials as tooltips."""
+    """Films by their titles; the names that commands and macros take as tooltips."""
     known = film_values.known_films()
     for index in range(combo.count()):
         name = combo.itemData(index)
         if name in known:
-            combo.setItemData(index, tell(known[name].title), QtCore.Qt.ToolTipRole)
+            combo.setItemText(index, tell(known[name].title))
+            combo.setItemData(index, name, QtCore.Qt.ToolTipRole)

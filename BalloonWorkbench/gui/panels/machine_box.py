@@ -162,7 +162,7 @@ class MachineBox(QtWidgets.QWidget):
             word = translate("Not possible") if finding.severity == ERROR else translate("Mind")
             self.list.addItem(f"{word}: {tell(finding.text)}")
         if not self.findings:
-            self.list.addItem(translate("Checked: nothing is in the way."))
+            self.list.addItem(translate("Checked: ready to make."))
         self.list.fit()
         if any(finding.oversize for finding in self.findings):
             why_not = bed.hindrance(pattern)

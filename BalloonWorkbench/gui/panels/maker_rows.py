@@ -9,7 +9,7 @@ from BalloonWorkbench.app import film, maker, status
 from BalloonWorkbench.app.quantities import cubic_millimetres
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.maker.safety import WELD
-from BalloonWorkbench.core.units import to_grams, to_mm
+from BalloonWorkbench.core.units import area_text, mass_text, money_text, number_text, to_mm
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.sentences import tell
 from BalloonWorkbench.gui.user_units import length_text, lengths_text, pressure_text, volume_text
@@ -93,15 +93,19 @@ def _rows(numbers, short: bool, seam: str) -> list[tuple[str, str]]:
 
 def _film(numbers) -> str:
     if numbers.roll is None:
-        return translate("{:.3g} m², wider than the usual roll").format(numbers.film_area)
+        return tell(f"{area_text(numbers.film_area)}; wider than the usual roll")
     width, length = numbers.roll
-    return translate("{} of a roll of {}").format(length_text(_METRE * length, 3), length_text(to_mm(width)))
+    return tell(f"{length_text(_METRE * length, 3)} of a roll {length_text(to_mm(width))} wide")
 
 
 def _weight(numbers) -> str:
-    told = translate("{:.3g} g: film {:.3g}, seam and neck {:.2g}, valve {:.2g}")
     parts = (numbers.weight, numbers.inner, numbers.border, numbers.valve)
-    return told.format(*map(to_grams, parts))
+    told = (
+        translate("{}: film {}, seam and neck {}, valve {}")
+        if numbers.valve
+        else translate("{}: film {}, seam and neck {}")
+    )
+    return told.format(*map(mass_text, parts))
 
 
 def _strength(numbers, seam: str) -> str:
@@ -110,10 +114,9 @@ def _strength(numbers, seam: str) -> str:
     if safe.safe_pressure is None:
         return translate("unknown: this film has no strength")
     if safe.safe_pressure < safe.pressure:
-        told = translate("less than its {} with a margin of {:g} ({})")
-        return told.format(pressure_text(safe.pressure), safe.margin, weakest)
-    told = translate("{}, margin {:g} ({})")
-    return told.format(pressure_text(safe.safe_pressure), safe.margin, weakest)
+        told = translate("less than its {} with a margin of {} ({})")
+        return told.format(pressure_text(safe.pressure), number_text(safe.margin), weakest)
+    return tell(f"{pressure_text(safe.safe_pressure)} ({weakest}, margin {number_text(safe.margin)})")
 
 
 def _weaker(safe, seam: str) -> str:
@@ -138,4 +141,4 @@ def _gas(numbers) -> str:
     told = translate("{} of {}").format(volume_text(cubic_millimetres(one.gas_needed)), tell(one.gas))
     if one.cost is None:
         return told
-    return told + translate(", about {:.2f} {}").format(one.cost, numbers.currency)
+    return told + tell(f", about {money_text(one.cost, numbers.currency)}")

@@ -7,6 +7,7 @@ import FreeCADGui as Gui
 
 from BalloonWorkbench.app import film_sheet, status, values
 from BalloonWorkbench.app.parts import patterns
+from BalloonWorkbench.core.units import percent_text
 from BalloonWorkbench.gui import record
 from BalloonWorkbench.gui.borders import undo_step
 from BalloonWorkbench.gui.panels import show
@@ -97,8 +98,10 @@ class NestPanel(ObjectPanel):
         self.fields.refresh()
         obj, told = self.obj, ""
         if obj.LaidOutFor:
-            told = translate("{} pieces on {}, {:.0f} % used").format(
-                obj.Pieces, size_text(obj.UsedLength.Value, obj.FilmWidth.Value), obj.Used
+            told = translate("Pieces: {}, on {}, {} used").format(
+                obj.Pieces,
+                size_text(obj.UsedLength.Value, obj.FilmWidth.Value),
+                percent_text(0.01 * obj.Used),
             )
             if obj.Sheets > 1:
                 told += "\n" + translate("Sheet {} of {}").format(obj.Shown, obj.Sheets)

@@ -7,6 +7,7 @@ from BalloonWorkbench.app import shapes, status
 from BalloonWorkbench.core.units import to_mm
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, translate
 from BalloonWorkbench.gui.sentences import tell
+from BalloonWorkbench.gui.user_units import size_text
 
 _MARGIN = 6
 _SIDE = 640  # px that a picture is shown with at most
@@ -18,12 +19,9 @@ def notes_of(outline) -> str:
     """What there is to say about an outline: its size, its holes and the remarks made while it was found."""
     if not outline.LoopCounts or not status.is_ready(outline):
         return ""
-    lines = [
-        translate("Outline {} x {}, {} holes").format(
-            outline.SizeX.UserString, outline.SizeY.UserString, outline.HoleCount
-        )
-    ]
-    return "\n".join([*lines, *map(tell, outline.Notes)])
+    size = size_text(outline.SizeX.Value, outline.SizeY.Value)
+    told = translate("Outline {}, holes: {}") if outline.HoleCount else translate("Outline {}")
+    return "\n".join([told.format(size, outline.HoleCount), *map(tell, outline.Notes)])
 
 
 class Preview(QtWidgets.QWidget):

@@ -8,6 +8,7 @@ import FreeCADGui as Gui
 from BalloonWorkbench.app import status
 from BalloonWorkbench.app.balloon import VOLUME
 from BalloonWorkbench.app.quantities import pascals
+from BalloonWorkbench.core.units import from_grams, mass_text, percent_text
 from BalloonWorkbench.gui.panels.fields import Fields
 from BalloonWorkbench.gui.panels.maker_rows import MakerRows, value_label
 from BalloonWorkbench.gui.panels.narrow import NarrowForm
@@ -194,15 +195,16 @@ def measures(balloon, pattern) -> list[tuple[str, str]]:
 
 
 def _weight(balloon) -> str:
+    weight, gas = mass_text(from_grams(balloon.Weight)), tell(balloon.Gas.lower())
     if balloon.Floats:
-        told = translate("{:.3g} g, carries {:.3g} g with {}")
-        return told.format(balloon.Weight, balloon.Lift, tell(balloon.Gas.lower()))
+        told = translate("{}, carries {} with {}")
+        return told.format(weight, mass_text(from_grams(balloon.Lift)), gas)
     if not balloon.FloatsFrom:
-        return translate("{:.3g} g, never floats with {}").format(balloon.Weight, tell(balloon.Gas.lower()))
-    told = translate("{:.3g} g, floats from {} width on with {}")
-    return told.format(balloon.Weight, length_text(balloon.FloatsFrom.Value, 3), tell(balloon.Gas.lower()))
+        return translate("{}, never floats with {}").format(weight, gas)
+    told = translate("{}, floats from {} width on with {}")
+    return told.format(weight, length_text(balloon.FloatsFrom.Value, 3), gas)
 
 
 def _state(balloon) -> str:
-    wrinkled, slack = 100 * balloon.WrinkledShare, 100 * balloon.SlackShare
-    return translate("{:.0f} % wrinkled, {:.0f} % slack").format(wrinkled, slack)
+    told = translate("{} of it wrinkles, {} is loose")
+    return told.format(percent_text(balloon.WrinkledShare), percent_text(balloon.SlackShare))
