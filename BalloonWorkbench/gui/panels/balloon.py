@@ -283,9 +283,6 @@ class BalloonPanel(Panel):
         breathe()
         self.doc.recompute()
         if self.is_new and status.is_ready(self.parts.pattern):
-            ready = [other for other in create.companions(self.parts) if status.is_ready(other.pattern)]
-            create.place_beside(self.parts, *ready)
-            self.doc.recompute()
             self.is_new = False
             Gui.SendMsgToActiveView("ViewFit")
 
