@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Where balloons, patterns, prints and sheets of film lie in a document: beside each other.
 
-A new object is placed once, as soon as it has a shape, beside all that is there. It stays; only what grows moves
-others aside: those made after it that still lie where they were put. What the user has moved stays for good, and so
-does what follows a sketch. All of it happens after a recompute: no `execute` needs to know its neighbours.
+A new object is placed once, as soon as it has a shape, beside all that is there. It stays; only where what was
+made before it, or a sketch's balloon, has come into its place does it go aside once more. What the user has
+moved stays for good, and so does what follows a sketch. All of it happens after a recompute: no `execute` knows
+its neighbours.
 """
 
 from __future__ import annotations
@@ -58,10 +59,11 @@ def place_when_ready(obj) -> None:
 def arrange(doc) -> None:
     """Place what is new, and move aside what something has grown into."""
     units = _units(doc)
-    settled = [unit for unit in units if unit.state == _FIXED and unit.is_from_sketch]
+    settled = [unit for unit in units if unit.follows_sketch]
     for unit in units:
         if unit.state == _AUTOMATIC:
             _make_way(unit, settled)
+        if unit.state != _NEW and unit not in settled:
             settled.append(unit)
     new = [unit for unit in units if unit.state == _NEW]
     waiting = [obj for unit in new for obj in unit.everything]
@@ -103,7 +105,7 @@ class _Unit:
         return _state(self.objects[0])
 
     @property
-    def is_from_sketch(self) -> bool:
+    def follows_sketch(self) -> bool:
         return _follows_sketch(self.objects[0])
 
     @property
@@ -206,7 +208,7 @@ def _make_way(unit: _Unit, settled: list[_Unit]) -> None:
 
 
 def _place(unit: _Unit, there: list) -> None:
-    """Lay a unit beside its owners, and beside all that is there; it stays where the user has put it before."""
+    """Lay a unit beside its owners, and beside all that is there, unless the user has moved it."""
     by_user = any(not obj.Placed and not obj.Placement.isIdentity() for obj in unit.objects)
     if not by_user:
         frame = unit.frame()
@@ -237,7 +239,7 @@ def _starts(unit: _Unit) -> list:
 
 
 def _on_a_sheet(patterns: list) -> list:
-    """Shifts that lay patterns of a drawing beside each other: none where they have room as they are drawn."""
+    """Shifts that lay patterns of a drawing beside each other: 0 where they have room as drawn."""
     from BalloonWorkbench.app.pattern import sheet
     from BalloonWorkbench.core.pattern.layout import beside
     from BalloonWorkbench.core.units import to_mm
@@ -274,28 +276,24 @@ def _clearance(box, others, way: App.Vector) -> App.Vector:
 
 def _overlap(a, b, gap: float = -_TOUCHING) -> bool:
     """Two boxes come nearer to each other than a gap, in x and y."""
-    return (
-        a.XMin < b.XMax + gap and b.XMin < a.XMax + gap and a.YMin < b.YMax + gap and b.YMin < a.YMax + gap
-    )
+    return a.XMin < b.XMax + gap and b.XMin < a.XMax + gap and a.YMin < b.YMax + gap and b.YMin < a.YMax + gap
 
 
 def _boxes(objects, frame: App.Placement):
     """What objects take of a plane; nothing of those without a shape of a size."""
     for obj in objects:
+        mesh, shape = getattr(obj, "Mesh", None), getattr(obj, "Shape", None)
         if not obj.isDerivedFrom("App::GeoFeature"):
             continue
-        shape, mesh = getattr(obj, "Shape", None), getattr(obj, "Mesh", None)
         if getattr(mesh, "CountPoints", 0):
-            beyond = obj.getGlobalPlacement() * obj.Placement.inverse()
-            box = mesh.BoundBox.transformed((frame.inverse() * beyond).toMatrix())
+            own = mesh.copy()
         elif shape is not None and not shape.isNull():
-            shape = shape.copy(False)
-            shape.Placement = frame.inverse() * obj.getGlobalPlacement()
-            box = shape.BoundBox
+            own = shape.copy(False)
         else:
             continue
-        if box.isValid() and box.DiagonalLength < _ENDLESS:
-            yield box
+        own.Placement = frame.inverse() * obj.getGlobalPlacement()
+        if own.BoundBox.isValid() and own.BoundBox.DiagonalLength < _ENDLESS:
+            yield own.BoundBox
 
 
 def _put(obj, place: App.Placement) -> None:
@@ -303,5 +301,7 @@ def _put(obj, place: App.Placement) -> None:
     touched = "Touched" in obj.State
     beyond = obj.getGlobalPlacement() * obj.Placement.inverse()
     obj.Placement = beyond.inverse() * place
-    if not touched and all(_is_ours(user) or user.isDerivedFrom("App::DocumentObjectGroup") for user in obj.InList):
+    if not touched and all(
+        _is_ours(user) or user.isDerivedFrom("App::DocumentObjectGroup") for user in obj.InList
+    ):
         obj.purgeTouched()
