@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Where balloons, patterns, prints and sheets of film lie in a document: beside each other.
 
-A new object is placed once, as soon as it has a shape, beside all that is there. It stays; only where what was
-made before it, or a sketch's balloon, has come into its place does it go aside once more. What the user has
-moved stays for good, and so does what follows a sketch. All of it happens after a recompute: no `execute` knows
-its neighbours.
+A new object is placed once, as soon as it has a shape, beside all that is there. It stays; only where what
+was made before it, or the balloon of a sketch, has come into its place does it go aside again. What the user
+has moved stays for good, and so does what follows a sketch. All of it happens after a recompute: no `execute`
+knows its neighbours.
 """
 
 from __future__ import annotations
@@ -79,7 +79,24 @@ def free_shift(doc, low, high, but=()) -> float:
     """
     box = App.BoundBox(*low, 0.0, *high, 0.0)
     there = [obj for obj in doc.Objects if obj.Visibility and obj not in but]
-    return _clearance(box, _boxes(there, App.Placement()), _RIGHT).x
+    return _clearance(box, boxes(there, App.Placement()), _RIGHT).x
+
+
+def boxes(objects, frame: App.Placement):
+    """Boxes of objects along the axes of a frame; none of those without a shape of a size."""
+    for obj in objects:
+        mesh, shape = getattr(obj, "Mesh", None), getattr(obj, "Shape", None)
+        if not obj.isDerivedFrom("App::GeoFeature"):
+            continue
+        if getattr(mesh, "CountPoints", 0):
+            own = mesh.copy()
+        elif shape is not None and not shape.isNull():
+            own = shape.copy(False)
+        else:
+            continue
+        own.Placement = frame.inverse() * obj.getGlobalPlacement()
+        if own.BoundBox.isValid() and own.BoundBox.DiagonalLength < _ENDLESS:
+            yield own.BoundBox
 
 
 # what belongs together
@@ -119,7 +136,7 @@ class _Unit:
     def box(self):
         """What they take of it."""
         whole = App.BoundBox()
-        for box in _boxes(self.everything, self.frame()):
+        for box in boxes(self.everything, self.frame()):
             whole.add(box)
         return whole
 
@@ -171,7 +188,7 @@ def _is_ours(obj) -> bool:
 
 
 def _has_shape(obj) -> bool:
-    return next(_boxes([obj], App.Placement()), None) is not None
+    return next(boxes([obj], App.Placement()), None) is not None
 
 
 def _state(obj) -> str:
@@ -201,7 +218,7 @@ def _make_way(unit: _Unit, settled: list[_Unit]) -> None:
     there = [obj for each in settled for obj in each.everything]
     there += [obj for obj in unit.owners if obj not in there]
     box = unit.box()
-    in_the_way = any(_overlap(box, other) for other in _boxes(there, unit.frame()))
+    in_the_way = any(_overlap(box, other) for other in boxes(there, unit.frame()))
     if left_behind or in_the_way or not _is_apart(unit):
         _place(unit, there)
         unit.moved = True
@@ -215,7 +232,7 @@ def _place(unit: _Unit, there: list) -> None:
         for obj, start in zip(unit.objects, _starts(unit), strict=True):
             if start is not None:
                 _put(obj, frame * start)
-        shift = frame.Rotation.multVec(_clearance(unit.box(), list(_boxes(there, frame)), unit.way))
+        shift = frame.Rotation.multVec(_clearance(unit.box(), boxes(there, frame), unit.way))
         for obj in unit.everything:
             place = obj.getGlobalPlacement()
             _put(obj, App.Placement(place.Base + shift, place.Rotation))
@@ -232,8 +249,8 @@ def _starts(unit: _Unit) -> list:
         return [None] * len(unit.objects)
     corner = App.Vector()
     if is_film_sheet(unit.objects[0]):
-        boxes = list(_boxes(unit.owners, unit.frame()))
-        corner = App.Vector(min(box.XMin for box in boxes), min(box.YMin for box in boxes), 0.0)
+        lying = list(boxes(unit.owners, unit.frame()))
+        corner = App.Vector(min(box.XMin for box in lying), min(box.YMin for box in lying), 0.0)
     shifts = _on_a_sheet(unit.objects) if len(unit.objects) > 1 else [App.Vector()]
     return [App.Placement(corner + shift, App.Rotation()) for shift in shifts]
 
@@ -249,8 +266,8 @@ def _on_a_sheet(patterns: list) -> list:
 
 def _is_apart(unit: _Unit) -> bool:
     """The patterns of a drawing lie beside each other, or in each other's holes as they are drawn."""
-    boxes = list(_boxes(unit.objects, unit.frame())) if unit.owners else []
-    if not any(_overlap(a, b) for number, a in enumerate(boxes) for b in boxes[:number]):
+    own = list(boxes(unit.objects, unit.frame())) if unit.owners else []
+    if not any(_overlap(a, b) for number, a in enumerate(own) for b in own[:number]):
         return True
     back = unit.frame().inverse()
     lying = [back.multVec(obj.getGlobalPlacement().Base) for obj in unit.objects]
@@ -261,7 +278,8 @@ def _is_apart(unit: _Unit) -> bool:
 def _clearance(box, others, way: App.Vector) -> App.Vector:
     """How far a box has to go until it is free of all others, and a little away from those it has met."""
     gap = _GAP * 0.5 * (box.XLength + box.YLength)
-    far, met = 0.0, list(others)
+    far, others = 0.0, list(others)
+    met = others
     while met:
         moved = App.BoundBox(box)
         moved.move(way * far)
@@ -277,23 +295,6 @@ def _clearance(box, others, way: App.Vector) -> App.Vector:
 def _overlap(a, b, gap: float = -_TOUCHING) -> bool:
     """Two boxes come nearer to each other than a gap, in x and y."""
     return a.XMin < b.XMax + gap and b.XMin < a.XMax + gap and a.YMin < b.YMax + gap and b.YMin < a.YMax + gap
-
-
-def _boxes(objects, frame: App.Placement):
-    """What objects take of a plane; nothing of those without a shape of a size."""
-    for obj in objects:
-        mesh, shape = getattr(obj, "Mesh", None), getattr(obj, "Shape", None)
-        if not obj.isDerivedFrom("App::GeoFeature"):
-            continue
-        if getattr(mesh, "CountPoints", 0):
-            own = mesh.copy()
-        elif shape is not None and not shape.isNull():
-            own = shape.copy(False)
-        else:
-            continue
-        own.Placement = frame.inverse() * obj.getGlobalPlacement()
-        if own.BoundBox.isValid() and own.BoundBox.DiagonalLength < _ENDLESS:
-            yield own.BoundBox
 
 
 def _put(obj, place: App.Placement) -> None:

@@ -6,12 +6,11 @@ The document is untouched until "Make it!"; that is one undo step.
 
 from __future__ import annotations
 
-import FreeCADGui as Gui
-
 from BalloonWorkbench.core import faults
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.outline.segment import KEEP_HOLES
 from BalloonWorkbench.gui import borders
+from BalloonWorkbench.gui.fit import fit_all
 from BalloonWorkbench.gui.paint import print_out
 from BalloonWorkbench.gui.paint.bars import ActionBar, ToolBox
 from BalloonWorkbench.gui.paint.canvas import Canvas
@@ -63,7 +62,7 @@ class PaintWindow(PaintDock):
         self.canvas = Canvas(self.painting)
         self.hand = self.canvas.hand
         self.live = Live(self.painting, self)
-        self.scene, self.pictures = Scene(doc.Name), Pictures(self.painting, self)
+        self.scene, self.pictures = Scene(doc.Name, parts), Pictures(self.painting, self)
         self.tools, self.actions = ToolBox(), ActionBar()
         self.form, self.card = Form(self.live.width), SizeCard(self.canvas)
         self.fill(self.actions, self.tools, self.canvas, self.form)
@@ -225,7 +224,7 @@ class PaintWindow(PaintDock):
             return
         self.doc.commitTransaction()
         self.finish()
-        QtCore.QTimer.singleShot(_SETTLED, lambda: Gui.SendMsgToActiveView("ViewFit"))
+        QtCore.QTimer.singleShot(_SETTLED, lambda: fit_all(self.scene.document()))
         if is_new:
             print_out.offer(parts)
 

@@ -21,6 +21,7 @@ from BalloonWorkbench.app.outline import leader
 from BalloonWorkbench.app.solve import Told
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.gui.borders import Panel
+from BalloonWorkbench.gui.fit import fit_all
 from BalloonWorkbench.gui.panels.file_box import FileBox
 from BalloonWorkbench.gui.panels.film_box import FilmBox
 from BalloonWorkbench.gui.panels.pages import Pages
@@ -284,7 +285,7 @@ class BalloonPanel(Panel):
         self.doc.recompute()
         if self.is_new and status.is_ready(self.parts.pattern):
             self.is_new = False
-            Gui.SendMsgToActiveView("ViewFit")
+            fit_all(Gui.getDocument(self.doc.Name))
 
     @contextmanager
     def _doing(self):

@@ -9,6 +9,7 @@ from BalloonWorkbench.app import film_sheet, status, values
 from BalloonWorkbench.app.parts import patterns
 from BalloonWorkbench.gui import record
 from BalloonWorkbench.gui.borders import undo_step
+from BalloonWorkbench.gui.fit import fit_all
 from BalloonWorkbench.gui.panels import show
 from BalloonWorkbench.gui.panels.object_panel import ObjectPanel
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
@@ -85,7 +86,7 @@ class NestPanel(ObjectPanel):
             return
         self.apply.setEnabled(True)
         self.show_state()
-        Gui.SendMsgToActiveView("ViewFit")
+        fit_all(Gui.getDocument(self.doc.Name))
 
     def fail(self, error) -> None:
         self.apply.setEnabled(True)
