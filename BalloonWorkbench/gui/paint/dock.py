@@ -85,7 +85,7 @@ class PaintDock(QtWidgets.QDockWidget):
         """Put aside; the painting is kept for the next time."""
         self.leave()
         super().closeEvent(event)
-        QtCore.QTimer.singleShot(0, self._give_back)
+        QtCore.QTimer.singleShot(0, self.give_back)
 
     def leave(self) -> None:
         """What a window does when it closes."""
@@ -93,10 +93,10 @@ class PaintDock(QtWidgets.QDockWidget):
     def finish(self) -> None:
         """Close for good."""
         Gui.getMainWindow().removeDockWidget(self)
-        self._give_back()
+        self.give_back()
         self.deleteLater()
 
-    def _give_back(self) -> None:
+    def give_back(self) -> None:
         """The panels beside it are as wide as before, and the 3D view has the room."""
         for overlay, place, most in self._laid_aside:
             overlay.setMaximumSize(most)
@@ -105,3 +105,4 @@ class PaintDock(QtWidgets.QDockWidget):
         docks = [(dock, width) for dock, width in self._neighbours if dock.isVisible()]
         if docks:
             Gui.getMainWindow().resizeDocks(*map(list, zip(*docks)), QtCore.Qt.Horizontal)
+        self._neighbours = []
