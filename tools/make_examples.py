@@ -160,13 +160,15 @@ EXAMPLES = {
 
 def make(name):
     """Make one, and save it."""
+    from BalloonWorkbench.gui.fit import fit_all
+
     doc = App.newDocument(name.replace("-", " ").capitalize())
     parts = EXAMPLES[name](doc)
     wrong = [obj.Status for obj in parts if obj.Status != "up to date"]
     if wrong:
         raise SystemExit(f"{name}: {wrong}")
     Gui.activeDocument().activeView().viewTop()
-    Gui.SendMsgToActiveView("ViewFit")
+    fit_all()
     Gui.updateGui()
     doc.CreatedBy = doc.LastModifiedBy = ""
     doc.saveAs(str(FOLDER / f"{name}.FCStd"))

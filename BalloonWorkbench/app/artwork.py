@@ -6,7 +6,7 @@ from __future__ import annotations
 from functools import lru_cache, partial
 from pathlib import Path
 
-from BalloonWorkbench.app import status
+from BalloonWorkbench.app import arrange, status
 from BalloonWorkbench.app.properties import Property, results
 from BalloonWorkbench.app.stateless import DocumentProxy
 from BalloonWorkbench.core.errors import ExportError, InputError
@@ -36,6 +36,7 @@ PROPERTIES = (
     Property("Length", "PatternHeight", "Result", "Height of the print with its marks", result=True),
     Property("StringList", "Roles", "Result", "What to do along each wire of the shape", result=True),
     Property("String", "Status", "Result", "Up to date, or what is wrong", result=True),
+    *arrange.PROPERTIES,
 )
 
 
@@ -71,7 +72,7 @@ def is_artwork(obj) -> bool:
 
 
 def make(pattern_obj, picture: str = "", back: str = ""):
-    """An artwork for a pattern, in its group and its place; nothing is computed yet.
+    """An artwork for a pattern, in its group; it gets a place below it. Nothing is computed yet.
 
     picture, back  files; empty as in the properties. Raises OSError where there is no such file.
     """
@@ -84,19 +85,11 @@ def make(pattern_obj, picture: str = "", back: str = ""):
     group = pattern_obj.getParentGroup()
     if group is not None:
         group.addObject(obj)
-    place = pattern_obj.Placement
-    place.Base = place.Base - place.Rotation.multVec(_down(1.2 * pattern_obj.PatternHeight.Value))
-    obj.Placement = place
+    arrange.place_when_ready(obj)
     for name, path in (("Picture", picture), ("BackPicture", back)):
         if path:
             setattr(obj, name, str(path))
     return obj
-
-
-def _down(length: float):
-    import FreeCAD as App
-
-    return App.Vector(0.0, length, 0.0)
 
 
 def of_balloon(balloon_obj):
@@ -196,7 +189,7 @@ def show(obj, pattern) -> None:
 
     roles = (Role.CUT, Role.CUT_INNER, Role.SEAL, Role.PRINT, Role.REGISTRATION)
     lines = [contour for role in roles for contour in pattern.of(role)]
-    obj.Shape = Part.makeCompound([wire(line.points, line.closed) for line in lines])
+    obj.Shape = Part.Compound([wire(line.points, line.closed) for line in lines])
     obj.Roles = [line.role.value for line in lines]
     obj.SeamLength = to_mm(pattern.seam_length)
     obj.PatternWidth, obj.PatternHeight = (to_mm(length) for length in pattern.size)

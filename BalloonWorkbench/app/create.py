@@ -7,9 +7,7 @@ import os
 from contextlib import ExitStack
 from typing import NamedTuple
 
-import FreeCAD as App
-
-from BalloonWorkbench.app import balloon, film, hooks, pattern, status
+from BalloonWorkbench.app import arrange, balloon, film, hooks, pattern, status
 from BalloonWorkbench.app.balloon import (
     BACKENDS,
     FIT,
@@ -52,6 +50,8 @@ def _make_in(group) -> Parts:
         group.addObject(obj)
     parts.balloon.Outline = parts.outline
     parts.pattern.Balloon = parts.balloon
+    for obj in (parts.outline, parts.pattern):
+        arrange.place_when_ready(obj)
     return parts
 
 
@@ -206,37 +206,13 @@ def discard(parts: Parts) -> None:
         obj.Document.removeObject(obj.Name)
 
 
-def place_beside(*balloons: Parts) -> None:
-    """Lay the patterns of a drawing to the right of it, in its plane, none over another."""
-    from BalloonWorkbench.app.pattern import sheet
-    from BalloonWorkbench.core.pattern.layout import beside
-    from BalloonWorkbench.core.units import to_mm
-
-    shifts = [to_mm(shift) for shift in beside([sheet(parts.pattern) for parts in balloons])]
-    gap = 0.1 * max(parts.pattern.PatternWidth.Value for parts in balloons)
-    left = min(
-        _own_extent(parts.pattern).XMin + shift[0] for parts, shift in zip(balloons, shifts, strict=True)
-    )
-    right = max(_own_extent(parts.outline).XMax for parts in balloons)
-    for parts, shift in zip(balloons, shifts, strict=True):
-        place = App.Vector(right + gap - left + shift[0], shift[1], 0)
-        parts.pattern.Placement = parts.outline.Placement * App.Placement(place, App.Rotation())
-
-
-def _own_extent(obj):
-    """Bounding box in the object's own coordinates."""
-    shape = obj.Shape.copy()
-    shape.Placement = App.Placement()
-    return shape.BoundBox
-
-
 def _finish(parts: Parts, options) -> None:
     configure(parts, **options)
     compute(parts, *add_companions(parts))
 
 
 def compute(*balloons: Parts, pause=bool) -> None:
-    """Compute new balloons of a drawing and lay their patterns beside it; InputError where there is none.
+    """Compute new balloons of a drawing; InputError where there is none.
 
     pause is called between the steps of the work.
     """
@@ -246,9 +222,6 @@ def compute(*balloons: Parts, pause=bool) -> None:
     for obj in (obj for parts in balloons for obj in parts):
         if not status.is_ready(obj):
             raise InputError(status.problem(obj))
-    place_beside(*balloons)
-    pause()
-    doc.recompute()
 
 
 def _size(name: str, value) -> float:

@@ -6,7 +6,7 @@ from __future__ import annotations
 import hashlib
 import json
 
-from BalloonWorkbench.app import status
+from BalloonWorkbench.app import arrange, status
 from BalloonWorkbench.app.properties import Property, results
 from BalloonWorkbench.app.stateless import DocumentProxy
 from BalloonWorkbench.core.errors import InputError
@@ -39,6 +39,7 @@ PROPERTIES = (
     Property("String", "Status", "Result", "Up to date, or what is wrong", result=True),
     Property("String", "Layouts", "Result", "Where all pieces lie, as JSON", result=True, hidden=True),
     Property("String", "LaidOutFor", "Result", "Label of what was laid out", result=True, hidden=True),
+    *arrange.PROPERTIES,
 )
 
 
@@ -94,18 +95,14 @@ def is_film_sheet(obj) -> bool:
 
 
 def make(doc, patterns):
-    """A sheet of film with patterns, below all of them; nothing is laid out yet."""
-    import FreeCAD as App
-
+    """A sheet of film with patterns; it gets a place below all of them. Nothing is laid out yet."""
     from BalloonWorkbench.app import hooks
 
     obj = doc.addObject("Part::Part2DObjectPython", "FilmSheet")
     FilmSheetProxy(obj)
     hooks.dress(obj)
     obj.Patterns = list(patterns)
-    boxes = [pattern.Shape.BoundBox for pattern in patterns]
-    low = min(box.YMin for box in boxes) - 0.1 * max(box.YLength for box in boxes)
-    obj.Placement.Base = App.Vector(min(box.XMin for box in boxes), low - obj.FilmWidth.Value, 0.0)
+    arrange.place_when_ready(obj)
     return obj
 
 
@@ -123,7 +120,7 @@ def show(obj, pieces, stock) -> None:
     beside = (Role.SEAL, Role.WELD, Role.NOTCH, Role.FOLD, Role.PEN, Role.ENGRAVE)
     lines = [*cuts, *inner, *(contour for role in beside for contour in pattern.of(role))]
     edge = Part.makePlane(to_mm(layout.length), to_mm(stock.width)).OuterWire
-    obj.Shape = Part.makeCompound([edge, *(wire(line.points, line.closed) for line in lines)])
+    obj.Shape = Part.Compound([edge, *(wire(line.points, line.closed) for line in lines)])
     obj.Roles = ["", *(line.role.value for line in lines)]
     obj.Used, obj.UsedLength = 100.0 * layout.utilisation, to_mm(layout.length)
     obj.Pieces, obj.Sheets = len(layout.places), len(json.loads(obj.Layouts))

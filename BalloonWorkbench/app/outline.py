@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from BalloonWorkbench.app import advice, status
+from BalloonWorkbench.app import advice, arrange, status
 from BalloonWorkbench.app.properties import Property, results, show_in_editor
 from BalloonWorkbench.app.stateless import DocumentProxy
 
@@ -49,6 +49,7 @@ PROPERTIES = (
         10.0,
     ),
     *advice.OUTLINE_PROPERTIES,
+    *arrange.PROPERTIES,
     Property("String", "Kind", "Outline", "What the outline was read from", result=True),
     Property("Length", "SizeX", "Outline", "Width of the outline", result=True),
     Property("Length", "SizeY", "Outline", "Height of the outline", result=True),

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from BalloonWorkbench.app import pattern_shape, size_goal, status
+from BalloonWorkbench.app import arrange, pattern_shape, size_goal, status
 from BalloonWorkbench.app.host import is_replaying
 from BalloonWorkbench.app.pattern_shape import DIRECTION, FARTHEST, LOW, PLACE
 from BalloonWorkbench.app.properties import Property, results, show_in_editor
@@ -70,6 +70,7 @@ PROPERTIES = (
     Property("StringList", "Roles", "Result", "What to do along each wire of the shape", result=True),
     Property("StringList", "Warnings", "Result", "Remarks made while the pattern was drawn", result=True),
     Property("String", "Status", "Result", "Up to date, or what is wrong", result=True),
+    *arrange.PROPERTIES,
 )
 
 

@@ -22,7 +22,7 @@ def show(obj, pattern, how_to_fill: str) -> None:
     beside = (Role.SEAL, Role.WELD, Role.NOTCH, Role.FOLD, Role.PEN, Role.ENGRAVE)
     lines = [contour for role in beside for contour in pattern.of(role)]
     faces = [Part.Face([_wire(obj, each) for each in sheet]) for sheet in cuts]
-    obj.Shape = Part.makeCompound([*faces, *(_wire(obj, line) for line in lines)])
+    obj.Shape = Part.Compound([*faces, *(_wire(obj, line) for line in lines)])
     obj.Roles = [contour.role.value for contour in (*(each for sheet in cuts for each in sheet), *lines)]
     obj.SeamLength = to_mm(pattern.seam_length)
     obj.PatternWidth, obj.PatternHeight = (to_mm(length) for length in pattern.of_stock("").size)

@@ -90,7 +90,7 @@ def face(outline: Outline):
     """The flat face between the outer loop and the holes, its wires in the order of the loops; then welds."""
     sheet = Part.Face([wire(loop) for loop in (outline.outer, *outline.holes)])
     welds = [wire(weld, False) for weld in outline.welds] + [wire(spot) for spot in outline.spots]
-    return Part.makeCompound([sheet, *welds]) if welds else sheet
+    return Part.Compound([sheet, *welds]) if welds else sheet
 
 
 def store(obj, prefix: str, outline: Outline) -> None:

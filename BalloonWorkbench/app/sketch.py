@@ -50,7 +50,7 @@ def _shape(source, elements: tuple[str, ...]):
     if getattr(source, "Shape", None) is None or source.Shape.isNull():
         raise OutlineError(f"{source.Label} has no shape: select a sketch, a wire or a face.")
     parts = [source.Shape.getElement(name) for name in elements if name]
-    shape = Part.makeCompound(parts) if len(parts) > 1 else (parts[0] if parts else source.Shape).copy()
+    shape = Part.Compound(parts) if len(parts) > 1 else (parts[0] if parts else source.Shape).copy()
     shape.Placement = source.Placement.inverse() * shape.Placement
     return shape
 

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from BalloonWorkbench.app import migrate, status
+from BalloonWorkbench.app import arrange, migrate, status
 from BalloonWorkbench.app.guard import Guarded
 from BalloonWorkbench.app.properties import add_missing, offer_choices
 
@@ -28,6 +28,7 @@ class DocumentProxy(Stateless):
     properties = ()
 
     def __init__(self, obj):
+        arrange.watch()
         add_missing(obj, (migrate.VERSION, *self.properties))
         offer_choices(obj, self.choices())
         obj.Proxy = self
@@ -47,6 +48,7 @@ class DocumentProxy(Stateless):
     def onDocumentRestored(self, obj):
         from BalloonWorkbench.app import hooks
 
+        arrange.watch()
         if migrate.bring_up_to_date(obj, self.properties):
             offer_choices(obj, self.choices())
         self.opened(obj)

@@ -111,6 +111,24 @@ def test_gui_goes_through_the_host_for_qt() -> None:
     assert not broken(layer("gui"), "PySide2", "PySide6", "PyQt5", "PyQt6")
 
 
+#: What is not called, and what is instead.
+REPLACED = {
+    "makeCompound": (
+        "Part.Compound([...]): in plain Python with FreeCAD 1.1 the other one ends the program",
+        (),
+    ),
+    "fitAll": ("gui/fit.py: FreeCAD's own does not know of panels over its view", ("gui/fit.py",)),
+    "ViewFit": ("gui/fit.py: FreeCAD's own does not know of panels over its view", ()),
+}
+
+
+@pytest.mark.parametrize("name", REPLACED)
+def test_what_has_a_better_way_is_not_called(name: str) -> None:
+    instead, but = REPLACED[name]
+    callers = [path for path in layer() if re.search(rf"\b{name}\b", path.read_text(encoding="utf-8"))]
+    assert not [named(path) for path in callers if not named(path).endswith(tuple(but) or "\n")], instead
+
+
 @pytest.mark.parametrize("room", ROOMS)
 def test_rooms_of_the_core_follow_the_data(room: str) -> None:
     later = ROOMS[ROOMS.index(room) + 1 :]

@@ -28,9 +28,11 @@ class OpenExample:
         return not Gui.Control.activeDialog()
 
     def Activated(self):
+        from BalloonWorkbench.gui.fit import fit_all
+
         doc = open_copy(self._example)
         doc.Label = translate(self._example.title)
-        Gui.SendMsgToActiveView("ViewFit")
+        fit_all(Gui.getDocument(doc.Name))
 
 
 class Examples:

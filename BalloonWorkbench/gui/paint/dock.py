@@ -3,8 +3,11 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 import FreeCADGui as Gui
 
+from BalloonWorkbench.gui.fit import OVERLAYS
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, drawn_icon
 
 _SHARE = 0.5  # of the main window
@@ -22,6 +25,7 @@ class PaintDock(QtWidgets.QDockWidget):
         self.setObjectName("BalloonPaint")
         self.setWindowIcon(drawn_icon("paint"))
         self._neighbours: list = []
+        self._laid_aside: list = []
 
     def fill(self, above, left, canvas, below) -> None:
         """Put the widgets in their places."""
@@ -50,14 +54,28 @@ class PaintDock(QtWidgets.QDockWidget):
             ]
         self.show()
         self.raise_()
+        self._lay_aside(main)
         narrow = {dock: min(width, _NARROW) for dock, width in self._neighbours}
         width = min(int(_SHARE * main.width()), self._free_room(main))
         main.resizeDocks([*narrow, self], [*narrow.values(), width], QtCore.Qt.Horizontal)
 
+    def _lay_aside(self, main) -> None:
+        """FreeCAD 1.1 lays its task panel over the 3D view: an empty one is a strip over the balloon.
+
+        FreeCAD shows again at once what is hidden, so it has no size for a while.
+        """
+        for overlay in map(partial(main.findChild, QtWidgets.QWidget), OVERLAYS):
+            if overlay is None or not overlay.isVisible() or overlay.size().isEmpty():
+                continue
+            names = [dock.objectName() for dock in overlay.findChildren(QtWidgets.QDockWidget)]
+            if names == ["Tasks"] and not Gui.Control.activeDialog():
+                self._laid_aside.append((overlay, overlay.geometry(), overlay.maximumSize()))
+                overlay.setMaximumSize(0, 0)
+
     def _free_room(self, main) -> int:
         """The width up to the panels that FreeCAD 1.1 lays over its 3D view: they would take the mouse."""
         floating = main.findChild(QtWidgets.QWidget, "OverlayRight")
-        if floating is None or not floating.isVisible():
+        if floating is None or not floating.isVisible() or floating.size().isEmpty():
             return main.width()
         separator = main.style().pixelMetric(QtWidgets.QStyle.PM_DockWidgetSeparatorExtent, None, main)
         columns = {dock.x(): min(width, _NARROW) for dock, width in self._neighbours}
@@ -67,7 +85,7 @@ class PaintDock(QtWidgets.QDockWidget):
         """Put aside; the painting is kept for the next time."""
         self.leave()
         super().closeEvent(event)
-        QtCore.QTimer.singleShot(0, self._give_back)
+        QtCore.QTimer.singleShot(0, self.give_back)
 
     def leave(self) -> None:
         """What a window does when it closes."""
@@ -75,11 +93,16 @@ class PaintDock(QtWidgets.QDockWidget):
     def finish(self) -> None:
         """Close for good."""
         Gui.getMainWindow().removeDockWidget(self)
-        self._give_back()
+        self.give_back()
         self.deleteLater()
 
-    def _give_back(self) -> None:
+    def give_back(self) -> None:
         """The panels beside it are as wide as before, and the 3D view has the room."""
+        for overlay, place, most in self._laid_aside:
+            overlay.setMaximumSize(most)
+            overlay.setGeometry(place)
+        self._laid_aside.clear()
         docks = [(dock, width) for dock, width in self._neighbours if dock.isVisible()]
         if docks:
             Gui.getMainWindow().resizeDocks(*map(list, zip(*docks)), QtCore.Qt.Horizontal)
+        self._neighbours = []

@@ -6,9 +6,11 @@ from __future__ import annotations
 import FreeCADGui as Gui
 import numpy as np
 
+from BalloonWorkbench.app.arrange import free_shift
 from BalloonWorkbench.app.qt_picture import pixels
 from BalloonWorkbench.core.export.layers import LAYERS
 from BalloonWorkbench.core.pattern.pattern import Role
+from BalloonWorkbench.gui.fit import fit_points, view_of
 from BalloonWorkbench.gui.qt import QtCore, QtGui
 
 _TEXTURE = 512  # px
@@ -23,8 +25,8 @@ _GROWN = 0.1  # change of the size from which the camera follows
 class Scene:
     """Shows looks in the view of a document; `clear` takes everything away."""
 
-    def __init__(self, document_name: str):
-        self.document_name = document_name
+    def __init__(self, document_name: str, parts=None):
+        self.document_name, self.parts = document_name, parts
         self._root = None
         self._node = None
         self._size: tuple[float, ...] | None = None
@@ -36,13 +38,14 @@ class Scene:
         """Show a look instead of the last one; image: what is painted."""
         from pivy import coin
 
-        view = self._view()
+        view = view_of(self.document())
         if view is None:
             return
         node = coin.SoSeparator()
         style = coin.SoPickStyle()
         style.style.setValue(coin.SoPickStyle.UNPICKABLE)
         node.addChild(style)
+        node.addChild(self._place(coin, look))
         node.addChild(_balloons(coin, look, image))
         node.addChild(_pattern(coin, look))
         if self._node is not None:
@@ -55,7 +58,7 @@ class Scene:
         if before is None or any(
             abs(now - then) > _GROWN * max(before) for now, then in zip(look.size, before, strict=True)
         ):
-            _fit(view, node)
+            fit_points(view, _corners(coin, view, node), _AROUND)
             self._size = look.size
 
     def clear(self) -> None:
@@ -71,13 +74,21 @@ class Scene:
         except NameError:
             return None
 
-    def _view(self):
-        document = self.document()
-        view = document.activeView() if document is not None else None
-        if view is None or not hasattr(view, "getSceneGraph"):
-            views = document.mdiViewsOfType("Gui::View3DInventor") if document is not None else []
-            view = views[0] if views else None
-        return view
+    def _place(self, coin, look):
+        """Where the balloon lies that is painted on; a new one beside all that is in the document."""
+        place = coin.SoTransform()
+        if self.parts is not None:
+            at = self.parts.outline.getGlobalPlacement()
+            place.translation.setValue(*at.Base)
+            place.rotation.setValue(*at.Rotation.Q)
+        else:
+            seen = np.concatenate([skin.positions[:, :2] for skin in look.skins])
+            low, high = seen.min(axis=0), seen.max(axis=0)
+            if look.contours:
+                low[1] -= _BESIDE * look.size[0] + np.ptp(_pattern_points(look)[:, 1])
+            shift = free_shift(self.document().Document, low.tolist(), high.tolist())
+            place.translation.setValue(shift, 0.0, 0.0)
+        return place
 
     @staticmethod
     def _look_at(coin, view) -> None:
@@ -85,39 +96,13 @@ class Scene:
         camera.orientation.setValue(coin.SbRotation(coin.SbVec3f(1, 0, 0), float(np.radians(-_TILT))))
 
 
-def _fit(view, node) -> None:
-    """Let a node fill the view. FreeCAD fits a ball around everything: a narrow view stays half empty."""
-    from pivy import coin
-
-    camera, (width, height) = view.getCameraNode(), view.getSize()
-    if camera.getTypeId() != coin.SoOrthographicCamera.getClassTypeId() or min(width, height) < 1:
-        view.fitAll()
-        return
-    action = coin.SoGetBoundingBoxAction(coin.SbViewportRegion(width, height))
+def _corners(coin, view, node) -> np.ndarray:
+    """Corners (8, 3) of a box around a node."""
+    action = coin.SoGetBoundingBoxAction(coin.SbViewportRegion(*view.getSize()))
     action.apply(node)
     box = action.getBoundingBox()
     low, high = (np.array(corner.getValue()) for corner in (box.getMin(), box.getMax()))
-    turn = _axes(*camera.orientation.getValue().getValue())
-    corners = np.array([[(low, high)[k >> axis & 1][axis] for axis in range(3)] for k in range(8)])
-    seen = corners @ turn.T
-    across, up, deep = np.ptp(seen, axis=0) * _AROUND
-    aspect = width / height
-    middle = 0.5 * (seen.min(axis=0) + seen.max(axis=0)) + np.array([0.0, 0.0, deep])
-    camera.position.setValue(*(middle @ turn).tolist())
-    camera.focalDistance.setValue(float(deep))
-    # Coin takes the height for the smaller side of the view
-    camera.height.setValue(float(max(across, up * aspect) if aspect < 1.0 else max(up, across / aspect)))
-
-
-def _axes(x, y, z, w) -> np.ndarray:
-    """Right, up and backward of a camera that was turned by a quaternion, as rows."""
-    return np.array(
-        [
-            [1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w)],
-            [2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w)],
-            [2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y)],
-        ]
-    )
+    return np.array([[(low, high)[k >> axis & 1][axis] for axis in range(3)] for k in range(8)])
 
 
 def film_nodes(coin, image) -> list:
@@ -175,7 +160,7 @@ def _pattern(coin, look):
     style = coin.SoDrawStyle()
     style.lineWidth.setValue(2.0)
     bottom = min(float(skin.positions[:, 1].min()) for skin in look.skins)
-    top = max(float(points[:, 1].max()) for _, points in look.contours)
+    top = float(_pattern_points(look)[:, 1].max())
     place = coin.SoTranslation()
     place.translation.setValue(0.0, bottom - top - _BESIDE * look.size[0], 0.0)
     for child in (light, style, place):
@@ -190,6 +175,10 @@ def _pattern(coin, look):
         for child in (colour, coordinates, line):
             node.addChild(child)
     return node
+
+
+def _pattern_points(look) -> np.ndarray:
+    return np.concatenate([points for _, points in look.contours])
 
 
 def _layer_colour(role: str) -> tuple[float, ...]:

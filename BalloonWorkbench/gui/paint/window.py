@@ -6,16 +6,16 @@ The document is untouched until "Make it!"; that is one undo step.
 
 from __future__ import annotations
 
-import FreeCADGui as Gui
-
 from BalloonWorkbench.core import faults
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.outline.segment import KEEP_HOLES
 from BalloonWorkbench.gui import borders
+from BalloonWorkbench.gui.fit import fit_all
 from BalloonWorkbench.gui.paint import print_out
 from BalloonWorkbench.gui.paint.bars import ActionBar, ToolBox
 from BalloonWorkbench.gui.paint.canvas import Canvas
 from BalloonWorkbench.gui.paint.dock import PaintDock
+from BalloonWorkbench.gui.paint.documents import follow_documents
 from BalloonWorkbench.gui.paint.form import Form
 from BalloonWorkbench.gui.paint.keep import keep, kept, show
 from BalloonWorkbench.gui.paint.lengths import short
@@ -34,19 +34,26 @@ from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.status_progress import StatusProgress
 
 _SETTLED = 50  # ms, in which the 3D view takes the room of a window that has closed
-_open: list[PaintWindow] = []  # none or one
+_open: list[PaintWindow] = []  # each with its painting, the last used first; one at most is on the screen
 
 
 def open_for(doc, parts=None) -> PaintWindow:
-    """The paint window on a new balloon of a document, or on a painted one; there is one window at most."""
-    if _open and (_open[0].doc != doc or _open[0].parts != parts):
-        _open[0].finish()
-    if not _open:
+    """The paint window on a new balloon of a document, or on a painted one; others keep their paintings."""
+    follow_documents(_open)
+    window = next((each for each in _open if each.belongs_to(doc) and each.parts == parts), None)
+    if window is None:
         load()
-        _open.append(PaintWindow(doc, parts))
-        borders.speaks(_open[0])
-    _open[0].reveal()
-    return _open[0]
+        window = PaintWindow(doc, parts)
+        borders.speaks(window)
+    else:
+        _open.remove(window)
+    for other in _open:
+        if other.isVisible():
+            other.put_aside()
+            other.is_aside = not other.belongs_to(doc)
+    _open.insert(0, window)
+    window.reveal()
+    return window
 
 
 class PaintWindow(PaintDock):
@@ -57,13 +64,14 @@ class PaintWindow(PaintDock):
         self.doc, self.parts = doc, parts
         self.making = self._is_refused = False  # refused: the last words say why there is no balloon
         self._is_sized = parts is not None  # the width was asked for
+        self.is_aside = False  # it comes back with its document
         self._hidden: tuple[str, ...] = ()
         self._waiting: StatusProgress | None = None
         self.painting = Painting(self)
         self.canvas = Canvas(self.painting)
         self.hand = self.canvas.hand
         self.live = Live(self.painting, self)
-        self.scene, self.pictures = Scene(doc.Name), Pictures(self.painting, self)
+        self.scene, self.pictures = Scene(doc.Name, parts), Pictures(self.painting, self)
         self.tools, self.actions = ToolBox(), ActionBar()
         self.form, self.card = Form(self.live.width), SizeCard(self.canvas)
         self.fill(self.actions, self.tools, self.canvas, self.form)
@@ -75,11 +83,24 @@ class PaintWindow(PaintDock):
 
     def reveal(self) -> None:
         """Take the left half of the window, with the painting as it was left."""
+        self.is_aside = False
         super().reveal()
         show(self.scene.document(), self._hidden, False)
         self.canvas.setFocus()
         if not self.painting.is_empty():
             self.live.changed()
+
+    def belongs_to(self, doc) -> bool:
+        """The document is the one that is painted for."""
+        return doc.Name == self.scene.document_name
+
+    def put_aside(self) -> None:
+        """Another document is in front: the painting waits for its own."""
+        if self.making:
+            self._stop_making()
+        self.close()
+        self.give_back()
+        self.is_aside = True
 
     def finish(self) -> None:
         """Close for good."""
@@ -225,7 +246,7 @@ class PaintWindow(PaintDock):
             return
         self.doc.commitTransaction()
         self.finish()
-        QtCore.QTimer.singleShot(_SETTLED, lambda: Gui.SendMsgToActiveView("ViewFit"))
+        QtCore.QTimer.singleShot(_SETTLED, lambda: fit_all(self.scene.document()))
         if is_new:
             print_out.offer(parts)
 

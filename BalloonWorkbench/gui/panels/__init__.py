@@ -3,10 +3,15 @@
 
 from __future__ import annotations
 
+from functools import partial
+
+import FreeCAD as App
 import FreeCADGui as Gui
 
 from BalloonWorkbench.gui import borders
-from BalloonWorkbench.gui.qt import translate
+from BalloonWorkbench.gui.qt import QtCore, translate
+
+_SHOWN = 300  # ms
 
 
 def edit(obj) -> None:
@@ -28,6 +33,17 @@ def show(panel) -> None:
     breathe()
     Gui.Control.showDialog(panel)
     borders.speaks(panel)
+    if Gui.ActiveDocument is not None:
+        # the panel comes to the screen a moment later
+        QtCore.QTimer.singleShot(_SHOWN, partial(_keep_in_sight, Gui.ActiveDocument.Document.Name))
+
+
+def _keep_in_sight(name: str) -> None:
+    """A panel that has opened over the 3D view does not hide what was in it; the document may be closed."""
+    from BalloonWorkbench.gui.fit import keep_in_sight
+
+    if Gui.Control.activeDialog() and name in App.listDocuments():
+        keep_in_sight(Gui.getDocument(name))
 
 
 def paint_again(outline) -> bool:

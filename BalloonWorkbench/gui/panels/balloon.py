@@ -22,6 +22,7 @@ from BalloonWorkbench.app.outline import leader
 from BalloonWorkbench.app.solve import Told
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.gui.borders import Panel
+from BalloonWorkbench.gui.fit import fit_all
 from BalloonWorkbench.gui.panels.file_box import FileBox
 from BalloonWorkbench.gui.panels.film_box import FilmBox
 from BalloonWorkbench.gui.panels.pages import Pages
@@ -284,11 +285,8 @@ class BalloonPanel(Panel):
         breathe()
         self.doc.recompute()
         if self.is_new and status.is_ready(self.parts.pattern):
-            ready = [other for other in create.companions(self.parts) if status.is_ready(other.pattern)]
-            create.place_beside(self.parts, *ready)
-            self.doc.recompute()
             self.is_new = False
-            Gui.SendMsgToActiveView("ViewFit")
+            fit_all(Gui.getDocument(self.doc.Name))
 
     @contextmanager
     def _doing(self):

@@ -10,6 +10,7 @@ from BalloonWorkbench.app.parts import patterns
 from BalloonWorkbench.core.units import percent_text
 from BalloonWorkbench.gui import record
 from BalloonWorkbench.gui.borders import undo_step
+from BalloonWorkbench.gui.fit import fit_all
 from BalloonWorkbench.gui.panels import show
 from BalloonWorkbench.gui.panels.narrow import FullList, NarrowForm
 from BalloonWorkbench.gui.panels.object_panel import ObjectPanel
@@ -87,7 +88,7 @@ class NestPanel(ObjectPanel):
             return
         self.apply.setEnabled(True)
         self.show_state()
-        Gui.SendMsgToActiveView("ViewFit")
+        fit_all(Gui.getDocument(self.doc.Name))
 
     def fail(self, error) -> None:
         self.apply.setEnabled(True)
