@@ -124,7 +124,7 @@ class _Screen:
         if window.hand.stroke is not None or now == self.before or look is None or look.revision != now:
             return
         self.draft = self.draft or time.monotonic()
-        if window.live.is_settled():
+        if window.live.is_fitted():
             self.fitted = self.fitted or time.monotonic()
 
 

@@ -20,7 +20,7 @@ from BalloonWorkbench.gui.paint.requests import Counsel, Glance, Study
 from BalloonWorkbench.gui.qt import QtCore
 from BalloonWorkbench.gui.worker import Worker
 
-REST = 600  # ms without a change, then the study begins
+REST = 250  # ms without a change, then the study begins
 _PAUSE = 200  # ms after a glance without a change, then the coach looks
 _WHILE_DRAWING = 250  # ms between glances during a stroke
 _PART = 0.03  # of the study between two signs of progress
@@ -105,6 +105,10 @@ class Live(QtCore.QObject):
             and self.latest.revision == self.painting.revision
         )
 
+    def is_fitted(self) -> bool:
+        """The latest look has the document's own balloon and belongs to the painting as it is."""
+        return self.latest is not None and self.latest.fitted and self.latest.revision == self.painting.revision
+
     def is_busy(self) -> bool:
         return self._glance is not None or self._study is not None or self._rest.isActive()
 
@@ -125,6 +129,8 @@ class Live(QtCore.QObject):
         self._told = 0.0
         self._study = self._begin(request, self._study_done)
         self._study.progressed.connect(self._tell_progress)
+        self._study.before.connect(self._study_shown)
+        request.show = self._study.before.emit
         self._study.start(QtCore.QThread.LowPriority)
 
     def stop(self) -> None:
@@ -174,7 +180,7 @@ class Live(QtCore.QObject):
         self._glance = None
         worker.deleteLater()
         newest = worker.request.revision == self.painting.revision
-        if not (newest and self.is_settled()):
+        if not (newest and self.is_fitted()):
             self._take(worker)
         if newest and not self._dirty:
             clock, work = self._changed_at
@@ -186,7 +192,7 @@ class Live(QtCore.QObject):
 
     def _begin_counsel(self) -> None:
         look = self.latest
-        if self._counsel is None and look is not None and look.solved is None:
+        if self._counsel is None and look is not None and not look.fitted:
             self._counsel = self._begin(Counsel(look, self.settings), self._counsel_done)
             self._counsel.start(QtCore.QThread.LowPriority)
 
@@ -202,6 +208,12 @@ class Live(QtCore.QObject):
             self.advised.emit(worker.design)
         elif worker.fault():
             self.failed.emit(str(worker.error))
+
+    def _study_shown(self, look: Look) -> None:
+        """The balloon is fitted; what the document needs is still on its way."""
+        if self._study is not None and look.revision == self.painting.revision:
+            self.latest = look
+            self.found.emit(look)
 
     def _study_done(self, worker: Worker) -> None:
         worker.deleteLater()

@@ -4,7 +4,8 @@ the study, which the document will have; and a picture without its background.""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -17,7 +18,7 @@ from BalloonWorkbench.core.design.draft import VERTICES, check_area, draft
 from BalloonWorkbench.core.errors import BalloonError, Cancelled, ExportError
 from BalloonWorkbench.core.job import Settings
 from BalloonWorkbench.core.outline.drawing import Drawing
-from BalloonWorkbench.gui.paint.look import Look, contours, drawn, seen, size, skin
+from BalloonWorkbench.gui.paint.look import Frame, Look, contours, drawn, seen, size, skin
 from BalloonWorkbench.gui.paint.painting import SIDE
 from BalloonWorkbench.gui.paint.remarks import Remark, remarks
 from BalloonWorkbench.gui.qt import QtCore, QtGui, translate
@@ -38,7 +39,7 @@ class Glance:
     def solve(self, progress) -> Look:
         """Raises BalloonError where no balloon can be seen yet."""
         drawing, frame = seen(self.image, self.width, self.settings.drawn_as)
-        _go_on(progress)
+        painting.go_on(progress)
         drafts = []
         for number, part in enumerate(drawing.parts[:_MOST_SHAPES]):
             vertices = max(_LEAST, int(VERTICES * part.area / drawing.largest.area))
@@ -47,14 +48,14 @@ class Glance:
             except BalloonError:
                 if number == 0:
                     raise
-            _go_on(progress)
+            painting.go_on(progress)
         largest = drafts[0].inflation
         return Look(
             self.revision,
             tuple(skin(each.inflation, frame.places(each.inflation.panel.rest_positions)) for each in drafts),
             drawing,
             frame,
-            contours([each.pattern for each in drafts], self.settings),
+            contours([each.pattern for each in drafts], self.settings, fair=False),
             size(largest),
             largest.volume,
         )
@@ -76,7 +77,7 @@ class Counsel:
         """Raises BalloonError where the shape is of no use, Cancelled when progress says stop."""
         findings = []
         for part in self.look.drawing.parts[:_MOST_SHAPES]:
-            _go_on(progress)
+            painting.go_on(progress)
             findings += advise(
                 part, self.settings.film, fitted=self.settings.correct, wanted=self.settings.wanted
             ).findings
@@ -86,13 +87,17 @@ class Counsel:
 
 @dataclass
 class Study:
-    """The fitted balloons of an image, in the file that the document will have."""
+    """The fitted balloons of an image, in the file that the document will have.
+
+    show  is given the look of the balloons as soon as they are fitted: what the document needs comes later
+    """
 
     image: object
     revision: int
     width: float
     settings: Settings
     file: Path
+    show: Callable[[Look], object] = bool
 
     def solve(self, progress) -> Look:
         """Raises BalloonError where there is none, Cancelled when progress says stop."""
@@ -102,22 +107,33 @@ class Study:
             )
         drawing, frame = seen(self.image, self.width, self.settings.drawn_as)
         check_area(drawing.largest)
-        _go_on(progress)
-        solved = painting.solve(self.file, self.width, self.settings, progress)
-        inflations = [design.inflation for design in solved.designs]
+        painting.go_on(progress)
+        looks = []
+
+        def fitted(requests, designs) -> None:
+            looks.append(self._look(frame, requests, designs))
+            self.show(looks[0])
+
+        solved = painting.solve(self.file, self.width, self.settings, progress, fitted)
         findings = [finding_from(data) for told in solved.told for data in told["advice"]]
         findings.sort(key=lambda finding: -finding.severity.rank)
+        pattern = contours([design.pattern for design in solved.designs], self.settings)
+        return replace(
+            looks[0], contours=pattern, remarks=remarks(findings, frame, SIDE), solved=solved, file=self.file
+        )
+
+    def _look(self, frame: Frame, requests, designs) -> Look:
+        """The balloons and the pattern, whose lines are not smooth yet."""
+        inflations = [design.inflation for design in designs]
         return Look(
             self.revision,
             tuple(skin(inflation, frame.places(drawn(inflation))) for inflation in inflations),
-            Drawing(tuple(request.source.outline for request in solved.requests)),
+            Drawing(tuple(request.source.outline for request in requests)),
             frame,
-            contours([design.pattern for design in solved.designs], self.settings),
+            contours([design.pattern for design in designs], self.settings, fair=False),
             size(inflations[0]),
             inflations[0].volume,
-            remarks(findings, frame, SIDE),
-            solved,
-            self.file,
+            fitted=True,
         )
 
 
@@ -140,8 +156,3 @@ class CutOut:
         buffer.open(QtCore.QIODevice.WriteOnly)
         image.save(buffer, "PNG")
         return bytes(buffer.data())
-
-
-def _go_on(progress) -> None:
-    if not progress(0.0, ""):
-        raise Cancelled(translate("Stopped."))
