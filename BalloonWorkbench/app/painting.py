@@ -15,10 +15,10 @@ from BalloonWorkbench.app.create import Parts
 from BalloonWorkbench.app.outline import DRAWN_AS, set_drawing
 from BalloonWorkbench.app.solve import Request
 from BalloonWorkbench.core.design.design import Design
+from BalloonWorkbench.core.errors import Cancelled
 from BalloonWorkbench.core.job import Settings
 from BalloonWorkbench.core.outline.passages import linked
 from BalloonWorkbench.core.outline.segment import AUTO
-from BalloonWorkbench.core.errors import Cancelled
 from BalloonWorkbench.core.types import Progress, no_progress
 
 #: Name of the text in a PNG file that holds the strokes.

@@ -19,6 +19,7 @@ from PySide import QtCore
 sys.path[:0] = ["tests/gui", "tools"]
 
 import fish_painting as fish
+from brush import on_screen
 from player import Player
 
 _PATIENCE = 20.0  # s for one stroke
@@ -158,7 +159,6 @@ def _work():
 
 def _measure():
     from BalloonWorkbench.gui.paint import window as paint_window
-    from BalloonWorkbench.gui.paint.painting import SIDE
 
     App.newDocument("Strokes")
     player = Player()
@@ -176,11 +176,9 @@ def _measure():
         window.choose(_tool(tool))
         window.colour(colour)
         window.hand.set_thickness(max(1, round(width / (window.hand.tool.widening or 1.0))))
-        corner = canvas.mapToGlobal(QtCore.QPoint(0, 0))
-        shown = [canvas.paper.to_screen(QtCore.QPointF(SIDE * x, SIDE * y)) for x, y in places]
         screen.reset()
         work = _work()
-        player.play([(corner.x() + at.x(), corner.y() + at.y()) for at in shown], seconds)
+        player.play([on_screen(canvas, place) for place in places], seconds)
         _wait(player.has_played)
         _wait(lambda: screen.fitted is not None)
         released = player.released

@@ -4,12 +4,12 @@
 import math
 import time
 
+import hands
 import numpy as np
 import pytest
-from brush import close_window, open_window
+from brush import close_window, on_screen, open_window
 from player import Player
 
-import hands
 from BalloonWorkbench.gui.paint.painting import SIDE
 
 Qt = hands.QtCore.Qt
@@ -45,21 +45,13 @@ def scribble(count):
     return np.column_stack([0.3 + 0.4 * turns / turns[-1] + 0.06 * np.cos(turns), 0.5 + 0.2 * np.sin(turns)])
 
 
-def on_screen(canvas, places):
-    """Where places of the paper are on the screen, to whole pixels (n, 2)."""
-    corner = canvas.mapToGlobal(hands.QtCore.QPoint(0, 0))
-    shown = [canvas.paper.to_screen(hands.QtCore.QPointF(SIDE * x, SIDE * y)) for x, y in places]
-    return np.array([(round(corner.x() + at.x()), round(corner.y() + at.y())) for at in shown])
-
-
 def test_no_place_of_a_quick_stroke_is_lost(window, player, deaf):
-    canvas = window.canvas
-    places = on_screen(canvas, scribble(160))
-    player.play(places.tolist(), 0.4)
+    places = scribble(160)
+    player.play([on_screen(window.canvas, place) for place in places], 0.4)
     hands.wait_until(lambda: bool(window.painting.steps), 20)
-    drawn = on_screen(canvas, [(x / SIDE, y / SIDE) for x, y, _ in window.painting.steps[0].points])
-    away = np.linalg.norm(places[:, None] - drawn[None], axis=2).min(axis=1)
-    assert away.max() <= 2.0, f"{len(drawn)} points of {len(places)}, up to {away.max():.0f} px away"
+    drawn = np.array(window.painting.steps[0].points)[:, :2] / SIDE
+    away = np.linalg.norm(places[:, None] - drawn[None], axis=2).min(axis=1) * SIDE * window.canvas.paper.zoom
+    assert away.max() <= 2.0, f"{len(drawn)} points of {len(places)}, up to {away.max():.1f} px away"
 
 
 def test_the_mouse_is_as_before_when_the_window_is_closed(window):

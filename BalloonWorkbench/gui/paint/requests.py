@@ -15,7 +15,7 @@ from BalloonWorkbench.app.qt_picture import pixels
 from BalloonWorkbench.core.advice import finding_from
 from BalloonWorkbench.core.coach.coach import advise
 from BalloonWorkbench.core.design.draft import VERTICES, check_area, draft
-from BalloonWorkbench.core.errors import BalloonError, Cancelled, ExportError
+from BalloonWorkbench.core.errors import BalloonError, ExportError
 from BalloonWorkbench.core.job import Settings
 from BalloonWorkbench.core.outline.drawing import Drawing
 from BalloonWorkbench.gui.paint.look import Frame, Look, contours, drawn, seen, size, skin
