@@ -82,7 +82,9 @@ STROKES = (
 class _Screen:
     """When the view shows the balloon of the painting as it is.
 
-    draft, fitted  time.monotonic() at the end of the first frame with it; None as long as there is none
+    draft, fitted  (time.monotonic(), processor time of this process) at the end of the first frame with it;
+                   None as long as there is none
+    changed        the same when the window had the whole stroke
     """
 
     def __init__(self, window):
@@ -92,7 +94,7 @@ class _Screen:
 
         self._window = window
         self._rendered = False
-        self.expected = 0  # revision of the painting after the stroke
+        window.painting.changed.connect(self._changed)
         self.reset()
         view = Gui.activeDocument().activeView()
         callback = coin.SoCallback()
@@ -107,8 +109,11 @@ class _Screen:
         QtCore.QObject.connect(self._surface, QtCore.SIGNAL("frameSwapped()"), self._swapped)
 
     def reset(self):
-        self.draft = self.fitted = None
+        self.draft = self.fitted = self.changed = None
         self.before = self._window.painting.revision
+
+    def _changed(self):
+        self.changed = _now()
 
     def _render(self, _data, action):
         from pivy import coin
@@ -124,9 +129,9 @@ class _Screen:
         look, now = window.live.latest, window.painting.revision
         if window.hand.stroke is not None or now == self.before or look is None or look.revision != now:
             return
-        self.draft = self.draft or time.monotonic()
+        self.draft = self.draft or _now()
         if window.live.is_fitted():
-            self.fitted = self.fitted or time.monotonic()
+            self.fitted = self.fitted or _now()
 
 
 def _ancestry(widget):
@@ -152,9 +157,9 @@ def _pause(seconds):
     _wait(lambda: time.monotonic() >= end)
 
 
-def _work():
-    """Seconds of the processor that this process has used."""
-    return time.process_time()
+def _now():
+    """The clock and the processor time of this process [s]."""
+    return time.monotonic(), time.process_time()
 
 
 def _measure():
@@ -177,14 +182,14 @@ def _measure():
         window.colour(colour)
         window.hand.set_thickness(max(1, round(width / (window.hand.tool.widening or 1.0))))
         screen.reset()
-        work = _work()
         player.play([on_screen(canvas, place) for place in places], seconds)
         _wait(player.has_played)
         _wait(lambda: screen.fitted is not None)
-        released = player.released
-        row = {"stroke": name, "work": _work() - work}
-        for what, moment in (("draft", screen.draft), ("fitted", screen.fitted)):
-            row[what] = None if moment is None else moment - released
+        row = {"stroke": name}
+        for what in ("draft", "fitted"):
+            shown = getattr(screen, what)
+            row[what] = shown and shown[0] - player.released
+            row[f"{what}_work"] = shown and shown[1] - screen.changed[1]
         points = window.painting.steps and getattr(window.painting.steps[-1], "points", None)
         row["points"], row["places"] = len(points or ()), len(places)
         rows.append(row)
