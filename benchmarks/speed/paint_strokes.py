@@ -212,7 +212,9 @@ def _run():
     try:
         Gui.activateWorkbench("BalloonWorkbench")
         rows = _measure()
-        path = Path(os.environ.get("BALLOON_STROKES") or f"build/bench/painting{os.environ.get('SUITE', '')}.json")
+        path = Path(
+            os.environ.get("BALLOON_STROKES") or f"build/bench/painting{os.environ.get('SUITE', '')}.json"
+        )
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(json.dumps(rows, indent=1), encoding="utf-8")
     except BaseException:

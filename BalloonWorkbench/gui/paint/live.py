@@ -107,7 +107,9 @@ class Live(QtCore.QObject):
 
     def is_fitted(self) -> bool:
         """The latest look has the document's own balloon and belongs to the painting as it is."""
-        return self.latest is not None and self.latest.fitted and self.latest.revision == self.painting.revision
+        return (
+            self.latest is not None and self.latest.fitted and self.latest.revision == self.painting.revision
+        )
 
     def is_busy(self) -> bool:
         return self._glance is not None or self._study is not None or self._rest.isActive()
