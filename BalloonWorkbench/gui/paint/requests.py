@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is asked about a painting, each in a worker: a glance, quick and coarse; what the coach thinks of it;
-the study, which the document will have; and a picture without its background."""
+"""What is asked about a painting, each in a worker: a glance, quick and coarse; the study, which the document
+will have; and a picture without its background."""
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -13,18 +14,19 @@ import numpy as np
 from BalloonWorkbench.app import painting
 from BalloonWorkbench.app.qt_picture import pixels
 from BalloonWorkbench.core.advice import finding_from
-from BalloonWorkbench.core.coach.coach import advise
 from BalloonWorkbench.core.design.draft import VERTICES, check_area, draft
 from BalloonWorkbench.core.errors import BalloonError, ExportError
 from BalloonWorkbench.core.job import Settings
 from BalloonWorkbench.core.outline.drawing import Drawing
 from BalloonWorkbench.gui.paint.look import Frame, Look, contours, drawn, seen, size, skin
 from BalloonWorkbench.gui.paint.painting import SIDE
-from BalloonWorkbench.gui.paint.remarks import Remark, remarks
+from BalloonWorkbench.gui.paint.remarks import remarks
 from BalloonWorkbench.gui.qt import QtCore, QtGui, translate
 
 _MOST_SHAPES = 6  # at a glance
 _LEAST = 60  # vertices of a small shape
+_PAUSE = 0.5  # s between a fitted balloon and the rest of a study, looking whether to go on after
+_LOOK = 0.05  # s each
 
 
 @dataclass
@@ -62,34 +64,12 @@ class Glance:
 
 
 @dataclass
-class Counsel:
-    """What the coach expects of the balloon that was seen at a glance."""
-
-    look: Look
-    settings: Settings
-
-    @property
-    def revision(self) -> int:
-        """Of the painting."""
-        return self.look.revision
-
-    def solve(self, progress) -> tuple[Remark, ...]:
-        """Raises BalloonError where the shape is of no use, Cancelled when progress says stop."""
-        findings = []
-        for part in self.look.drawing.parts[:_MOST_SHAPES]:
-            painting.go_on(progress)
-            findings += advise(
-                part, self.settings.film, fitted=self.settings.correct, wanted=self.settings.wanted
-            ).findings
-        findings.sort(key=lambda finding: -finding.severity.rank)
-        return remarks(findings, self.look.frame, SIDE)
-
-
-@dataclass
 class Study:
     """The fitted balloons of an image, in the file that the document will have.
 
-    show  is given the look of the balloons as soon as they are fitted: what the document needs comes later
+    show        is given the look of the balloons as soon as they are fitted; what there is to tell about them
+                and what the document needs comes later
+    is_awaited  somebody waits for that
     """
 
     image: object
@@ -98,6 +78,7 @@ class Study:
     settings: Settings
     file: Path
     show: Callable[[Look], object] = bool
+    is_awaited: bool = False
 
     def solve(self, progress) -> Look:
         """Raises BalloonError where there is none, Cancelled when progress says stop."""
@@ -113,6 +94,7 @@ class Study:
         def fitted(requests, designs) -> None:
             looks.append(self._look(frame, requests, designs))
             self.show(looks[0])
+            self._pause(progress)
 
         solved = painting.solve(self.file, self.width, self.settings, progress, fitted)
         findings = [finding_from(data) for told in solved.told for data in told["advice"]]
@@ -121,6 +103,13 @@ class Study:
         return replace(
             looks[0], contours=pattern, remarks=remarks(findings, frame, SIDE), solved=solved, file=self.file
         )
+
+    def _pause(self, progress) -> None:
+        """The pen may be back soon: then the rest would be for nothing, and slow down the next glance."""
+        end = time.monotonic() + _PAUSE
+        while time.monotonic() < end and not self.is_awaited:
+            painting.go_on(progress)
+            time.sleep(_LOOK)
 
     def _look(self, frame: Frame, requests, designs) -> Look:
         """The balloons and the pattern, whose lines are not smooth yet."""
