@@ -60,6 +60,7 @@ class Scene:
         ):
             fit_points(view, _corners(coin, view, node), _AROUND)
             self._size = look.size
+        view.redraw()  # together with the canvas: each picture of the whole window takes its time
 
     def clear(self) -> None:
         """Take the balloon away."""
