@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The mouse of the X server itself: what it does reaches FreeCAD as from a hand, through the server's queue.
+"""The mouse and the keyboard of the X server itself: what they do reaches FreeCAD as from a hand, through the
+server's queue.
 
 Speaks the X protocol over the server's socket ("X Window System Protocol", X11R7; XTEST 2.2, FakeInput).
 """
@@ -9,9 +10,24 @@ import socket
 import struct
 from pathlib import Path
 
-_PRESS, _RELEASE, _MOVE = 4, 5, 6  # kinds of events
-_LEFT = 1
-_QUERY_EXTENSION, _FAKE_INPUT = 98, 2  # requests
+_KEY_PRESS, _KEY_RELEASE, _PRESS, _RELEASE, _MOVE = 2, 3, 4, 5, 6  # kinds of events
+LEFT, MIDDLE, RIGHT, WHEEL_UP, WHEEL_DOWN = 1, 2, 3, 4, 5
+_QUERY_EXTENSION, _KEYBOARD_MAPPING, _FAKE_INPUT = 98, 101, 2  # requests
+#: Names of keys that are no letters, and their numbers ("keysyms").
+_KEYS = {
+    "Return": 0xFF0D,
+    "Escape": 0xFF1B,
+    "Tab": 0xFF09,
+    "BackSpace": 0xFF08,
+    "Delete": 0xFFFF,
+    "Home": 0xFF50,
+    "End": 0xFF57,
+    "Up": 0xFF52,
+    "Down": 0xFF54,
+    "Shift": 0xFFE1,
+    "Ctrl": 0xFFE3,
+    "Alt": 0xFFE9,
+}
 
 
 class Pointer:
@@ -26,23 +42,48 @@ class Pointer:
             struct.pack("<BxHHHHxx", ord("l"), 11, 0, len(name), len(key)) + _padded(name) + _padded(key)
         )
         accepted, length = struct.unpack("<BxxxxxH", self._read(8))
-        self._read(4 * length)
+        screen = self._read(4 * length)
         assert accepted == 1, "the X server accepts no connection"
         extension = b"XTEST"
         request = struct.pack("<BxHHxx", _QUERY_EXTENSION, 4, len(extension))
         self._socket.sendall(request + _padded(extension))
         there, self._xtest = struct.unpack("<xxxxxxxxBB22x", self._read(32))
         assert there, "the X server has no XTEST"
+        self._keys = self._keyboard(*screen[26:28])
 
     def move(self, x, y):
         """To a pixel of the screen."""
         self._fake(_MOVE, 0, x, y)
 
-    def press(self):
-        self._fake(_PRESS, _LEFT)
+    def press(self, button=LEFT):
+        self._fake(_PRESS, button)
 
-    def release(self):
-        self._fake(_RELEASE, _LEFT)
+    def release(self, button=LEFT):
+        self._fake(_RELEASE, button)
+
+    def key(self, *names):
+        """Keys that are pressed together, such as "Ctrl", "z"; a sign is typed as a keyboard of the US has it."""
+        held = []
+        for name in names:
+            code, shifted = self._keys[_KEYS.get(name) or ord(name)]
+            if shifted:
+                held.append(self._keys[_KEYS["Shift"]][0])
+            held.append(code)
+        for kind, codes in ((_KEY_PRESS, held), (_KEY_RELEASE, reversed(held))):
+            for code in codes:
+                self._fake(kind, code)
+
+    def _keyboard(self, first, last):
+        """Code of the key, and whether Shift is held, for each sign of the server's keyboard."""
+        self._socket.sendall(struct.pack("<BxHBBxx", _KEYBOARD_MAPPING, 2, first, last - first + 1))
+        each, length = struct.unpack("<xBxxI24x", self._read(32))
+        signs = struct.unpack(f"<{length}I", self._read(4 * length))
+        keys = {}
+        for place, sign in enumerate(signs):
+            code, level = first + place // each, place % each
+            if sign and level < 2:
+                keys.setdefault(sign, (code, level == 1))
+        return keys
 
     def close(self):
         self._socket.close()

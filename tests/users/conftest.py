@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""FreeCAD's window fills the screen, and a user with hands of flesh sits in front of it."""
+
+import sys
+from pathlib import Path
+
+import FreeCAD as App
+import FreeCADGui as Gui
+import pytest
+
+_TESTS = Path(__file__).resolve().parents[1]
+sys.path += [str(_TESTS / "gui"), str(_TESTS / "app"), str(_TESTS.parent / "tools"), str(_TESTS / "users")]
+
+import hands
+from brush import close_window
+from story import Story
+from user import User
+
+from BalloonWorkbench.core import faults
+
+
+@pytest.fixture(scope="session", autouse=True)
+def window():
+    main, size = Gui.getMainWindow(), hands.QtWidgets.QApplication.primaryScreen().size()
+    hands.QtWidgets.QApplication.setEffectEnabled(hands.QtCore.Qt.UI_AnimateCombo, False)
+    main.statusBar().clearMessage()
+    main.showNormal()
+    main.setGeometry(0, 0, size.width(), size.height())
+    hands.wait(0.5)
+    assert main.size() == size, "FreeCAD's window does not fit the screen"
+    return main
+
+
+@pytest.fixture(autouse=True)
+def workbench(monkeypatch):
+    """Our workbench, a clean window afterwards, and no fault of the program."""
+    told, report = [], faults.report_fault
+
+    def reported(error, doing):
+        told.append(f"{doing}: {error!r}")
+        return report(error, doing)
+
+    monkeypatch.setattr(faults, "report_fault", reported)
+    Gui.activateWorkbench("BalloonWorkbench")
+    hands.wait(0.5)
+    yield
+    close_window()
+    if hands.panel_is_open():
+        hands.leave()
+    for document in list(App.listDocuments()):
+        App.closeDocument(document)
+    hands.wait(0.2)
+    assert not told
+
+
+@pytest.fixture
+def user():
+    someone = User()
+    yield someone
+    someone.close()
+
+
+@pytest.fixture
+def story(request):
+    """Named after its test; its end tells all faults."""
+    told = Story(request.node.name.removeprefix("test_"))
+    yield told
+    told.end()

@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A CAD engineer makes a balloon of a sketch, changes it, has it cut, adds a second one, and saves."""
+
+import FreeCAD as App
+import FreeCADGui as Gui
+import hands
+import pytest
+import sketches
+
+from BalloonWorkbench.app import status
+
+
+def ready(doc):
+    balloons = [obj for obj in doc.Objects if type(getattr(obj, "Proxy", None)).__name__ == "BalloonProxy"]
+    return bool(balloons) and all(obj.Status == status.READY for obj in balloons)
+
+
+def solved():
+    return hands.find("Apply").isVisible()
+
+
+def test_engineer(user, story, tmp_path):
+    doc = App.newDocument("Bracket")
+    hands.wait(0.3)
+    drawn = sketches.rectangle(doc, 90, 60)
+    Gui.SendMsgToActiveView("ViewFit")
+    user.select(drawn)
+    story.step("sketch-selected")
+    user.command("BalloonWorkbench_FromSketch")
+    hands.wait_until(hands.panel_is_seen)
+    story.step("panel-opens")
+    hands.wait_until(lambda: ready(doc) and solved(), 60)
+    story.step("inflated")
+    for number in range(hands.find("Steps").count()):
+        tabs = hands.find("Steps").tabBar()
+        user.click(tabs.mapToGlobal(tabs.tabRect(number).center()))
+        hands.wait_until(solved, 60)
+        story.step(f"page-{number + 1}")
+    user.panel("Ok")
+    hands.wait_until(hands.panel_is_closed, 60)
+    balloon, pattern = doc.Balloon, doc.Pattern
+    story.expect("001" not in balloon.Label, f"the first balloon is called {balloon.Label}")
+    story.step("ok")
+
+    drawn.setDatum("Width", App.Units.Quantity("140 mm"))
+    user.click(hands.visible(hands.QtWidgets.QMenuBar)[0].mapToGlobal(hands.QtCore.QPoint(400, 10)))
+    user.key("Escape")
+    doc.recompute()
+    hands.wait(0.5)
+    story.expect(balloon.InflatedWidth.Value == pytest.approx(140, rel=0.03), "the balloon is not 140 mm wide")
+    story.step("dimension-140")
+
+    user.open_in_tree(balloon)
+    hands.wait_until(hands.panel_is_seen)
+    field = hands.find("Pressure")
+    hands.show_tab(field)
+    user.click(field.mapToGlobal(hands.QtCore.QPoint(20, field.height() // 2)))
+    story.step("pressure-page")
+    give_expression(user, field, "1 kPa + 2 kPa", story)
+    hands.wait_until(lambda: balloon.Pressure.Value == pytest.approx(3), 20)
+    user.panel("Ok")
+    hands.wait_until(hands.panel_is_closed, 60)
+    story.expect(bool(balloon.ExpressionEngine), "the expression was not kept")
+    story.step("expression")
+
+    user.select(balloon)
+    user.command("BalloonWorkbench_Advice")
+    hands.wait_until(hands.panel_is_seen)
+    hands.wait(2.0)
+    story.step("advice")
+    user.panel("Close" if hands.panel_buttons()[0].button(hands.QtWidgets.QDialogButtonBox.Close) else "Cancel")
+    hands.wait_until(hands.panel_is_closed)
+
+    user.select(pattern)
+    user.command("BalloonWorkbench_ExportPattern")
+    hands.wait_until(hands.panel_is_seen)
+    user.choose(hands.find("Machine"), "LightBurn")
+    story.step("export-machine")
+    story.expect("Bracket" in hands.find("File").text() or "Rectangle" in hands.find("File").text(),
+                 f"the file is not called after the balloon: {hands.find('File').text()}")
+    user.replace(hands.find("File"), str(tmp_path / "bracket.dxf"), confirm=False)
+    story.step("export-file")
+    user.panel("Ok")
+    hands.wait_until(hands.panel_is_closed)
+    assert (tmp_path / "bracket.dxf").exists()
+    story.step("exported")
+
+    second = sketches.sketch(doc, *sketches.polygon((0, 0), (70, 0), (35, 60)), name="Triangle")
+    user.select(second)
+    user.command("BalloonWorkbench_FromSketch")
+    hands.wait_until(hands.panel_is_seen)
+    hands.wait_until(lambda: ready(doc) and solved(), 60)
+    story.step("second-panel")
+    user.panel("Ok")
+    hands.wait_until(hands.panel_is_closed, 60)
+    user.key("v")
+    user.key("f")
+    story.step("second")
+
+    names = [obj.Name for obj in doc.Objects]
+    user.key("Ctrl", "z")
+    hands.wait(0.5)
+    story.expect(len(doc.Objects) < len(names), "undo left the second balloon")
+    story.step("undone")
+    user.key("Ctrl", "Shift", "z")
+    hands.wait(0.5)
+    story.expect([obj.Name for obj in doc.Objects] == names, "redo did not bring the second balloon back")
+    story.step("redone")
+
+    with user.answering(tmp_path / "bracket.FCStd"):
+        user.key("Ctrl", "s")
+        hands.wait_until(lambda: (tmp_path / "bracket.FCStd").exists(), 20)
+    App.closeDocument(doc.Name)
+    App.openDocument(str(tmp_path / "bracket.FCStd"))
+    hands.wait(1.0)
+    doc = App.ActiveDocument
+    story.expect(ready(doc), "the balloons are not ready after opening")
+    story.step("reopened")
+
+
+def give_expression(user, field, text, story):
+    """Press = in a field, type, confirm: FreeCAD's own dialog."""
+    from hands import QtCore, QtWidgets
+
+    done = []
+
+    def look():
+        for dialog in hands.visible(QtWidgets.QDialog):
+            if "Expression" in dialog.metaObject().className() and not done:
+                done.append(True)
+                user.key("Ctrl", "a")
+                user.write(text)
+                hands.wait(0.3)
+                story.step("expression-dialog")
+                user.key("Return")
+
+    timer = QtCore.QTimer()
+    timer.timeout.connect(look)
+    timer.start(300)
+    user.write("=")
+    hands.wait(1.5)
+    timer.stop()
+    assert done, "no dialog for an expression came"
