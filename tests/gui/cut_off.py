@@ -42,14 +42,19 @@ def _narrow(widget):
             yield f"{_name(widget)} is cut off: {widget.width()} px of {widget.sizeHint().width()}"
     elif isinstance(widget, QtWidgets.QAbstractButton):
         needed = widget.minimumSizeHint().width()
-        if widget.objectName() not in _QTS_OWN and needed > room:
+        own = widget.metaObject().className().startswith("Gui::") or widget.objectName() in _QTS_OWN
+        if needed > room and not own:
             yield f"{_name(widget)} is cut off: {widget.width()} px of {needed}"
     elif isinstance(widget, QtWidgets.QComboBox):
         needed = widget.fontMetrics().boundingRect(widget.currentText()).width() + 24
         if needed > room:
             yield f"{_name(widget)} {widget.currentText()!r} is cut off: {widget.width()} px of {needed}"
-    elif isinstance(widget, QtWidgets.QLineEdit) and widget.text():
-        needed = widget.fontMetrics().boundingRect(widget.text()).width() + 6
+    elif isinstance(widget, QtWidgets.QListWidget) and widget.count():
+        last = widget.visualItemRect(widget.item(widget.count() - 1)).bottom()
+        if last > widget.viewport().height() + _SLACK and not widget.verticalScrollBar().isVisible():
+            yield f"{_name(widget)} is too low: {widget.viewport().height()} px of {last}"
+    elif isinstance(widget, QtWidgets.QLineEdit):
+        needed = widget.fontMetrics().boundingRect(widget.text() or widget.placeholderText()).width() + 6
         if needed > room:
             yield f"{_name(widget)} is cut off: {widget.width()} px of {needed}"
 

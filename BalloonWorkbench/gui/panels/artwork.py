@@ -45,8 +45,9 @@ class ArtworkPanel(ObjectPanel):
         self.message.setObjectName("ArtworkMessage")
         self.message.setWordWrap(True)
         form = NarrowForm(self.form)
-        form.addRow(translate("Front"), self.front)
-        form.addRow(translate("Back"), self.back)
+        for text, row in ((translate("Front"), self.front), (translate("Back"), self.back)):
+            form.addRow(QtWidgets.QLabel(text))
+            form.addRow(row)
         form.addRow(translate("Bleed"), self.fields.quantity("Bleed", "mm"))
         form.addRow(translate("Dots per inch"), self.fields.number("Resolution", 50.0, 0, 2400.0))
         form.addRow(translate("Shown side"), self.fields.choice("Side"))

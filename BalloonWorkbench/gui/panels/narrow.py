@@ -70,7 +70,7 @@ class FullList(QtWidgets.QListWidget):
     def fit(self) -> None:
         """Take the height of the rows, as wide as they are now."""
         self.doItemsLayout()
-        rows = sum(self.sizeHintForRow(row) for row in range(self.count()))
+        rows = self.visualItemRect(self.item(self.count() - 1)).bottom() + self.verticalScrollBar().value()
         height = max(rows, self.fontMetrics().height()) + 2 * self.frameWidth() + 4
         scrolls = height > self._highest
         policy = QtCore.Qt.ScrollBarAsNeeded if scrolls else QtCore.Qt.ScrollBarAlwaysOff
