@@ -16,6 +16,7 @@ import sketches
 
 from BalloonWorkbench.app import create
 from BalloonWorkbench.core import faults
+from BalloonWorkbench.gui import choose
 
 
 @pytest.fixture(autouse=True)
@@ -30,6 +31,12 @@ def workbench():
         App.closeDocument(name)
     hands.wait(0.05)
     assert not hands.panel_is_open()
+
+
+@pytest.fixture(autouse=True)
+def no_file_chosen(monkeypatch):
+    """A new balloon from a picture begins without a file: the tests type one. test_choose.py chooses them."""
+    monkeypatch.setattr(choose, "ask_for_drawing", lambda _parent: "")
 
 
 @pytest.fixture(autouse=True)

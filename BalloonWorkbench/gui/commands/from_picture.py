@@ -12,7 +12,7 @@ from BalloonWorkbench.gui.qt import icon, translate
 
 
 class FromPicture:
-    """Makes the objects of a balloon and opens their panel on a file."""
+    """Asks for a file, makes the objects of its balloon and opens their panel."""
 
     def GetResources(self):
         return {
@@ -28,14 +28,20 @@ class FromPicture:
         return not Gui.Control.activeDialog()
 
     def Activated(self):
-        from BalloonWorkbench.gui import record
+        from BalloonWorkbench.gui import choose, record
         from BalloonWorkbench.gui.panels import show
         from BalloonWorkbench.gui.panels.balloon import BalloonPanel
 
+        path = choose.ask_for_drawing(Gui.getMainWindow())
+        if path is None:
+            return
         doc = App.ActiveDocument
         fresh = doc is None
         if fresh:
             doc = App.newDocument("Balloon")
         with undo_step(doc, translate("New balloon from picture")):
             parts, edit = record.begin(doc)
-            show(BalloonPanel(parts, new_document=fresh, edit=edit))
+            panel = BalloonPanel(parts, new_document=fresh, edit=edit)
+            show(panel)
+        if path:
+            panel.begin_with(path)

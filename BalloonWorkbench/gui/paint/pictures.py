@@ -6,13 +6,12 @@ from __future__ import annotations
 from pathlib import Path
 
 from BalloonWorkbench.core.errors import BalloonError
+from BalloonWorkbench.gui.choose import ask_for_picture
 from BalloonWorkbench.gui.paint.painting import Painting, picture_from
 from BalloonWorkbench.gui.paint.requests import CutOut
 from BalloonWorkbench.gui.paint.strokes import Picture
-from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
+from BalloonWorkbench.gui.qt import QtCore
 from BalloonWorkbench.gui.worker import Worker
-
-_ENDINGS = "*.png *.jpg *.jpeg *.bmp *.webp"
 
 
 class Pictures(QtCore.QObject):
@@ -27,9 +26,7 @@ class Pictures(QtCore.QObject):
 
     def choose(self, as_paint: bool) -> None:
         """Ask for a file and put it on or under the paper."""
-        path, _ = QtWidgets.QFileDialog.getOpenFileName(
-            self.parent(), translate("Choose a picture"), "", translate("Pictures") + f" ({_ENDINGS})"
-        )
+        path = ask_for_picture(self.parent(), "webp")
         if path:
             (self.put_on if as_paint else self.lay_under)(Path(path))
 

@@ -9,6 +9,7 @@ from BalloonWorkbench.app import artwork, status, values
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.gui import record
 from BalloonWorkbench.gui.borders import undo_step
+from BalloonWorkbench.gui.choose import ask_for_picture
 from BalloonWorkbench.gui.paint.display import MODE
 from BalloonWorkbench.gui.panels import show
 from BalloonWorkbench.gui.panels.narrow import NarrowForm
@@ -16,8 +17,6 @@ from BalloonWorkbench.gui.panels.object_panel import ObjectPanel
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.sentences import tell
 from BalloonWorkbench.gui.user_units import size_text
-
-_ENDINGS = "*.png *.jpg *.jpeg *.bmp"
 
 
 def show_panel(obj) -> None:
@@ -151,8 +150,6 @@ class PictureRow(QtWidgets.QWidget):
             self.chosen.emit(self.name, self.file.text().strip())
 
     def _browse(self) -> None:
-        path, _ = QtWidgets.QFileDialog.getOpenFileName(
-            self, translate("Choose a picture"), "", translate("Pictures") + f" ({_ENDINGS})"
-        )
+        path = ask_for_picture(self)
         if path:
             self.chosen.emit(self.name, path)

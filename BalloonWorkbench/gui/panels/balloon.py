@@ -23,6 +23,7 @@ from BalloonWorkbench.app.solve import Told
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.gui.borders import Panel
 from BalloonWorkbench.gui.fit import fit_all
+from BalloonWorkbench.gui.panels.draft import DraftView
 from BalloonWorkbench.gui.panels.file_box import FileBox
 from BalloonWorkbench.gui.panels.film_box import FilmBox
 from BalloonWorkbench.gui.panels.pages import Pages
@@ -91,6 +92,8 @@ class BalloonPanel(Panel):
         self.result.stopped.connect(self.stop)
         self.result.live_changed.connect(self.values_changed)
         self.result.asked_for.connect(self.accept_and_go)
+        self.draft = DraftView(parts, self.result)
+        self.draft.drawn.connect(self.show_draft)
         self.watch = Watch(parts, self.abandon)
         self.pages.setCurrentIndex(parts.index(start) if start in parts else 0)
         self.show_state()
@@ -106,6 +109,10 @@ class BalloonPanel(Panel):
         if hasattr(box, "refused"):
             box.refused.connect(lambda text: self.result.show_message(text, warning=True))
         return box
+
+    def begin_with(self, path: str):
+        """Take a file as the drawing of a new balloon."""
+        self.pages.boxes[0].choose(path)
 
     # the dialog
 
@@ -149,6 +156,7 @@ class BalloonPanel(Panel):
             self.worker.stop()
             self.worker.wait()
             self.worker = None
+        self.draft.clear()
         for box in (*self.pages.boxes, self.result):
             box.release()
         Gui.Control.closeDialog()
@@ -228,6 +236,8 @@ class BalloonPanel(Panel):
         self.worker.finished.connect(self.work_done)
         self.result.start()
         self.worker.start()
+        if not self.parts.balloon.SolvedFor:
+            self.draft.begin(wanted)
         return False
 
     def stop(self):
@@ -254,6 +264,7 @@ class BalloonPanel(Panel):
         if worker.design is None:
             self.fail(worker.error)
             return
+        self.draft.clear()
         try:
             balloon_object.show(self.parts.balloon, worker.request, *worker.design)
         except BalloonError as error:
@@ -297,8 +308,14 @@ class BalloonPanel(Panel):
         finally:
             self.busy -= 1
 
+    def show_draft(self, draft):
+        """Its measures, while the engine looks for the balloon."""
+        self.result.show_draft(draft.inflation)
+        fit_all(Gui.getDocument(self.doc.Name))
+
     def fail(self, error: BalloonError):
         self.closing = False
+        self.draft.clear()
         self.show_state()
         self.result.show_message(str(error), warning=True)
 

@@ -7,13 +7,11 @@ import os
 
 from BalloonWorkbench.app.drawing import place_in_picture
 from BalloonWorkbench.app.outline import DRAWN_AS, set_drawing
-from BalloonWorkbench.gui import record
+from BalloonWorkbench.gui import choose, record
 from BalloonWorkbench.gui.panels.fields import Fields, ReturnKey
 from BalloonWorkbench.gui.panels.narrow import NarrowForm
 from BalloonWorkbench.gui.panels.preview import Preview, notes_of
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
-
-_ENDINGS = "*.png *.jpg *.jpeg *.bmp *.svg *.dxf *.json"
 
 
 class FileBox(QtWidgets.QWidget):
@@ -88,9 +86,7 @@ class FileBox(QtWidgets.QWidget):
         self.fields.release()
 
     def _browse(self) -> None:
-        path, _ = QtWidgets.QFileDialog.getOpenFileName(
-            self, translate("Choose a drawing"), "", translate("Drawings") + f" ({_ENDINGS})"
-        )
+        path = choose.ask_for_drawing(self)
         if path:
             self.choose(path)
 

@@ -4,11 +4,12 @@
 from __future__ import annotations
 
 import FreeCADGui as Gui
+import numpy as np
 
 from BalloonWorkbench.app import status
 from BalloonWorkbench.app.balloon import VOLUME
-from BalloonWorkbench.app.quantities import pascals
-from BalloonWorkbench.core.units import from_grams, mass_text, percent_text
+from BalloonWorkbench.app.quantities import cubic_millimetres, pascals
+from BalloonWorkbench.core.units import from_grams, mass_text, percent_text, to_mm
 from BalloonWorkbench.gui.panels.fields import Fields
 from BalloonWorkbench.gui.panels.maker_rows import MakerRows, value_label
 from BalloonWorkbench.gui.panels.narrow import NarrowForm
@@ -141,10 +142,24 @@ class ResultBox(QtWidgets.QWidget):
         """The text that is shown."""
         return self._message.text()
 
-    def show_result(self, parts) -> None:
-        """The measures of the balloon, and what its objects have to say."""
+    def show_draft(self, inflation) -> None:
+        """About what the balloon will measure; an Inflation of the core."""
+        self._clear_measures()
+        width, height, half = to_mm(np.ptp(inflation.positions, axis=0)).tolist()
+        for name, text in (
+            (translate("Size"), size_text(width, height)),
+            (translate("Thickness"), length_text(2.0 * half)),
+            (translate("Volume"), volume_text(cubic_millimetres(inflation.volume))),
+        ):
+            self._measures.addRow(name, value_label(translate("about {}").format(text)))
+
+    def _clear_measures(self) -> None:
         while self._measures.rowCount():
             self._measures.removeRow(0)
+
+    def show_result(self, parts) -> None:
+        """The measures of the balloon, and what its objects have to say."""
+        self._clear_measures()
         outline, balloon, pattern = parts
         self._fields.refresh()
         for button in self._steps:
