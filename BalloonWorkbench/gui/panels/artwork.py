@@ -102,7 +102,7 @@ class ArtworkPanel(ObjectPanel):
             self.message.setText(tell(str(error)))
         else:
             record.call("export", record.obj(self.obj), record.text(folder))
-            told = translate("{} files written to {}").format(len(written), folder)
+            told = translate("Files written to {}").format(folder)
             self.message.setText(told)
 
     def accept(self):
