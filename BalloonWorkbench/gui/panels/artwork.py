@@ -97,7 +97,7 @@ class ArtworkPanel(ObjectPanel):
             return
         self.fields.finish_typing()
         try:
-            written = artwork.write(self.obj, folder)
+            artwork.write(self.obj, folder)
         except BalloonError as error:
             self.message.setText(tell(str(error)))
         else:
