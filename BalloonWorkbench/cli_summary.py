@@ -76,10 +76,10 @@ def _strength(strong: dict[str, Any], seam: str, pressure: float, say: Say) -> l
     lines = [say(f"Safe pressure: {safely}")]
     if safe < pressure:
         lines = [say(f"Safe pressure: {safely}, less than its {pressure_text(pressure)}")]
-    place = f"{weakest} at {place_text(from_mm(np.array(strong['weakest_at_mm'][:2])))}"
+    place = place_text(from_mm(np.array(strong["weakest_at_mm"][:2])))
     if strong["at_rest"]:
-        return [*lines, say(f"Weakest place: {place}")]
-    return [*lines, say(f"Weakest place: {place}, estimated: the film did not come to rest")]
+        return [*lines, say(f"Weakest place: {weakest} at {place}")]
+    return [*lines, say(f"Weakest place: {weakest} at {place}, estimated: the film did not come to rest")]
 
 
 def _advice(finding: dict[str, Any], say: Say) -> str:

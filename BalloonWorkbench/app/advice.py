@@ -22,7 +22,7 @@ OUTLINE_PROPERTIES = (
         "StringList",
         "Repairs",
         "Drawing",
-        "What the coach has changed in the drawing, one repair each; delete an entry to take it back",
+        "Repairs that were made in the drawing, one each; delete an entry to take it back",
     ),
     Property(
         "Float", "DrawnSize", "Drawing", "Larger dimension before repairs, in mm", result=True, hidden=True

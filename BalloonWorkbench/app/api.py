@@ -105,7 +105,7 @@ def repair(made: Parts, rule: str, near=(0.0, 0.0)) -> None:
         return
     found = [each for each in coach.findings(made) if each.rule == rule and each.repair is not None]
     if not found:
-        raise InputError(f'The coach finds no "{rule}" to repair in {made.balloon.Label}: see its advice.')
+        raise InputError(f'There is no "{rule}" to repair in {made.balloon.Label}: see its advice.')
     x, y = near
     nearest = min(found, key=lambda each: (to_mm(each.place[0]) - x) ** 2 + (to_mm(each.place[1]) - y) ** 2)
     coach.take(made, nearest.repair)

@@ -175,7 +175,7 @@ def write(obj, folder, machine_names=("any-dxf", "any-svg")) -> list[Path]:
 
     written = list(write_files(folder, hooks.work(f"Writing {obj.Label}", made)))
     for doubt in dict.fromkeys(doubts):
-        App.Console.PrintWarning(f"{doubt}\n")
+        App.Console.PrintMessage(f"{doubt}\n")
     return written
 
 

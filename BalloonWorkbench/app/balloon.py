@@ -81,7 +81,7 @@ PROPERTIES = (
     Property(
         "Bool", "Reached", "Result", "The silhouette is within the tolerance of the drawing", result=True
     ),
-    Property("Bool", "Converged", "Result", "The mesh shown is an equilibrium", result=True),
+    Property("Bool", "Converged", "Result", "The balloon shown has come to rest", result=True),
     Property("Integer", "Passes", "Result", "Corrections of the pattern", result=True),
     Property("Integer", "NewtonSteps", "Result", "Steps of the solver in the last inflation", result=True),
     Property("String", "ActiveBackend", "Result", "Solver that was used", result=True),

@@ -81,8 +81,7 @@ def own_folder():
 
 
 def _own_films() -> dict:
-    import FreeCAD as App
-
+    from BalloonWorkbench.app import hooks
     from BalloonWorkbench.core.data_file import data_files
     from BalloonWorkbench.core.errors import InputError
     from BalloonWorkbench.core.film.library import read_film
@@ -92,7 +91,7 @@ def _own_films() -> dict:
         try:
             found[path.stem] = read_film(path)
         except InputError as error:
-            App.Console.PrintWarning(f"{error}\n")
+            hooks.report(error)
     return found
 
 

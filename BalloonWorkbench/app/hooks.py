@@ -8,7 +8,7 @@ from typing import Any
 
 import FreeCAD as App
 
-from BalloonWorkbench.core.errors import BalloonError
+from BalloonWorkbench.core.errors import BalloonError, ProgramFault
 
 
 def dress(obj) -> None:
@@ -20,9 +20,15 @@ def say(text: str) -> str:
     return text
 
 
+def report(error: BalloonError, about: str = "") -> None:
+    """A line in the report view. Red or orange ones open it, so only a fault of the program is red."""
+    write = App.Console.PrintError if isinstance(error, ProgramFault) else App.Console.PrintMessage
+    write(f"{about}: {error}\n" if about else f"{error}\n")
+
+
 def tell(error: BalloonError) -> None:
     """Say what went wrong where nobody waits for an answer; the window says it where the user looks."""
-    App.Console.PrintError(f"{error}\n")
+    report(error)
 
 
 def work(title: str, job: Callable[..., Any]) -> Any:

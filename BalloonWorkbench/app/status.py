@@ -9,8 +9,7 @@ from __future__ import annotations
 
 from contextlib import contextmanager
 
-import FreeCAD as App
-
+from BalloonWorkbench.app import hooks
 from BalloonWorkbench.core import faults
 
 READY = "up to date"
@@ -72,4 +71,4 @@ def reported(obj, has_result: bool):
     except faults.UNFORESEEN as error:
         told = faults.as_balloon_error(error, f"{obj.Name}: recompute")
         set_problem(obj, has_result, str(told))
-        App.Console.PrintError(f"{obj.Label}: {told}\n")
+        hooks.report(told, obj.Label)

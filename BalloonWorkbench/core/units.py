@@ -153,7 +153,7 @@ def place_text(point: NDArray[np.float64]) -> str:
 
 def parse_length(text: str | float) -> float:
     """'300mm', '30 cm', '12in', or a plain number in metres -> m. InputError where it makes no sense."""
-    return _parse(text, LENGTH_UNITS, "length", "300mm, 30cm, 0.3m or 12in")
+    return _parse(text, LENGTH_UNITS, "length", "300mm, 30cm, 0.3m, 12in")
 
 
 def parse_size(text: str, plain: str = "m") -> tuple[float, float | None]:
@@ -171,17 +171,17 @@ def parse_size(text: str, plain: str = "m") -> tuple[float, float | None]:
 
 def parse_pressure(text: str | float) -> float:
     """'2kPa', '20 mbar', '5 psi', or a plain number in pascals -> Pa. InputError where it makes no sense."""
-    return _parse(text, PRESSURE_UNITS, "pressure", "2kPa, 20mbar or 0.3psi")
+    return _parse(text, PRESSURE_UNITS, "pressure", "2kPa, 20mbar, 0.3psi")
 
 
 def parse_volume(text: str | float, plain: str = "m3") -> float:
     """'5l', '250 ml', or a number in the plain unit -> m3. InputError where it makes no sense."""
-    return _parse(text, VOLUME_UNITS, "volume", "5l, 250ml or 0.005m3", plain)
+    return _parse(text, VOLUME_UNITS, "volume", "5l, 250ml, 0.005m3", plain)
 
 
 def parse_mass(text: str | float, plain: str = "kg") -> float:
     """'5g', '0.1 oz', '0.05N' or a number in the plain unit -> kg. InputError where it makes no sense."""
-    return _parse(text, MASS_UNITS, "mass", "5g, 0.2oz or 0.05N", plain)
+    return _parse(text, MASS_UNITS, "mass", "5g, 0.2oz, 0.05N", plain)
 
 
 def parse_temperature(text: str | float) -> float:
@@ -216,5 +216,5 @@ def _parse(
     factor = units.get(unit) if unit else 1.0
     value = float(match[1]) * factor if match and factor is not None else math.nan
     if not math.isfinite(value):
-        raise InputError(f"'{text}' is not a {what}; write it as {examples}.")
+        raise InputError(f"'{text}' is not a {what}; write it like {examples}.")
     return value

@@ -10,6 +10,7 @@ from __future__ import annotations
 import FreeCAD as App
 import FreeCADGui as Gui
 
+from BalloonWorkbench.app import hooks
 from BalloonWorkbench.app.host import COLOUR_PROPERTIES, is_replaying
 from BalloonWorkbench.app.properties import QT_TRANSLATE_NOOP
 from BalloonWorkbench.core.errors import BalloonError
@@ -125,7 +126,7 @@ class BalloonDisplay:
             for node in curve_nodes(self.vobj.Object):
                 self._curves.addChild(node)
         except BalloonError as error:
-            App.Console.PrintError(f"{self.vobj.Object.Label}: {error}\n")
+            hooks.report(error, self.vobj.Object.Label)
         self._curves.whichChild.setValue(coin.SO_SWITCH_ALL)
 
     def _couple(self, name: str) -> None:

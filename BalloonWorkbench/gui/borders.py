@@ -18,6 +18,7 @@ from weakref import ref
 import FreeCAD as App
 import FreeCADGui as Gui
 
+from BalloonWorkbench.app import hooks
 from BalloonWorkbench.core import faults
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
@@ -47,7 +48,7 @@ def tell(error: BalloonError) -> None:
     if text == _last[0] and now < _last[1] + _ONCE:
         return
     _last[:] = text, now
-    App.Console.PrintError(f"{text}\n")
+    hooks.report(error)
     if threading.current_thread() is threading.main_thread():
         QtCore.QTimer.singleShot(0, partial(_show, error))  # Qt may be amid painting or deleting
 

@@ -14,7 +14,7 @@ from BalloonWorkbench.core.solver import library
 def tell_missing() -> None:
     """A line in the report view for each package that is missing, and for a damaged library; loads none."""
     for sentence in [*packages.missing(), *library.damaged()]:
-        App.Console.PrintWarning(f"Film Balloon: {sentence}\n")
+        App.Console.PrintMessage(f"Film Balloon: {sentence}\n")
 
 
 def described() -> list[str]:

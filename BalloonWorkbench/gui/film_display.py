@@ -3,8 +3,7 @@
 
 from __future__ import annotations
 
-import FreeCAD as App
-
+from BalloonWorkbench.app import hooks
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.film.film import Look
 from BalloonWorkbench.gui.film_look import FilmLook
@@ -59,7 +58,7 @@ class FilmDisplay:
             for node in map_nodes(vobj.Object, vobj.ColourMap):
                 self._map.addChild(node)
         except BalloonError as error:
-            App.Console.PrintError(f"{vobj.Object.Label}: {error}\n")
+            hooks.report(error, vobj.Object.Label)
 
 
 def look_of(obj) -> Look:

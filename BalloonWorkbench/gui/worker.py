@@ -7,8 +7,7 @@ import gc
 import sys
 import time
 
-import FreeCAD as App
-
+from BalloonWorkbench.app import hooks
 from BalloonWorkbench.core import faults
 from BalloonWorkbench.core.errors import BalloonError, ProgramFault
 from BalloonWorkbench.gui.qt import QtCore
@@ -97,7 +96,7 @@ class Worker(QtCore.QThread):
         empty. Call it in the main thread."""
         if not isinstance(self.error, ProgramFault):
             return ""
-        App.Console.PrintError(f"{self.error}\n")
+        hooks.report(self.error)
         return str(self.error)
 
     def stop(self):

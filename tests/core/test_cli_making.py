@@ -13,6 +13,7 @@ from matplotlib.image import imread
 from BalloonWorkbench.cli import main
 from BalloonWorkbench.core.artwork.files import png_bytes
 from BalloonWorkbench.core.nesting import nest as nesting
+from BalloonWorkbench.core.units import pressure_text
 
 OUTLINE = {"unit": "mm", "parts": [
     {"outer": [[0, 0], [120, 0], [120, 70], [0, 70]]}, {"outer": [[150, 0], [220, 0], [220, 70], [150, 70]]}
@@ -64,7 +65,7 @@ def test_everything_at_once(folder: Path, capsys: pytest.CaptureFixture[str]) ->
     for name in ("print-front", "print-back", "nested", "nested-2"):
         assert (out / f"{name}-pattern-hpgl-plotter.plt").stat().st_size > 500, name
     assert (out / "nested-pattern-hpgl-plotter-valve.plt").stat().st_size > 500
-    assert "Valve film 1: 8 pieces" in told  # two strips for each of two balloons of two shapes
+    assert "Valve film 1: pieces 8" in told  # two strips for each of two balloons of two shapes
     assert "at 60 dpi, front and back" in told
     assert "% used" in told
     assert "spyrrow" in told
@@ -74,7 +75,7 @@ def test_everything_at_once(folder: Path, capsys: pytest.CaptureFixture[str]) ->
         assert maker["weight_g"]["valve"] > 0.1
         assert maker["weight_g"]["all"] == pytest.approx(part["lift"]["weight_g"])
         assert maker["floating"][0]["lift_g"] == pytest.approx(part["lift"]["lift_g"])
-        assert f"safe to {1e-3 * maker['strength']['safe_pressure_Pa']:.2g} kPa" in told
+        assert f"Safe pressure: {pressure_text(maker['strength']['safe_pressure_Pa'])} (" in told
         assert maker["will_it_float"].startswith("Helium lifts")
 
 

@@ -173,7 +173,7 @@ def test_worst_comes_first() -> None:
 def test_rules_are_complete() -> None:
     for name, rule in rules().items():
         assert rule.sources, name
-        assert rule.sentence.endswith(".")
+        assert all(limit.sentence.endswith(".") for limit in rule.limits)
         values = [limit.times for limit in rule.limits if limit.of == rule.limits[0].of]
         assert values == sorted(values, reverse=rule.above), name
         ranks = [limit.severity.rank for limit in rule.limits]

@@ -139,7 +139,7 @@ def test_smallest_size_that_floats() -> None:
     assert one.from_width == pytest.approx(0.24 * found.weight / one.carries, rel=1e-6)
     text = found.sentence()
     assert text.startswith("Helium lifts ")
-    assert text.endswith(f"no. From {100.0 * one.from_width:.0f} cm width it would.")
+    assert text.endswith(f"no. From {1000.0 * one.from_width:.0f} mm width on it would.")
     large = Outline(circle(0.3, 240))
     yes = numbers_of(disc(0.3), large, Filling())
     assert "yes, and it carries" in yes.sentence()

@@ -81,7 +81,7 @@ def test_millimetres_and_back():
     values = np.array([[0.001, 2.0]])
     assert np.allclose(units.from_mm(units.to_mm(values)), values)
     assert units.length_text(0.0123456) == "12.35 mm"
-    assert units.length_text(1e5) == "100000000 mm"
+    assert units.length_text(1e5) == "100000 m"
 
 
 @pytest.mark.parametrize(

@@ -14,6 +14,7 @@ from pathlib import Path
 import pytest
 from drawn_shapes import NAMED
 from test_assembly import subject
+from test_translations import tool
 
 from BalloonWorkbench import cli
 from BalloonWorkbench.core import units
@@ -23,11 +24,12 @@ from BalloonWorkbench.core.assembly.texts import figures, material
 from BalloonWorkbench.core.coach.coach import advise
 from BalloonWorkbench.core.film.library import film
 
-PICTURES = Path(__file__).parents[2] / "resources" / "examples" / "pictures"
+ROOT = Path(__file__).parents[2]
+PICTURES = ROOT / "resources" / "examples" / "pictures"
 PACKAGE = Path(units.__file__).resolve().parents[1]
 #: These write numbers for programs: files of machines, macros, fingerprints, and the functions themselves.
 FOR_PROGRAMS = (
-    *("core/export/machine_*.py", "core/export/pdf_text.py", "core/export/vtu.py", "core/units.py"),
+    *("core/export/machine_[dhls]*.py", "core/export/pdf_text.py", "core/export/vtu.py", "core/units.py"),
     *("core/rounded.py", "app/solve.py", "app/values.py", "app/film_sheet.py", "app/material.py"),
 )
 _FORM = re.compile(r"[^{}]*[efgEFG%]")
@@ -223,3 +225,75 @@ def test_numbers_of_advice(scale: float) -> None:
             assert not odd_numbers(finding.text)
             assert finding.repair is None or not odd_numbers(repair_text(finding.repair))
     assert said > 10
+
+
+#: Words of the laboratory and of the house, and what makers say instead.
+WORDS = {
+    r"slack": "loose",
+    r"taut": "tight",
+    r"residuals?": "off the drawing",
+    r"disc'?s?": "a round balloon, where a shape is judged",
+    r"roundness": "the air that it holds",
+    r"puffiness": "the air that it holds",
+    r"nothing is in the way": "ready to make",
+    r"litres?": "l, from core/units.py",
+    r"equilibrium": "comes to rest",
+    r"Newton": "the simulation",
+    r"convergen\w+|converges?": "comes to rest",
+    r"coach": "advice",
+}
+#: What is said to those who look into the simulation, in the properties and results that are about it.
+EXPERTS = ("App::Property",)
+
+
+def words_in(text: str) -> list[str]:
+    """Banned words of a text."""
+    plain = re.sub(r"{\w*}|<pre>.*?</pre>|<code>.*?</code>|`[^`]*`|```.*?```", " ", text, flags=re.DOTALL)
+    return [word for word in WORDS if re.search(rf"\b({word})\b", plain, re.IGNORECASE)]
+
+
+def test_texts_have_the_words_of_makers() -> None:
+    """All that is collected for translation."""
+    wrong = {
+        text.source: words
+        for text in tool.texts()
+        if text.context not in EXPERTS and (words := words_in(text.source))
+    }
+    assert not wrong
+
+
+def test_tooltips_of_properties_have_the_words_of_makers() -> None:
+    wrong = {text.source: words_in(text.source) for text in tool.texts() if text.context in EXPERTS}
+    assert not {text: words for text, words in wrong.items() if set(words) - {"Newton"}}  # a count of steps
+
+
+@pytest.mark.parametrize("page", sorted((ROOT / "docs" / "help").glob("*.html")), ids=lambda page: page.stem)
+def test_help_has_the_words_of_makers(page: Path) -> None:
+    assert not words_in(page.read_text(encoding="utf-8"))
+
+
+@pytest.mark.parametrize("name", ["docs/tutorial.md", "docs/freecad.md", "docs/command-line.md"])
+def test_docs_have_the_words_of_makers(name: str) -> None:
+    """But for lines about files of numbers, whose keys are an interface."""
+    lines = (ROOT / name).read_text(encoding="utf-8").splitlines()
+    assert not {line: words_in(line) for line in lines if "`report.json`" not in line and words_in(line)}
+
+
+#: A number before these is never 1, or is a limit; and verbs that end like a plural.
+MANY = "pixels millimetres letters notches copies balloons pages degrees shapes dots elements groups points"
+MANY += " pieces lines vertices does has was its this times belongs calls crosses eases encloses ends follows"
+MANY += " lacks lies lifts makes needs reads runs wants"
+
+
+def test_one_is_said_in_the_singular() -> None:
+    """A text with a number before a plural has a twin with the singular, or none that may be 1."""
+    sources = {text.source for text in tool.texts()}
+    wrong = []
+    for source in sources:
+        for place, noun in re.findall(r"({\w*}) (?:[a-z]+ )?([a-z]{2,}s)\b", source):
+            single = source.replace(f"{noun}", noun.removesuffix("s"))
+            singular = [single, single.replace(" were ", " was "), single.replace(" are ", " is ")]
+            singular += [text.replace("them", "it").replace("their", "its") for text in singular]
+            if noun not in MANY.split() and not any(text in sources for text in singular):
+                wrong.append(f"{place} {noun}: {source}")
+    assert not sorted(wrong)

@@ -181,7 +181,7 @@ def test_custom_film_can_be_edited(panel):
     hands.type_into(young, "2000000 kPa")
     hands.type_into(hands.find("Thickness"), "0.05 mm")
     assert panel.Balloon.YoungModulus.Value == pytest.approx(2e6)
-    hands.choose(hands.find("Film"), "pe")
+    hands.choose(hands.find("Film"), "Polyethylene film (LDPE), 50 µm")
     assert not young.isEnabled()
     assert young.property("rawValue") == pytest.approx(panel.Balloon.YoungModulus.Value)
     assert panel.Balloon.YoungModulus.Value < 1e6
@@ -260,3 +260,26 @@ def test_preview_comes_to_rest_in_a_panel_of_any_height():
         hands.wait(0.005)
         assert preview.height() >= preview.minimumHeight()
     area.close()
+
+
+def test_the_side_that_follows_is_shown(panel):
+    """Not as 0: what the drawing comes to; with the proportions kept the side that was typed last decides."""
+    outline = panel.Outline
+    height = outline.SizeY.Value
+    field = hands.find("Height")
+    assert outline.Height.Value == 0.0
+    assert field.property("rawValue") == pytest.approx(height)
+    hands.key(field, hands.QtCore.Qt.Key_Return, "\r")
+    hands.find("Width").setFocus()
+    hands.wait(0.1)
+    assert outline.Height.Value == 0.0, "looking at it changes nothing"
+    hands.type_into(field, "60")
+    hands.wait_until(lambda: outline.SizeY.Value == pytest.approx(60.0))
+    assert outline.Width.Value == 0.0
+    assert hands.find("Width").property("rawValue") == pytest.approx(60.0 * 120.0 / height, rel=1e-6)
+    hands.tick(hands.find("KeepAspect"))
+    assert outline.Width.Value == pytest.approx(60.0 * 120.0 / height, rel=1e-6)
+    hands.type_into(hands.find("Width"), "200")
+    hands.wait_until(lambda: outline.SizeX.Value == pytest.approx(200.0))
+    assert outline.SizeY.Value == pytest.approx(60.0)
+    hands.press("Cancel")

@@ -85,7 +85,7 @@ def test_new_balloon_from_picture(macro, tmp_path):
     hands.type_into(hands.find("Drawing"), str(HEART))
     hands.type_into(hands.find("Width"), "120 mm")
     hands.type_into(hands.find("MeshSize"), "12 mm")
-    hands.choose(hands.find("Film"), "pe")
+    hands.choose(hands.find("Film"), "Polyethylene film (LDPE), 50 µm")
     hands.type_into(hands.find("Allowance"), "4 mm")
     hands.press("Ok")
     hands.wait_until(hands.panel_is_closed, 120)

@@ -41,7 +41,7 @@ def test_card_is_chosen_from_a_list(balloon):
     hands.choose(cards, OURS)
     check(balloon)
     hands.screenshot("material-card")
-    hands.choose(hands.find("Film"), "mylar")
+    hands.choose(hands.find("Film"), 'Aluminised PET ("Mylar"), 25 µm')
     assert not balloon.Material
     assert cards.currentText() != OURS
 

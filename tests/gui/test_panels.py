@@ -219,7 +219,7 @@ def test_expression_is_typed_into_a_field(made):
 def test_cancel_restores_the_looks(made):
     before = tuple(made.balloon.ViewObject.ShapeColor)
     open_panel(made.balloon)
-    hands.choose(hands.find("Film"), "kraft-paper")
+    hands.choose(hands.find("Film"), "Kraft paper, 80 g/m²")
     assert tuple(made.balloon.ViewObject.ShapeColor) != pytest.approx(before, abs=0.05)
     hands.press("Cancel")
     hands.wait_until(hands.panel_is_closed)

@@ -16,6 +16,7 @@ from BalloonWorkbench.core.export.pdf_text import write
 from BalloonWorkbench.core.fonts import readable
 from BalloonWorkbench.core.packages import reportlab_canvas
 from BalloonWorkbench.core.types import Say, in_english
+from BalloonWorkbench.core.units import from_mm, number_text, size_text
 
 PAPERS = {"A4": (210.0, 297.0), "A3": (297.0, 420.0), "LETTER": (215.9, 279.4)}  # mm
 #: Their names as people write them.
@@ -177,8 +178,9 @@ def _map(canvas: Any, drawing: Drawing, machine: Machine, tiles: Tiles, say: Say
     write(canvas, (_MARGIN, height - 18.0), say(_TITLE), 14.0, tiles.usable[0], bold=True)
     for k, text in enumerate(
         (
-            f"Pattern {drawing.width:.1f} x {drawing.height:.1f} mm ({drawing.width / 25.4:.2f} x"
-            f" {drawing.height / 25.4:.2f} in), {len(tiles.pages)} pages.",
+            f"Pattern {size_text(from_mm(drawing.width), from_mm(drawing.height))}"
+            f" ({number_text(drawing.width / 25.4)} x {number_text(drawing.height / 25.4)} in),"
+            f" pages: {len(tiles.pages)}.",
             'Print at 100 % ("actual size"). The bar below must be 100 mm long.',
             "Cut each page along its left and lower crosses, lay it on the crosses of its neighbours, tape.",
         )

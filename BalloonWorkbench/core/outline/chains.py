@@ -50,9 +50,7 @@ def drawing_from(
     loops, rest = join(pieces, SAME_END, budget)
     more, rest = join(rest, NEAR_END, budget)
     if more:
-        remarks.append(
-            f"Gaps of up to {length_text(NEAR_END)} between lines were closed ({len(more)} loops)."
-        )
+        remarks.append(f"Gaps of up to {length_text(NEAR_END)} between lines were closed.")
     areas = {piece.tobytes() for piece in filled}
     closable = [line.tobytes() in areas for line in rest]
     loops += more + [line for line, close in zip(rest, closable) if close]

@@ -189,19 +189,24 @@ def scale_to(outline: Sized, width: float | None, height: float | None) -> Sized
     brought along.
     """
     for name, wanted in (("width", width), ("height", height)):
-        if wanted is not None:
-            _check_size(f"A {name} of", wanted, "choose a")
+        if wanted is not None and not _is_makable(wanted):
+            raise InputError(
+                f"A {name} of {length_text(wanted)} cannot be made; choose one between 1 mm and 100 m."
+            )
     own = outline.size
     if min(own) <= 0:
         raise OutlineError("The outline encloses no area; draw a closed shape with at least three corners.")
     factors = [wanted / have for wanted, have in zip((width, height), own) if wanted is not None]
     factor = min(factors, default=1.0)
     for name, have in zip(("width", "height"), own):
-        _check_size(f"The outline's {name} of", have * factor, "bring it to a")
+        if not _is_makable(have * factor):
+            raise InputError(
+                f"The outline's {name} of {length_text(have * factor)} cannot be made; bring it to a size"
+                " between"
+                " 1 mm and 100 m."
+            )
     return outline if factor == 1.0 else outline.map(lambda loop: loop * factor)
 
 
-def _check_size(what: str, size: float, advice: str) -> None:
-    if not (math.isfinite(size) and SMALLEST * (1 - 1e-9) <= size <= LARGEST * (1 + 1e-9)):
-        shown = length_text(size) if math.isfinite(size) else str(size)
-        raise InputError(f"{what} {shown} cannot be made; {advice} size between 1 mm and 100 m.")
+def _is_makable(size: float) -> bool:
+    return SMALLEST * (1 - 1e-9) <= size <= LARGEST * (1 + 1e-9)

@@ -58,7 +58,7 @@ def segment(rgba: NDArray[np.uint8], drawn_as: str = AUTO) -> tuple[Pixels, list
     if lines.pen:
         silhouette, joined = _draw(silhouette, join_near(silhouette > 0.5, lines), lines)
         if joined:
-            notes.append(f"{joined} loose ends of lines were joined to the drawing.")
+            notes.append("Loose ends of lines were joined to the drawing.")
         if filled.any():
             silhouette, loose = _without_loose(silhouette, filled, lines)
             if loose:

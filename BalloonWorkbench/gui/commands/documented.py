@@ -25,7 +25,7 @@ def documented(name: str, command, page: str = ""):
     """The command, with a page of docs/help: that of its own name, or another one."""
     own, short = command.GetResources(), name.split("_")[1]
     own["StatusTip"] = own["ToolTip"]
-    help_pages.explain(name, own, page or short)
+    own["WhatsThis"] = help_pages.explain(name, page or short)
     if short in _KEYS:
         own["Accel"] = _KEYS[short]
     command.GetResources = lambda: own

@@ -8,7 +8,7 @@ import FreeCADGui as Gui
 from BalloonWorkbench.app.host import help_text
 from BalloonWorkbench.gui.qt import HELP, QtCore
 
-_commands: dict[str, tuple[dict, str]] = {}  # what FreeCAD keeps of each command, and its page
+_pages: dict[str, str] = {}  # of each command
 _turner: list[QtCore.QObject] = []
 
 
@@ -18,16 +18,23 @@ def page_of(name: str):
     return own if own.is_file() else HELP / f"{name}.html"
 
 
-def explain(command: str, resources: dict, page: str) -> None:
-    """Give a command its page, by what it tells FreeCAD of itself."""
-    resources["WhatsThis"] = help_text(page_of(page))
-    _commands[command] = resources, page
+def explain(command: str, page: str) -> str:
+    """Give a command its page; what it tells FreeCAD instead, which shows that in tooltips: its name."""
+    _pages[command] = page
+    return command
 
 
 def follow_language() -> None:
-    """Turn the pages whenever FreeCAD changes its language."""
+    """Lay the pages into the buttons once there are some, and whenever FreeCAD changes its language."""
     if not _turner:
         _turner.append(_Turner(Gui.getMainWindow()))
+        QtCore.QTimer.singleShot(0, _turn)
+
+
+def _turn() -> None:
+    for name, page in _pages.items():
+        for action in Gui.Command.get(name).getAction():
+            action.setWhatsThis(help_text(page_of(page)))
 
 
 class _Turner(QtCore.QObject):
@@ -35,8 +42,5 @@ class _Turner(QtCore.QObject):
 
     def event(self, event):
         if event.type() == QtCore.QEvent.LanguageChange:
-            for name, (resources, page) in _commands.items():
-                explain(name, resources, page)
-                for action in Gui.Command.get(name).getAction():
-                    action.setWhatsThis(resources["WhatsThis"])
+            _turn()
         return super().event(event)

@@ -7,8 +7,7 @@ from __future__ import annotations
 from contextlib import suppress
 from importlib import import_module
 
-import FreeCAD as App
-
+from BalloonWorkbench.app import hooks
 from BalloonWorkbench.core import faults
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 
@@ -56,7 +55,7 @@ def _do_next() -> None:
     try:
         _missing.pop(0)()
     except faults.UNFORESEEN as error:
-        App.Console.PrintError(f"{faults.as_balloon_error(error, 'loading')}\n")
+        hooks.report(faults.as_balloon_error(error, "loading"))
 
 
 def _opencv() -> None:

@@ -97,12 +97,12 @@ class ArtworkPanel(ObjectPanel):
             return
         self.fields.finish_typing()
         try:
-            written = artwork.write(self.obj, folder)
+            artwork.write(self.obj, folder)
         except BalloonError as error:
             self.message.setText(tell(str(error)))
         else:
             record.call("export", record.obj(self.obj), record.text(folder))
-            told = translate("{} files written to {}").format(len(written), folder)
+            told = translate("Files written to {}").format(folder)
             self.message.setText(told)
 
     def accept(self):

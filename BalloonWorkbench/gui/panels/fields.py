@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import FreeCAD as App
 import FreeCADGui as Gui
 
@@ -10,6 +12,7 @@ from BalloonWorkbench.gui.panels.whole_box import WholeBox
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, translate
 from BalloonWorkbench.gui.sentences import tell
 
+_SEEN = 0.01  # mm, between what is shown and its rounded text
 _MIN_WIDTH = 120  # px; a task panel may be 190 px wide
 
 
@@ -46,9 +49,15 @@ class Fields(QtCore.QObject):
         self.obj = obj
         self._widgets: dict[str, tuple] = {}
         self._bound: set[str] = set()
+        self._free: dict[str, Callable[[], float]] = {}
 
-    def quantity(self, name: str, unit: str, step: float = 1.0):
-        """A spin box for a quantity property; `unit` is the one for plain numbers."""
+    def quantity(self, name: str, unit: str, step: float = 1.0, free: Callable[[], float] | None = None):
+        """A spin box for a quantity property; `unit` is the one for plain numbers.
+
+        free  what a value of 0 comes to, which is shown in its place
+        """
+        if free is not None:
+            self._free[name] = free
         widget = new_quantity_box()
         widget.setProperty("unit", unit)
         self._add_number(name, widget, step, lambda value: value.Value)
@@ -111,6 +120,8 @@ class Fields(QtCore.QObject):
         for name, (widget, show) in self._widgets.items():
             blocked = widget.blockSignals(True)
             show(getattr(self.obj, name))
+            if self._is_free(name):
+                widget.setProperty("rawValue", self._free[name]())
             widget.blockSignals(blocked)
             if isinstance(widget, WholeBox):
                 widget.show_expression(driven.get(name, ""))
@@ -166,9 +177,14 @@ class Fields(QtCore.QObject):
         self.refresh()
         self.changed.emit(name)
 
+    def _is_free(self, name: str) -> bool:
+        return name in self._free and not getattr(self.obj, name).Value
+
     def _write(self, name: str, value) -> None:
         if self.obj is None:
             return
+        if self._is_free(name) and abs(value - self._free[name]()) < _SEEN:
+            return  # what was shown in place of 0
         present = getattr(self.obj, name)
         if getattr(present, "Value", present) != value:
             setattr(self.obj, name, value)

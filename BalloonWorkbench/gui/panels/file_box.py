@@ -5,8 +5,10 @@ from __future__ import annotations
 
 import os
 
+from BalloonWorkbench.app import status
 from BalloonWorkbench.app.drawing import place_in_picture
-from BalloonWorkbench.app.outline import DRAWN_AS, set_drawing
+from BalloonWorkbench.app.outline import DRAWN_AS, read_all, set_drawing
+from BalloonWorkbench.core.units import to_mm
 from BalloonWorkbench.gui import choose, record
 from BalloonWorkbench.gui.panels.fields import Fields, ReturnKey
 from BalloonWorkbench.gui.panels.narrow import NarrowForm
@@ -43,8 +45,8 @@ class FileBox(QtWidgets.QWidget):
         form = NarrowForm(self)
         form.addRow(QtWidgets.QLabel(translate("File")))
         form.addRow(row)
-        form.addRow(translate("Width"), self.fields.quantity("Width", "mm", 10.0))
-        form.addRow(translate("Height"), self.fields.quantity("Height", "mm", 10.0))
+        form.addRow(translate("Width"), self.fields.quantity("Width", "mm", 10.0, lambda: self._size()[0]))
+        form.addRow(translate("Height"), self.fields.quantity("Height", "mm", 10.0, lambda: self._size()[1]))
         form.addRow(self.fields.check("KeepAspect", translate("Keep the proportions")))
         form.addRow(translate("Drawn as"), self.fields.choice("DrawnAs"))
         form.addRow(translate("Symmetry"), self.fields.choice("Symmetry"))
@@ -53,7 +55,7 @@ class FileBox(QtWidgets.QWidget):
         browse.clicked.connect(self._browse)
         self.path.editingFinished.connect(self._take_path)
         ReturnKey(self.path, self._take_path)
-        self.fields.changed.connect(lambda name: self.changed.emit())
+        self.fields.changed.connect(self._edited)
 
     def choose(self, path: str) -> None:
         """Take a file as the drawing."""
@@ -84,6 +86,28 @@ class FileBox(QtWidgets.QWidget):
         """The panel closes."""
         self.path.setModified(False)
         self.fields.release()
+
+    def _size(self) -> tuple[float, float]:
+        """Width and height of the whole drawing in mm; 0 while there is none."""
+        outline = self.outline
+        if not status.is_ready(outline):
+            return 0.0, 0.0
+        if any(getattr(other, "Leader", None) == outline for other in outline.InList):
+            width, height = read_all(outline)[0].size
+            return to_mm(width), to_mm(height)
+        return outline.SizeX.Value, outline.SizeY.Value
+
+    def _edited(self, name: str) -> None:
+        """With the proportions kept, the side that was given last decides; without, both are given."""
+        outline, driven = self.outline, dict(self.outline.ExpressionEngine)
+        if outline.KeepAspect:
+            for other in {"Width": ("Height",), "Height": ("Width",)}.get(name, ()):
+                if getattr(outline, other).Value and other not in driven:
+                    setattr(outline, other, 0.0)
+        elif name == "KeepAspect":
+            width, height = self._size()
+            outline.Width, outline.Height = outline.Width.Value or width, outline.Height.Value or height
+        self.changed.emit()
 
     def _browse(self) -> None:
         path = choose.ask_for_drawing(self)

@@ -41,7 +41,7 @@ class MachineBox(QtWidgets.QWidget):
     def __init__(self, document_name: str):
         super().__init__()
         for sentence in left_out():
-            App.Console.PrintWarning(f"Film Balloon: {tell(sentence)}\n")
+            App.Console.PrintMessage(f"Film Balloon: {tell(sentence)}\n")
         self.known = list(machines().values())
         self.overlay = Overlay(document_name)
         self.findings: tuple = ()
