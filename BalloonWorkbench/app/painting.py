@@ -15,6 +15,7 @@ from BalloonWorkbench.app.create import Parts
 from BalloonWorkbench.app.outline import DRAWN_AS, set_drawing
 from BalloonWorkbench.app.solve import Request
 from BalloonWorkbench.core.design.design import Design
+from BalloonWorkbench.core.errors import Cancelled
 from BalloonWorkbench.core.job import Settings
 from BalloonWorkbench.core.outline.passages import linked
 from BalloonWorkbench.core.outline.segment import AUTO
@@ -23,6 +24,7 @@ from BalloonWorkbench.core.types import Progress, no_progress
 #: Name of the text in a PNG file that holds the strokes.
 KEY = "FilmBalloonPainting"
 _HEAD = 4096  # bytes in which its name appears, before the pixels
+_FITTING = 0.6  # of the work of `solve`
 
 
 @dataclass(frozen=True)
@@ -110,10 +112,12 @@ def solve(
     width: float,
     settings: Settings,
     progress: Progress = no_progress,
+    fitted: Callable[[list[Request], list[Design]], object] = lambda requests, designs: None,
 ) -> Solved:
     """Design the balloons of a painting [width in mm]; may run in another thread.
 
-    The arcs of the patterns, as the settings want them, are prepared.
+    The arcs of the patterns, as the settings want them, are prepared. fitted: called as soon as all balloons
+    have their shape, before what there is to tell about them.
     Raises BalloonError when there is none, Cancelled when progress says stop.
     """
     from BalloonWorkbench.app.drawing import read_drawing
@@ -128,15 +132,27 @@ def solve(
         outline = linked(drawn, settings.passage)
         alike = settings if number == 0 else replace(settings, goal=None)
         request = Request(Source(path.name, kind, outline), alike)
-        design = request.solve(
-            lambda fraction, text, before=number: progress((before + fraction) / count, text)
-        )
         requests.append(request)
-        designs.append(design)
+        designs.append(request.solve(_share(progress, number, count)))
+    fitted(requests, designs)
+    for number, (request, design) in enumerate(zip(requests, designs)):
+        go_on(progress, _FITTING + (1.0 - _FITTING) * number / count)
         told.append(balloon.describe(request, design))
+        go_on(progress, _FITTING + (1.0 - _FITTING) * (number + 0.5) / count)
         _prepare(design.pattern, settings)
     place(path, width, drawn_as=settings.drawn_as)  # the window will ask for it, and shall not wait
     return Solved(tuple(requests), tuple(designs), tuple(told))
+
+
+def go_on(progress: Progress, fraction: float = 0.0) -> None:
+    """Raise Cancelled when progress says stop."""
+    if not progress(fraction, ""):
+        raise Cancelled("Stopped.")
+
+
+def _share(progress: Progress, number: int, count: int) -> Progress:
+    """The progress of fitting one of several balloons within the whole work."""
+    return lambda fraction, text: progress(_FITTING * (number + fraction) / count, text)
 
 
 def _prepare(seam, settings: Settings) -> None:

@@ -51,11 +51,13 @@ _sharing = _Sharing()
 class Worker(QtCore.QThread):
     """Solves one request. After `finished`, either `design` or `error` is set.
 
+    before  carries what a request has to show before its end
     work   seconds of the processor that it took in its own thread
     title  of the work for the status bar, where it can be stopped; without one it is not shown there
     """
 
     progressed = QtCore.Signal(float, str)
+    before = QtCore.Signal(object)
     ended = QtCore.Signal()
 
     def __init__(self, request, parent=None, title: str = ""):

@@ -103,13 +103,19 @@ def draw(canvas, places, let_live=True):
     mouse(canvas, QEvent.MouseButtonRelease, places[-1], held=Qt.NoButton)
 
 
+def on_screen(canvas, place):
+    """The pixel of the X server's screen at a place of the paper."""
+    at = canvas.paper.to_screen(hands.QtCore.QPointF(place[0] * SIDE, place[1] * SIDE))
+    there, ratio = canvas.mapToGlobal(at.toPoint()), canvas.devicePixelRatioF()
+    return there.x() * ratio, there.y() * ratio
+
+
 def draw_for_real(pointer, canvas, places):
     """One stroke with the X server's own mouse."""
-    steps, ratio = len(canvas.painting.steps), canvas.devicePixelRatioF()
+    steps = len(canvas.painting.steps)
     for number, place in enumerate(places):
         at = canvas.paper.to_screen(hands.QtCore.QPointF(place[0] * SIDE, place[1] * SIDE))
-        there = canvas.mapToGlobal(at.toPoint())
-        pointer.move(there.x() * ratio, there.y() * ratio)
+        pointer.move(*on_screen(canvas, place))
         end = time.monotonic() + 5.0
         while canvas._pointer is None or (canvas._pointer - at).manhattanLength() > 4:
             assert time.monotonic() < end, "the pointer never came"

@@ -69,10 +69,10 @@ def close_gaps(drawn: Bools, lines: Strokes) -> list[tuple[Floats, Floats]]:
     for one, other in bridges:
         draw_line(ink, one, other, lines.width)
     refused: set[int] = set()
-    height = distance(ink <= 0.5, 4 * limit)
+    height, ground = _landscape(ink, 4 * limit)
     for level in limit * 2.0 ** np.arange(-np.ceil(2 * np.log2(limit)) / 2, 0.25, 0.5):
         while len(bridges) + len(refused) < _MOST_GAPS:
-            summit = _open_room(height, level, lines.width, refused)
+            summit = _open_room(height, ground, level, lines.width, refused)
             if summit is None:
                 break
             one, other = _narrowest(ink > 0.5, _highest_pass(height, summit, level))
@@ -82,7 +82,7 @@ def close_gaps(drawn: Bools, lines: Strokes) -> list[tuple[Floats, Floats]]:
                 continue
             draw_line(ink, one, other, lines.width)
             bridges.append((one, other))
-            height = distance(ink <= 0.5, 4 * limit)
+            height, ground = _landscape(ink, 4 * limit)
     return [(one - margin, other - margin) for one, other in bridges]
 
 
@@ -124,14 +124,20 @@ def draw_line(coverage: Pixels, one: Floats, other: Floats, width: float) -> Non
     np.maximum(part, np.clip(0.5 * width + 0.5 - away, 0, 1), out=part)
 
 
-def _open_room(height: Pixels, level: float, line: float, refused: set[int]) -> int | None:
+def _landscape(ink: Pixels, limit: float) -> tuple[Pixels, Bools]:
+    """Distance to the lines (h, w), and where one gets from outside without crossing any."""
+    height = distance(ink <= 0.5, limit)
+    labels, _ = label(height > 0)
+    return height, labels == labels[0, 0]
+
+
+def _open_room(height: Pixels, ground: Bools, level: float, line: float, refused: set[int]) -> int | None:
     """Summit (flat index) of a room cut off from outside at this level, but not by the lines alone."""
     labels, count = label(height > level)
     if count < 2:
         return None
-    ground, _ = label(height > 0)
     least = max(0.7 * _ROOM_BEHIND * level, 0.5 * line)
-    rooms = (labels > 0) & (labels != labels[0, 0]) & (ground == ground[0, 0]) & (height >= least)
+    rooms = (labels > 0) & (labels != labels[0, 0]) & ground & (height >= least)
     high = np.flatnonzero(rooms)
     high = high[np.argsort(-height.ravel()[high], kind="stable")]
     # The first of each name is its summit.

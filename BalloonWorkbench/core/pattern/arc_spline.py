@@ -35,8 +35,9 @@ _CURVATURES = np.array([0.08, 0.5, 0.92])
 _BETWEEN = 0.3
 #: Samples looked ahead at first.
 _WINDOW = 32
-#: Samples at which a pair of arcs is looked at first.
+#: Samples at which a pair of arcs is looked at first, and where its arcs may meet.
 _COARSE = 48
+_MEETINGS = 12
 #: A single arc that meets the wanted heading so well ends the curve [rad].
 _MEETS = 1e-5
 
@@ -235,26 +236,17 @@ def _last_pair(
     """The pair of arcs that meets the end's heading and keeps the most distance from the tolerance's edge."""
     end = len(samples.along) - 1
     best: tuple[float, int, list[tuple[int, float, float]]] | None = None
-    for state in range(len(states.place)):
+    able = np.flatnonzero((states.place < end - 1) & (reach > 0))
+    if not len(able):
+        return None
+    middles, firsts, seconds, fits = _pairs(samples, states, able, reach[able], ending, tolerance)
+    for row in np.flatnonzero(fits.any(axis=1)).tolist():
+        state = int(able[row])
         place, beside, heading = states.place[state], states.beside[state], states.heading[state]
-        if place >= end - 1 or not reach[state]:
-            continue
         away = samples.along[place + 1 :] - samples.along[place]
         target = samples.swept[place + 1 :] - samples.swept[place] - beside - heading * away
-        middle = np.arange(min(int(reach[state]), len(away) - 1))
-        middle = middle[np.unique(np.linspace(0, len(middle) - 1, 12).astype(int)).tolist()]
-        a, b = away[middle], away[-1] - away[middle]
-        # rise and heading at the end:  k1 (a^2/2 + a b) + k2 b^2/2 = target,  k1 a + k2 b = turn
-        turn = ending - heading
-        first = (2.0 * target[-1] - turn * b) / (a * (a + b))
-        second = (turn - first * a) / b
-        bent = (np.abs(first * a) <= _MOST_TURN) & (np.abs(second * b) <= _MOST_TURN)
-        few = slice(None, None, max(1, len(away) // _COARSE))  # most pairs are far off somewhere
-        coarse = np.abs(_over_pair(first, second, a, away[few]) - target[few]).max(axis=1)
-        usable = np.flatnonzero(bent & (coarse <= tolerance))
-        if not len(usable):
-            continue
-        middle, first, second, a = middle[usable], first[usable], second[usable], a[usable]
+        middle, first, second = (values[row, fits[row]] for values in (middles, firsts, seconds))
+        a = away[middle]
         rise = _over_pair(first, second, a, away)
         off = np.abs(rise - target).max(axis=1)
         least = int(np.argmin(off))
@@ -267,6 +259,37 @@ def _last_pair(
             )
             best = float(off[least]), state, [joint, (end, 0.0, ending)]
     return None if best is None else best[1:]
+
+
+def _pairs(
+    samples: Samples, states: _States, able: Indices, reach: Indices, ending: float, tolerance: float
+) -> tuple[Indices, Floats, Floats, Bools]:
+    """For each state that is able (s,): where a pair of arcs to the end may meet, in samples after the next,
+    their curvatures, and whether they stay within the tolerance at some samples; each (s, _MEETINGS).
+    """
+    place, beside, heading = states.place[able], states.beside[able], states.heading[able]
+    count = len(samples.along) - 1 - place  # of samples ahead
+    middle = np.linspace(0, np.minimum(reach, count - 1) - 1, _MEETINGS, axis=1).astype(int)
+
+    def ahead(steps: Indices) -> tuple[Floats, Floats]:
+        """Way and wanted rise (s, k) to samples after the next one."""
+        index = place[:, None] + 1 + steps
+        away = samples.along[index] - samples.along[place][:, None]
+        rise = samples.swept[index] - samples.swept[place][:, None] - beside[:, None]
+        return away, rise - heading[:, None] * away
+
+    (a, _), (whole, target) = ahead(middle), ahead(count[:, None] - 1)
+    b = whole - a
+    # rise and heading at the end:  k1 (a^2/2 + a b) + k2 b^2/2 = target,  k1 a + k2 b = turn
+    turn = (ending - heading)[:, None]
+    first = (2.0 * target - turn * b) / (a * (a + b))
+    second = (turn - first * a) / b
+    bent = (np.abs(first * a) <= _MOST_TURN) & (np.abs(second * b) <= _MOST_TURN)
+    stride = np.maximum(1, count // _COARSE)[:, None]  # most pairs are far off somewhere
+    away, target = ahead(np.minimum(np.arange(2 * _COARSE) * stride, count[:, None] - 1))
+    past = np.maximum(away[:, None] - a[..., None], 0.0)
+    rise = 0.5 * first[..., None] * away[:, None] ** 2 + 0.5 * (second - first)[..., None] * past**2
+    return middle, first, second, bent & (np.abs(rise - target[:, None]).max(axis=2) <= tolerance)
 
 
 def _over_pair(first: Floats, second: Floats, middle: Floats, away: Floats) -> Floats:

@@ -162,12 +162,12 @@ def _drawn(samples: Samples, knots: Knots, stretch: Stretch) -> tuple[Floats, li
 
 def _deviation(samples: Samples, knots: Knots, joints: Floats, bulges: list[float]) -> float:
     """The largest distance [m] of the samples from the curve, and of the curve from the polyline."""
-    curve = Curve(joints, np.array(bulges), False)
+    segments = Curve(joints, np.array(bulges), False).segments
     most = 0.0
     for k in range(len(bulges)):
         low, high = int(knots.places[k]), int(knots.places[k + 1])
         # the joint of a pair is not exactly at its sample, so the neighbours count too
-        beside = curve.segments[max(k - 1, 0) : k + 2]
+        beside = segments[max(k - 1, 0) : k + 2]
         inside = samples.points[low : high + 1]
         to_curve = np.min([away_from(inside, *segment) for segment in beside], axis=0)
         drawn = Curve(joints[k : k + 2], np.array(bulges[k : k + 1]), False).flattened(_FINE)

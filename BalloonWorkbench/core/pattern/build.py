@@ -54,6 +54,7 @@ def build_pattern(
     intake_place: str = FARTHEST,
     intake: bool = True,
     corner_radius: float = 0.0,
+    fair: bool = True,
 ) -> Pattern:
     """The pattern of a panel whose free film is bounded by `seam` [m], without its scatter (`faired`).
 
@@ -64,13 +65,14 @@ def build_pattern(
                    (intake_place FARTHEST or LOW), or points along intake_angle [rad], or sits at intake_along
                    [m] on the seam, counter-clockwise from its rightmost point
     corner_radius  with which corners of the cuts are rounded [m]; the weld keeps its corners
+    fair           False keeps the scatter of the seam, which takes most of the time to find: for a quick look
     Each chamber that the welds cut off gets an intake. Raises InputError for senseless values, OutlineError
     where the seam crosses itself.
     """
     if not (1e-5 <= seal_width <= 1.0 and 0.0 <= allowance <= 1.0):
         raise InputError("The seal width must be between 0.01 mm and 1 m, the allowance between 0 and 1 m.")
     margin = seal_width + allowance
-    seam = faired_seam(seam)
+    seam = faired_seam(seam) if fair else seam
     whole, holes = polygon(seam.outer), [polygon(hole) for hole in seam.holes]
     warnings: list[str] = []
     necks: list[Neck] = []
@@ -114,14 +116,14 @@ def build_pattern(
     )
 
 
-def usual_pattern(seam: Outline, film: Film, intake: bool = True) -> Pattern:
+def usual_pattern(seam: Outline, film: Film, intake: bool = True, fair: bool = True) -> Pattern:
     """The pattern as it is made unless told otherwise: for its weight. Without an intake that has no room."""
     try:
-        return build_pattern(seam, film.seal_width, intake=intake)
+        return build_pattern(seam, film.seal_width, intake=intake, fair=fair)
     except InputError:
         if not intake:
             raise
-        return build_pattern(seam, film.seal_width, intake=False)
+        return build_pattern(seam, film.seal_width, intake=False, fair=fair)
 
 
 def _necks(seam: Outline, film: Any, wish: Wish, seal_width: float, allowance: float) -> list[Neck]:

@@ -43,9 +43,31 @@ class Canvas(QtWidgets.QWidget):
         self._held = None  # where the paper is held
         self._space = False
         self._pointer: QtCore.QPointF | None = None
+        self._compressed: bool | None = None  # whether Qt did that with moves before the canvas was seen
         painting.changed.connect(self.update)
 
     # mouse and tablet
+
+    def showEvent(self, event):
+        super().showEvent(event)
+        self._every_move(True)
+
+    def hideEvent(self, event):
+        self._every_move(False)
+        super().hideEvent(event)
+
+    def _every_move(self, wanted: bool) -> None:
+        """Have each movement of the mouse: Qt leaves out those that came while the window was busy.
+
+        That is a choice for the whole program, so it holds only as long as the canvas is seen.
+        """
+        compressing = QtCore.Qt.AA_CompressHighFrequencyEvents
+        if wanted and self._compressed is None:
+            self._compressed = QtCore.QCoreApplication.testAttribute(compressing)
+            QtCore.QCoreApplication.setAttribute(compressing, False)
+        elif not wanted and self._compressed is not None:
+            QtCore.QCoreApplication.setAttribute(compressing, self._compressed)
+            self._compressed = None
 
     def mousePressEvent(self, event):
         self.setFocus()

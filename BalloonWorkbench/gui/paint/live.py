@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The balloon follows the painting: a glance after every stroke, the coach and a study when the pen rests.
+"""The balloon follows the painting: a glance after every stroke, a study when the pen rests.
 
 They work in threads. The newest painting counts: what was found for an older one is shown only as long as
 nothing newer is there.
@@ -16,12 +16,11 @@ from BalloonWorkbench.app import preferences
 from BalloonWorkbench.core.errors import Cancelled
 from BalloonWorkbench.gui.paint.look import Look
 from BalloonWorkbench.gui.paint.painting import Painting
-from BalloonWorkbench.gui.paint.requests import Counsel, Glance, Study
+from BalloonWorkbench.gui.paint.requests import Glance, Study
 from BalloonWorkbench.gui.qt import QtCore
 from BalloonWorkbench.gui.worker import Worker
 
-REST = 600  # ms without a change, then the study begins
-_PAUSE = 200  # ms after a glance without a change, then the coach looks
+REST = 250  # ms without a change, then the study begins
 _WHILE_DRAWING = 250  # ms between glances during a stroke
 _PART = 0.03  # of the study between two signs of progress
 
@@ -29,16 +28,13 @@ _PART = 0.03  # of the study between two signs of progress
 class Live(QtCore.QObject):
     """Looks at a painting whenever it changes.
 
-    width and settings belong to the balloon; `refused` says why none can be seen, `failed` why the coach
-    says nothing. `delays` has, for
-    each glance, the seconds from the end of the stroke: by the clock, and of the processor in the two threads
+    width and settings belong to the balloon; `refused` says why none can be seen. `delays` has, for each
+    glance, the seconds from the end of the stroke: by the clock, and of the processor in the two threads
     on the way, one after the other: what the clock would tell on a machine with nothing else to do.
     """
 
     found = QtCore.Signal(object)
-    advised = QtCore.Signal(object)
     refused = QtCore.Signal(str)
-    failed = QtCore.Signal(str)
     empty = QtCore.Signal()
     progressed = QtCore.Signal(float)
 
@@ -51,7 +47,6 @@ class Live(QtCore.QObject):
         self.delays: list[tuple[float, float]] = []
         self._folder = tempfile.TemporaryDirectory()
         self._glance: Worker | None = None
-        self._counsel: Worker | None = None
         self._study: Worker | None = None
         self._retired: list[Worker] = []
         self._dirty = False
@@ -60,7 +55,6 @@ class Live(QtCore.QObject):
         self._changed_at = 0.0, 0.0
         self._rest = self._timer(REST, self.study)
         self._soon = self._timer(_WHILE_DRAWING, self._begin_glance)
-        self._pause = self._timer(_PAUSE, self._begin_counsel)
 
     def changed(self) -> None:
         """A step is done: look at once, and closer when nothing more happens."""
@@ -105,13 +99,22 @@ class Live(QtCore.QObject):
             and self.latest.revision == self.painting.revision
         )
 
+    def is_fitted(self) -> bool:
+        """The latest look has the document's own balloon and belongs to the painting as it is."""
+        return (
+            self.latest is not None and self.latest.fitted and self.latest.revision == self.painting.revision
+        )
+
     def is_busy(self) -> bool:
         return self._glance is not None or self._study is not None or self._rest.isActive()
 
-    def study(self) -> None:
-        """Begin the study now, unless it runs."""
+    def study(self, awaited: bool = False) -> None:
+        """Begin the study now, unless it runs; awaited: somebody waits for its end."""
         self._rest.stop()
-        if self._study is not None or self.painting.is_empty():
+        if self._study is not None:
+            self._study.request.is_awaited = awaited
+            return
+        if self.painting.is_empty():
             return
         folder = Path(self._folder.name) / str(self.painting.revision)
         folder.mkdir(exist_ok=True)
@@ -121,22 +124,25 @@ class Live(QtCore.QObject):
             self.width,
             self.settings,
             folder / "painting.png",
+            is_awaited=awaited,
         )
         self._told = 0.0
         self._study = self._begin(request, self._study_done)
         self._study.progressed.connect(self._tell_progress)
+        self._study.before.connect(self._study_shown)
+        request.show = self._study.before.emit
         self._study.start(QtCore.QThread.LowPriority)
 
     def stop(self) -> None:
         """End all work; waits for the engine's next step."""
-        for timer in (self._rest, self._soon, self._pause):
+        for timer in (self._rest, self._soon):
             timer.stop()
-        working = [self._glance, self._counsel, self._study, *self._retired]
+        working = [self._glance, self._study, *self._retired]
         for worker in filter(None, working):
             worker.stop()
         for worker in filter(None, working):
             worker.wait()
-        self._glance = self._counsel = self._study = None
+        self._glance = self._study = None
         self._retired.clear()
 
     def _timer(self, interval: int, action):
@@ -153,7 +159,6 @@ class Live(QtCore.QObject):
 
     def _begin_glance(self) -> None:
         self._soon.stop()
-        self._pause.stop()
         if self._glance is not None:
             return
         self._dirty, self._is_early = False, self._in_stroke
@@ -174,34 +179,20 @@ class Live(QtCore.QObject):
         self._glance = None
         worker.deleteLater()
         newest = worker.request.revision == self.painting.revision
-        if not (newest and self.is_settled()):
+        if not (newest and self.is_fitted()):
             self._take(worker)
         if newest and not self._dirty:
             clock, work = self._changed_at
             self.delays.append((time.perf_counter() - clock, time.thread_time() - work + worker.work))
         if self._dirty:
             self._begin_glance()
-        elif newest and self._rest.isActive():
-            self._pause.start()
 
-    def _begin_counsel(self) -> None:
-        look = self.latest
-        if self._counsel is None and look is not None and look.solved is None:
-            self._counsel = self._begin(Counsel(look, self.settings), self._counsel_done)
-            self._counsel.start(QtCore.QThread.LowPriority)
-
-    def _counsel_done(self, worker: Worker) -> None:
-        if worker is not self._counsel:
-            return
-        self._counsel = None
-        worker.deleteLater()
-        if worker.request.revision != self.painting.revision:
-            if not self._dirty and self._rest.isActive():
-                self._pause.start()
-        elif worker.design is not None and not self.is_settled():
-            self.advised.emit(worker.design)
-        elif worker.fault():
-            self.failed.emit(str(worker.error))
+    def _study_shown(self, look: Look) -> None:
+        """The balloon is fitted; what the document needs is still on its way."""
+        if self._study is not None and look.revision == self.painting.revision:
+            self.latest = look
+            self.found.emit(look)
+            self.progressed.emit(1.0)
 
     def _study_done(self, worker: Worker) -> None:
         worker.deleteLater()
@@ -231,6 +222,8 @@ class Live(QtCore.QObject):
             self.progressed.emit(1.0)
 
     def _tell_progress(self, fraction: float, text: str) -> None:
-        if self._study is not None and fraction >= self._told + _PART:
+        if self._study is None or (self.is_fitted() and not self._study.request.is_awaited):
+            return
+        if fraction >= self._told + _PART:
             self._told = fraction
             self.progressed.emit(fraction)

@@ -58,8 +58,9 @@ class Look:
     drawing   the outlines [m], and the frame of the picture around them
     contours  of the pattern: role and points (k, 2) mm
     size      width, height and thickness of the largest balloon, mm; volume in m3
-    remarks   of the coach; none at a glance
-    solved    what the document takes over; None for a glance. It belongs to `file`
+    fitted    the balloon is the document's own, not that of a glance
+    remarks   of the coach; none before the study is over
+    solved    what the document takes over, at the end of a study. It belongs to `file`
     """
 
     revision: int
@@ -69,6 +70,7 @@ class Look:
     contours: tuple[tuple[str, np.ndarray], ...]
     size: tuple[float, float, float]
     volume: float
+    fitted: bool = False
     remarks: tuple[Remark, ...] = ()
     solved: Solved | None = None
     file: Path | None = None
@@ -100,12 +102,15 @@ def skin(inflation, places) -> Skin:
     )
 
 
-def contours(seams, settings: Settings) -> tuple[tuple[str, np.ndarray], ...]:
-    """Role and points (k, 2) mm of what is cut and sealed; nothing for seams that have no room for it."""
+def contours(seams, settings: Settings, fair: bool = True) -> tuple[tuple[str, np.ndarray], ...]:
+    """Role and points (k, 2) mm of what is cut and sealed; nothing for seams that have no room for it.
+
+    fair: as in build_pattern
+    """
     found = []
     for seam in seams:
         try:
-            pattern = usual_pattern(seam, settings.film, settings.intake)
+            pattern = usual_pattern(seam, settings.film, settings.intake, fair)
         except InputError:  # too thin for its weld, as long as it is drawn
             continue
         found += [(contour.role.value, to_mm(np.asarray(contour.points))) for contour in pattern.contours]

@@ -11,8 +11,9 @@ import json
 import zlib
 from pathlib import Path
 
+import numpy as np
+
 from BalloonWorkbench.app.painting import KEY
-from BalloonWorkbench.app.qt_picture import pixels
 from BalloonWorkbench.core.errors import PictureError
 from BalloonWorkbench.gui.paint.steps import KINDS
 from BalloonWorkbench.gui.paint.strokes import Picture
@@ -56,7 +57,8 @@ class Painting(QtCore.QObject):
 
     def is_empty(self) -> bool:
         """Nothing is painted."""
-        return not (pixels(self.image)[..., 3] > 127).any()
+        # alpha is the highest byte of a pixel
+        return int(np.frombuffer(self.image.constBits(), np.uint32).max()) >> 24 <= 127
 
     def do(self, step, painted: bool = False) -> None:
         """One more step; painted: it is on the image already. Raises what the step raises."""

@@ -73,18 +73,17 @@ def _fonts() -> None:
 
 
 def _look() -> None:
-    """Look at a dot once, from the picture to the coach."""
+    """Look at a dot once."""
     from BalloonWorkbench.core.errors import BalloonError
     from BalloonWorkbench.core.job import Settings
     from BalloonWorkbench.core.types import no_progress
     from BalloonWorkbench.gui.paint.painting import SIDE, Painting
-    from BalloonWorkbench.gui.paint.requests import Counsel, Glance
+    from BalloonWorkbench.gui.paint.requests import Glance
     from BalloonWorkbench.gui.paint.strokes import PEN, Stroke
     from BalloonWorkbench.gui.sentences import tell
 
     dot = Painting()
     dot.do(Stroke(PEN, "#000000", points=[(SIDE / 2, SIDE / 2, SIDE / 2)]))
     with suppress(BalloonError):  # what is missing is told when it is needed
-        look = Glance(dot.image, 0, 100.0, Settings()).solve(no_progress)
-        Counsel(look, Settings()).solve(no_progress)
+        Glance(dot.image, 0, 100.0, Settings()).solve(no_progress)
     tell("")

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is asked about a painting, each in a worker: a glance, quick and coarse; what the coach thinks of it;
-the study, which the document will have; and a picture without its background."""
+"""What is asked about a painting, each in a worker: a glance, quick and coarse; the study, which the document
+will have; and a picture without its background."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -12,18 +14,19 @@ import numpy as np
 from BalloonWorkbench.app import painting
 from BalloonWorkbench.app.qt_picture import pixels
 from BalloonWorkbench.core.advice import finding_from
-from BalloonWorkbench.core.coach.coach import advise
 from BalloonWorkbench.core.design.draft import VERTICES, check_area, draft
-from BalloonWorkbench.core.errors import BalloonError, Cancelled, ExportError
+from BalloonWorkbench.core.errors import BalloonError, ExportError
 from BalloonWorkbench.core.job import Settings
 from BalloonWorkbench.core.outline.drawing import Drawing
-from BalloonWorkbench.gui.paint.look import Look, contours, drawn, seen, size, skin
+from BalloonWorkbench.gui.paint.look import Frame, Look, contours, drawn, seen, size, skin
 from BalloonWorkbench.gui.paint.painting import SIDE
-from BalloonWorkbench.gui.paint.remarks import Remark, remarks
+from BalloonWorkbench.gui.paint.remarks import remarks
 from BalloonWorkbench.gui.qt import QtCore, QtGui, translate
 
 _MOST_SHAPES = 6  # at a glance
 _LEAST = 60  # vertices of a small shape
+_PAUSE = 0.5  # s between a fitted balloon and the rest of a study, looking whether to go on after
+_LOOK = 0.05  # s each
 
 
 @dataclass
@@ -38,7 +41,7 @@ class Glance:
     def solve(self, progress) -> Look:
         """Raises BalloonError where no balloon can be seen yet."""
         drawing, frame = seen(self.image, self.width, self.settings.drawn_as)
-        _go_on(progress)
+        painting.go_on(progress)
         drafts = []
         for number, part in enumerate(drawing.parts[:_MOST_SHAPES]):
             vertices = max(_LEAST, int(VERTICES * part.area / drawing.largest.area))
@@ -47,52 +50,35 @@ class Glance:
             except BalloonError:
                 if number == 0:
                     raise
-            _go_on(progress)
+            painting.go_on(progress)
         largest = drafts[0].inflation
         return Look(
             self.revision,
             tuple(skin(each.inflation, frame.places(each.inflation.panel.rest_positions)) for each in drafts),
             drawing,
             frame,
-            contours([each.pattern for each in drafts], self.settings),
+            contours([each.pattern for each in drafts], self.settings, fair=False),
             size(largest),
             largest.volume,
         )
 
 
 @dataclass
-class Counsel:
-    """What the coach expects of the balloon that was seen at a glance."""
-
-    look: Look
-    settings: Settings
-
-    @property
-    def revision(self) -> int:
-        """Of the painting."""
-        return self.look.revision
-
-    def solve(self, progress) -> tuple[Remark, ...]:
-        """Raises BalloonError where the shape is of no use, Cancelled when progress says stop."""
-        findings = []
-        for part in self.look.drawing.parts[:_MOST_SHAPES]:
-            _go_on(progress)
-            findings += advise(
-                part, self.settings.film, fitted=self.settings.correct, wanted=self.settings.wanted
-            ).findings
-        findings.sort(key=lambda finding: -finding.severity.rank)
-        return remarks(findings, self.look.frame, SIDE)
-
-
-@dataclass
 class Study:
-    """The fitted balloons of an image, in the file that the document will have."""
+    """The fitted balloons of an image, in the file that the document will have.
+
+    show        is given the look of the balloons as soon as they are fitted; what there is to tell about them
+                and what the document needs comes later
+    is_awaited  somebody waits for that
+    """
 
     image: object
     revision: int
     width: float
     settings: Settings
     file: Path
+    show: Callable[[Look], object] = bool
+    is_awaited: bool = False
 
     def solve(self, progress) -> Look:
         """Raises BalloonError where there is none, Cancelled when progress says stop."""
@@ -102,22 +88,41 @@ class Study:
             )
         drawing, frame = seen(self.image, self.width, self.settings.drawn_as)
         check_area(drawing.largest)
-        _go_on(progress)
-        solved = painting.solve(self.file, self.width, self.settings, progress)
-        inflations = [design.inflation for design in solved.designs]
+        painting.go_on(progress)
+        looks = []
+
+        def fitted(requests, designs) -> None:
+            looks.append(self._look(frame, requests, designs))
+            self.show(looks[0])
+            self._pause(progress)
+
+        solved = painting.solve(self.file, self.width, self.settings, progress, fitted)
         findings = [finding_from(data) for told in solved.told for data in told["advice"]]
         findings.sort(key=lambda finding: -finding.severity.rank)
+        pattern = contours([design.pattern for design in solved.designs], self.settings)
+        return replace(
+            looks[0], contours=pattern, remarks=remarks(findings, frame, SIDE), solved=solved, file=self.file
+        )
+
+    def _pause(self, progress) -> None:
+        """The pen may be back soon: then the rest would be for nothing, and slow down the next glance."""
+        end = time.monotonic() + _PAUSE
+        while time.monotonic() < end and not self.is_awaited:
+            painting.go_on(progress)
+            time.sleep(_LOOK)
+
+    def _look(self, frame: Frame, requests, designs) -> Look:
+        """The balloons and the pattern, whose lines are not smooth yet."""
+        inflations = [design.inflation for design in designs]
         return Look(
             self.revision,
             tuple(skin(inflation, frame.places(drawn(inflation))) for inflation in inflations),
-            Drawing(tuple(request.source.outline for request in solved.requests)),
+            Drawing(tuple(request.source.outline for request in requests)),
             frame,
-            contours([design.pattern for design in solved.designs], self.settings),
+            contours([design.pattern for design in designs], self.settings, fair=False),
             size(inflations[0]),
             inflations[0].volume,
-            remarks(findings, frame, SIDE),
-            solved,
-            self.file,
+            fitted=True,
         )
 
 
@@ -140,8 +145,3 @@ class CutOut:
         buffer.open(QtCore.QIODevice.WriteOnly)
         image.save(buffer, "PNG")
         return bytes(buffer.data())
-
-
-def _go_on(progress) -> None:
-    if not progress(0.0, ""):
-        raise Cancelled(translate("Stopped."))

@@ -57,6 +57,7 @@ class Scene:
         ):
             _fit(view, node)
             self._size = look.size
+        view.redraw()  # together with the canvas: each picture of the whole window takes its time
 
     def clear(self) -> None:
         """Take the balloon away."""

@@ -110,9 +110,7 @@ class PaintWindow(PaintDock):
         self.hand.growing.connect(self.live.drawing)
         self.painting.changed.connect(self._painted)
         self.live.found.connect(self._found)
-        self.live.advised.connect(self._advised)
         self.live.refused.connect(self._refused)
-        self.live.failed.connect(self.form.tell)
         self.live.empty.connect(self._nothing)
         self.live.progressed.connect(self.form.show_progress)
         self.form.made.connect(self.make)
@@ -195,7 +193,7 @@ class PaintWindow(PaintDock):
             self.form.tell(translate("The pattern is being fitted to the painting ..."))
             self._waiting = StatusProgress(translate("Fitting the pattern"), self._stop_making)
             self.live.progressed.connect(self._waiting.show_part)
-            self.live.study()
+            self.live.study(awaited=True)
 
     def _stop_making(self) -> None:
         """The painting stays as it is, and nothing is made of it."""
