@@ -7,6 +7,9 @@ from pathlib import Path
 
 import FreeCADGui as Gui
 import hands
+import numpy as np
+
+from BalloonWorkbench.app.qt_picture import pixels
 
 FOLDER = Path(f"build/pictures{os.environ.get('SUITE', '')}")
 SIZE = 1400, 900  # px
@@ -41,3 +44,17 @@ def picture(name):
     taken = hands.QtWidgets.QApplication.primaryScreen().grabWindow(0, 0, 0, *SIZE)
     assert taken.save(str(FOLDER / f"{name}.png"), "PNG", 0)
     return taken.toImage()
+
+
+def silhouette_jump(before, after, background=40):
+    """The share of a picture in which its silhouettes differ: what stands out from what is behind it, in
+    either of two pictures of one view, whatever its colour.
+
+    background  difference from the view's own colours, of 255, from which a pixel belongs to something
+    """
+    shapes = []
+    for image in (before, after):
+        rgb = pixels(image)[..., :3].astype(int)
+        behind = 0.5 * (rgb[:, :2].mean(axis=1) + rgb[:, -2:].mean(axis=1))  # a gradient from top to bottom
+        shapes.append(np.abs(rgb - behind[:, None]).max(axis=2) > background)
+    return float((shapes[0] != shapes[1]).mean())

@@ -83,13 +83,17 @@ class Form(QtWidgets.QWidget):
         self.drawn_as.setCurrentIndex(self.drawn_as.findData(choice))
 
     def show_look(self, look) -> None:
-        """The numbers of a look; None: there is nothing to measure."""
+        """The numbers of a look, rounded before it is fitted; None: there is nothing to measure."""
         if look is None:
             self.numbers.setText("")
             return
-        lengths = [App.Units.Quantity(value, App.Units.Length).UserString for value in look.size]
-        volume = App.Units.Quantity(cubic_millimetres(look.volume), App.Units.Volume).UserString
-        self.numbers.setText(translate("{} x {}, {} thick, {}").format(*lengths, volume))
+        size, volume = look.size, cubic_millimetres(look.volume)
+        if look.fitted:
+            text, said = translate("{} x {}, {} thick, {}"), _exact
+        else:
+            text, said = translate("about {} x {}, {} thick, {}"), _about
+        lengths = [said(value, App.Units.Length) for value in size]
+        self.numbers.setText(text.format(*lengths, said(volume, App.Units.Volume)))
 
     def show_progress(self, part: float) -> None:
         """How far the study is; 1 is done."""
@@ -100,6 +104,17 @@ class Form(QtWidgets.QWidget):
         self.hint.setText(
             sentences.tell(text) or translate("Draw a closed line, or paint an area: it becomes a balloon.")
         )
+
+
+def _exact(value: float, unit) -> str:
+    return App.Units.Quantity(value, unit).UserString
+
+
+def _about(value: float, unit) -> str:
+    """Two digits of a value, in the user's unit."""
+    _, factor, symbol = App.Units.Quantity(value, unit).getUserPreferred()
+    number = float(f"{value / factor:.1e}")
+    return f"{number:.6f}".rstrip("0").rstrip(".") + f" {symbol}"
 
 
 def _label(name: str):
