@@ -63,6 +63,9 @@ class FullList(QtWidgets.QListWidget):
     def __init__(self, highest: int):
         super().__init__()
         self._highest = highest
+        self._soon = QtCore.QTimer(self)
+        self._soon.setSingleShot(True)
+        self._soon.timeout.connect(self.fit)
         self.setWordWrap(True)
         self.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarAlwaysOff)
         self.setVerticalScrollMode(QtWidgets.QAbstractItemView.ScrollPerPixel)
@@ -80,4 +83,4 @@ class FullList(QtWidgets.QListWidget):
     def resizeEvent(self, event):
         super().resizeEvent(event)
         if event.size().width() != event.oldSize().width():
-            QtCore.QTimer.singleShot(0, self.fit)
+            self._soon.start(0)

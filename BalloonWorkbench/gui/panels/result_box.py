@@ -12,7 +12,6 @@ from BalloonWorkbench.app.quantities import cubic_millimetres, pascals
 from BalloonWorkbench.core.units import from_grams, mass_text, percent_text, to_mm
 from BalloonWorkbench.gui.panels.fields import Fields
 from BalloonWorkbench.gui.panels.maker_rows import MakerRows, value_label
-from BalloonWorkbench.gui.panels.narrow import NarrowForm
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, drawn_icon, translate
 from BalloonWorkbench.gui.sentences import tell
 from BalloonWorkbench.gui.user_units import (
@@ -79,7 +78,7 @@ class ResultBox(QtWidgets.QWidget):
         told = QtWidgets.QHBoxLayout()
         told.addWidget(self._sign)
         told.addWidget(self._message, 1)
-        self._measures = NarrowForm()
+        self._measures = QtWidgets.QFormLayout()
         self._maker = MakerRows(self._measures, short=True)
         column = QtWidgets.QVBoxLayout(self)
         start = QtWidgets.QHBoxLayout()
