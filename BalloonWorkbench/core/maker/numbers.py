@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -22,6 +23,10 @@ from BalloonWorkbench.core.units import length_text, mass_text, to_grams, to_mm
 
 #: Gas is sold by the cubic metre at 15 degrees Celsius and 1 bar (ISO 2533 uses the same temperature).
 _SOLD_AT = (ZERO_CELSIUS + 15.0, 1e5)  # K, Pa
+
+
+def _length(metres: float) -> str:
+    return length_text(metres, 3)
 
 
 @dataclass(frozen=True)
@@ -73,8 +78,8 @@ class Numbers:
         """Of film, weld and valve [kg]."""
         return self.inner + self.border + self.valve
 
-    def sentence(self, number: int = 0) -> str:
-        """Will it float? In one sentence, for the gas of that number."""
+    def sentence(self, number: int = 0, length: Callable[[float], str] = _length) -> str:
+        """Will it float? In one sentence, for the gas of that number; length: m as a text for the reader."""
         one, weight = self.floating[number], mass_text(self.weight)
         gas, carries = one.gas.capitalize(), mass_text(one.carries)
         weighs = f"film and valve weigh {weight}" if self.valve else f"the film weighs {weight}"
@@ -82,7 +87,7 @@ class Numbers:
             return f"{gas} lifts {carries}, {weighs}: yes, and it carries {mass_text(one.left)}."
         if one.from_width is None:
             return f"{gas} lifts {carries}, {weighs}: no, at no size."
-        wide = length_text(one.from_width, 3)
+        wide = length(one.from_width)
         return f"{gas} lifts {carries}, {weighs}: no. From {wide} width on it would."
 
 

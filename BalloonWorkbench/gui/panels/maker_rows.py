@@ -86,9 +86,13 @@ def _rows(numbers, short: bool, seam: str) -> list[tuple[str, str]]:
         (translate("Safe pressure"), _strength(numbers, seam), True),
         *_weakest(numbers, seam),
         (translate("Gas"), _gas(numbers), False),
-        (translate("Will it float?"), tell(numbers.sentence()), True),
+        (translate("Will it float?"), tell(numbers.sentence(length=_length)), True),
     ]
     return [(name, text) for name, text, important in found if important or not short]
+
+
+def _length(metres: float) -> str:
+    return length_text(to_mm(metres), 3)
 
 
 def _film(numbers) -> str:
