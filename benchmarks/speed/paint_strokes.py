@@ -205,14 +205,15 @@ def _tool(name):
 
 
 def _run():
+    path = Path(f"build/bench/strokes{os.environ.get('SUITE', '')}.json")
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.unlink(missing_ok=True)
     try:
         Gui.activateWorkbench("BalloonWorkbench")
-        path = Path(f"build/bench/strokes{os.environ.get('SUITE', '')}.json")
-        path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(json.dumps(_measure(), indent=1), encoding="utf-8")
-    except BaseException:  # noqa: BLE001 - FreeCAD would stay open
-        traceback.print_exc()
     finally:
+        if not path.exists():
+            traceback.print_exc()
         sys.stdout.flush()
         sys.stderr.flush()
         os._exit(0)
