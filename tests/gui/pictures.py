@@ -10,9 +10,11 @@ import hands
 import numpy as np
 
 from BalloonWorkbench.app.qt_picture import pixels
+from BalloonWorkbench.core.outline.raster import label
 
 FOLDER = Path(f"build/pictures{os.environ.get('SUITE', '')}")
 SIZE = 1400, 900  # px
+_STANDS_OUT = 12  # difference from the background, of 255
 _PANEL = 270  # px, width of tree and task panels
 
 
@@ -46,15 +48,17 @@ def picture(name):
     return taken.toImage()
 
 
-def silhouette_jump(before, after, background=40):
-    """The share of a picture in which its silhouettes differ: what stands out from what is behind it, in
-    either of two pictures of one view, whatever its colour.
-
-    background  difference from the view's own colours, of 255, from which a pixel belongs to something
+def silhouette_jump(before, after):
+    """The share of a picture in which its silhouettes differ, in two pictures of one view: whatever is
+    enclosed by something that stands out from the background, of any colour.
     """
-    shapes = []
-    for image in (before, after):
-        rgb = pixels(image)[..., :3].astype(int)
-        behind = 0.5 * (rgb[:, :2].mean(axis=1) + rgb[:, -2:].mean(axis=1))  # a gradient from top to bottom
-        shapes.append(np.abs(rgb - behind[:, None]).max(axis=2) > background)
-    return float((shapes[0] != shapes[1]).mean())
+    one, other = (_silhouette(pixels(image)[..., :3].astype(int)) for image in (before, after))
+    return float((one != other).mean())
+
+
+def _silhouette(rgb):
+    """Where (h, w) the background, a gradient from top to bottom, does not reach from the border."""
+    behind = 0.5 * (rgb[:, :2].mean(axis=1) + rgb[:, -2:].mean(axis=1))
+    bare = np.abs(rgb - behind[:, None]).max(axis=2) <= _STANDS_OUT
+    labels, _ = label(np.pad(bare, 1, constant_values=True))
+    return (labels != labels[0, 0])[1:-1, 1:-1]

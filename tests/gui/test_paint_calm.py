@@ -115,6 +115,7 @@ def test_what_leaves_the_outline_alone_leaves_the_balloon_alone(window, change):
     assert watch.texts == {text}
     assert all(look.skins is shown.skins for look in watch.looks)
     assert silhouette_jump(before, view_picture(window)) < 0.005
+    hands.screenshot(f"calm-{change.__name__}")
     kept = QtGui.QImage(str(window.live.latest.file))
     assert (pixels(kept) == pixels(window.painting.image)).all()
 
