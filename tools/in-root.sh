@@ -18,6 +18,7 @@ exec unshare --mount --propagation private bash -euc '
     mount --bind "$REPOSITORY" "$ROOT$REPOSITORY"
     mount --bind "$ROOT/opt/venv" "$ROOT$REPOSITORY/.venv"
     exec chroot "$ROOT" /usr/bin/env -i PATH=/usr/bin:/bin:/usr/sbin:/sbin HOME=/root LANG=C.UTF-8 TERM=dumb \
-        ${BALLOON_TESTS:+"BALLOON_TESTS=$BALLOON_TESTS"} ${BALLOON_FAULTS:+"BALLOON_FAULTS=$BALLOON_FAULTS"} "SUITE=${SUITE:-}" \
+        ${BALLOON_TESTS:+"BALLOON_TESTS=$BALLOON_TESTS"} ${BALLOON_FAULTS:+"BALLOON_FAULTS=$BALLOON_FAULTS"} \
+        ${SCREENS:+"SCREENS=$SCREENS"} ${THEMES:+"THEMES=$THEMES"} "SUITE=${SUITE:-}" \
         /bin/bash -c "cd \"\$1\" && shift && exec \"\$@\"" sh "$REPOSITORY" "$@"
 ' sh "$@"
