@@ -5,7 +5,7 @@ SHELL := /bin/bash
 .DEFAULT_GOAL := help
 PYTHON := .venv/bin/python
 
-.PHONY: help setup native readers demo test test-core test-app test-gui matrix lint format validation bench fuzz mutations pythons coverage tidy docs examples pictures release release-check release-branch pins translations freecad clean
+.PHONY: help setup native readers demo test test-core test-app test-gui matrix users lint format validation bench fuzz mutations pythons coverage tidy docs examples pictures release release-check release-branch install-check pins translations freecad clean
 
 help: ## List these targets
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' $(MAKEFILE_LIST) | expand -t 12
@@ -35,6 +35,11 @@ test-core test-app test-gui: test-%: native readers
 
 matrix: native ## Run the tests with FreeCAD 1.0 and 1.1 (Python 3.13, 3.14), in roots of their Debian; as root
 	@tools/matrix.sh app gui engine
+
+# Pictures of each step: build/users. A part of it: SCREENS=1366x768 THEMES=dark SUITES=forky make users
+users: native ## Play an engineer, a maker and a child with real mouse and keys: two screens, two themes, each FreeCAD; as root
+	@tools/test.sh users
+	@tools/matrix.sh users
 
 lint: setup ## Check style, types and formatting
 	@tools/test.sh lint

@@ -19,6 +19,7 @@ exec unshare --mount --propagation private bash -euc '
     mount --bind "$ROOT/opt/venv" "$ROOT$REPOSITORY/.venv"
     exec chroot "$ROOT" /usr/bin/env -i PATH=/usr/bin:/bin:/usr/sbin:/sbin HOME=/root LANG=C.UTF-8 TERM=dumb \
         ${BALLOON_TESTS:+"BALLOON_TESTS=$BALLOON_TESTS"} ${BALLOON_FAULTS:+"BALLOON_FAULTS=$BALLOON_FAULTS"} \
-        ${SCREEN:+"SCREEN=$SCREEN"} ${BALLOON_LANGUAGES:+"BALLOON_LANGUAGES=$BALLOON_LANGUAGES"} "SUITE=${SUITE:-}" \
+        ${SCREEN:+"SCREEN=$SCREEN"} ${BALLOON_LANGUAGES:+"BALLOON_LANGUAGES=$BALLOON_LANGUAGES"} \
+        ${SCREENS:+"SCREENS=$SCREENS"} ${THEMES:+"THEMES=$THEMES"} "SUITE=${SUITE:-}" \
         /bin/bash -c "cd \"\$1\" && shift && exec \"\$@\"" sh "$REPOSITORY" "$@"
 ' sh "$@"

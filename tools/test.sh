@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# test.sh STEP...   steps: lint core app gui; engine: the part of core that other versions are tried with
+# test.sh STEP...   steps: lint core app gui; engine: the part of core that other versions are tried with;
+# users: plays users on screens of SCREENS with THEMES, and leaves their pictures in build/users
 # Runs every step, also after one has failed. Each leaves build/logs/STEP.log, with SUITE after its name if set.
 set -uo pipefail
 cd "$(dirname "$(realpath "$0")")/.." || exit 1
@@ -47,6 +48,21 @@ gui() {
     BALLOON_TESTS="${again[*]}" tools/in-window.sh "$scratch/gui" tests/freecad_pytest.py
 }
 
+users() {
+    local screen theme failed=0
+    for screen in ${SCREENS:-1366x768 1920x1080}; do
+        for theme in ${THEMES:-light dark}; do
+            echo "== $screen, $theme"
+            mkdir -p "$scratch/users-$screen-$theme"
+            .venv/bin/python tests/users/theme.py "$theme" >"$scratch/users-$screen-$theme/user.cfg"
+            # 96 dots per inch: a pixel of the screen is one of Qt's
+            BALLOON_TESTS=${BALLOON_TESTS:-tests/users} SCREEN=$screen THEME=$theme QT_FONT_DPI=96 \
+                tools/in-window.sh "$scratch/users-$screen-$theme" tests/freecad_pytest.py || failed=1
+        done
+    done
+    return $failed
+}
+
 pytest_has_ended() {
     grep -qE '[0-9]+ passed' "$1" || { echo "The process ended before pytest did." && return 1; }
 }
@@ -65,7 +81,7 @@ check() {
     "$step" </dev/null 2>&1 | tee "$log"
     status=${PIPESTATUS[0]}
     [ "$step" = lint ] || [ "$status" -ne 0 ] || pytest_has_ended "$log" || status=1
-    case $step in app | gui) freecad_log_is_clean "$log" || status=1 ;; esac
+    case $step in app | gui | users) freecad_log_is_clean "$log" || status=1 ;; esac
     counts=$(grep -aoE '[0-9]+ (passed|failed|skipped|errors?)\b.* in [0-9.]+s' "$log" | paste -sd';')
     [ "$status" -eq 0 ] || word="FAILED ($status)"
     printf '%-5s %-12s %4d s  %s\n' "$step" "$word" $((SECONDS - started)) "$counts" >"$scratch/$step.summary"

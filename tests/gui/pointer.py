@@ -62,7 +62,7 @@ class Pointer:
         self._fake(_RELEASE, button)
 
     def key(self, *names):
-        """Keys that are pressed together, such as "Ctrl", "z"; a sign is typed as a keyboard of the US has it."""
+        """Keys that are pressed together, such as "Ctrl", "z"; signs are where a keyboard has them."""
         held = []
         for name in names:
             code, shifted = self._keys[_KEYS.get(name) or ord(name)]

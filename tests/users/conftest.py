@@ -8,8 +8,9 @@ import FreeCAD as App
 import FreeCADGui as Gui
 import pytest
 
-_TESTS = Path(__file__).resolve().parents[1]
-sys.path += [str(_TESTS / "gui"), str(_TESTS / "app"), str(_TESTS.parent / "tools"), str(_TESTS / "users")]
+sys.path.append(str(Path(__file__).resolve().parents[1] / "gui"))
+sys.path.append(str(Path(__file__).resolve().parents[1] / "app"))
+sys.path.append(str(Path(__file__).resolve().parents[2] / "tools"))
 
 import hands
 from brush import close_window

@@ -1,13 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A user's way through the workbench: a picture and the checks at each step; all faults are told at its end."""
+"""A user's way through the workbench: a picture and the checks at each step; its end tells all faults."""
 
 import os
 import time
 from pathlib import Path
 
-import FreeCAD as App
-import FreeCADGui as Gui
 import checks
+import FreeCAD as App
 import hands
 
 from BalloonWorkbench.app.qt_picture import pixels

@@ -1,14 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A child paints a fish, makes it, and paints on."""
 
-import FreeCAD as App
 import fish_painting as fish
+import FreeCAD as App
 import hands
-from brush import BLUE, RED, arc, is_closed
+from brush import BLUE, RED, colour_at, is_closed
 from story import JUMP, most_change
 from user import on_paper
 
-from BalloonWorkbench.app.examples import EXAMPLES  # noqa: F401
 from BalloonWorkbench.gui.paint import window as paint_window
 
 
@@ -36,6 +35,7 @@ def test_child(user, story):
     story.expect(not moved, "the paper moves while the first stroke is drawn")
     user.replace(window.card.field, "25", confirm=False)
     user.button("PaintSizeDone")
+    story.expect(not window.card.isVisible(), "the question for the width stays after its answer")
     hands.wait_until(live.is_settled, 60)
     story.expect(abs(live.width - 250) < 1, f"the width is {live.width}, not 250 mm")
     story.step("width")
@@ -64,7 +64,23 @@ def test_child(user, story):
     user.panel("Cancel")
     hands.wait_until(hands.panel_is_closed)
     story.step("in-the-document")
+    story.expect(len(App.ActiveDocument.UndoNames) == 1, "making it is more than one step to undo")
     user.open_in_tree(App.ActiveDocument.Outline)
     window = opened()
+    canvas = window.canvas
     hands.wait_until(window.live.is_settled, 60)
     story.step("paint-on")
+    user.key("m")
+    user.button(f"PaintColour{RED}")
+    user.paint(canvas, [(0.2, 0.15), (0.25, 0.1), (0.3, 0.15)])
+    story.step("mirrored")
+    story.expect(colour_at(window, 0.75, 0.1)[3] == 255, "nothing was painted on the other side")
+    user.button("PaintClear")
+    hands.wait_until(lambda: not window.scene.is_shown(), 10)
+    story.step("cleared")
+    left = [window.form.numbers.text(), *(remark.text for remark in canvas.thin.remarks)]
+    story.expect(not any(left), f"on a cleared sheet is still said: {left}")
+    story.expect("closed line" in window.form.hint.text(), f"a cleared sheet says: {window.form.hint.text()}")
+    user.key("Ctrl", "z")
+    hands.wait_until(window.live.is_settled, 60)
+    story.step("back")

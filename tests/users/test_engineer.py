@@ -47,7 +47,9 @@ def test_engineer(user, story, tmp_path):
     user.key("Escape")
     doc.recompute()
     hands.wait(0.5)
-    story.expect(balloon.InflatedWidth.Value == pytest.approx(140, rel=0.03), "the balloon is not 140 mm wide")
+    story.expect(
+        balloon.InflatedWidth.Value == pytest.approx(140, rel=0.03), "the balloon is not 140 mm wide"
+    )
     story.step("dimension-140")
 
     user.open_in_tree(balloon)
@@ -68,7 +70,9 @@ def test_engineer(user, story, tmp_path):
     hands.wait_until(hands.panel_is_seen)
     hands.wait(2.0)
     story.step("advice")
-    user.panel("Close" if hands.panel_buttons()[0].button(hands.QtWidgets.QDialogButtonBox.Close) else "Cancel")
+    user.panel(
+        "Close" if hands.panel_buttons()[0].button(hands.QtWidgets.QDialogButtonBox.Close) else "Cancel"
+    )
     hands.wait_until(hands.panel_is_closed)
 
     user.select(pattern)
@@ -76,8 +80,10 @@ def test_engineer(user, story, tmp_path):
     hands.wait_until(hands.panel_is_seen)
     user.choose(hands.find("Machine"), "LightBurn")
     story.step("export-machine")
-    story.expect("Bracket" in hands.find("File").text() or "Rectangle" in hands.find("File").text(),
-                 f"the file is not called after the balloon: {hands.find('File').text()}")
+    story.expect(
+        "Bracket" in hands.find("File").text() or "Rectangle" in hands.find("File").text(),
+        f"the file is not called after the balloon: {hands.find('File').text()}",
+    )
     user.replace(hands.find("File"), str(tmp_path / "bracket.dxf"), confirm=False)
     story.step("export-file")
     user.panel("Ok")
@@ -109,7 +115,7 @@ def test_engineer(user, story, tmp_path):
 
     with user.answering(tmp_path / "bracket.FCStd"):
         user.key("Ctrl", "s")
-        hands.wait_until(lambda: (tmp_path / "bracket.FCStd").exists(), 20)
+        hands.wait_until((tmp_path / "bracket.FCStd").exists, 20)
     App.closeDocument(doc.Name)
     App.openDocument(str(tmp_path / "bracket.FCStd"))
     hands.wait(1.0)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A maker inflates a picture, chooses width and film, prints artwork, lays out film, and meets a bed too small."""
+"""A maker inflates a picture chooses width and film, prints, lays out, and meets a bed too small."""
 
 from pathlib import Path
 
@@ -16,7 +16,11 @@ def solved():
 
 
 def ready():
-    return [obj.Status for obj in App.ActiveDocument.Objects if type(getattr(obj, "Proxy", None)).__name__ == "BalloonProxy"] == [status.READY]
+    return [
+        obj.Status
+        for obj in App.ActiveDocument.Objects
+        if type(getattr(obj, "Proxy", None)).__name__ == "BalloonProxy"
+    ] == [status.READY]
 
 
 def test_maker(user, story, tmp_path):

@@ -21,7 +21,7 @@ def main(theme: str) -> None:
     else:
         assert not _OLD[theme] or (_SHARED / "Stylesheets" / _OLD[theme]).exists()
         _merge(root, ET.fromstring(_style_sheet(_OLD[theme])))
-    print(ET.tostring(root, encoding="unicode"))
+    sys.stdout.write(ET.tostring(root, encoding="unicode"))
 
 
 def _merge(into, source) -> None:

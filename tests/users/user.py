@@ -13,6 +13,7 @@ from pointer import LEFT, WHEEL_DOWN, WHEEL_UP, Pointer
 from BalloonWorkbench.gui.paint.painting import SIDE
 
 QtCore, QtGui, QtWidgets = hands.QtCore, hands.QtGui, hands.QtWidgets
+_OBJECT = 1001  # kind of the tree's items that are objects, in FreeCAD
 _ANSWER = 10.0  # s in which the pointer has to arrive
 
 
@@ -149,10 +150,13 @@ class User:
         return found[-1]
 
     def _place_in_tree(self, obj):
-        trees = [tree for tree in hands.visible(QtWidgets.QTreeWidget) if "Tree" in tree.metaObject().className()]
+        trees = [
+            tree for tree in hands.visible(QtWidgets.QTreeWidget) if "Tree" in tree.metaObject().className()
+        ]
         for tree in trees:
             for item in _items(tree.invisibleRootItem()):
-                if item.text(0) == obj.Label:
+                # a document may be called like what is in it
+                if item.text(0) == obj.Label and item.type() == _OBJECT:
                     parent = item.parent()
                     while parent is not None:
                         parent.setExpanded(True)
@@ -181,7 +185,7 @@ class User:
 
     @contextmanager
     def answering(self, path, expected=True):
-        """Type a path into the next chooser of files, and confirm it; gives a list that is empty until then."""
+        """Type a path into the next chooser of files, and confirm it; the list is empty until then."""
         done = []
 
         def look():

@@ -7,6 +7,11 @@ from BalloonWorkbench.gui.paint.lengths import large
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 
 _GAP = 10  # px to the edges of the canvas
+#: Lies on white paper in every theme: some make frames transparent, and words as light as the paper.
+_LOOK = """
+#PaintSize { background: #fff6ea; border: 1px solid #b0a590; border-radius: 4px; }
+#PaintSize QLabel { background: transparent; color: #3a2a10; }
+"""
 
 
 class SizeCard(QtWidgets.QFrame):
@@ -19,8 +24,7 @@ class SizeCard(QtWidgets.QFrame):
         super().__init__(canvas)
         self._unit = large()
         self.setObjectName("PaintSize")
-        self.setFrameShape(QtWidgets.QFrame.StyledPanel)
-        self.setAutoFillBackground(True)
+        self.setStyleSheet(_LOOK)
         self.setCursor(QtCore.Qt.ArrowCursor)
         question = QtWidgets.QLabel(translate("How wide shall it be?"))
         question.setToolTip(translate("The hand beside the shape is as large as a grown-up's"))

@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Each sentence of the tutorial is held by the window test that plays it, and no other is."""
+
+import ast
+import sys
+from pathlib import Path
+
+sys.path.append(str(Path(__file__).resolve().parents[1] / "users"))
+
+from promises import BEYOND, TUTORIAL, sentences
+
+_PLAYED = TUTORIAL.parents[1] / "tests" / "users" / "test_tutorial.py"
+
+
+def held():
+    """What test_tutorial.py says, word for word."""
+    tree = ast.parse(_PLAYED.read_text(encoding="utf-8"))
+    calls = [node for node in ast.walk(tree) if isinstance(node, ast.Call)]
+    return [
+        call.args[0].value for call in calls if isinstance(call.func, ast.Name) and call.func.id == "says"
+    ]
+
+
+def test_every_sentence_of_the_tutorial_is_played():
+    assert sorted(held()) == sorted(set(held())), "said twice"
+    assert [told for told in sentences() if told not in (*held(), *BEYOND)] == []
+    assert [told for told in (*held(), *BEYOND) if told not in sentences()] == []
