@@ -16,6 +16,10 @@
         <translation>Fügt hinzu, wodurch der Ballon gefüllt wird</translation>
     </message>
     <message>
+        <source>Air that it holds, as a share of what a round balloon of as much film would</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Another picture for the back; empty takes that of the front</source>
         <translation>Ein anderes Bild für die Rückseite; leer nimmt das der Vorderseite</translation>
     </message>
@@ -192,6 +196,10 @@
         <translation>Er trägt sich selbst</translation>
     </message>
     <message>
+        <source>It has a place; a new object is given one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Label of the values the mesh belongs to</source>
         <translation>Kennzeichen der Werte, zu denen das Netz gehört</translation>
     </message>
@@ -304,8 +312,8 @@
         <translation>Anteil der Folie, den die Stücke einnehmen, in Prozent</translation>
     </message>
     <message>
-        <source>Part of the film's area that is slack</source>
-        <translation>Anteil der Folienfläche, der schlaff ist</translation>
+        <source>Part of the film's area that hangs loose</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Part of the film's area that is wrinkled</source>
@@ -356,12 +364,12 @@
         <translation>Hinweise zur Anordnung</translation>
     </message>
     <message>
-        <source>Result that is shown as colours, with a legend</source>
-        <translation>Ergebnis, das als Farben mit Legende gezeigt wird</translation>
+        <source>Repairs that were made in the drawing, one each; delete an entry to take it back</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Roundness: 1 for a disc, 0 for a flat thing</source>
-        <translation>Rundheit: 1 für eine Scheibe, 0 für etwas Flaches</translation>
+        <source>Result that is shown as colours, with a legend</source>
+        <translation>Ergebnis, das als Farben mit Legende gezeigt wird</translation>
     </message>
     <message>
         <source>Show the drawing and the silhouette over each other</source>
@@ -400,16 +408,16 @@
         <translation>Zugspannung im Querschnitt, bei der die Folie reißt; 0: unbekannt</translation>
     </message>
     <message>
+        <source>The balloon shown has come to rest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The balloon that is cut from this pattern</source>
         <translation>Der Ballon, der aus diesem Schnittmuster entsteht</translation>
     </message>
     <message>
         <source>The film resists bending</source>
         <translation>Die Folie widersteht dem Biegen</translation>
-    </message>
-    <message>
-        <source>The mesh shown is an equilibrium</source>
-        <translation>Das gezeigte Netz ist im Gleichgewicht</translation>
     </message>
     <message>
         <source>The outline of the drawing</source>
@@ -528,10 +536,6 @@
         <translation>Woraus der Ballon ist; „Eigene“ erlaubt eigene Werte</translation>
     </message>
     <message>
-        <source>What the coach has changed in the drawing, one repair each; delete an entry to take it back</source>
-        <translation>Was der Ratgeber an der Zeichnung geändert hat, je eine Reparatur; einen Eintrag löschen nimmt sie zurück</translation>
-    </message>
-    <message>
         <source>What the outline was read from</source>
         <translation>Woraus der Umriss gelesen wurde</translation>
     </message>
@@ -550,6 +554,10 @@
     <message>
         <source>Where it is found: farthest from the centre, or low, where a tied balloon hangs straight</source>
         <translation>Wo er gesucht wird: am weitesten von der Mitte, oder unten, wo ein angebundener Ballon gerade hängt</translation>
+    </message>
+    <message>
+        <source>Where it was put, unless by the user</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Whether a laser may cut this film</source>
@@ -639,6 +647,10 @@
         <translation>„{0}“ hat {1} x {2} Pixel, mehr als {3} Millionen. Verkleinern; 2000 Pixel Breite sind reichlich.</translation>
     </message>
     <message>
+        <source>'{0}' is a pipe or a device: save what comes from it, and name that file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>'{0}' is colder than anything; write a temperature as 20C, 68F or 293K.</source>
         <translation>„{0}“ ist kälter als alles; eine Temperatur als 20C, 68F oder 293K schreiben.</translation>
     </message>
@@ -671,6 +683,10 @@
         <translation>„{0}“ ist weder SVG noch DXF noch JSON. Die Zeichnung als eines davon speichern.</translation>
     </message>
     <message>
+        <source>'{0}' is no size: write 500mm for a width, 500mmx700mm for width and height.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>'{0}' is not a drawing that can be read. Use PNG, JPEG, BMP, SVG, DXF or JSON.</source>
         <translation>„{0}“ ist keine lesbare Zeichnung. PNG, JPEG, BMP, SVG, DXF oder JSON benutzen.</translation>
     </message>
@@ -687,24 +703,20 @@
         <translation>„{0}“ ist keine Temperatur; als 20C, 68F oder 293K schreiben.</translation>
     </message>
     <message>
-        <source>'{0}' is not a {1}; write it as {2}.</source>
-        <translation>„{0}“ passt hier nicht ({1}); als {2} schreiben.</translation>
+        <source>'{0}' is not a {1}; write it like {2}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>'{}' is not a picture. Save it as PNG, JPEG or BMP once more.</source>
         <translation>„{}“ ist kein Bild. Noch einmal als PNG, JPEG oder BMP speichern.</translation>
     </message>
     <message>
-        <source>, about {:.2f} {}</source>
-        <translation>, etwa {:.2f} {}</translation>
+        <source>, about {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>, estimated: the film did not come to rest</source>
         <translation>, geschätzt: Die Folie kam nicht zur Ruhe</translation>
-    </message>
-    <message>
-        <source>, {0} mm so far</source>
-        <translation>, bisher {0} mm</translation>
     </message>
     <message>
         <source>1 to {0} pieces can be laid out, not {1}.</source>
@@ -715,12 +727,20 @@
         <translation>Ein Ballon hat kein „{0}“: Es gibt {1}.</translation>
     </message>
     <message>
+        <source>A bed is {0} mm to {1} mm wide and high: write 600mmx400mm, 600mm for a roll, or {2}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>A corner relief of {0} would cut into the weld: choose a smaller radius or a wider allowance.</source>
         <translation>Ein Eckenfreistich von {0} würde in die Schweißnaht schneiden: einen kleineren Radius oder mehr Zugabe wählen.</translation>
     </message>
     <message>
         <source>A drawing with welds inside is not made symmetric: draw it so, and turn this off.</source>
         <translation>Eine Zeichnung mit inneren Schweißnähten wird nicht symmetrisch gemacht: sie so zeichnen und dies ausschalten.</translation>
+    </message>
+    <message>
+        <source>A file of this name is there already</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>A hole meets the outline or another hole at {0}; keep some film between them.</source>
@@ -735,16 +755,20 @@
         <translation>Eine Beschriftung hat bis zu {0} Buchstaben, 0,1 mm bis 10 m hoch: sie ändern.</translation>
     </message>
     <message>
-        <source>A lift of {0} g cannot be made: give one such as 5g.</source>
-        <translation>Ein Auftrieb von {0} g ist nicht möglich: zum Beispiel 5g angeben.</translation>
+        <source>A layout is as large as its film: give the film the size of the bed there.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A lift of {0} kg is out of reach: {1} m large, this balloon would carry {2} kg. Choose a lighter film or gas, a smaller lift, or a rounder shape.</source>
-        <translation>Ein Auftrieb von {0} kg ist unerreichbar: {1} m groß trüge dieser Ballon {2} kg. Leichtere Folie oder leichteres Gas, weniger Auftrieb oder eine rundere Form wählen.</translation>
+        <source>A lift of {0} cannot be made: give one such as 5g.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A lift of {0} kg is out of reach: {1} m large, this balloon would lack {2} kg. Choose a lighter film or gas, a smaller lift, or a rounder shape.</source>
-        <translation>Ein Auftrieb von {0} kg ist unerreichbar: {1} m groß fehlten diesem Ballon {2} kg. Leichtere Folie oder leichteres Gas, weniger Auftrieb oder eine rundere Form wählen.</translation>
+        <source>A lift of {0} is out of reach: {1} large, this balloon would carry {2}. Choose a lighter film or gas, a smaller lift, or a rounder shape.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A lift of {0} is out of reach: {1} large, this balloon would lack {2}. Choose a lighter film or gas, a smaller lift, or a rounder shape.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>A mesh of {0} is too coarse for a shape of {1}: use at most {2}.</source>
@@ -791,12 +815,24 @@
         <translation>Ein strenger Leser, der schlichte Polylinien will. Ebenen werden durch Farben unterschieden: Rot, Blau und Orange schneiden, die Ausgabe aller anderen auf Nein stellen.</translation>
     </message>
     <message>
-        <source>A volume of {0} litres cannot be made: give one such as 10l.</source>
-        <translation>Ein Volumen von {0} Litern ist nicht möglich: zum Beispiel 10l angeben.</translation>
+        <source>A target decides the size: leave out --width and --height.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A volume of {0} cannot be made: give one such as 10l.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A volume or a lift decides the size: choose less of it.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>A volume to inflate to and a goal for the size exclude each other: leave one out.</source>
         <translation>Ein Füllvolumen und eine Zielgröße schließen einander aus: eines weglassen.</translation>
+    </message>
+    <message>
+        <source>A web page came instead of the native solver, as some networks send before one has signed in. Open {0} in a browser, then try again. {1}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>A weld has no length; draw a line, or a circle for a spot.</source>
@@ -811,8 +847,12 @@
         <translation>Eine Schweißnaht trifft bei {0} den Umriss, sich selbst oder eine andere; etwas Folie dazwischen lassen.</translation>
     </message>
     <message>
-        <source>A weld runs too near to another one or to the outline at ({0}, {1}) mm for this mesh: move it away, or use a smaller mesh size.</source>
-        <translation>Eine Schweißnaht liegt bei ({0}, {1}) mm für dieses Netz zu nah an einer anderen oder am Umriss: sie verschieben oder ein feineres Netz benutzen.</translation>
+        <source>A weld runs too near to another one or to the outline at {0} for this mesh: move it away, or use a smaller mesh size.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A {0} of {1} cannot be made; choose one between 1 mm and 100 m.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Across</source>
@@ -821,6 +861,10 @@
     <message>
         <source>Advice</source>
         <translation>Ratschläge</translation>
+    </message>
+    <message>
+        <source>Advice ({0}), at {1}: {2}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Air intake</source>
@@ -939,12 +983,20 @@
         <translation>Schnittmuster des Ballons</translation>
     </message>
     <message>
+        <source>Balloon: {0}, {1}, solver {2}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Balloons</source>
         <translation>Ballons</translation>
     </message>
     <message>
         <source>Balloons of each</source>
         <translation>Ballons von jedem</translation>
+    </message>
+    <message>
+        <source>Bed</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Bending stiffness</source>
@@ -991,8 +1043,16 @@
         <translation>Die Größe prüfen: Der Kontrollbalken von 100 mm in Schneidedatei oder Ausdruck muss 100 mm messen.</translation>
     </message>
     <message>
-        <source>Checked: nothing is in the way.</source>
-        <translation>Geprüft: Nichts steht im Weg.</translation>
+        <source>Check, {0}: {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Checked: ready to make.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Checking the pattern</source>
@@ -1199,8 +1259,32 @@
         <translation>Fernster Punkt</translation>
     </message>
     <message>
+        <source>Fetch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fetch the native solver ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fetches the native solver of this version, checks its SHA-256 and puts it in its place.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fetching the native solver</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fetching {0} ({1} MB) into {2}; only the file with SHA-256 {3} is kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>File</source>
         <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Files written to {}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Fill</source>
@@ -1215,20 +1299,20 @@
         <translation>Durch ein Röhrchen von 6 mm füllen, das Ende schräg geschnitten, 25 mm über die Naht quer zum Hals hinausgeschoben. Es herausziehen: Der Druck presst die Streifen aufeinander.</translation>
     </message>
     <message>
-        <source>Fill to {pressure} kPa, never above {safe} kPa: film and seam then keep a margin of {margin}.</source>
-        <translation>Bis {pressure} kPa füllen, nie über {safe} kPa: Folie und Naht behalten dann {margin}-fache Reserve.</translation>
+        <source>Fill to {pressure}, never above {safe}: film and seam then keep a margin of {margin}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Fill to {pressure} kPa, never above {safe} kPa: film and weld then keep a margin of {margin}.</source>
-        <translation>Bis {pressure} kPa füllen, nie über {safe} kPa: Folie und Naht behalten dann {margin}-fache Reserve.</translation>
+        <source>Fill to {pressure}, never above {safe}: film and weld then keep a margin of {margin}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Fill to {safe} kPa at most: {pressure} kPa is more than film and seam bear with a margin of {margin}. Mind your eyes.</source>
-        <translation>Höchstens bis {safe} kPa füllen: {pressure} kPa sind mehr, als Folie und Naht mit {margin}-facher Reserve tragen. Augen schützen.</translation>
+        <source>Fill to {safe} at most: {pressure} is more than film and seam bear with a margin of {margin}. Mind your eyes.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Fill to {safe} kPa at most: {pressure} kPa is more than film and weld bear with a margin of {margin}. Mind your eyes.</source>
-        <translation>Höchstens bis {safe} kPa füllen: {pressure} kPa sind mehr, als Folie und Naht mit {margin}-facher Reserve tragen. Augen schützen.</translation>
+        <source>Fill to {safe} at most: {pressure} is more than film and weld bear with a margin of {margin}. Mind your eyes.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Fill with air a little and brush soapy water along the weld: bubbles show leaks. Weld once more there.</source>
@@ -1251,20 +1335,24 @@
         <translation>Benötigte Folie</translation>
     </message>
     <message>
-        <source>Film of your own</source>
-        <translation>Eigene Folie</translation>
+        <source>Film needed: {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Film state</source>
-        <translation>Zustand der Folie</translation>
+        <source>Film of your own</source>
+        <translation>Eigene Folie</translation>
     </message>
     <message>
         <source>Film width</source>
         <translation>Folienbreite</translation>
     </message>
     <message>
-        <source>Film {0} m large is too much: write 500mm.</source>
-        <translation>{0} m Folie sind zu viel: 500mm schreiben.</translation>
+        <source>Film {0} large is too much: write 500mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Film: {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Films</source>
@@ -1295,8 +1383,8 @@
         <translation>Jeder Änderung sofort folgen</translation>
     </message>
     <message>
-        <source>For {0} litres the drawing would be {1} large: choose a volume that makes it {2} to {3} m.</source>
-        <translation>Für {0} Liter würde die Zeichnung {1} groß: ein Volumen wählen, das sie {2} bis {3} m groß macht.</translation>
+        <source>For {0} the drawing would be {1} large: choose a volume that makes it {2} to {3}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Forced</source>
@@ -1305,6 +1393,14 @@
     <message>
         <source>Frames are even in movement, not in time. Only the film has mass, the gas has none.</source>
         <translation>Die Bilder sind gleichmäßig in der Bewegung, nicht in der Zeit. Nur die Folie hat Masse, das Gas keine.</translation>
+    </message>
+    <message>
+        <source>FreeCAD cannot make it ({0}). {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>FreeCAD ended ({0}). {1}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>FreeCAD has no material card "{0}": choose one of its material editor.</source>
@@ -1323,12 +1419,20 @@
         <translation>Vorder- und Rückseite als PNG und PDF sowie als DXF und SVG mit denselben Marken für die Schneidemaschine</translation>
     </message>
     <message>
-        <source>Gaps of up to {0} between lines were closed ({1} loops).</source>
-        <translation>Lücken bis {0} zwischen Linien wurden geschlossen ({1} Umrisslinien).</translation>
+        <source>Gaps of up to {0} between lines were closed.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Gas</source>
         <translation>Gas</translation>
+    </message>
+    <message>
+        <source>Give --artwork for the front too.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give either --material, or all of --young, --poisson and --thickness.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Give either a volume or a lift as the goal.</source>
@@ -1347,12 +1451,12 @@
         <translation>Kleber</translation>
     </message>
     <message>
-        <source>Glue a strip of {seal} mm along the dashed line. Let it dry under a weight.</source>
-        <translation>Entlang der gestrichelten Linie einen Streifen von {seal} mm kleben. Unter einem Gewicht trocknen lassen.</translation>
+        <source>Glue a strip of {seal} along the dashed line. Let it dry under a weight.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Glue a strip of {seal} mm along the dashed line; leave the mouth of the neck open. Let it dry under a weight.</source>
-        <translation>Entlang der gestrichelten Linie einen Streifen von {seal} mm kleben; die Mündung des Halses offen lassen. Unter einem Gewicht trocknen lassen.</translation>
+        <source>Glue a strip of {seal} along the dashed line; leave the mouth of the neck open. Let it dry under a weight.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Glue the lines inside the balloon.</source>
@@ -1475,6 +1579,10 @@
         <translation>Füllhals an einem dünnen Teil</translation>
     </message>
     <message>
+        <source>It holds {} of the air that a round balloon of as much film would.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>It is not inflated yet: choose Inflate now in its context menu, or switch Live on.</source>
         <translation>Er ist noch nicht aufgeblasen: im Kontextmenü „Jetzt aufblasen“ wählen oder Live einschalten.</translation>
     </message>
@@ -1483,12 +1591,16 @@
         <translation>Jetzt ist er breiter. Strg+Z nimmt das zurück.</translation>
     </message>
     <message>
-        <source>Join the panels along the dashed line, {seal} mm wide, all the way round.</source>
-        <translation>Die Bahnen entlang der gestrichelten Linie verbinden, {seal} mm breit, rundherum.</translation>
+        <source>It needs a home folder and a temporary folder that it can write to, and memory.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Join the panels along the dashed line, {seal} mm wide; leave the mouth of the neck open.</source>
-        <translation>Die Bahnen entlang der gestrichelten Linie verbinden, {seal} mm breit; die Mündung des Halses offen lassen.</translation>
+        <source>Join the panels along the dashed line, {seal} wide, all the way round.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Join the panels along the dashed line, {seal} wide; leave the mouth of the neck open.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Join the panels along the lines inside the balloon.</source>
@@ -1571,6 +1683,10 @@
         <translation>{0} wird ausgelegt</translation>
     </message>
     <message>
+        <source>Left out: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Length</source>
         <translation>Länge</translation>
     </message>
@@ -1627,6 +1743,10 @@
         <translation>Das Bild wird angesehen</translation>
     </message>
     <message>
+        <source>Loose ends of lines were joined to the drawing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Low</source>
         <translation>Unten</translation>
     </message>
@@ -1645,6 +1765,10 @@
     <message>
         <source>Make it!</source>
         <translation>Mach ihn!</translation>
+    </message>
+    <message>
+        <source>Make the balloon smaller and inflate it again, until its pattern fits the bed. Weld and allowance keep their widths; one undo takes it back</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Marks</source>
@@ -1711,8 +1835,8 @@
         <translation>Nativ</translation>
     </message>
     <message>
-        <source>Near ({0}, {1}) mm the inflated outline stays up to {2} from the drawing, along {3}: film cannot follow it there. Round it off or widen it.</source>
-        <translation>Nahe ({0}, {1}) mm bleibt der aufgeblasene Umriss bis zu {2} von der Zeichnung entfernt, auf {3} Länge: Die Folie kann ihr dort nicht folgen. Die Stelle runden oder verbreitern.</translation>
+        <source>Near {0} the inflated outline stays up to {1} from the drawing, along {2}: film cannot follow it there. Round it off or widen it.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Neck that chokes the air path</source>
@@ -1755,8 +1879,16 @@
         <translation>Ohne es kann kein Ballon neu aufgeblasen werden; Schnittmuster können geändert und geschrieben werden.</translation>
     </message>
     <message>
+        <source>No file could be made.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>No file for {0}: {1}</source>
         <translation>Keine Datei für {0}: {1}</translation>
+    </message>
+    <message>
+        <source>No limit</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>No pattern can be drawn anew without it; documents keep theirs.</source>
@@ -1771,12 +1903,24 @@
         <translation>Im Bild hebt sich keine Form ab. Kräftigere Farben oder einen ruhigeren Hintergrund benutzen.</translation>
     </message>
     <message>
+        <source>No size of the balloon fits a bed of {0}: weld, allowance, intake and bar keep theirs. Choose another machine.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>No solver works here.</source>
         <translation>Hier arbeitet kein Löser.</translation>
     </message>
     <message>
+        <source>No solver works here: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>No solver works here: {0} Build it or install the package scipy.</source>
         <translation>Hier arbeitet kein Löser: {0} Ihn bauen oder das Paket scipy installieren.</translation>
+    </message>
+    <message>
+        <source>No, use NumPy</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>None</source>
@@ -1799,12 +1943,12 @@
         <translation>Passkerben von {0} enden nicht vor der Schweißnaht: Die Zugabe ist {1}.</translation>
     </message>
     <message>
-        <source>Nothing can be computed without it; documents open and keep their shapes.</source>
-        <translation>Ohne es kann nichts berechnet werden; Dokumente lassen sich öffnen und behalten ihre Formen.</translation>
+        <source>Note: {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Nothing is in the way. Paint on, or press Make it!</source>
-        <translation>Nichts steht im Weg. Weitermalen oder „Mach ihn!“ drücken.</translation>
+        <source>Nothing can be computed without it; documents open and keep their shapes.</source>
+        <translation>Ohne es kann nichts berechnet werden; Dokumente lassen sich öffnen und behalten ihre Formen.</translation>
     </message>
     <message>
         <source>Nothing to improve.</source>
@@ -1817,6 +1961,14 @@
     <message>
         <source>Nozzle with flange</source>
         <translation>Stutzen mit Flansch</translation>
+    </message>
+    <message>
+        <source>NumPy computes the same, 20 to 30 times slower.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>NumPy took 20 to 30 times longer than the native solver, which fetch-solver fetches.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Numbers</source>
@@ -1835,6 +1987,14 @@
         <translation>Neben der Zeichnung</translation>
     </message>
     <message>
+        <source>Off the drawing: {0} on average, at most {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Offer the native solver where it is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>On the way of the valve the balloon narrows to {0} at {1}; its channel takes {2} with its welds there. Make the neck wider or put it elsewhere, else the weld closes the valve.</source>
         <translation>Auf dem Weg des Ventils verengt sich der Ballon bei {1} auf {0}; der Kanal mit seinen Nähten braucht dort {2}. Den Hals verbreitern oder anderswo anbringen, sonst verschließt die Schweißnaht das Ventil.</translation>
     </message>
@@ -1849,6 +2009,10 @@
     <message>
         <source>One-way tail</source>
         <translation>Rückschlagschwanz</translation>
+    </message>
+    <message>
+        <source>Only a film with another stiffness across has a grain: give --young-across too.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Only grades of this film with a sealing layer weld: try scraps before you cut.</source>
@@ -1879,8 +2043,12 @@
         <translation>Umriss</translation>
     </message>
     <message>
-        <source>Outline {} x {}, {} holes</source>
-        <translation>Umriss {} x {}, {} Löcher</translation>
+        <source>Outline {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outline {}, holes: {}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>PDF files need it; DXF, SVG and HPGL can be written.</source>
@@ -1947,8 +2115,8 @@
         <translation>Schnittmuster nach {} geschrieben</translation>
     </message>
     <message>
-        <source>Pattern {0} x {1} mm ({2} x {3} in), {4} pages.</source>
-        <translation>Schnittmuster {0} x {1} mm ({2} x {3} Zoll), {4} Seiten.</translation>
+        <source>Pattern {0} ({1} x {2} in), pages: {3}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Pattern, cut two (one mirrored)</source>
@@ -1989,6 +2157,10 @@
     <message>
         <source>Pictures need OpenCV, which is missing or does not work here. Install the package python3-opencv (or opencv-python-headless), or open the picture inside FreeCAD.</source>
         <translation>Bilder brauchen OpenCV, das fehlt oder hier nicht arbeitet. Das Paket python3-opencv (oder opencv-python-headless) installieren oder das Bild in FreeCAD öffnen.</translation>
+    </message>
+    <message>
+        <source>Pieces: {}, on {}, {} used</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Place</source>
@@ -2055,12 +2227,20 @@
         <translation>Druck</translation>
     </message>
     <message>
+        <source>Pressure: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Previews and labels need it; everything else works.</source>
         <translation>Vorschaubilder und Beschriftungen brauchen es; alles andere geht.</translation>
     </message>
     <message>
         <source>Print at 100 % ("actual size"). The bar below must be 100 mm long.</source>
         <translation>Mit 100 % drucken („tatsächliche Größe“). Der Balken unten muss 100 mm lang sein.</translation>
+    </message>
+    <message>
+        <source>Print {0} at {1} dpi, front and back</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Pull a line; then move the pointer to bend it, and click. A right click keeps it straight.</source>
@@ -2095,6 +2275,10 @@
         <translation>RDWorks (Ruida-Laser)</translation>
     </message>
     <message>
+        <source>Ready to make. Paint on, or press Make it!</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Real size, to cut out by hand. Print at 100 % and measure the control bar.</source>
         <translation>Wahre Größe, zum Ausschneiden von Hand. Mit 100 % drucken und den Kontrollbalken nachmessen.</translation>
     </message>
@@ -2115,8 +2299,8 @@
         <translation>Reparatur {0} ist nicht lesbar: sie aus „Repairs“ löschen.</translation>
     </message>
     <message>
-        <source>Residual</source>
-        <translation>Abweichung</translation>
+        <source>Replace the file</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Result</source>
@@ -2147,12 +2331,12 @@
         <translation>Um dieses Loch liegt der Ballon nicht flach: Ein geschlossener Schlauch will sich stärker krümmen und verwindet sich aus seiner Ebene, hier um etwa {length}. Den Ring öffnen, oder die Fläche des Lochs verschweißen statt ausschneiden und sie klein halten.</translation>
     </message>
     <message>
-        <source>Round with a radius of</source>
-        <translation>Runden mit einem Radius von</translation>
+        <source>Round this hole the balloon will not lie quite flat: a closed tube wants to curve more and twists out of its plane, here by about {length}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Roundness {:.0f} % of a disc's.</source>
-        <translation>Rundheit: {:.0f} % einer Scheibe.</translation>
+        <source>Round with a radius of</source>
+        <translation>Runden mit einem Radius von</translation>
     </message>
     <message>
         <source>SVG files can be written but not read without it; pictures, DXF and JSON can be read.</source>
@@ -2167,6 +2351,14 @@
         <translation>Sicherer Druck</translation>
     </message>
     <message>
+        <source>Safe pressure: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Safe pressure: {0}, less than its {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Safe to</source>
         <translation>Sicher bis</translation>
     </message>
@@ -2177,6 +2369,14 @@
     <message>
         <source>Save results…</source>
         <translation>Ergebnisse speichern…</translation>
+    </message>
+    <message>
+        <source>Scale to fit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scaled to fit: {} wide instead of {}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>SciPy triangulates instead, a little slower.</source>
@@ -2197,6 +2397,10 @@
     <message>
         <source>Seam length</source>
         <translation>Nahtlänge</translation>
+    </message>
+    <message>
+        <source>Seam length: {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Second panel, mirrored</source>
@@ -2259,6 +2463,10 @@
         <translation>Simulation</translation>
     </message>
     <message>
+        <source>Simulations use NumPy. "What works here" in the menu fetches the native solver later.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Size</source>
         <translation>Größe</translation>
     </message>
@@ -2311,20 +2519,12 @@
         <translation>Anhalten und das letzte Ergebnis behalten</translation>
     </message>
     <message>
-        <source>Stopped.</source>
-        <translation>Angehalten.</translation>
-    </message>
-    <message>
         <source>Stopped. Your painting is still here.</source>
         <translation>Angehalten. Das Gemalte ist noch da.</translation>
     </message>
     <message>
         <source>Stopping ...</source>
         <translation>Wird angehalten ...</translation>
-    </message>
-    <message>
-        <source>Strain</source>
-        <translation>Dehnung</translation>
     </message>
     <message>
         <source>Straw neck</source>
@@ -2375,20 +2575,16 @@
         <translation>Klebeband</translation>
     </message>
     <message>
-        <source>Tape along the dashed line, {seal} mm wide, all the way round.</source>
-        <translation>Entlang der gestrichelten Linie mit Klebeband verbinden, {seal} mm breit, rundherum.</translation>
+        <source>Tape along the dashed line, {seal} wide, all the way round.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Tape along the dashed line, {seal} mm wide; leave the mouth of the neck open.</source>
-        <translation>Entlang der gestrichelten Linie mit Klebeband verbinden, {seal} mm breit; die Mündung des Halses offen lassen.</translation>
+        <source>Tape along the dashed line, {seal} wide; leave the mouth of the neck open.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Taped seam</source>
         <translation>Naht mit Klebeband</translation>
-    </message>
-    <message>
-        <source>Tension</source>
-        <translation>Spannung</translation>
     </message>
     <message>
         <source>Tension field</source>
@@ -2479,8 +2675,8 @@
         <translation>Die SVG-Datei ist beschädigt ({0}). Noch einmal speichern.</translation>
     </message>
     <message>
-        <source>The Young's modulus across the grain {0} Pa is too large for one along it of {1} Pa: turn the grain by 90 degrees and exchange the two.</source>
-        <translation>Der Elastizitätsmodul quer zur Laufrichtung {0} Pa ist zu groß für den längs von {1} Pa: die Laufrichtung um 90 Grad drehen und beide tauschen.</translation>
+        <source>The Young's modulus across the grain {0} is too large for one along it of {1}: turn the grain by 90 degrees and exchange the two.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The altitude {0} m is out of range: give one up to 11000 m.</source>
@@ -2503,12 +2699,12 @@
         <translation>Der Anschnitt muss 0 bis {0} sein, nicht {1}.</translation>
     </message>
     <message>
-        <source>The coach finds no "{0}" to repair in {1}: see its advice.</source>
-        <translation>Der Ratgeber findet in {1} kein „{0}“ zu reparieren: seine Ratschläge ansehen.</translation>
-    </message>
-    <message>
         <source>The colour would run out: close the line around this place first.</source>
         <translation>Die Farbe liefe aus: zuerst die Linie um diese Stelle schließen.</translation>
+    </message>
+    <message>
+        <source>The connection to {0} ended before the whole native solver had come. Try again. {1}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The drawing cannot be reached everywhere: the silhouette is up to {} off it.</source>
@@ -2575,6 +2771,10 @@
         <translation>Die Zeichnung; eine Kopie davon liegt im Dokument</translation>
     </message>
     <message>
+        <source>The end of this tip stays flat, over {length}. A radius of {wanted} makes it rounder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The file is XML but no SVG drawing. Choose a drawing.</source>
         <translation>Die Datei ist XML, aber keine SVG-Zeichnung. Eine Zeichnung wählen.</translation>
     </message>
@@ -2635,12 +2835,12 @@
         <translation>Die Hand neben der Form ist so groß wie die eines Erwachsenen</translation>
     </message>
     <message>
-        <source>The hole at ({0}, {1}) mm is too small for a {2} seal, and its weld reaches {3} into the balloon: make the hole at least {4} wide, or the seal narrower.</source>
-        <translation>Das Loch bei ({0}, {1}) mm ist zu klein für eine Naht von {2}, und seine Schweißnaht reicht {3} in den Ballon: das Loch mindestens {4} breit machen oder die Naht schmaler.</translation>
+        <source>The hole at {0} is too small for a {1} seal, and its weld reaches {2} into the balloon: make the hole at least {3} wide, or the seal narrower.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The hole at ({0}, {1}) mm is welded but not cut out: for that, make it wider than two seals with their allowances, {2}.</source>
-        <translation>Das Loch bei ({0}, {1}) mm wird geschweißt, aber nicht ausgeschnitten: dafür breiter machen als zwei Nähte mit Zugabe, {2}.</translation>
+        <source>The hole at {0} is welded but not cut out: for that, make it wider than two seals with their allowances, {1}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The hole at {0} lies in another hole; remove one of them.</source>
@@ -2723,6 +2923,10 @@
         <translation>Die Anordnung von {0} ist älter als ihre Schnittmuster: neu berechnen.</translation>
     </message>
     <message>
+        <source>The layout on film</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The layout was stopped; nothing was changed.</source>
         <translation>Das Auslegen wurde angehalten; nichts wurde geändert.</translation>
     </message>
@@ -2747,12 +2951,44 @@
         <translation>Das Netz hat einen Knoten ohne Dreieck. Den Umriss neu vernetzen.</translation>
     </message>
     <message>
-        <source>The mesh size is {0} mm: give one above 0.</source>
-        <translation>Die Netzweite ist {0} mm: einen Wert über 0 angeben.</translation>
+        <source>The mesh size is {0}: give one above 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The native solver cannot be kept. {0} {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The native solver could not be fetched from {0} ({1}). Try again when the network is there. {2}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The native solver is here already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The native solver is in use now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The native solver is in use.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The native solver is not available: {0} Use the NumPy solver.</source>
         <translation>Der native Löser ist nicht verfügbar: {0} Den NumPy-Löser benutzen.</translation>
+    </message>
+    <message>
+        <source>The native solver is not installed. Everything works without it, but simulations take 20 to 30 times longer. Fetch it now?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The native solver was fetched, but does not run here: {0} {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The native solver was not fetched: stopped.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The native solver, which is faster, is not available: {0}</source>
@@ -2763,12 +2999,16 @@
         <translation>Der Flansch des Stutzens muss breiter sein als seine Bohrung.</translation>
     </message>
     <message>
+        <source>The options cannot be used ({0}). See --help.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The outline cannot be mirrored about its axis: draw it symmetric, or leave that.</source>
         <translation>Der Umriss kann nicht an seiner Achse gespiegelt werden: ihn symmetrisch zeichnen oder so lassen.</translation>
     </message>
     <message>
-        <source>The outline crosses or nearly touches itself near ({0}, {1}) mm: separate the parts that meet there.</source>
-        <translation>Der Umriss kreuzt oder berührt sich fast nahe ({0}, {1}) mm: die Teile dort trennen.</translation>
+        <source>The outline crosses or nearly touches itself near {0}: separate the parts that meet there.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The outline crosses or touches itself and cannot be meshed: separate the parts that meet.</source>
@@ -2787,8 +3027,8 @@
         <translation>Der Umriss hat eine Koordinate, die keine Zahl ist; sie in der Zeichnung berichtigen.</translation>
     </message>
     <message>
-        <source>The outline's {0} of</source>
-        <translation>{0} des Umrisses:</translation>
+        <source>The outline's {0} of {1} cannot be made; bring it to a size between 1 mm and 100 m.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The page will be in English, as no font here has the letters of your language: install IPAexGothic or Noto Sans CJK JP, and open this panel again.</source>
@@ -2807,12 +3047,12 @@
         <translation>Das Schnittmuster wird zu dünn für sein Netz. Dünne Teile verbreitern oder ein feineres Netz benutzen.</translation>
     </message>
     <message>
-        <source>The pattern crosses itself near ({0}, {1}) mm: simplify the drawing there.</source>
-        <translation>Das Schnittmuster kreuzt sich nahe ({0}, {1}) mm: die Zeichnung dort vereinfachen.</translation>
+        <source>The pattern crosses itself near {0}: simplify the drawing there.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The pattern has no lines for {0}, which takes {1}.</source>
-        <translation>Das Schnittmuster hat keine Linien für {0}, das {1} verarbeitet.</translation>
+        <source>The pattern has no lines for {0}, which takes {1}: choose another machine.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The pattern is being fitted to the painting ...</source>
@@ -2825,6 +3065,10 @@
     <message>
         <source>The pattern measures {0}, the bed of {1} {2}</source>
         <translation>Das Schnittmuster misst {0}, das Bett von {1} {2}</translation>
+    </message>
+    <message>
+        <source>The patterns' files</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The picture has a single colour. Choose one that shows a shape on a background.</source>
@@ -2859,8 +3103,8 @@
         <translation>Die Stücke des Füllhalses „{0}“ sind aus {1}, das nicht mit {2} verschweißt: einen anderen Füllhals wählen oder eine Folie, mit der es verschweißt: {3}.</translation>
     </message>
     <message>
-        <source>The pressure must be positive and at most {0} Pa, not {1} Pa. A party balloon has about 2 kPa.</source>
-        <translation>Der Druck muss positiv und höchstens {0} Pa sein, nicht {1} Pa. Ein Partyballon hat etwa 2 kPa.</translation>
+        <source>The pressure must be positive and at most {0}, not {1}. A party balloon has about 2 kPa.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The radius of the corner relief must be 0 or above.</source>
@@ -2879,8 +3123,8 @@
         <translation>Die Form im Bild ist zu ausgefranst zum Nachzeichnen. Ein klareres Bild benutzen.</translation>
     </message>
     <message>
-        <source>The shape is only {0} mm thick near ({1}, {2}) mm, too thin for a mesh of {3}: make it thicker there, or use a mesh size of at most {4} mm.</source>
-        <translation>Die Form ist nahe ({1}, {2}) mm nur {0} mm dick, zu dünn für ein Netz von {3}: dort verdicken oder höchstens {4} mm Netzweite benutzen.</translation>
+        <source>The shape is only {0} thick near {1}, too thin for a mesh of {2}: make it thicker there, or use a mesh size of at most {3}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The shape touches the {0} border of the picture; if it was cut off there, leave more margin.</source>
@@ -2907,8 +3151,16 @@
         <translation>Die Simulation wurde angehalten.</translation>
     </message>
     <message>
-        <source>The smallest radius is {0} mm, near {1}; {2} follows {3}. It will come out rounder there.</source>
-        <translation>Der kleinste Radius ist {0} mm, nahe {1}; {2} folgt {3}. Dort wird es runder.</translation>
+        <source>The size comes from {0}: make it smaller there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The size of {0} follows an expression: change what that refers to.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The smallest radius is {0}, near {1}; {2} follows {3}. It will come out rounder there.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The solver '{0}' needs the Python package scipy. Install it or use the native solver.</source>
@@ -2917,6 +3169,10 @@
     <message>
         <source>The strips of valves are not here: lay them out on a sheet of their own, with "Valve film".</source>
         <translation>Die Streifen von Ventilen sind nicht dabei: sie auf einem eigenen Bogen auslegen, mit „Ventilfolie“.</translation>
+    </message>
+    <message>
+        <source>The summary cannot be shown ({0}); {1}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The temperature of the {0}, {1} degrees Celsius, is out of range: give one such as 20C.</source>
@@ -2931,8 +3187,8 @@
         <translation>Das Ventil reicht {0} in den Ballon, über die Schweißnaht bei {1} hinaus: den Füllhals dort anbringen, wo der Ballon länger ist, oder einen anderen nehmen.</translation>
     </message>
     <message>
-        <source>The volume must be positive, not {0} m3.</source>
-        <translation>Das Volumen muss positiv sein, nicht {0} m3.</translation>
+        <source>The volume must be positive, not {0}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The way from the intake into the balloon narrows to {0}, and the intake is {1} wide: put it where the balloon is wider, else air enters slowly.</source>
@@ -2955,12 +3211,12 @@
         <translation>Keine Fläche umschlossen ({0}); eine geschlossene Form mit mindestens drei Ecken zeichnen.</translation>
     </message>
     <message>
-        <source>The {0} is {1} % off what was wanted: correct the goal by as much.</source>
-        <translation>Das Ziel ({0}) wurde um {1} % verfehlt: es um ebenso viel berichtigen.</translation>
-    </message>
-    <message>
         <source>The {0} is {1} mm: give one above 0, for example 300 mm.</source>
         <translation>Das Maß ({0}) ist {1} mm: einen Wert über 0 angeben, zum Beispiel 300 mm.</translation>
+    </message>
+    <message>
+        <source>The {0} is {1} off what was wanted: correct the goal by as much.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The {0} line crosses itself near {1}: simplify the drawing there.</source>
@@ -2989,6 +3245,10 @@
     <message>
         <source>There can be 1 to {0} copies, not {1}.</source>
         <translation>Möglich sind 1 bis {0} Stück, nicht {1}.</translation>
+    </message>
+    <message>
+        <source>There is no "{0}" to repair in {1}: see its advice.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>There is no backend "{0}": choose {1}, or leave it out.</source>
@@ -3023,12 +3283,24 @@
         <translation>Es gibt keine Verbindung „{0}“: eine von {1} wählen.</translation>
     </message>
     <message>
+        <source>There is no language "{0}": choose one of {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>There is no look "{0}": choose one of {1}.</source>
         <translation>Es gibt kein Aussehen „{0}“: eines von {1} wählen.</translation>
     </message>
     <message>
         <source>There is no machine "{0}": choose one of {1}, or give a .json file.</source>
         <translation>Es gibt keine Maschine „{0}“: eine von {1} wählen oder eine .json-Datei angeben.</translation>
+    </message>
+    <message>
+        <source>There is no native solver for {0}. {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no native solver to be fetched for this version yet. {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>There is no outline at {0} degrees from the centre: choose another intake angle.</source>
@@ -3063,6 +3335,10 @@
         <translation>Es gibt keine Symmetrie „{0}“: eine von {1} wählen.</translation>
     </message>
     <message>
+        <source>There is no way "{0}" with a large pattern: choose {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>There is too little memory for this: take a coarser mesh, or close other programs.</source>
         <translation>Dafür reicht der Speicher nicht: ein gröberes Netz nehmen oder andere Programme schließen.</translation>
     </message>
@@ -3083,6 +3359,10 @@
         <translation>Strichdicke ([ dünner, ] dicker)</translation>
     </message>
     <message>
+        <source>This Python has no working ctypes module, which SciPy and the native solver need: patterns can be changed and written, but no balloon can be inflated anew. Take another build of FreeCAD or of Python.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>This arm is too thin to fill: drawn {width} wide, it becomes {measured} thick. Make it {wanted} wide.</source>
         <translation>Dieser Arm ist zu dünn zum Füllen: {width} breit gezeichnet, wird er {measured} dick. Ihn {wanted} breit machen.</translation>
     </message>
@@ -3091,8 +3371,16 @@
         <translation>Dieser Arm ist zu dünn zum Füllen: {}. Auf {} verbreitern?</translation>
     </message>
     <message>
-        <source>This balloon holds {0} {1} litres at any pressure that suits its film: {2} litres at {3} Pa. Change the size of the balloon or the volume.</source>
-        <translation>Dieser Ballon fasst bei jedem Druck, den seine Folie verträgt, {0} {1} Liter: {2} Liter bei {3} Pa. Die Größe des Ballons oder das Volumen ändern.</translation>
+        <source>This arm stays much thinner than the rest: drawn {width} wide, it becomes {measured} thick. For a rounder one make it {wanted} wide.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This balloon holds {0} {1} at any pressure that suits its film: {2} at {3}. Change the size of the balloon or the volume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This cannot be shown ({0}).</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>This gas is not lighter than the air around, so the balloon never floats: choose another gas or a higher temperature of the gas.</source>
@@ -3123,12 +3411,24 @@
         <translation>Diese Engstelle ist zu dünn für die Luft: {}. Auf {} verbreitern?</translation>
     </message>
     <message>
+        <source>This neck slows the filling: inside it is as wide as a tube of {measured} of film, the intake is {intake}. {behind} of the balloon fill through it. For quicker filling make it {wanted} wide.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This notch pulls the film {measured} as tight as elsewhere, so that it wrinkles there. A radius of {wanted} eases that.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>This notch pulls the film {measured} as tight as elsewhere; it wrinkles there and is where it would tear. Round it with a radius of {wanted}.</source>
         <translation>Diese Kerbe spannt die Folie {measured} so straff wie anderswo; sie wirft dort Falten und würde dort reißen. Sie mit einem Radius von {wanted} runden.</translation>
     </message>
     <message>
-        <source>This shape stays flat: it holds {percent} of the air that a disc of as much film would. Fewer and wider parts make it rounder.</source>
-        <translation>Diese Form bleibt flach: Sie fasst {percent} der Luft, die eine Scheibe aus ebenso viel Folie fassen würde. Weniger und breitere Teile machen sie runder.</translation>
+        <source>This shape stays flat: it holds {percent} of the air that a round balloon of as much film would. Fewer and wider parts make it rounder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This shape stays rather flat: it holds {percent} of the air that a round balloon of as much film would. Fewer and wider parts make it rounder.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>This tip stays flat over {length}: it is too pointed. Round it with a radius of {wanted}.</source>
@@ -3207,6 +3507,14 @@
         <translation>Schwächste Stelle</translation>
     </message>
     <message>
+        <source>Weakest place: {0} at {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weakest place: {0} at {1}, estimated: the film did not come to rest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Weighing {0}</source>
         <translation>{0} wird gewogen</translation>
     </message>
@@ -3227,12 +3535,12 @@
         <translation>Quer über den Hals entlang seiner Linie schweißen, durch Bahnen und Streifen: Das Feld hält den Kanal offen. Das Backpapier herausziehen und durch das Ventil blasen.</translation>
     </message>
     <message>
-        <source>Weld along the dashed line, {seal} mm wide, all the way round.</source>
-        <translation>Entlang der gestrichelten Linie schweißen, {seal} mm breit, rundherum.</translation>
+        <source>Weld along the dashed line, {seal} wide, all the way round.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Weld along the dashed line, {seal} mm wide. Leave the mouth of the neck open.</source>
-        <translation>Entlang der gestrichelten Linie schweißen, {seal} mm breit. Die Mündung des Halses offen lassen.</translation>
+        <source>Weld along the dashed line, {seal} wide. Leave the mouth of the neck open.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Weld and cut</source>
@@ -3247,12 +3555,12 @@
         <translation>Die zwei Streifen entlang ihrer Linien miteinander verschweißen; auf dem markierten Feld hält hitzefeste Tinte oder ein Stück Backpapier den Kanal offen. An eine Bahn heften, das Ende an der Mündung; dann um den Ballon und quer über den Hals schweißen. Mit einem Röhrchen von 6 mm füllen: Der Druck schließt die Streifen.</translation>
     </message>
     <message>
-        <source>Weld with high frequency along the dashed line, {seal} mm wide, all the way round.</source>
-        <translation>Mit Hochfrequenz entlang der gestrichelten Linie schweißen, {seal} mm breit, rundherum.</translation>
+        <source>Weld with high frequency along the dashed line, {seal} wide, all the way round.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Weld with high frequency along the dashed line, {seal} mm wide; leave the mouth of the neck open.</source>
-        <translation>Mit Hochfrequenz entlang der gestrichelten Linie schweißen, {seal} mm breit; die Mündung des Halses offen lassen.</translation>
+        <source>Weld with high frequency along the dashed line, {seal} wide; leave the mouth of the neck open.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Welded across, last</source>
@@ -3263,6 +3571,10 @@
         <translation>Lässt sich leicht mit Impulssiegler oder Bügeleisen schweißen. Fließt bei etwa 9 MPa, der Hälfte seiner Zugfestigkeit, und kriecht: den Druck niedrig halten.</translation>
     </message>
     <message>
+        <source>What else is made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>What it takes to make it</source>
         <translation>Was er zum Bauen braucht</translation>
     </message>
@@ -3271,8 +3583,20 @@
         <translation>Was die meisten Betriebe wollen: R12, geschlossene Polylinien, nichts auf dem Bogen, was nicht geschnitten wird. R12 kennt keine Einheit, darum nennt sie der Dateiname.</translation>
     </message>
     <message>
+        <source>What this machine can work on, such as 600 x 400 mm, or 600 mm for a roll; empty where there is no limit. It is kept for this machine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>What works here</source>
         <translation>Was hier funktioniert</translation>
+    </message>
+    <message>
+        <source>What {0} sent is not the native solver of this release: its SHA-256 is another one. It was not kept. {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the film wrinkles</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Whether the {0} of the intake's pieces welds to {1} is not known: try it on a scrap first.</source>
@@ -3307,20 +3631,28 @@
         <translation>Schwebt er?</translation>
     </message>
     <message>
-        <source>With the fonts of this computer {0} cannot be drawn, letter by letter from left to right: leave that out of the label, or install a font that has it and start again.</source>
-        <translation>Mit den Schriften dieses Rechners lässt sich {0} nicht zeichnen, Buchstabe für Buchstabe von links nach rechts: es in der Beschriftung weglassen oder eine Schrift installieren, die es hat, und neu starten.</translation>
+        <source>Will it float? {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Wrinkles</source>
-        <translation>Falten</translation>
+        <source>With the fonts of this computer {0} cannot be drawn, letter by letter from left to right: leave that out of the label, or install a font that has it and start again.</source>
+        <translation>Mit den Schriften dieses Rechners lässt sich {0} nicht zeichnen, Buchstabe für Buchstabe von links nach rechts: es in der Beschriftung weglassen oder eine Schrift installieren, die es hat, und neu starten.</translation>
     </message>
     <message>
         <source>Write all results for ParaView (.vtu) or NumPy (.npz), or the shape alone (.stl)</source>
         <translation>Alle Ergebnisse für ParaView (.vtu) oder NumPy (.npz) schreiben, oder nur die Form (.stl)</translation>
     </message>
     <message>
+        <source>Write anyway</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Write files…</source>
         <translation>Dateien schreiben…</translation>
+    </message>
+    <message>
+        <source>Write the file although it is larger than the bed</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Write {"unit": "mm", "outer": [[0, 0], [300, 0], [150, 200]]}.</source>
@@ -3337,6 +3669,10 @@
     <message>
         <source>Writing {0}</source>
         <translation>{0} wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Wrote {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Yellow</source>
@@ -3367,8 +3703,20 @@
         <translation>eine {0}-Datei hat ihre eigene Einheit: "unit": "mm" angeben.</translation>
     </message>
     <message>
+        <source>about {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>about {} x {}, {} thick, {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>air</source>
         <translation>Luft</translation>
+    </message>
+    <message>
+        <source>all files were written before to {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>another run has been writing there for a minute</source>
@@ -3387,8 +3735,12 @@
         <translation>artwork.pdf wurde weggelassen. {0}</translation>
     </message>
     <message>
-        <source>at most {:.4g} {}</source>
-        <translation>höchstens {:.4g} {}</translation>
+        <source>at most {} {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>balloon {0} of {1}, {2}</source>
@@ -3399,10 +3751,6 @@
         <translation>bed_mm ist {0}: [Breite, Höhe] angeben, oder null, wo es keine Grenze gibt.</translation>
     </message>
     <message>
-        <source>bring it to a</source>
-        <translation>bringe ihn auf eine</translation>
-    </message>
-    <message>
         <source>choose Drawn as filled shape</source>
         <translation>„Gezeichnet als“ auf „Gefüllte Form“ stellen</translation>
     </message>
@@ -3411,12 +3759,20 @@
         <translation>Farbindex {0} und Stift {1} von {2} müssen von 1 bis 255 reichen.</translation>
     </message>
     <message>
+        <source>connecting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>cut</source>
         <translation>Schnitt</translation>
     </message>
     <message>
         <source>cut inside</source>
         <translation>Schnitt innen</translation>
+    </message>
+    <message>
+        <source>designing a balloon</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>does not name its unit</source>
@@ -3435,16 +3791,28 @@
         <translation>leer: </translation>
     </message>
     <message>
+        <source>fetch the native solver from the network, where the workbench came without it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fetching</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>film</source>
         <translation>Folie</translation>
     </message>
     <message>
-        <source>film and valve weigh {0} g</source>
-        <translation>Folie und Ventil wiegen {0} g</translation>
+        <source>film and valve weigh {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>fold</source>
         <translation>Faltlinie</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>gas</source>
@@ -3483,12 +3851,16 @@
         <translation>im Mittel {}</translation>
     </message>
     <message>
+        <source>in {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>inflated</source>
         <translation>aufgeblasen</translation>
     </message>
     <message>
-        <source>inflated {0} × {1} × {2} mm, {3} litres</source>
-        <translation>aufgeblasen {0} × {1} × {2} mm, {3} Liter</translation>
+        <source>inflated {0}, {1}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>inflating</source>
@@ -3515,8 +3887,8 @@
         <translation>sie würde mit einem anderen Teil zusammenwachsen</translation>
     </message>
     <message>
-        <source>laying out{0}</source>
-        <translation>Auslegen{0}</translation>
+        <source>laying out, {0} so far</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>left</source>
@@ -3531,12 +3903,16 @@
         <translation>weniger als</translation>
     </message>
     <message>
-        <source>less than its {} with a margin of {:g} ({})</source>
-        <translation>weniger als seine {} mit Reserve {:g} ({})</translation>
+        <source>less than its {} with a margin of {} ({})</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>lift</source>
         <translation>Auftrieb</translation>
+    </message>
+    <message>
+        <source>loose: {}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>lower</source>
@@ -3557,6 +3933,10 @@
     <message>
         <source>names the unit {0}, which is not a usual one</source>
         <translation>nennt die Einheit {0}, die unüblich ist</translation>
+    </message>
+    <message>
+        <source>no file was written</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>no layer is written: name at least CUT.</source>
@@ -3595,12 +3975,16 @@
         <translation>Druck</translation>
     </message>
     <message>
+        <source>printing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>right</source>
         <translation>rechts</translation>
     </message>
     <message>
-        <source>safe to {}, margin {:.2g}</source>
-        <translation>sicher bis {}, Reserve {:.2g}-fach</translation>
+        <source>safe to {}, margin {}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>seal width</source>
@@ -3623,16 +4007,16 @@
         <translation>Größe {0}, {1}</translation>
     </message>
     <message>
-        <source>slack: {:.0f} %</source>
-        <translation>schlaff: {:.0f} %</translation>
-    </message>
-    <message>
         <source>stale: </source>
         <translation>veraltet: </translation>
     </message>
     <message>
         <source>stale: belongs to earlier values</source>
         <translation>veraltet: gehört zu früheren Werten</translation>
+    </message>
+    <message>
+        <source>stopped; {0}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>strength</source>
@@ -3651,24 +4035,28 @@
         <translation>Naht mit Klebeband innen</translation>
     </message>
     <message>
-        <source>taut: {:.0f} %</source>
-        <translation>straff: {:.0f} %</translation>
-    </message>
-    <message>
         <source>temperature</source>
         <translation>Temperatur</translation>
+    </message>
+    <message>
+        <source>the answer is not HTTP</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the colour "{0}" is not written like #ff0000.</source>
         <translation>die Farbe „{0}“ ist nicht wie #ff0000 geschrieben.</translation>
     </message>
     <message>
+        <source>the connection ended too soon</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the file name "{0}" may have letters, digits, spaces, _, - and . only.</source>
         <translation>der Dateiname „{0}“ darf nur Buchstaben, Ziffern, Leerzeichen, _, - und . haben.</translation>
     </message>
     <message>
-        <source>the film weighs {0} g</source>
-        <translation>die Folie wiegt {0} g</translation>
+        <source>the film weighs {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the last line of each piece is its CUT.</source>
@@ -3701,6 +4089,10 @@
     <message>
         <source>thin PE film, 30 to 50 µm</source>
         <translation>dünne PE-Folie, 30 bis 50 µm</translation>
+    </message>
+    <message>
+        <source>tight: {}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>trial {0}, {1}</source>
@@ -3747,12 +4139,20 @@
         <translation>width_mm muss über 0 liegen, taper zwischen 0,2 und 1.</translation>
     </message>
     <message>
-        <source>wrinkled, taut along one direction: {:.0f} %</source>
-        <translation>faltig, in einer Richtung straff: {:.0f} %</translation>
+        <source>wrinkled: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>writing files</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} "{1}" is none of {2}.</source>
         <translation>{0} „{1}“ ist keines von {2}.</translation>
+    </message>
+    <message>
+        <source>{0} ({1}, margin {2})</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} It is left out.</source>
@@ -3783,20 +4183,20 @@
         <translation>Geändert wurde: {0}. Im Kontextmenü „Jetzt aufblasen“ wählen oder Live einschalten.</translation>
     </message>
     <message>
+        <source>{0} does not have the native solver (answer {1}). Try again later. {2}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} dots per inch cannot be printed well: give {1} to {2}.</source>
         <translation>{0} Punkte je Zoll lassen sich nicht gut drucken: {1} bis {2} angeben.</translation>
     </message>
     <message>
-        <source>{0} g with valve {1} g</source>
-        <translation>{0} g mit Ventil von {1} g</translation>
+        <source>{0} gap between the lines closed, the widest {1} of the drawing's width.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0} gap between the lines closed, the widest {1} % of the drawing's width.</source>
-        <translation>{0} Lücke zwischen den Linien geschlossen, {1} % der Breite der Zeichnung weit.</translation>
-    </message>
-    <message>
-        <source>{0} gaps between the lines closed, the widest {1} % of the drawing's width.</source>
-        <translation>{0} Lücken zwischen den Linien geschlossen, die weiteste {1} % der Breite der Zeichnung.</translation>
+        <source>{0} gaps between the lines closed, the widest {1} of the drawing's width.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} has interface {1}, but {2} is needed.</source>
@@ -3851,6 +4251,10 @@
         <translation>{0} ist beschädigt oder unvollständig. Den Arbeitsbereich neu installieren.</translation>
     </message>
     <message>
+        <source>{0} is damaged: install the workbench anew, or go on without the native solver.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} is empty: draw a closed line in it.</source>
         <translation>{0} ist leer: eine geschlossene Linie hineinzeichnen.</translation>
     </message>
@@ -3899,52 +4303,40 @@
         <translation>{0} ist {1}: true oder false schreiben.</translation>
     </message>
     <message>
-        <source>{0} kPa ({1}, margin {2})</source>
-        <translation>{0} kPa ({1}, Reserve {2})</translation>
-    </message>
-    <message>
         <source>{0} left out ({1}).</source>
         <translation>{0} weggelassen ({1}).</translation>
     </message>
     <message>
-        <source>{0} lifts {1} g, {2}</source>
-        <translation>{0} trägt {1} g, {2}</translation>
+        <source>{0} lifts {1}, {2}: no, at no size.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0} litres</source>
-        <translation>{0} Liter</translation>
+        <source>{0} lifts {1}, {2}: no. From {3} width on it would.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0} litres, about {1} {2}</source>
-        <translation>{0} Liter, etwa {1} {2}</translation>
+        <source>{0} lifts {1}, {2}: yes, and it carries {3}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0} loose ends of lines were joined to the drawing.</source>
-        <translation>{0} lose Linienenden wurden mit der Zeichnung verbunden.</translation>
-    </message>
-    <message>
-        <source>{0} m of a roll {1} mm wide</source>
-        <translation>{0} m einer {1} mm breiten Rolle</translation>
-    </message>
-    <message>
-        <source>{0} mm on paper = {1} mm of film</source>
-        <translation>{0} mm auf Papier = {1} mm Folie</translation>
-    </message>
-    <message>
-        <source>{0} mm wide, {1} m long</source>
-        <translation>{0} mm breit, {1} m lang</translation>
+        <source>{0} mm on paper = {1} of film</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} must never be cut with a laser: choose a machine with a knife.</source>
         <translation>{0} darf nie mit dem Laser geschnitten werden: eine Maschine mit Messer wählen.</translation>
     </message>
     <message>
-        <source>{0} m²; wider than the usual roll</source>
-        <translation>{0} m²; breiter als die übliche Rolle</translation>
-    </message>
-    <message>
         <source>{0} notches are closer than {1}: take fewer.</source>
         <translation>{0} Passkerben liegen enger als {1}: weniger nehmen.</translation>
+    </message>
+    <message>
+        <source>{0} of a roll {1} wide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} of its size</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} open line was left out.</source>
@@ -3999,84 +4391,72 @@
         <translation>{0} Schweißnähte außerhalb der Formen weggelassen.</translation>
     </message>
     <message>
-        <source>{0} {1} cannot be made; {2} size between 1 mm and 100 m.</source>
-        <translation>{0} {1} ist nicht möglich; {2} Größe zwischen 1 mm und 100 m.</translation>
+        <source>{0} wide, {1} long</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0}: make the balloon smaller, or choose another machine or paper.</source>
-        <translation>{0}: den Ballon kleiner machen oder eine andere Maschine oder anderes Papier wählen.</translation>
+        <source>{0} with valve {1}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0}: no, at no size.</source>
-        <translation>{0}: nein, in keiner Größe.</translation>
+        <source>{0}: it is written all the same.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0}: no. From {1} cm width it would.</source>
-        <translation>{0}: nein. Ab {1} cm Breite schon.</translation>
+        <source>{0}: lay its pieces out on sheets of that size, make the balloon smaller, or have the file written all the same.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: make the balloon smaller, choose another machine or paper, or have the file written all the same.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: pieces {1}, on {2}, {3} used</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0}: turn the pattern by 90 degrees there.</source>
         <translation>{0}: das Schnittmuster dort um 90 Grad drehen.</translation>
     </message>
     <message>
-        <source>{0}: yes, and it carries {1} g.</source>
-        <translation>{0}: ja, und er trägt {1} g.</translation>
+        <source>{0}; wider than the usual roll</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0}what is shown is the last good state. Lower the pressure or change the mesh size.</source>
         <translation>{0}gezeigt wird der letzte gute Stand. Den Druck senken oder die Netzweite ändern.</translation>
     </message>
     <message>
-        <source>{:.0f} % wrinkled, {:.0f} % slack</source>
-        <translation>{:.0f} % faltig, {:.0f} % schlaff</translation>
-    </message>
-    <message>
-        <source>{:.0f} ms, {:.0f} Pa, frame {} of {}</source>
-        <translation>{:.0f} ms, {:.0f} Pa, Bild {} von {}</translation>
-    </message>
-    <message>
-        <source>{:.3g} g, carries {:.3g} g with {}</source>
-        <translation>{0:.3g} g, trägt mit {2} {1:.3g} g</translation>
-    </message>
-    <message>
-        <source>{:.3g} g, floats from {} width on with {}</source>
-        <translation>{0:.3g} g, schwebt mit {2} ab {1} Breite</translation>
-    </message>
-    <message>
-        <source>{:.3g} g, never floats with {}</source>
-        <translation>{:.3g} g, schwebt nie mit {}</translation>
-    </message>
-    <message>
-        <source>{:.3g} g: film {:.3g}, seam and neck {:.2g}, valve {:.2g}</source>
-        <translation>{:.3g} g: Folie {:.3g}, Naht und Hals {:.2g}, Ventil {:.2g}</translation>
-    </message>
-    <message>
-        <source>{:.3g} m², wider than the usual roll</source>
-        <translation>{:.3g} m², breiter als die übliche Rolle</translation>
+        <source>{} MB from {}; the file is checked before it is used, and nothing is sent.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{} at ({})</source>
         <translation>{} bei ({})</translation>
     </message>
     <message>
-        <source>{} files written to {}</source>
-        <translation>{} Dateien nach {} geschrieben</translation>
-    </message>
-    <message>
         <source>{} is in the tree</source>
         <translation>{} steht im Baum</translation>
     </message>
     <message>
-        <source>{} of a roll of {}</source>
-        <translation>{} einer Rolle von {}</translation>
+        <source>{} is there already: give another name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} is there already: tick "Replace the file", or give another name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} ms, {}, frame {} of {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} of it wrinkles, {} is loose</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{} of {}</source>
         <translation>{} {}</translation>
-    </message>
-    <message>
-        <source>{} pieces on {}, {:.0f} % used</source>
-        <translation>{} Stücke auf {}, {:.0f} % genutzt</translation>
     </message>
     <message>
         <source>{} x {}, {} thick, {}</source>
@@ -4087,12 +4467,28 @@
         <translation>{}, höchstens {}</translation>
     </message>
     <message>
-        <source>{}, margin {:g} ({})</source>
-        <translation>{}, Reserve {:g} ({})</translation>
+        <source>{}, carries {} with {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}, floats from {} width on with {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}, never floats with {}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{}, seam {}</source>
         <translation>{}, Naht {}</translation>
+    </message>
+    <message>
+        <source>{}: film {}, seam and neck {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: film {}, seam and neck {}, valve {}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{}: {}</source>

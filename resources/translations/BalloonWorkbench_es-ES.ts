@@ -16,6 +16,10 @@
         <translation>Añade aquello por lo que se llena el globo</translation>
     </message>
     <message>
+        <source>Air that it holds, as a share of what a round balloon of as much film would</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Another picture for the back; empty takes that of the front</source>
         <translation>Otra imagen para el dorso; vacío toma la del frente</translation>
     </message>
@@ -192,6 +196,10 @@
         <translation>Se sostiene por sí mismo</translation>
     </message>
     <message>
+        <source>It has a place; a new object is given one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Label of the values the mesh belongs to</source>
         <translation>Marca de los valores a los que pertenece la malla</translation>
     </message>
@@ -304,8 +312,8 @@
         <translation>Parte de la película que ocupan las piezas, en por ciento</translation>
     </message>
     <message>
-        <source>Part of the film's area that is slack</source>
-        <translation>Parte del área de película que está floja</translation>
+        <source>Part of the film's area that hangs loose</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Part of the film's area that is wrinkled</source>
@@ -356,12 +364,12 @@
         <translation>Observaciones sobre la colocación</translation>
     </message>
     <message>
-        <source>Result that is shown as colours, with a legend</source>
-        <translation>Resultado que se muestra en colores, con leyenda</translation>
+        <source>Repairs that were made in the drawing, one each; delete an entry to take it back</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Roundness: 1 for a disc, 0 for a flat thing</source>
-        <translation>Redondez: 1 para un disco, 0 para algo plano</translation>
+        <source>Result that is shown as colours, with a legend</source>
+        <translation>Resultado que se muestra en colores, con leyenda</translation>
     </message>
     <message>
         <source>Show the drawing and the silhouette over each other</source>
@@ -400,16 +408,16 @@
         <translation>Tensión en la sección a la que se rompe la película; 0: desconocida</translation>
     </message>
     <message>
+        <source>The balloon shown has come to rest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The balloon that is cut from this pattern</source>
         <translation>El globo que se corta de este patrón</translation>
     </message>
     <message>
         <source>The film resists bending</source>
         <translation>La película resiste la flexión</translation>
-    </message>
-    <message>
-        <source>The mesh shown is an equilibrium</source>
-        <translation>La malla mostrada está en equilibrio</translation>
     </message>
     <message>
         <source>The outline of the drawing</source>
@@ -528,10 +536,6 @@
         <translation>De qué está hecho el globo; «Personalizada» permite valores propios</translation>
     </message>
     <message>
-        <source>What the coach has changed in the drawing, one repair each; delete an entry to take it back</source>
-        <translation>Lo que el consejero cambió en el dibujo, una reparación por entrada; borre una entrada para deshacerla</translation>
-    </message>
-    <message>
         <source>What the outline was read from</source>
         <translation>De dónde se leyó el contorno</translation>
     </message>
@@ -550,6 +554,10 @@
     <message>
         <source>Where it is found: farthest from the centre, or low, where a tied balloon hangs straight</source>
         <translation>Dónde se busca: lo más lejos del centro, o abajo, donde un globo atado cuelga derecho</translation>
+    </message>
+    <message>
+        <source>Where it was put, unless by the user</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Whether a laser may cut this film</source>
@@ -639,6 +647,10 @@
         <translation>«{0}» tiene {1} x {2} píxeles, más de {3} millones. Redúzcala; 2000 píxeles de ancho bastan de sobra.</translation>
     </message>
     <message>
+        <source>'{0}' is a pipe or a device: save what comes from it, and name that file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>'{0}' is colder than anything; write a temperature as 20C, 68F or 293K.</source>
         <translation>«{0}» es más frío que nada; escriba una temperatura como 20C, 68F o 293K.</translation>
     </message>
@@ -671,6 +683,10 @@
         <translation>«{0}» no es SVG, DXF ni JSON. Guarde el dibujo como uno de ellos.</translation>
     </message>
     <message>
+        <source>'{0}' is no size: write 500mm for a width, 500mmx700mm for width and height.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>'{0}' is not a drawing that can be read. Use PNG, JPEG, BMP, SVG, DXF or JSON.</source>
         <translation>«{0}» no es un dibujo legible. Use PNG, JPEG, BMP, SVG, DXF o JSON.</translation>
     </message>
@@ -687,24 +703,20 @@
         <translation>«{0}» no es una temperatura; escríbala como 20C, 68F o 293K.</translation>
     </message>
     <message>
-        <source>'{0}' is not a {1}; write it as {2}.</source>
-        <translation>«{0}» no sirve aquí ({1}); escríbalo como {2}.</translation>
+        <source>'{0}' is not a {1}; write it like {2}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>'{}' is not a picture. Save it as PNG, JPEG or BMP once more.</source>
         <translation>«{}» no es una imagen. Guárdela de nuevo como PNG, JPEG o BMP.</translation>
     </message>
     <message>
-        <source>, about {:.2f} {}</source>
-        <translation>, unos {:.2f} {}</translation>
+        <source>, about {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>, estimated: the film did not come to rest</source>
         <translation>, estimado: la película no llegó al reposo</translation>
-    </message>
-    <message>
-        <source>, {0} mm so far</source>
-        <translation>, {0} mm hasta ahora</translation>
     </message>
     <message>
         <source>1 to {0} pieces can be laid out, not {1}.</source>
@@ -715,12 +727,20 @@
         <translation>Un globo no tiene «{0}»: tiene {1}.</translation>
     </message>
     <message>
+        <source>A bed is {0} mm to {1} mm wide and high: write 600mmx400mm, 600mm for a roll, or {2}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>A corner relief of {0} would cut into the weld: choose a smaller radius or a wider allowance.</source>
         <translation>Un alivio de esquinas de {0} cortaría la soldadura: elija un radio menor o un margen mayor.</translation>
     </message>
     <message>
         <source>A drawing with welds inside is not made symmetric: draw it so, and turn this off.</source>
         <translation>Un dibujo con soldaduras interiores no se hace simétrico: dibújelo así y desactive esto.</translation>
+    </message>
+    <message>
+        <source>A file of this name is there already</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>A hole meets the outline or another hole at {0}; keep some film between them.</source>
@@ -735,16 +755,20 @@
         <translation>Una etiqueta tiene hasta {0} letras, de 0,1 mm a 10 m de alto: cámbiela.</translation>
     </message>
     <message>
-        <source>A lift of {0} g cannot be made: give one such as 5g.</source>
-        <translation>Una sustentación de {0} g no es posible: indique por ejemplo 5g.</translation>
+        <source>A layout is as large as its film: give the film the size of the bed there.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A lift of {0} kg is out of reach: {1} m large, this balloon would carry {2} kg. Choose a lighter film or gas, a smaller lift, or a rounder shape.</source>
-        <translation>Una sustentación de {0} kg es inalcanzable: con {1} m, este globo levantaría {2} kg. Elija película o gas más ligeros, menos sustentación o una forma más redonda.</translation>
+        <source>A lift of {0} cannot be made: give one such as 5g.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A lift of {0} kg is out of reach: {1} m large, this balloon would lack {2} kg. Choose a lighter film or gas, a smaller lift, or a rounder shape.</source>
-        <translation>Una sustentación de {0} kg es inalcanzable: con {1} m, a este globo le faltarían {2} kg. Elija película o gas más ligeros, menos sustentación o una forma más redonda.</translation>
+        <source>A lift of {0} is out of reach: {1} large, this balloon would carry {2}. Choose a lighter film or gas, a smaller lift, or a rounder shape.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A lift of {0} is out of reach: {1} large, this balloon would lack {2}. Choose a lighter film or gas, a smaller lift, or a rounder shape.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>A mesh of {0} is too coarse for a shape of {1}: use at most {2}.</source>
@@ -791,12 +815,24 @@
         <translation>Un lector estricto que quiere polilíneas sencillas. Las capas se distinguen por el color: corte rojo, azul y naranja, y ponga en no la salida de todas las demás.</translation>
     </message>
     <message>
-        <source>A volume of {0} litres cannot be made: give one such as 10l.</source>
-        <translation>Un volumen de {0} litros no es posible: indique por ejemplo 10l.</translation>
+        <source>A target decides the size: leave out --width and --height.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A volume of {0} cannot be made: give one such as 10l.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A volume or a lift decides the size: choose less of it.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>A volume to inflate to and a goal for the size exclude each other: leave one out.</source>
         <translation>Un volumen de inflado y un objetivo de tamaño se excluyen: omita uno.</translation>
+    </message>
+    <message>
+        <source>A web page came instead of the native solver, as some networks send before one has signed in. Open {0} in a browser, then try again. {1}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>A weld has no length; draw a line, or a circle for a spot.</source>
@@ -811,8 +847,12 @@
         <translation>Una soldadura toca el contorno, a sí misma o a otra en {0}; deje algo de película entre ellas.</translation>
     </message>
     <message>
-        <source>A weld runs too near to another one or to the outline at ({0}, {1}) mm for this mesh: move it away, or use a smaller mesh size.</source>
-        <translation>Una soldadura pasa demasiado cerca de otra o del contorno en ({0}, {1}) mm para esta malla: apártela o use una malla más fina.</translation>
+        <source>A weld runs too near to another one or to the outline at {0} for this mesh: move it away, or use a smaller mesh size.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A {0} of {1} cannot be made; choose one between 1 mm and 100 m.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Across</source>
@@ -821,6 +861,10 @@
     <message>
         <source>Advice</source>
         <translation>Consejos</translation>
+    </message>
+    <message>
+        <source>Advice ({0}), at {1}: {2}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Air intake</source>
@@ -939,12 +983,20 @@
         <translation>Patrón del globo</translation>
     </message>
     <message>
+        <source>Balloon: {0}, {1}, solver {2}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Balloons</source>
         <translation>Globos</translation>
     </message>
     <message>
         <source>Balloons of each</source>
         <translation>Globos de cada uno</translation>
+    </message>
+    <message>
+        <source>Bed</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Bending stiffness</source>
@@ -991,8 +1043,16 @@
         <translation>Compruebe el tamaño: la barra de 100 mm del archivo de corte o de la impresión debe medir 100 mm.</translation>
     </message>
     <message>
-        <source>Checked: nothing is in the way.</source>
-        <translation>Comprobado: nada lo impide.</translation>
+        <source>Check, {0}: {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Checked: ready to make.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Checking the pattern</source>
@@ -1199,8 +1259,32 @@
         <translation>Punto más lejano</translation>
     </message>
     <message>
+        <source>Fetch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fetch the native solver ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fetches the native solver of this version, checks its SHA-256 and puts it in its place.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fetching the native solver</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fetching {0} ({1} MB) into {2}; only the file with SHA-256 {3} is kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>File</source>
         <translation>Archivo</translation>
+    </message>
+    <message>
+        <source>Files written to {}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Fill</source>
@@ -1215,20 +1299,20 @@
         <translation>Llene por un tubo de 6 mm con el extremo cortado al sesgo, metido 25 mm más allá de la soldadura a través del cuello. Sáquelo: la presión aprieta las tiras.</translation>
     </message>
     <message>
-        <source>Fill to {pressure} kPa, never above {safe} kPa: film and seam then keep a margin of {margin}.</source>
-        <translation>Llene hasta {pressure} kPa, nunca por encima de {safe} kPa: película y costura conservan así un margen de {margin}.</translation>
+        <source>Fill to {pressure}, never above {safe}: film and seam then keep a margin of {margin}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Fill to {pressure} kPa, never above {safe} kPa: film and weld then keep a margin of {margin}.</source>
-        <translation>Llene hasta {pressure} kPa, nunca por encima de {safe} kPa: película y soldadura conservan así un margen de {margin}.</translation>
+        <source>Fill to {pressure}, never above {safe}: film and weld then keep a margin of {margin}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Fill to {safe} kPa at most: {pressure} kPa is more than film and seam bear with a margin of {margin}. Mind your eyes.</source>
-        <translation>Llene como mucho hasta {safe} kPa: {pressure} kPa es más de lo que película y costura aguantan con un margen de {margin}. Proteja sus ojos.</translation>
+        <source>Fill to {safe} at most: {pressure} is more than film and seam bear with a margin of {margin}. Mind your eyes.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Fill to {safe} kPa at most: {pressure} kPa is more than film and weld bear with a margin of {margin}. Mind your eyes.</source>
-        <translation>Llene como mucho hasta {safe} kPa: {pressure} kPa es más de lo que película y soldadura aguantan con un margen de {margin}. Proteja sus ojos.</translation>
+        <source>Fill to {safe} at most: {pressure} is more than film and weld bear with a margin of {margin}. Mind your eyes.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Fill with air a little and brush soapy water along the weld: bubbles show leaks. Weld once more there.</source>
@@ -1251,20 +1335,24 @@
         <translation>Película necesaria</translation>
     </message>
     <message>
-        <source>Film of your own</source>
-        <translation>Película propia</translation>
+        <source>Film needed: {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Film state</source>
-        <translation>Estado de la película</translation>
+        <source>Film of your own</source>
+        <translation>Película propia</translation>
     </message>
     <message>
         <source>Film width</source>
         <translation>Anchura de la película</translation>
     </message>
     <message>
-        <source>Film {0} m large is too much: write 500mm.</source>
-        <translation>Una película de {0} m es demasiado: escriba 500mm.</translation>
+        <source>Film {0} large is too much: write 500mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Film: {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Films</source>
@@ -1295,8 +1383,8 @@
         <translation>Seguir cada cambio al instante</translation>
     </message>
     <message>
-        <source>For {0} litres the drawing would be {1} large: choose a volume that makes it {2} to {3} m.</source>
-        <translation>Para {0} litros el dibujo mediría {1}: elija un volumen que le dé de {2} a {3} m.</translation>
+        <source>For {0} the drawing would be {1} large: choose a volume that makes it {2} to {3}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Forced</source>
@@ -1305,6 +1393,14 @@
     <message>
         <source>Frames are even in movement, not in time. Only the film has mass, the gas has none.</source>
         <translation>Los fotogramas son regulares en movimiento, no en tiempo. Solo la película tiene masa, el gas no.</translation>
+    </message>
+    <message>
+        <source>FreeCAD cannot make it ({0}). {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>FreeCAD ended ({0}). {1}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>FreeCAD has no material card "{0}": choose one of its material editor.</source>
@@ -1323,12 +1419,20 @@
         <translation>Frente y dorso como PNG y PDF, y como DXF y SVG con las mismas marcas para la cortadora</translation>
     </message>
     <message>
-        <source>Gaps of up to {0} between lines were closed ({1} loops).</source>
-        <translation>Se cerraron huecos de hasta {0} entre líneas ({1} lazos).</translation>
+        <source>Gaps of up to {0} between lines were closed.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Gas</source>
         <translation>Gas</translation>
+    </message>
+    <message>
+        <source>Give --artwork for the front too.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give either --material, or all of --young, --poisson and --thickness.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Give either a volume or a lift as the goal.</source>
@@ -1347,12 +1451,12 @@
         <translation>Pegamento</translation>
     </message>
     <message>
-        <source>Glue a strip of {seal} mm along the dashed line. Let it dry under a weight.</source>
-        <translation>Pegue una franja de {seal} mm a lo largo de la línea discontinua. Deje secar bajo un peso.</translation>
+        <source>Glue a strip of {seal} along the dashed line. Let it dry under a weight.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Glue a strip of {seal} mm along the dashed line; leave the mouth of the neck open. Let it dry under a weight.</source>
-        <translation>Pegue una franja de {seal} mm a lo largo de la línea discontinua; deje abierta la boca del cuello. Deje secar bajo un peso.</translation>
+        <source>Glue a strip of {seal} along the dashed line; leave the mouth of the neck open. Let it dry under a weight.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Glue the lines inside the balloon.</source>
@@ -1475,6 +1579,10 @@
         <translation>Boca en una parte fina</translation>
     </message>
     <message>
+        <source>It holds {} of the air that a round balloon of as much film would.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>It is not inflated yet: choose Inflate now in its context menu, or switch Live on.</source>
         <translation>Aún no está inflado: elija «Inflar ahora» en su menú contextual o active En vivo.</translation>
     </message>
@@ -1483,12 +1591,16 @@
         <translation>Ahora es más ancho. Ctrl+Z lo deshace.</translation>
     </message>
     <message>
-        <source>Join the panels along the dashed line, {seal} mm wide, all the way round.</source>
-        <translation>Una los paneles a lo largo de la línea discontinua, con {seal} mm de ancho, todo alrededor.</translation>
+        <source>It needs a home folder and a temporary folder that it can write to, and memory.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Join the panels along the dashed line, {seal} mm wide; leave the mouth of the neck open.</source>
-        <translation>Una los paneles a lo largo de la línea discontinua, con {seal} mm de ancho; deje abierta la boca del cuello.</translation>
+        <source>Join the panels along the dashed line, {seal} wide, all the way round.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Join the panels along the dashed line, {seal} wide; leave the mouth of the neck open.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Join the panels along the lines inside the balloon.</source>
@@ -1571,6 +1683,10 @@
         <translation>Colocando {0}</translation>
     </message>
     <message>
+        <source>Left out: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Length</source>
         <translation>Longitud</translation>
     </message>
@@ -1627,6 +1743,10 @@
         <translation>Mirando la imagen</translation>
     </message>
     <message>
+        <source>Loose ends of lines were joined to the drawing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Low</source>
         <translation>Abajo</translation>
     </message>
@@ -1645,6 +1765,10 @@
     <message>
         <source>Make it!</source>
         <translation>¡Hazlo!</translation>
+    </message>
+    <message>
+        <source>Make the balloon smaller and inflate it again, until its pattern fits the bed. Weld and allowance keep their widths; one undo takes it back</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Marks</source>
@@ -1711,8 +1835,8 @@
         <translation>Nativo</translation>
     </message>
     <message>
-        <source>Near ({0}, {1}) mm the inflated outline stays up to {2} from the drawing, along {3}: film cannot follow it there. Round it off or widen it.</source>
-        <translation>Cerca de ({0}, {1}) mm el contorno inflado queda hasta a {2} del dibujo, a lo largo de {3}: la película no puede seguirlo ahí. Redondéelo o ensánchelo.</translation>
+        <source>Near {0} the inflated outline stays up to {1} from the drawing, along {2}: film cannot follow it there. Round it off or widen it.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Neck that chokes the air path</source>
@@ -1755,8 +1879,16 @@
         <translation>Sin él no se puede inflar ningún globo de nuevo; los patrones se pueden cambiar y escribir.</translation>
     </message>
     <message>
+        <source>No file could be made.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>No file for {0}: {1}</source>
         <translation>Sin archivo para {0}: {1}</translation>
+    </message>
+    <message>
+        <source>No limit</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>No pattern can be drawn anew without it; documents keep theirs.</source>
@@ -1771,12 +1903,24 @@
         <translation>Ninguna forma destaca en la imagen. Use colores más vivos o un fondo más liso.</translation>
     </message>
     <message>
+        <source>No size of the balloon fits a bed of {0}: weld, allowance, intake and bar keep theirs. Choose another machine.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>No solver works here.</source>
         <translation>Aquí no funciona ningún solucionador.</translation>
     </message>
     <message>
+        <source>No solver works here: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>No solver works here: {0} Build it or install the package scipy.</source>
         <translation>Aquí no funciona ningún solucionador: {0} Compílelo o instale el paquete scipy.</translation>
+    </message>
+    <message>
+        <source>No, use NumPy</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>None</source>
@@ -1799,12 +1943,12 @@
         <translation>Las muescas de {0} no terminan antes de la soldadura: el margen es {1}.</translation>
     </message>
     <message>
-        <source>Nothing can be computed without it; documents open and keep their shapes.</source>
-        <translation>Sin él no se puede calcular nada; los documentos se abren y conservan sus formas.</translation>
+        <source>Note: {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Nothing is in the way. Paint on, or press Make it!</source>
-        <translation>Nada lo impide. Siga pintando o pulse «¡Hazlo!».</translation>
+        <source>Nothing can be computed without it; documents open and keep their shapes.</source>
+        <translation>Sin él no se puede calcular nada; los documentos se abren y conservan sus formas.</translation>
     </message>
     <message>
         <source>Nothing to improve.</source>
@@ -1817,6 +1961,14 @@
     <message>
         <source>Nozzle with flange</source>
         <translation>Boquilla con brida</translation>
+    </message>
+    <message>
+        <source>NumPy computes the same, 20 to 30 times slower.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>NumPy took 20 to 30 times longer than the native solver, which fetch-solver fetches.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Numbers</source>
@@ -1835,6 +1987,14 @@
         <translation>Desvío del dibujo</translation>
     </message>
     <message>
+        <source>Off the drawing: {0} on average, at most {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Offer the native solver where it is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>On the way of the valve the balloon narrows to {0} at {1}; its channel takes {2} with its welds there. Make the neck wider or put it elsewhere, else the weld closes the valve.</source>
         <translation>En el camino de la válvula el globo se estrecha a {0} en {1}; su canal ocupa ahí {2} con sus soldaduras. Ensanche el cuello o póngalo en otro lugar; si no, la soldadura cierra la válvula.</translation>
     </message>
@@ -1849,6 +2009,10 @@
     <message>
         <source>One-way tail</source>
         <translation>Cola antirretorno</translation>
+    </message>
+    <message>
+        <source>Only a film with another stiffness across has a grain: give --young-across too.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Only grades of this film with a sealing layer weld: try scraps before you cut.</source>
@@ -1879,8 +2043,12 @@
         <translation>Contorno</translation>
     </message>
     <message>
-        <source>Outline {} x {}, {} holes</source>
-        <translation>Contorno {} x {}, {} agujeros</translation>
+        <source>Outline {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outline {}, holes: {}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>PDF files need it; DXF, SVG and HPGL can be written.</source>
@@ -1947,8 +2115,8 @@
         <translation>Patrón escrito en {}</translation>
     </message>
     <message>
-        <source>Pattern {0} x {1} mm ({2} x {3} in), {4} pages.</source>
-        <translation>Patrón {0} x {1} mm ({2} x {3} pulgadas), {4} páginas.</translation>
+        <source>Pattern {0} ({1} x {2} in), pages: {3}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Pattern, cut two (one mirrored)</source>
@@ -1989,6 +2157,10 @@
     <message>
         <source>Pictures need OpenCV, which is missing or does not work here. Install the package python3-opencv (or opencv-python-headless), or open the picture inside FreeCAD.</source>
         <translation>Las imágenes necesitan OpenCV, que falta o no funciona aquí. Instale el paquete python3-opencv (u opencv-python-headless) o abra la imagen dentro de FreeCAD.</translation>
+    </message>
+    <message>
+        <source>Pieces: {}, on {}, {} used</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Place</source>
@@ -2055,12 +2227,20 @@
         <translation>Presión</translation>
     </message>
     <message>
+        <source>Pressure: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Previews and labels need it; everything else works.</source>
         <translation>Las vistas previas y etiquetas lo necesitan; todo lo demás funciona.</translation>
     </message>
     <message>
         <source>Print at 100 % ("actual size"). The bar below must be 100 mm long.</source>
         <translation>Imprima al 100 % («tamaño real»). La barra de abajo debe medir 100 mm.</translation>
+    </message>
+    <message>
+        <source>Print {0} at {1} dpi, front and back</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Pull a line; then move the pointer to bend it, and click. A right click keeps it straight.</source>
@@ -2095,6 +2275,10 @@
         <translation>RDWorks (láser Ruida)</translation>
     </message>
     <message>
+        <source>Ready to make. Paint on, or press Make it!</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Real size, to cut out by hand. Print at 100 % and measure the control bar.</source>
         <translation>Tamaño real, para recortar a mano. Imprima al 100 % y mida la barra de control.</translation>
     </message>
@@ -2115,8 +2299,8 @@
         <translation>La reparación {0} no se puede leer: bórrela de «Repairs».</translation>
     </message>
     <message>
-        <source>Residual</source>
-        <translation>Desvío</translation>
+        <source>Replace the file</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Result</source>
@@ -2147,12 +2331,12 @@
         <translation>Alrededor de este agujero el globo no quedará plano: un tubo cerrado quiere curvarse más y se tuerce fuera de su plano, aquí unos {length}. Abra el anillo, o selle el área del agujero sin recortarla y manténgala pequeña.</translation>
     </message>
     <message>
-        <source>Round with a radius of</source>
-        <translation>Redondear con un radio de</translation>
+        <source>Round this hole the balloon will not lie quite flat: a closed tube wants to curve more and twists out of its plane, here by about {length}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Roundness {:.0f} % of a disc's.</source>
-        <translation>Redondez: {:.0f} % de la de un disco.</translation>
+        <source>Round with a radius of</source>
+        <translation>Redondear con un radio de</translation>
     </message>
     <message>
         <source>SVG files can be written but not read without it; pictures, DXF and JSON can be read.</source>
@@ -2167,6 +2351,14 @@
         <translation>Presión segura</translation>
     </message>
     <message>
+        <source>Safe pressure: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Safe pressure: {0}, less than its {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Safe to</source>
         <translation>Seguro hasta</translation>
     </message>
@@ -2177,6 +2369,14 @@
     <message>
         <source>Save results…</source>
         <translation>Guardar resultados…</translation>
+    </message>
+    <message>
+        <source>Scale to fit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scaled to fit: {} wide instead of {}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>SciPy triangulates instead, a little slower.</source>
@@ -2197,6 +2397,10 @@
     <message>
         <source>Seam length</source>
         <translation>Longitud de costura</translation>
+    </message>
+    <message>
+        <source>Seam length: {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Second panel, mirrored</source>
@@ -2259,6 +2463,10 @@
         <translation>Simulación</translation>
     </message>
     <message>
+        <source>Simulations use NumPy. "What works here" in the menu fetches the native solver later.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Size</source>
         <translation>Tamaño</translation>
     </message>
@@ -2311,20 +2519,12 @@
         <translation>Parar y conservar el último resultado</translation>
     </message>
     <message>
-        <source>Stopped.</source>
-        <translation>Detenido.</translation>
-    </message>
-    <message>
         <source>Stopped. Your painting is still here.</source>
         <translation>Detenido. Su pintura sigue ahí.</translation>
     </message>
     <message>
         <source>Stopping ...</source>
         <translation>Deteniendo ...</translation>
-    </message>
-    <message>
-        <source>Strain</source>
-        <translation>Deformación</translation>
     </message>
     <message>
         <source>Straw neck</source>
@@ -2375,20 +2575,16 @@
         <translation>Cinta</translation>
     </message>
     <message>
-        <source>Tape along the dashed line, {seal} mm wide, all the way round.</source>
-        <translation>Pegue cinta a lo largo de la línea discontinua, con {seal} mm de ancho, todo alrededor.</translation>
+        <source>Tape along the dashed line, {seal} wide, all the way round.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Tape along the dashed line, {seal} mm wide; leave the mouth of the neck open.</source>
-        <translation>Pegue cinta a lo largo de la línea discontinua, con {seal} mm de ancho; deje abierta la boca del cuello.</translation>
+        <source>Tape along the dashed line, {seal} wide; leave the mouth of the neck open.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Taped seam</source>
         <translation>Costura con cinta</translation>
-    </message>
-    <message>
-        <source>Tension</source>
-        <translation>Tensión</translation>
     </message>
     <message>
         <source>Tension field</source>
@@ -2479,8 +2675,8 @@
         <translation>El archivo SVG está dañado ({0}). Guárdelo de nuevo.</translation>
     </message>
     <message>
-        <source>The Young's modulus across the grain {0} Pa is too large for one along it of {1} Pa: turn the grain by 90 degrees and exchange the two.</source>
-        <translation>El módulo de Young transversal {0} Pa es demasiado grande para el longitudinal de {1} Pa: gire la fibra 90 grados e intercambie los dos.</translation>
+        <source>The Young's modulus across the grain {0} is too large for one along it of {1}: turn the grain by 90 degrees and exchange the two.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The altitude {0} m is out of range: give one up to 11000 m.</source>
@@ -2503,12 +2699,12 @@
         <translation>El sangrado debe ser de 0 a {0}, no {1}.</translation>
     </message>
     <message>
-        <source>The coach finds no "{0}" to repair in {1}: see its advice.</source>
-        <translation>El consejero no encuentra «{0}» que reparar en {1}: vea sus consejos.</translation>
-    </message>
-    <message>
         <source>The colour would run out: close the line around this place first.</source>
         <translation>El color se saldría: cierre primero la línea alrededor de este lugar.</translation>
+    </message>
+    <message>
+        <source>The connection to {0} ended before the whole native solver had come. Try again. {1}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The drawing cannot be reached everywhere: the silhouette is up to {} off it.</source>
@@ -2575,6 +2771,10 @@
         <translation>El dibujo; una copia viaja en el documento</translation>
     </message>
     <message>
+        <source>The end of this tip stays flat, over {length}. A radius of {wanted} makes it rounder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The file is XML but no SVG drawing. Choose a drawing.</source>
         <translation>El archivo es XML pero no un dibujo SVG. Elija un dibujo.</translation>
     </message>
@@ -2635,12 +2835,12 @@
         <translation>La mano junto a la forma es tan grande como la de un adulto</translation>
     </message>
     <message>
-        <source>The hole at ({0}, {1}) mm is too small for a {2} seal, and its weld reaches {3} into the balloon: make the hole at least {4} wide, or the seal narrower.</source>
-        <translation>El agujero en ({0}, {1}) mm es demasiado pequeño para una soldadura de {2}, que entra {3} en el globo: hágalo de al menos {4} o estreche la soldadura.</translation>
+        <source>The hole at {0} is too small for a {1} seal, and its weld reaches {2} into the balloon: make the hole at least {3} wide, or the seal narrower.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The hole at ({0}, {1}) mm is welded but not cut out: for that, make it wider than two seals with their allowances, {2}.</source>
-        <translation>El agujero en ({0}, {1}) mm se suelda pero no se recorta: para ello hágalo más ancho que dos soldaduras con sus márgenes, {2}.</translation>
+        <source>The hole at {0} is welded but not cut out: for that, make it wider than two seals with their allowances, {1}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The hole at {0} lies in another hole; remove one of them.</source>
@@ -2723,6 +2923,10 @@
         <translation>La colocación de {0} es más antigua que sus patrones: recalcúlela.</translation>
     </message>
     <message>
+        <source>The layout on film</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The layout was stopped; nothing was changed.</source>
         <translation>La colocación se detuvo; nada cambió.</translation>
     </message>
@@ -2747,12 +2951,44 @@
         <translation>La malla tiene un nodo sin triángulos. Malle el contorno de nuevo.</translation>
     </message>
     <message>
-        <source>The mesh size is {0} mm: give one above 0.</source>
-        <translation>El tamaño de malla es {0} mm: indique uno mayor que 0.</translation>
+        <source>The mesh size is {0}: give one above 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The native solver cannot be kept. {0} {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The native solver could not be fetched from {0} ({1}). Try again when the network is there. {2}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The native solver is here already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The native solver is in use now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The native solver is in use.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The native solver is not available: {0} Use the NumPy solver.</source>
         <translation>El solucionador nativo no está disponible: {0} Use el de NumPy.</translation>
+    </message>
+    <message>
+        <source>The native solver is not installed. Everything works without it, but simulations take 20 to 30 times longer. Fetch it now?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The native solver was fetched, but does not run here: {0} {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The native solver was not fetched: stopped.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The native solver, which is faster, is not available: {0}</source>
@@ -2763,12 +2999,16 @@
         <translation>La brida de la boquilla debe ser más ancha que su calibre.</translation>
     </message>
     <message>
+        <source>The options cannot be used ({0}). See --help.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The outline cannot be mirrored about its axis: draw it symmetric, or leave that.</source>
         <translation>El contorno no se puede reflejar en su eje: dibújelo simétrico o déjelo.</translation>
     </message>
     <message>
-        <source>The outline crosses or nearly touches itself near ({0}, {1}) mm: separate the parts that meet there.</source>
-        <translation>El contorno se cruza o casi se toca cerca de ({0}, {1}) mm: separe ahí las partes.</translation>
+        <source>The outline crosses or nearly touches itself near {0}: separate the parts that meet there.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The outline crosses or touches itself and cannot be meshed: separate the parts that meet.</source>
@@ -2787,8 +3027,8 @@
         <translation>El contorno tiene una coordenada que no es un número; corríjala en el dibujo.</translation>
     </message>
     <message>
-        <source>The outline's {0} of</source>
-        <translation>{0} del contorno:</translation>
+        <source>The outline's {0} of {1} cannot be made; bring it to a size between 1 mm and 100 m.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The page will be in English, as no font here has the letters of your language: install IPAexGothic or Noto Sans CJK JP, and open this panel again.</source>
@@ -2807,12 +3047,12 @@
         <translation>El patrón se vuelve demasiado fino para su malla. Ensanche las partes finas o use una malla más fina.</translation>
     </message>
     <message>
-        <source>The pattern crosses itself near ({0}, {1}) mm: simplify the drawing there.</source>
-        <translation>El patrón se cruza cerca de ({0}, {1}) mm: simplifique ahí el dibujo.</translation>
+        <source>The pattern crosses itself near {0}: simplify the drawing there.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The pattern has no lines for {0}, which takes {1}.</source>
-        <translation>El patrón no tiene líneas para {0}, que toma {1}.</translation>
+        <source>The pattern has no lines for {0}, which takes {1}: choose another machine.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The pattern is being fitted to the painting ...</source>
@@ -2825,6 +3065,10 @@
     <message>
         <source>The pattern measures {0}, the bed of {1} {2}</source>
         <translation>El patrón mide {0}, la cama de {1} {2}</translation>
+    </message>
+    <message>
+        <source>The patterns' files</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The picture has a single colour. Choose one that shows a shape on a background.</source>
@@ -2859,8 +3103,8 @@
         <translation>Las piezas de la boca «{0}» son de {1}, que no se suelda con {2}: elija otra boca o una película con la que se suelde: {3}.</translation>
     </message>
     <message>
-        <source>The pressure must be positive and at most {0} Pa, not {1} Pa. A party balloon has about 2 kPa.</source>
-        <translation>La presión debe ser positiva y como mucho {0} Pa, no {1} Pa. Un globo de fiesta tiene unos 2 kPa.</translation>
+        <source>The pressure must be positive and at most {0}, not {1}. A party balloon has about 2 kPa.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The radius of the corner relief must be 0 or above.</source>
@@ -2879,8 +3123,8 @@
         <translation>La forma de la imagen está demasiado deshilachada para calcarla. Use una imagen más clara.</translation>
     </message>
     <message>
-        <source>The shape is only {0} mm thick near ({1}, {2}) mm, too thin for a mesh of {3}: make it thicker there, or use a mesh size of at most {4} mm.</source>
-        <translation>La forma solo tiene {0} mm de grueso cerca de ({1}, {2}) mm, demasiado fina para una malla de {3}: engrósela ahí o use como mucho {4} mm.</translation>
+        <source>The shape is only {0} thick near {1}, too thin for a mesh of {2}: make it thicker there, or use a mesh size of at most {3}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The shape touches the {0} border of the picture; if it was cut off there, leave more margin.</source>
@@ -2907,8 +3151,16 @@
         <translation>La simulación se detuvo.</translation>
     </message>
     <message>
-        <source>The smallest radius is {0} mm, near {1}; {2} follows {3}. It will come out rounder there.</source>
-        <translation>El radio menor es {0} mm, cerca de {1}; {2} sigue {3}. Ahí saldrá más redondo.</translation>
+        <source>The size comes from {0}: make it smaller there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The size of {0} follows an expression: change what that refers to.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The smallest radius is {0}, near {1}; {2} follows {3}. It will come out rounder there.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The solver '{0}' needs the Python package scipy. Install it or use the native solver.</source>
@@ -2917,6 +3169,10 @@
     <message>
         <source>The strips of valves are not here: lay them out on a sheet of their own, with "Valve film".</source>
         <translation>Las tiras de las válvulas no están aquí: colóquelas en una lámina aparte, con «Película de válvula».</translation>
+    </message>
+    <message>
+        <source>The summary cannot be shown ({0}); {1}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The temperature of the {0}, {1} degrees Celsius, is out of range: give one such as 20C.</source>
@@ -2931,8 +3187,8 @@
         <translation>La válvula entra {0} en el globo, más allá de la soldadura en {1}: ponga la boca donde el globo sea más largo o tome otra.</translation>
     </message>
     <message>
-        <source>The volume must be positive, not {0} m3.</source>
-        <translation>El volumen debe ser positivo, no {0} m3.</translation>
+        <source>The volume must be positive, not {0}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The way from the intake into the balloon narrows to {0}, and the intake is {1} wide: put it where the balloon is wider, else air enters slowly.</source>
@@ -2955,12 +3211,12 @@
         <translation>No se encierra área ({0}); dibuje una forma cerrada con al menos tres esquinas.</translation>
     </message>
     <message>
-        <source>The {0} is {1} % off what was wanted: correct the goal by as much.</source>
-        <translation>El objetivo ({0}) se desvió un {1} %: corríjalo en la misma medida.</translation>
-    </message>
-    <message>
         <source>The {0} is {1} mm: give one above 0, for example 300 mm.</source>
         <translation>La medida ({0}) es {1} mm: indique una mayor que 0, por ejemplo 300 mm.</translation>
+    </message>
+    <message>
+        <source>The {0} is {1} off what was wanted: correct the goal by as much.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The {0} line crosses itself near {1}: simplify the drawing there.</source>
@@ -2989,6 +3245,10 @@
     <message>
         <source>There can be 1 to {0} copies, not {1}.</source>
         <translation>Puede haber de 1 a {0} copias, no {1}.</translation>
+    </message>
+    <message>
+        <source>There is no "{0}" to repair in {1}: see its advice.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>There is no backend "{0}": choose {1}, or leave it out.</source>
@@ -3023,12 +3283,24 @@
         <translation>No hay unión «{0}»: elija una de {1}.</translation>
     </message>
     <message>
+        <source>There is no language "{0}": choose one of {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>There is no look "{0}": choose one of {1}.</source>
         <translation>No hay aspecto «{0}»: elija uno de {1}.</translation>
     </message>
     <message>
         <source>There is no machine "{0}": choose one of {1}, or give a .json file.</source>
         <translation>No hay máquina «{0}»: elija una de {1} o indique un archivo .json.</translation>
+    </message>
+    <message>
+        <source>There is no native solver for {0}. {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no native solver to be fetched for this version yet. {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>There is no outline at {0} degrees from the centre: choose another intake angle.</source>
@@ -3063,6 +3335,10 @@
         <translation>No hay simetría «{0}»: elija una de {1}.</translation>
     </message>
     <message>
+        <source>There is no way "{0}" with a large pattern: choose {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>There is too little memory for this: take a coarser mesh, or close other programs.</source>
         <translation>Hay muy poca memoria para esto: tome una malla más gruesa o cierre otros programas.</translation>
     </message>
@@ -3083,6 +3359,10 @@
         <translation>Grosor del trazo ([ más fino, ] más grueso)</translation>
     </message>
     <message>
+        <source>This Python has no working ctypes module, which SciPy and the native solver need: patterns can be changed and written, but no balloon can be inflated anew. Take another build of FreeCAD or of Python.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>This arm is too thin to fill: drawn {width} wide, it becomes {measured} thick. Make it {wanted} wide.</source>
         <translation>Este brazo es demasiado fino para llenarse: dibujado con {width} de ancho, queda con {measured} de grueso. Hágalo de {wanted} de ancho.</translation>
     </message>
@@ -3091,8 +3371,16 @@
         <translation>Este brazo es demasiado fino para llenarse: {}. ¿Hacerlo de {}?</translation>
     </message>
     <message>
-        <source>This balloon holds {0} {1} litres at any pressure that suits its film: {2} litres at {3} Pa. Change the size of the balloon or the volume.</source>
-        <translation>Este globo contiene {0} {1} litros a cualquier presión que admita su película: {2} litros a {3} Pa. Cambie el tamaño del globo o el volumen.</translation>
+        <source>This arm stays much thinner than the rest: drawn {width} wide, it becomes {measured} thick. For a rounder one make it {wanted} wide.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This balloon holds {0} {1} at any pressure that suits its film: {2} at {3}. Change the size of the balloon or the volume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This cannot be shown ({0}).</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>This gas is not lighter than the air around, so the balloon never floats: choose another gas or a higher temperature of the gas.</source>
@@ -3123,12 +3411,24 @@
         <translation>Este cuello es demasiado fino para que pase el aire: {}. ¿Hacerlo de {}?</translation>
     </message>
     <message>
+        <source>This neck slows the filling: inside it is as wide as a tube of {measured} of film, the intake is {intake}. {behind} of the balloon fill through it. For quicker filling make it {wanted} wide.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This notch pulls the film {measured} as tight as elsewhere, so that it wrinkles there. A radius of {wanted} eases that.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>This notch pulls the film {measured} as tight as elsewhere; it wrinkles there and is where it would tear. Round it with a radius of {wanted}.</source>
         <translation>Esta entalla tensa la película {measured} más que en otras partes; ahí se arruga y se rasgaría. Redondéela con un radio de {wanted}.</translation>
     </message>
     <message>
-        <source>This shape stays flat: it holds {percent} of the air that a disc of as much film would. Fewer and wider parts make it rounder.</source>
-        <translation>Esta forma queda plana: contiene {percent} del aire que tendría un disco con igual película. Partes menos numerosas y más anchas la redondean.</translation>
+        <source>This shape stays flat: it holds {percent} of the air that a round balloon of as much film would. Fewer and wider parts make it rounder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This shape stays rather flat: it holds {percent} of the air that a round balloon of as much film would. Fewer and wider parts make it rounder.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>This tip stays flat over {length}: it is too pointed. Round it with a radius of {wanted}.</source>
@@ -3207,6 +3507,14 @@
         <translation>Lugar más débil</translation>
     </message>
     <message>
+        <source>Weakest place: {0} at {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weakest place: {0} at {1}, estimated: the film did not come to rest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Weighing {0}</source>
         <translation>Pesando {0}</translation>
     </message>
@@ -3227,12 +3535,12 @@
         <translation>Suelde a través del cuello por su línea, paneles y tiras juntos: el campo mantiene abierto el canal. Saque el trozo de papel y sople por la válvula.</translation>
     </message>
     <message>
-        <source>Weld along the dashed line, {seal} mm wide, all the way round.</source>
-        <translation>Suelde a lo largo de la línea discontinua, con {seal} mm de ancho, todo alrededor.</translation>
+        <source>Weld along the dashed line, {seal} wide, all the way round.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Weld along the dashed line, {seal} mm wide. Leave the mouth of the neck open.</source>
-        <translation>Suelde a lo largo de la línea discontinua, con {seal} mm de ancho. Deje abierta la boca del cuello.</translation>
+        <source>Weld along the dashed line, {seal} wide. Leave the mouth of the neck open.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Weld and cut</source>
@@ -3247,12 +3555,12 @@
         <translation>Suelde las dos tiras entre sí por sus líneas; sobre el campo marcado, tinta resistente al calor o un trozo de papel de hornear mantiene abierto el canal. Fíjelas a un panel, con el extremo en la boca; luego suelde alrededor del globo y a través del cuello. Llene con un tubo de 6 mm: la presión cierra las tiras.</translation>
     </message>
     <message>
-        <source>Weld with high frequency along the dashed line, {seal} mm wide, all the way round.</source>
-        <translation>Suelde por alta frecuencia a lo largo de la línea discontinua, con {seal} mm de ancho, todo alrededor.</translation>
+        <source>Weld with high frequency along the dashed line, {seal} wide, all the way round.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Weld with high frequency along the dashed line, {seal} mm wide; leave the mouth of the neck open.</source>
-        <translation>Suelde por alta frecuencia a lo largo de la línea discontinua, con {seal} mm de ancho; deje abierta la boca del cuello.</translation>
+        <source>Weld with high frequency along the dashed line, {seal} wide; leave the mouth of the neck open.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Welded across, last</source>
@@ -3263,6 +3571,10 @@
         <translation>Se suelda fácilmente con selladora de impulso o plancha. Cede a unos 9 MPa, la mitad de su resistencia, y fluye: mantenga baja la presión.</translation>
     </message>
     <message>
+        <source>What else is made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>What it takes to make it</source>
         <translation>Lo que hace falta para hacerlo</translation>
     </message>
@@ -3271,8 +3583,20 @@
         <translation>Lo que piden casi todos los talleres: R12, polilíneas cerradas, nada en la lámina que no se corte. R12 no conoce unidades, por eso las dice el nombre del archivo.</translation>
     </message>
     <message>
+        <source>What this machine can work on, such as 600 x 400 mm, or 600 mm for a roll; empty where there is no limit. It is kept for this machine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>What works here</source>
         <translation>Qué funciona aquí</translation>
+    </message>
+    <message>
+        <source>What {0} sent is not the native solver of this release: its SHA-256 is another one. It was not kept. {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the film wrinkles</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Whether the {0} of the intake's pieces welds to {1} is not known: try it on a scrap first.</source>
@@ -3307,20 +3631,28 @@
         <translation>¿Flotará?</translation>
     </message>
     <message>
-        <source>With the fonts of this computer {0} cannot be drawn, letter by letter from left to right: leave that out of the label, or install a font that has it and start again.</source>
-        <translation>Con los tipos de letra de este ordenador no se puede dibujar {0}, letra a letra de izquierda a derecha: quítelo de la etiqueta o instale un tipo de letra que lo tenga y vuelva a empezar.</translation>
+        <source>Will it float? {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Wrinkles</source>
-        <translation>Arrugas</translation>
+        <source>With the fonts of this computer {0} cannot be drawn, letter by letter from left to right: leave that out of the label, or install a font that has it and start again.</source>
+        <translation>Con los tipos de letra de este ordenador no se puede dibujar {0}, letra a letra de izquierda a derecha: quítelo de la etiqueta o instale un tipo de letra que lo tenga y vuelva a empezar.</translation>
     </message>
     <message>
         <source>Write all results for ParaView (.vtu) or NumPy (.npz), or the shape alone (.stl)</source>
         <translation>Escribir todos los resultados para ParaView (.vtu) o NumPy (.npz), o solo la forma (.stl)</translation>
     </message>
     <message>
+        <source>Write anyway</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Write files…</source>
         <translation>Escribir archivos…</translation>
+    </message>
+    <message>
+        <source>Write the file although it is larger than the bed</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Write {"unit": "mm", "outer": [[0, 0], [300, 0], [150, 200]]}.</source>
@@ -3337,6 +3669,10 @@
     <message>
         <source>Writing {0}</source>
         <translation>Escribiendo {0}</translation>
+    </message>
+    <message>
+        <source>Wrote {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Yellow</source>
@@ -3367,8 +3703,20 @@
         <translation>un archivo {0} tiene su propia unidad: indique "unit": "mm".</translation>
     </message>
     <message>
+        <source>about {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>about {} x {}, {} thick, {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>air</source>
         <translation>aire</translation>
+    </message>
+    <message>
+        <source>all files were written before to {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>another run has been writing there for a minute</source>
@@ -3387,8 +3735,12 @@
         <translation>Se omitió artwork.pdf. {0}</translation>
     </message>
     <message>
-        <source>at most {:.4g} {}</source>
-        <translation>como mucho {:.4g} {}</translation>
+        <source>at most {} {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>balloon {0} of {1}, {2}</source>
@@ -3399,10 +3751,6 @@
         <translation>bed_mm es {0}: indique [anchura, altura], o null donde no haya límite.</translation>
     </message>
     <message>
-        <source>bring it to a</source>
-        <translation>llévelo a una</translation>
-    </message>
-    <message>
         <source>choose Drawn as filled shape</source>
         <translation>elija Forma rellena en «Dibujado como»</translation>
     </message>
@@ -3411,12 +3759,20 @@
         <translation>el índice de color {0} y la pluma {1} de {2} deben ser de 1 a 255.</translation>
     </message>
     <message>
+        <source>connecting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>cut</source>
         <translation>corte</translation>
     </message>
     <message>
         <source>cut inside</source>
         <translation>corte interior</translation>
+    </message>
+    <message>
+        <source>designing a balloon</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>does not name its unit</source>
@@ -3435,16 +3791,28 @@
         <translation>vacío: </translation>
     </message>
     <message>
+        <source>fetch the native solver from the network, where the workbench came without it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fetching</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>film</source>
         <translation>película</translation>
     </message>
     <message>
-        <source>film and valve weigh {0} g</source>
-        <translation>película y válvula pesan {0} g</translation>
+        <source>film and valve weigh {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>fold</source>
         <translation>pliegue</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>gas</source>
@@ -3483,12 +3851,16 @@
         <translation>de media {}</translation>
     </message>
     <message>
+        <source>in {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>inflated</source>
         <translation>inflado</translation>
     </message>
     <message>
-        <source>inflated {0} × {1} × {2} mm, {3} litres</source>
-        <translation>inflado {0} × {1} × {2} mm, {3} litros</translation>
+        <source>inflated {0}, {1}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>inflating</source>
@@ -3515,8 +3887,8 @@
         <translation>se uniría con otra parte</translation>
     </message>
     <message>
-        <source>laying out{0}</source>
-        <translation>colocando{0}</translation>
+        <source>laying out, {0} so far</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>left</source>
@@ -3531,12 +3903,16 @@
         <translation>menos de</translation>
     </message>
     <message>
-        <source>less than its {} with a margin of {:g} ({})</source>
-        <translation>menos que sus {} con margen {:g} ({})</translation>
+        <source>less than its {} with a margin of {} ({})</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>lift</source>
         <translation>sustentación</translation>
+    </message>
+    <message>
+        <source>loose: {}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>lower</source>
@@ -3557,6 +3933,10 @@
     <message>
         <source>names the unit {0}, which is not a usual one</source>
         <translation>indica la unidad {0}, que no es habitual</translation>
+    </message>
+    <message>
+        <source>no file was written</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>no layer is written: name at least CUT.</source>
@@ -3595,12 +3975,16 @@
         <translation>presión</translation>
     </message>
     <message>
+        <source>printing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>right</source>
         <translation>derecho</translation>
     </message>
     <message>
-        <source>safe to {}, margin {:.2g}</source>
-        <translation>seguro hasta {}, margen {:.2g}</translation>
+        <source>safe to {}, margin {}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>seal width</source>
@@ -3623,16 +4007,16 @@
         <translation>tamaño {0}, {1}</translation>
     </message>
     <message>
-        <source>slack: {:.0f} %</source>
-        <translation>flojo: {:.0f} %</translation>
-    </message>
-    <message>
         <source>stale: </source>
         <translation>obsoleto: </translation>
     </message>
     <message>
         <source>stale: belongs to earlier values</source>
         <translation>obsoleto: pertenece a valores anteriores</translation>
+    </message>
+    <message>
+        <source>stopped; {0}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>strength</source>
@@ -3651,24 +4035,28 @@
         <translation>costura con cinta interior</translation>
     </message>
     <message>
-        <source>taut: {:.0f} %</source>
-        <translation>tenso: {:.0f} %</translation>
-    </message>
-    <message>
         <source>temperature</source>
         <translation>temperatura</translation>
+    </message>
+    <message>
+        <source>the answer is not HTTP</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the colour "{0}" is not written like #ff0000.</source>
         <translation>el color «{0}» no está escrito como #ff0000.</translation>
     </message>
     <message>
+        <source>the connection ended too soon</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the file name "{0}" may have letters, digits, spaces, _, - and . only.</source>
         <translation>el nombre de archivo «{0}» solo puede tener letras, dígitos, espacios, _, - y .</translation>
     </message>
     <message>
-        <source>the film weighs {0} g</source>
-        <translation>la película pesa {0} g</translation>
+        <source>the film weighs {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the last line of each piece is its CUT.</source>
@@ -3701,6 +4089,10 @@
     <message>
         <source>thin PE film, 30 to 50 µm</source>
         <translation>película fina de PE, 30 a 50 µm</translation>
+    </message>
+    <message>
+        <source>tight: {}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>trial {0}, {1}</source>
@@ -3747,12 +4139,20 @@
         <translation>width_mm debe ser mayor que 0, y taper de 0,2 a 1.</translation>
     </message>
     <message>
-        <source>wrinkled, taut along one direction: {:.0f} %</source>
-        <translation>arrugado, tenso en una dirección: {:.0f} %</translation>
+        <source>wrinkled: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>writing files</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} "{1}" is none of {2}.</source>
         <translation>{0} «{1}» no es ninguno de {2}.</translation>
+    </message>
+    <message>
+        <source>{0} ({1}, margin {2})</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} It is left out.</source>
@@ -3783,20 +4183,20 @@
         <translation>Ha cambiado: {0}. Elija «Inflar ahora» en su menú contextual o active En vivo.</translation>
     </message>
     <message>
+        <source>{0} does not have the native solver (answer {1}). Try again later. {2}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} dots per inch cannot be printed well: give {1} to {2}.</source>
         <translation>{0} puntos por pulgada no se imprimen bien: indique de {1} a {2}.</translation>
     </message>
     <message>
-        <source>{0} g with valve {1} g</source>
-        <translation>{0} g con válvula de {1} g</translation>
+        <source>{0} gap between the lines closed, the widest {1} of the drawing's width.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0} gap between the lines closed, the widest {1} % of the drawing's width.</source>
-        <translation>{0} hueco cerrado entre las líneas, el mayor del {1} % de la anchura del dibujo.</translation>
-    </message>
-    <message>
-        <source>{0} gaps between the lines closed, the widest {1} % of the drawing's width.</source>
-        <translation>{0} huecos cerrados entre las líneas, el mayor del {1} % de la anchura del dibujo.</translation>
+        <source>{0} gaps between the lines closed, the widest {1} of the drawing's width.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} has interface {1}, but {2} is needed.</source>
@@ -3851,6 +4251,10 @@
         <translation>{0} está dañado o incompleto. Instale de nuevo el banco de trabajo.</translation>
     </message>
     <message>
+        <source>{0} is damaged: install the workbench anew, or go on without the native solver.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} is empty: draw a closed line in it.</source>
         <translation>{0} está vacío: dibuje en él una línea cerrada.</translation>
     </message>
@@ -3899,52 +4303,40 @@
         <translation>{0} es {1}: escriba true o false.</translation>
     </message>
     <message>
-        <source>{0} kPa ({1}, margin {2})</source>
-        <translation>{0} kPa ({1}, margen {2})</translation>
-    </message>
-    <message>
         <source>{0} left out ({1}).</source>
         <translation>{0} omitidas ({1}).</translation>
     </message>
     <message>
-        <source>{0} lifts {1} g, {2}</source>
-        <translation>{0} levanta {1} g, {2}</translation>
+        <source>{0} lifts {1}, {2}: no, at no size.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0} litres</source>
-        <translation>{0} litros</translation>
+        <source>{0} lifts {1}, {2}: no. From {3} width on it would.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0} litres, about {1} {2}</source>
-        <translation>{0} litros, unos {1} {2}</translation>
+        <source>{0} lifts {1}, {2}: yes, and it carries {3}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0} loose ends of lines were joined to the drawing.</source>
-        <translation>{0} extremos sueltos de líneas se unieron al dibujo.</translation>
-    </message>
-    <message>
-        <source>{0} m of a roll {1} mm wide</source>
-        <translation>{0} m de un rollo de {1} mm de ancho</translation>
-    </message>
-    <message>
-        <source>{0} mm on paper = {1} mm of film</source>
-        <translation>{0} mm en papel = {1} mm de película</translation>
-    </message>
-    <message>
-        <source>{0} mm wide, {1} m long</source>
-        <translation>{0} mm de ancho, {1} m de largo</translation>
+        <source>{0} mm on paper = {1} of film</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} must never be cut with a laser: choose a machine with a knife.</source>
         <translation>{0} no se debe cortar nunca con láser: elija una máquina con cuchilla.</translation>
     </message>
     <message>
-        <source>{0} m²; wider than the usual roll</source>
-        <translation>{0} m²; más ancha que el rollo habitual</translation>
-    </message>
-    <message>
         <source>{0} notches are closer than {1}: take fewer.</source>
         <translation>{0} muescas quedan a menos de {1}: tome menos.</translation>
+    </message>
+    <message>
+        <source>{0} of a roll {1} wide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} of its size</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} open line was left out.</source>
@@ -3999,84 +4391,72 @@
         <translation>Se omitieron {0} soldaduras fuera de las formas.</translation>
     </message>
     <message>
-        <source>{0} {1} cannot be made; {2} size between 1 mm and 100 m.</source>
-        <translation>{0} {1} no es posible; {2} tamaño entre 1 mm y 100 m.</translation>
+        <source>{0} wide, {1} long</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0}: make the balloon smaller, or choose another machine or paper.</source>
-        <translation>{0}: reduzca el globo o elija otra máquina u otro papel.</translation>
+        <source>{0} with valve {1}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0}: no, at no size.</source>
-        <translation>{0}: no, con ningún tamaño.</translation>
+        <source>{0}: it is written all the same.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0}: no. From {1} cm width it would.</source>
-        <translation>{0}: no. Desde {1} cm de anchura sí.</translation>
+        <source>{0}: lay its pieces out on sheets of that size, make the balloon smaller, or have the file written all the same.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: make the balloon smaller, choose another machine or paper, or have the file written all the same.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: pieces {1}, on {2}, {3} used</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0}: turn the pattern by 90 degrees there.</source>
         <translation>{0}: gire ahí el patrón 90 grados.</translation>
     </message>
     <message>
-        <source>{0}: yes, and it carries {1} g.</source>
-        <translation>{0}: sí, y levanta {1} g.</translation>
+        <source>{0}; wider than the usual roll</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0}what is shown is the last good state. Lower the pressure or change the mesh size.</source>
         <translation>{0}se muestra el último buen estado. Baje la presión o cambie el tamaño de malla.</translation>
     </message>
     <message>
-        <source>{:.0f} % wrinkled, {:.0f} % slack</source>
-        <translation>{:.0f} % arrugado, {:.0f} % flojo</translation>
-    </message>
-    <message>
-        <source>{:.0f} ms, {:.0f} Pa, frame {} of {}</source>
-        <translation>{:.0f} ms, {:.0f} Pa, fotograma {} de {}</translation>
-    </message>
-    <message>
-        <source>{:.3g} g, carries {:.3g} g with {}</source>
-        <translation>{:.3g} g, levanta {:.3g} g con {}</translation>
-    </message>
-    <message>
-        <source>{:.3g} g, floats from {} width on with {}</source>
-        <translation>{:.3g} g, flota desde {} de anchura con {}</translation>
-    </message>
-    <message>
-        <source>{:.3g} g, never floats with {}</source>
-        <translation>{:.3g} g, nunca flota con {}</translation>
-    </message>
-    <message>
-        <source>{:.3g} g: film {:.3g}, seam and neck {:.2g}, valve {:.2g}</source>
-        <translation>{:.3g} g: película {:.3g}, costura y cuello {:.2g}, válvula {:.2g}</translation>
-    </message>
-    <message>
-        <source>{:.3g} m², wider than the usual roll</source>
-        <translation>{:.3g} m², más ancha que el rollo habitual</translation>
+        <source>{} MB from {}; the file is checked before it is used, and nothing is sent.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{} at ({})</source>
         <translation>{} en ({})</translation>
     </message>
     <message>
-        <source>{} files written to {}</source>
-        <translation>{} archivos escritos en {}</translation>
-    </message>
-    <message>
         <source>{} is in the tree</source>
         <translation>{} está en el árbol</translation>
     </message>
     <message>
-        <source>{} of a roll of {}</source>
-        <translation>{} de un rollo de {}</translation>
+        <source>{} is there already: give another name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} is there already: tick "Replace the file", or give another name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} ms, {}, frame {} of {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} of it wrinkles, {} is loose</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{} of {}</source>
         <translation>{} de {}</translation>
-    </message>
-    <message>
-        <source>{} pieces on {}, {:.0f} % used</source>
-        <translation>{} piezas en {}, {:.0f} % usado</translation>
     </message>
     <message>
         <source>{} x {}, {} thick, {}</source>
@@ -4087,12 +4467,28 @@
         <translation>{}, como mucho {}</translation>
     </message>
     <message>
-        <source>{}, margin {:g} ({})</source>
-        <translation>{}, margen {:g} ({})</translation>
+        <source>{}, carries {} with {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}, floats from {} width on with {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}, never floats with {}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{}, seam {}</source>
         <translation>{}, costura {}</translation>
+    </message>
+    <message>
+        <source>{}: film {}, seam and neck {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: film {}, seam and neck {}, valve {}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{}: {}</source>

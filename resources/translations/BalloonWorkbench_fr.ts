@@ -16,6 +16,10 @@
         <translation>Ajoute ce par quoi le ballon est gonflé</translation>
     </message>
     <message>
+        <source>Air that it holds, as a share of what a round balloon of as much film would</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Another picture for the back; empty takes that of the front</source>
         <translation>Une autre image pour le dos ; vide prend celle du devant</translation>
     </message>
@@ -192,6 +196,10 @@
         <translation>Il se porte lui-même</translation>
     </message>
     <message>
+        <source>It has a place; a new object is given one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Label of the values the mesh belongs to</source>
         <translation>Repère des valeurs auxquelles appartient le maillage</translation>
     </message>
@@ -304,8 +312,8 @@
         <translation>Part du film que prennent les pièces, en pour cent</translation>
     </message>
     <message>
-        <source>Part of the film's area that is slack</source>
-        <translation>Part de la surface du film qui est détendue</translation>
+        <source>Part of the film's area that hangs loose</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Part of the film's area that is wrinkled</source>
@@ -356,12 +364,12 @@
         <translation>Remarques sur la disposition</translation>
     </message>
     <message>
-        <source>Result that is shown as colours, with a legend</source>
-        <translation>Résultat montré en couleurs, avec une légende</translation>
+        <source>Repairs that were made in the drawing, one each; delete an entry to take it back</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Roundness: 1 for a disc, 0 for a flat thing</source>
-        <translation>Rondeur : 1 pour un disque, 0 pour une chose plate</translation>
+        <source>Result that is shown as colours, with a legend</source>
+        <translation>Résultat montré en couleurs, avec une légende</translation>
     </message>
     <message>
         <source>Show the drawing and the silhouette over each other</source>
@@ -400,16 +408,16 @@
         <translation>Contrainte dans la section à laquelle le film se déchire ; 0 : inconnue</translation>
     </message>
     <message>
+        <source>The balloon shown has come to rest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The balloon that is cut from this pattern</source>
         <translation>Le ballon découpé dans ce patron</translation>
     </message>
     <message>
         <source>The film resists bending</source>
         <translation>Le film résiste à la flexion</translation>
-    </message>
-    <message>
-        <source>The mesh shown is an equilibrium</source>
-        <translation>Le maillage montré est en équilibre</translation>
     </message>
     <message>
         <source>The outline of the drawing</source>
@@ -528,10 +536,6 @@
         <translation>De quoi le ballon est fait ; « Personnalisé » permet vos propres valeurs</translation>
     </message>
     <message>
-        <source>What the coach has changed in the drawing, one repair each; delete an entry to take it back</source>
-        <translation>Ce que le conseiller a changé dans le dessin, une réparation par entrée ; effacer une entrée l'annule</translation>
-    </message>
-    <message>
         <source>What the outline was read from</source>
         <translation>D'où le contour a été lu</translation>
     </message>
@@ -550,6 +554,10 @@
     <message>
         <source>Where it is found: farthest from the centre, or low, where a tied balloon hangs straight</source>
         <translation>Où elle est cherchée : au plus loin du centre, ou en bas, où un ballon attaché pend droit</translation>
+    </message>
+    <message>
+        <source>Where it was put, unless by the user</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Whether a laser may cut this film</source>
@@ -639,6 +647,10 @@
         <translation>« {0} » a {1} x {2} pixels, plus de {3} millions. Réduisez-la ; 2000 pixels de large suffisent largement.</translation>
     </message>
     <message>
+        <source>'{0}' is a pipe or a device: save what comes from it, and name that file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>'{0}' is colder than anything; write a temperature as 20C, 68F or 293K.</source>
         <translation>« {0} » est plus froid que tout ; écrivez une température comme 20C, 68F ou 293K.</translation>
     </message>
@@ -671,6 +683,10 @@
         <translation>« {0} » n'est ni SVG, ni DXF, ni JSON. Enregistrez le dessin dans un de ces formats.</translation>
     </message>
     <message>
+        <source>'{0}' is no size: write 500mm for a width, 500mmx700mm for width and height.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>'{0}' is not a drawing that can be read. Use PNG, JPEG, BMP, SVG, DXF or JSON.</source>
         <translation>« {0} » n'est pas un dessin lisible. Utilisez PNG, JPEG, BMP, SVG, DXF ou JSON.</translation>
     </message>
@@ -687,24 +703,20 @@
         <translation>« {0} » n'est pas une température ; écrivez-la comme 20C, 68F ou 293K.</translation>
     </message>
     <message>
-        <source>'{0}' is not a {1}; write it as {2}.</source>
-        <translation>« {0} » ne convient pas ({1}) ; écrivez {2}.</translation>
+        <source>'{0}' is not a {1}; write it like {2}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>'{}' is not a picture. Save it as PNG, JPEG or BMP once more.</source>
         <translation>« {} » n'est pas une image. Enregistrez-la à nouveau en PNG, JPEG ou BMP.</translation>
     </message>
     <message>
-        <source>, about {:.2f} {}</source>
-        <translation>, environ {:.2f} {}</translation>
+        <source>, about {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>, estimated: the film did not come to rest</source>
         <translation>, estimé : le film n'est pas arrivé au repos</translation>
-    </message>
-    <message>
-        <source>, {0} mm so far</source>
-        <translation>, {0} mm jusqu'ici</translation>
     </message>
     <message>
         <source>1 to {0} pieces can be laid out, not {1}.</source>
@@ -715,12 +727,20 @@
         <translation>Un ballon n'a pas de « {0} » : il a {1}.</translation>
     </message>
     <message>
+        <source>A bed is {0} mm to {1} mm wide and high: write 600mmx400mm, 600mm for a roll, or {2}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>A corner relief of {0} would cut into the weld: choose a smaller radius or a wider allowance.</source>
         <translation>Un dégagement d'angle de {0} entamerait la soudure : choisissez un rayon plus petit ou une marge plus large.</translation>
     </message>
     <message>
         <source>A drawing with welds inside is not made symmetric: draw it so, and turn this off.</source>
         <translation>Un dessin à soudures intérieures n'est pas rendu symétrique : dessinez-le ainsi et désactivez ceci.</translation>
+    </message>
+    <message>
+        <source>A file of this name is there already</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>A hole meets the outline or another hole at {0}; keep some film between them.</source>
@@ -735,16 +755,20 @@
         <translation>Une inscription a au plus {0} lettres, hautes de 0,1 mm à 10 m : changez-la.</translation>
     </message>
     <message>
-        <source>A lift of {0} g cannot be made: give one such as 5g.</source>
-        <translation>Une portance de {0} g est impossible : donnez par exemple 5g.</translation>
+        <source>A layout is as large as its film: give the film the size of the bed there.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A lift of {0} kg is out of reach: {1} m large, this balloon would carry {2} kg. Choose a lighter film or gas, a smaller lift, or a rounder shape.</source>
-        <translation>Une portance de {0} kg est hors d'atteinte : grand de {1} m, ce ballon porterait {2} kg. Choisissez un film ou un gaz plus léger, moins de portance ou une forme plus ronde.</translation>
+        <source>A lift of {0} cannot be made: give one such as 5g.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A lift of {0} kg is out of reach: {1} m large, this balloon would lack {2} kg. Choose a lighter film or gas, a smaller lift, or a rounder shape.</source>
-        <translation>Une portance de {0} kg est hors d'atteinte : grand de {1} m, il manquerait {2} kg à ce ballon. Choisissez un film ou un gaz plus léger, moins de portance ou une forme plus ronde.</translation>
+        <source>A lift of {0} is out of reach: {1} large, this balloon would carry {2}. Choose a lighter film or gas, a smaller lift, or a rounder shape.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A lift of {0} is out of reach: {1} large, this balloon would lack {2}. Choose a lighter film or gas, a smaller lift, or a rounder shape.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>A mesh of {0} is too coarse for a shape of {1}: use at most {2}.</source>
@@ -791,12 +815,24 @@
         <translation>Un lecteur strict qui veut des polylignes simples. Les calques se distinguent par la couleur : coupez le rouge, le bleu et l'orange, mettez la sortie de tous les autres sur non.</translation>
     </message>
     <message>
-        <source>A volume of {0} litres cannot be made: give one such as 10l.</source>
-        <translation>Un volume de {0} litres est impossible : donnez par exemple 10l.</translation>
+        <source>A target decides the size: leave out --width and --height.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A volume of {0} cannot be made: give one such as 10l.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A volume or a lift decides the size: choose less of it.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>A volume to inflate to and a goal for the size exclude each other: leave one out.</source>
         <translation>Un volume de gonflage et un but de taille s'excluent : omettez l'un des deux.</translation>
+    </message>
+    <message>
+        <source>A web page came instead of the native solver, as some networks send before one has signed in. Open {0} in a browser, then try again. {1}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>A weld has no length; draw a line, or a circle for a spot.</source>
@@ -811,8 +847,12 @@
         <translation>Une soudure rencontre le contour, elle-même ou une autre en {0} ; gardez un peu de film entre elles.</translation>
     </message>
     <message>
-        <source>A weld runs too near to another one or to the outline at ({0}, {1}) mm for this mesh: move it away, or use a smaller mesh size.</source>
-        <translation>Une soudure passe trop près d'une autre ou du contour en ({0}, {1}) mm pour ce maillage : écartez-la, ou prenez un maillage plus fin.</translation>
+        <source>A weld runs too near to another one or to the outline at {0} for this mesh: move it away, or use a smaller mesh size.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A {0} of {1} cannot be made; choose one between 1 mm and 100 m.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Across</source>
@@ -821,6 +861,10 @@
     <message>
         <source>Advice</source>
         <translation>Conseils</translation>
+    </message>
+    <message>
+        <source>Advice ({0}), at {1}: {2}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Air intake</source>
@@ -939,12 +983,20 @@
         <translation>Patron du ballon</translation>
     </message>
     <message>
+        <source>Balloon: {0}, {1}, solver {2}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Balloons</source>
         <translation>Ballons</translation>
     </message>
     <message>
         <source>Balloons of each</source>
         <translation>Ballons de chacun</translation>
+    </message>
+    <message>
+        <source>Bed</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Bending stiffness</source>
@@ -991,8 +1043,16 @@
         <translation>Vérifiez la taille : la barre de 100 mm du fichier de coupe ou de l'impression doit mesurer 100 mm.</translation>
     </message>
     <message>
-        <source>Checked: nothing is in the way.</source>
-        <translation>Vérifié : rien ne s'y oppose.</translation>
+        <source>Check, {0}: {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Checked: ready to make.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Checking the pattern</source>
@@ -1199,8 +1259,32 @@
         <translation>Point le plus éloigné</translation>
     </message>
     <message>
+        <source>Fetch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fetch the native solver ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fetches the native solver of this version, checks its SHA-256 and puts it in its place.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fetching the native solver</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fetching {0} ({1} MB) into {2}; only the file with SHA-256 {3} is kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>File</source>
         <translation>Fichier</translation>
+    </message>
+    <message>
+        <source>Files written to {}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Fill</source>
@@ -1215,20 +1299,20 @@
         <translation>Gonflez par un tube de 6 mm, au bout coupé en biais, poussé 25 mm au-delà de la soudure en travers du col. Retirez-le : la pression plaque les bandes l'une contre l'autre.</translation>
     </message>
     <message>
-        <source>Fill to {pressure} kPa, never above {safe} kPa: film and seam then keep a margin of {margin}.</source>
-        <translation>Gonflez à {pressure} kPa, jamais au-dessus de {safe} kPa : le film et la couture gardent alors une marge de {margin}.</translation>
+        <source>Fill to {pressure}, never above {safe}: film and seam then keep a margin of {margin}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Fill to {pressure} kPa, never above {safe} kPa: film and weld then keep a margin of {margin}.</source>
-        <translation>Gonflez à {pressure} kPa, jamais au-dessus de {safe} kPa : le film et la soudure gardent alors une marge de {margin}.</translation>
+        <source>Fill to {pressure}, never above {safe}: film and weld then keep a margin of {margin}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Fill to {safe} kPa at most: {pressure} kPa is more than film and seam bear with a margin of {margin}. Mind your eyes.</source>
-        <translation>Gonflez à {safe} kPa au plus : {pressure} kPa, c'est plus que ce que film et couture supportent avec une marge de {margin}. Protégez vos yeux.</translation>
+        <source>Fill to {safe} at most: {pressure} is more than film and seam bear with a margin of {margin}. Mind your eyes.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Fill to {safe} kPa at most: {pressure} kPa is more than film and weld bear with a margin of {margin}. Mind your eyes.</source>
-        <translation>Gonflez à {safe} kPa au plus : {pressure} kPa, c'est plus que ce que film et soudure supportent avec une marge de {margin}. Protégez vos yeux.</translation>
+        <source>Fill to {safe} at most: {pressure} is more than film and weld bear with a margin of {margin}. Mind your eyes.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Fill with air a little and brush soapy water along the weld: bubbles show leaks. Weld once more there.</source>
@@ -1251,20 +1335,24 @@
         <translation>Film nécessaire</translation>
     </message>
     <message>
-        <source>Film of your own</source>
-        <translation>Votre propre film</translation>
+        <source>Film needed: {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Film state</source>
-        <translation>État du film</translation>
+        <source>Film of your own</source>
+        <translation>Votre propre film</translation>
     </message>
     <message>
         <source>Film width</source>
         <translation>Largeur du film</translation>
     </message>
     <message>
-        <source>Film {0} m large is too much: write 500mm.</source>
-        <translation>Un film de {0} m, c'est trop : écrivez 500mm.</translation>
+        <source>Film {0} large is too much: write 500mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Film: {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Films</source>
@@ -1295,8 +1383,8 @@
         <translation>Suivre aussitôt chaque changement</translation>
     </message>
     <message>
-        <source>For {0} litres the drawing would be {1} large: choose a volume that makes it {2} to {3} m.</source>
-        <translation>Pour {0} litres, le dessin aurait {1} : choisissez un volume qui lui donne de {2} à {3} m.</translation>
+        <source>For {0} the drawing would be {1} large: choose a volume that makes it {2} to {3}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Forced</source>
@@ -1305,6 +1393,14 @@
     <message>
         <source>Frames are even in movement, not in time. Only the film has mass, the gas has none.</source>
         <translation>Les images sont régulières en mouvement, non en temps. Seul le film a une masse, le gaz n'en a pas.</translation>
+    </message>
+    <message>
+        <source>FreeCAD cannot make it ({0}). {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>FreeCAD ended ({0}). {1}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>FreeCAD has no material card "{0}": choose one of its material editor.</source>
@@ -1323,12 +1419,20 @@
         <translation>Devant et dos en PNG et PDF, et en DXF et SVG avec les mêmes repères pour la découpeuse</translation>
     </message>
     <message>
-        <source>Gaps of up to {0} between lines were closed ({1} loops).</source>
-        <translation>Des écarts jusqu'à {0} entre lignes ont été fermés ({1} boucles).</translation>
+        <source>Gaps of up to {0} between lines were closed.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Gas</source>
         <translation>Gaz</translation>
+    </message>
+    <message>
+        <source>Give --artwork for the front too.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give either --material, or all of --young, --poisson and --thickness.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Give either a volume or a lift as the goal.</source>
@@ -1347,12 +1451,12 @@
         <translation>Colle</translation>
     </message>
     <message>
-        <source>Glue a strip of {seal} mm along the dashed line. Let it dry under a weight.</source>
-        <translation>Collez une bande de {seal} mm le long de la ligne en tirets. Laissez sécher sous un poids.</translation>
+        <source>Glue a strip of {seal} along the dashed line. Let it dry under a weight.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Glue a strip of {seal} mm along the dashed line; leave the mouth of the neck open. Let it dry under a weight.</source>
-        <translation>Collez une bande de {seal} mm le long de la ligne en tirets ; laissez l'embouchure du col ouverte. Laissez sécher sous un poids.</translation>
+        <source>Glue a strip of {seal} along the dashed line; leave the mouth of the neck open. Let it dry under a weight.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Glue the lines inside the balloon.</source>
@@ -1475,6 +1579,10 @@
         <translation>Embout sur une partie mince</translation>
     </message>
     <message>
+        <source>It holds {} of the air that a round balloon of as much film would.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>It is not inflated yet: choose Inflate now in its context menu, or switch Live on.</source>
         <translation>Il n'est pas encore gonflé : choisissez « Gonfler maintenant » dans son menu contextuel, ou activez Direct.</translation>
     </message>
@@ -1483,12 +1591,16 @@
         <translation>Il est plus large maintenant. Ctrl+Z annule.</translation>
     </message>
     <message>
-        <source>Join the panels along the dashed line, {seal} mm wide, all the way round.</source>
-        <translation>Assemblez les panneaux le long de la ligne en tirets, sur {seal} mm de large, tout autour.</translation>
+        <source>It needs a home folder and a temporary folder that it can write to, and memory.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Join the panels along the dashed line, {seal} mm wide; leave the mouth of the neck open.</source>
-        <translation>Assemblez les panneaux le long de la ligne en tirets, sur {seal} mm de large ; laissez l'embouchure du col ouverte.</translation>
+        <source>Join the panels along the dashed line, {seal} wide, all the way round.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Join the panels along the dashed line, {seal} wide; leave the mouth of the neck open.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Join the panels along the lines inside the balloon.</source>
@@ -1571,6 +1683,10 @@
         <translation>Disposition de {0}</translation>
     </message>
     <message>
+        <source>Left out: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Length</source>
         <translation>Longueur</translation>
     </message>
@@ -1627,6 +1743,10 @@
         <translation>Examen de l'image</translation>
     </message>
     <message>
+        <source>Loose ends of lines were joined to the drawing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Low</source>
         <translation>Bas</translation>
     </message>
@@ -1645,6 +1765,10 @@
     <message>
         <source>Make it!</source>
         <translation>Fabriquer !</translation>
+    </message>
+    <message>
+        <source>Make the balloon smaller and inflate it again, until its pattern fits the bed. Weld and allowance keep their widths; one undo takes it back</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Marks</source>
@@ -1711,8 +1835,8 @@
         <translation>Natif</translation>
     </message>
     <message>
-        <source>Near ({0}, {1}) mm the inflated outline stays up to {2} from the drawing, along {3}: film cannot follow it there. Round it off or widen it.</source>
-        <translation>Près de ({0}, {1}) mm, le contour gonflé reste jusqu'à {2} du dessin, sur {3} : le film ne peut pas le suivre là. Arrondissez ou élargissez cet endroit.</translation>
+        <source>Near {0} the inflated outline stays up to {1} from the drawing, along {2}: film cannot follow it there. Round it off or widen it.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Neck that chokes the air path</source>
@@ -1755,8 +1879,16 @@
         <translation>Sans lui, aucun ballon ne peut être gonflé de nouveau ; les patrons peuvent être modifiés et écrits.</translation>
     </message>
     <message>
+        <source>No file could be made.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>No file for {0}: {1}</source>
         <translation>Pas de fichier pour {0} : {1}</translation>
+    </message>
+    <message>
+        <source>No limit</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>No pattern can be drawn anew without it; documents keep theirs.</source>
@@ -1771,12 +1903,24 @@
         <translation>Aucune forme ne ressort de l'image. Prenez des couleurs plus vives ou un fond plus uni.</translation>
     </message>
     <message>
+        <source>No size of the balloon fits a bed of {0}: weld, allowance, intake and bar keep theirs. Choose another machine.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>No solver works here.</source>
         <translation>Aucun solveur ne marche ici.</translation>
     </message>
     <message>
+        <source>No solver works here: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>No solver works here: {0} Build it or install the package scipy.</source>
         <translation>Aucun solveur ne marche ici : {0} Compilez-le ou installez le paquet scipy.</translation>
+    </message>
+    <message>
+        <source>No, use NumPy</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>None</source>
@@ -1799,12 +1943,12 @@
         <translation>Des encoches de {0} ne s'arrêtent pas avant la soudure : la marge est de {1}.</translation>
     </message>
     <message>
-        <source>Nothing can be computed without it; documents open and keep their shapes.</source>
-        <translation>Sans lui, rien ne peut être calculé ; les documents s'ouvrent et gardent leurs formes.</translation>
+        <source>Note: {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Nothing is in the way. Paint on, or press Make it!</source>
-        <translation>Rien ne s'y oppose. Continuez à peindre, ou pressez « Fabriquer ! ».</translation>
+        <source>Nothing can be computed without it; documents open and keep their shapes.</source>
+        <translation>Sans lui, rien ne peut être calculé ; les documents s'ouvrent et gardent leurs formes.</translation>
     </message>
     <message>
         <source>Nothing to improve.</source>
@@ -1817,6 +1961,14 @@
     <message>
         <source>Nozzle with flange</source>
         <translation>Buse à collerette</translation>
+    </message>
+    <message>
+        <source>NumPy computes the same, 20 to 30 times slower.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>NumPy took 20 to 30 times longer than the native solver, which fetch-solver fetches.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Numbers</source>
@@ -1835,6 +1987,14 @@
         <translation>Écart au dessin</translation>
     </message>
     <message>
+        <source>Off the drawing: {0} on average, at most {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Offer the native solver where it is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>On the way of the valve the balloon narrows to {0} at {1}; its channel takes {2} with its welds there. Make the neck wider or put it elsewhere, else the weld closes the valve.</source>
         <translation>Sur le chemin de la valve, le ballon se resserre à {0} en {1} ; son canal avec ses soudures y prend {2}. Élargissez le col ou placez-le ailleurs, sinon la soudure ferme la valve.</translation>
     </message>
@@ -1849,6 +2009,10 @@
     <message>
         <source>One-way tail</source>
         <translation>Queue anti-retour</translation>
+    </message>
+    <message>
+        <source>Only a film with another stiffness across has a grain: give --young-across too.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Only grades of this film with a sealing layer weld: try scraps before you cut.</source>
@@ -1879,8 +2043,12 @@
         <translation>Contour</translation>
     </message>
     <message>
-        <source>Outline {} x {}, {} holes</source>
-        <translation>Contour {} x {}, {} trous</translation>
+        <source>Outline {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outline {}, holes: {}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>PDF files need it; DXF, SVG and HPGL can be written.</source>
@@ -1947,8 +2115,8 @@
         <translation>Patron écrit dans {}</translation>
     </message>
     <message>
-        <source>Pattern {0} x {1} mm ({2} x {3} in), {4} pages.</source>
-        <translation>Patron {0} x {1} mm ({2} x {3} pouces), {4} pages.</translation>
+        <source>Pattern {0} ({1} x {2} in), pages: {3}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Pattern, cut two (one mirrored)</source>
@@ -1989,6 +2157,10 @@
     <message>
         <source>Pictures need OpenCV, which is missing or does not work here. Install the package python3-opencv (or opencv-python-headless), or open the picture inside FreeCAD.</source>
         <translation>Les images demandent OpenCV, qui manque ou ne marche pas ici. Installez le paquet python3-opencv (ou opencv-python-headless), ou ouvrez l'image dans FreeCAD.</translation>
+    </message>
+    <message>
+        <source>Pieces: {}, on {}, {} used</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Place</source>
@@ -2055,12 +2227,20 @@
         <translation>Pression</translation>
     </message>
     <message>
+        <source>Pressure: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Previews and labels need it; everything else works.</source>
         <translation>Les aperçus et les inscriptions le demandent ; tout le reste marche.</translation>
     </message>
     <message>
         <source>Print at 100 % ("actual size"). The bar below must be 100 mm long.</source>
         <translation>Imprimez à 100 % (« taille réelle »). La barre ci-dessous doit mesurer 100 mm.</translation>
+    </message>
+    <message>
+        <source>Print {0} at {1} dpi, front and back</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Pull a line; then move the pointer to bend it, and click. A right click keeps it straight.</source>
@@ -2095,6 +2275,10 @@
         <translation>RDWorks (laser Ruida)</translation>
     </message>
     <message>
+        <source>Ready to make. Paint on, or press Make it!</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Real size, to cut out by hand. Print at 100 % and measure the control bar.</source>
         <translation>Taille réelle, à découper à la main. Imprimez à 100 % et mesurez la barre de contrôle.</translation>
     </message>
@@ -2115,8 +2299,8 @@
         <translation>La réparation {0} est illisible : effacez-la de « Repairs ».</translation>
     </message>
     <message>
-        <source>Residual</source>
-        <translation>Écart</translation>
+        <source>Replace the file</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Result</source>
@@ -2147,12 +2331,12 @@
         <translation>Autour de ce trou, le ballon ne restera pas à plat : un tube fermé veut se courber davantage et se tord hors de son plan, ici d'environ {length}. Ouvrez l'anneau, ou soudez la zone du trou sans la découper et gardez-la petite.</translation>
     </message>
     <message>
-        <source>Round with a radius of</source>
-        <translation>Arrondir au rayon de</translation>
+        <source>Round this hole the balloon will not lie quite flat: a closed tube wants to curve more and twists out of its plane, here by about {length}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Roundness {:.0f} % of a disc's.</source>
-        <translation>Rondeur : {:.0f} % de celle d'un disque.</translation>
+        <source>Round with a radius of</source>
+        <translation>Arrondir au rayon de</translation>
     </message>
     <message>
         <source>SVG files can be written but not read without it; pictures, DXF and JSON can be read.</source>
@@ -2167,6 +2351,14 @@
         <translation>Pression sûre</translation>
     </message>
     <message>
+        <source>Safe pressure: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Safe pressure: {0}, less than its {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Safe to</source>
         <translation>Sûr jusqu'à</translation>
     </message>
@@ -2177,6 +2369,14 @@
     <message>
         <source>Save results…</source>
         <translation>Enregistrer les résultats…</translation>
+    </message>
+    <message>
+        <source>Scale to fit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scaled to fit: {} wide instead of {}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>SciPy triangulates instead, a little slower.</source>
@@ -2197,6 +2397,10 @@
     <message>
         <source>Seam length</source>
         <translation>Longueur de couture</translation>
+    </message>
+    <message>
+        <source>Seam length: {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Second panel, mirrored</source>
@@ -2259,6 +2463,10 @@
         <translation>Simulation</translation>
     </message>
     <message>
+        <source>Simulations use NumPy. "What works here" in the menu fetches the native solver later.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Size</source>
         <translation>Taille</translation>
     </message>
@@ -2311,20 +2519,12 @@
         <translation>Arrêter et garder le dernier résultat</translation>
     </message>
     <message>
-        <source>Stopped.</source>
-        <translation>Arrêté.</translation>
-    </message>
-    <message>
         <source>Stopped. Your painting is still here.</source>
         <translation>Arrêté. Votre peinture est toujours là.</translation>
     </message>
     <message>
         <source>Stopping ...</source>
         <translation>Arrêt en cours ...</translation>
-    </message>
-    <message>
-        <source>Strain</source>
-        <translation>Déformation</translation>
     </message>
     <message>
         <source>Straw neck</source>
@@ -2375,20 +2575,16 @@
         <translation>Ruban adhésif</translation>
     </message>
     <message>
-        <source>Tape along the dashed line, {seal} mm wide, all the way round.</source>
-        <translation>Collez au ruban adhésif le long de la ligne en tirets, sur {seal} mm de large, tout autour.</translation>
+        <source>Tape along the dashed line, {seal} wide, all the way round.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Tape along the dashed line, {seal} mm wide; leave the mouth of the neck open.</source>
-        <translation>Collez au ruban adhésif le long de la ligne en tirets, sur {seal} mm de large ; laissez l'embouchure du col ouverte.</translation>
+        <source>Tape along the dashed line, {seal} wide; leave the mouth of the neck open.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Taped seam</source>
         <translation>Couture au ruban adhésif</translation>
-    </message>
-    <message>
-        <source>Tension</source>
-        <translation>Tension</translation>
     </message>
     <message>
         <source>Tension field</source>
@@ -2479,8 +2675,8 @@
         <translation>Le fichier SVG est abîmé ({0}). Enregistrez-le à nouveau.</translation>
     </message>
     <message>
-        <source>The Young's modulus across the grain {0} Pa is too large for one along it of {1} Pa: turn the grain by 90 degrees and exchange the two.</source>
-        <translation>Le module d'Young en travers, {0} Pa, est trop grand pour celui en long de {1} Pa : tournez le sens du film de 90 degrés et échangez les deux.</translation>
+        <source>The Young's modulus across the grain {0} is too large for one along it of {1}: turn the grain by 90 degrees and exchange the two.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The altitude {0} m is out of range: give one up to 11000 m.</source>
@@ -2503,12 +2699,12 @@
         <translation>Le fond perdu doit être de 0 à {0}, pas {1}.</translation>
     </message>
     <message>
-        <source>The coach finds no "{0}" to repair in {1}: see its advice.</source>
-        <translation>Le conseiller ne trouve pas de « {0} » à réparer dans {1} : voyez ses conseils.</translation>
-    </message>
-    <message>
         <source>The colour would run out: close the line around this place first.</source>
         <translation>La couleur déborderait : fermez d'abord la ligne autour de cet endroit.</translation>
+    </message>
+    <message>
+        <source>The connection to {0} ended before the whole native solver had come. Try again. {1}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The drawing cannot be reached everywhere: the silhouette is up to {} off it.</source>
@@ -2575,6 +2771,10 @@
         <translation>Le dessin ; une copie en reste dans le document</translation>
     </message>
     <message>
+        <source>The end of this tip stays flat, over {length}. A radius of {wanted} makes it rounder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The file is XML but no SVG drawing. Choose a drawing.</source>
         <translation>Le fichier est du XML mais pas un dessin SVG. Choisissez un dessin.</translation>
     </message>
@@ -2635,12 +2835,12 @@
         <translation>La main à côté de la forme a la taille de celle d'un adulte</translation>
     </message>
     <message>
-        <source>The hole at ({0}, {1}) mm is too small for a {2} seal, and its weld reaches {3} into the balloon: make the hole at least {4} wide, or the seal narrower.</source>
-        <translation>Le trou en ({0}, {1}) mm est trop petit pour une soudure de {2}, et elle empiète de {3} sur le ballon : donnez au trou au moins {4}, ou rétrécissez la soudure.</translation>
+        <source>The hole at {0} is too small for a {1} seal, and its weld reaches {2} into the balloon: make the hole at least {3} wide, or the seal narrower.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The hole at ({0}, {1}) mm is welded but not cut out: for that, make it wider than two seals with their allowances, {2}.</source>
-        <translation>Le trou en ({0}, {1}) mm est soudé mais pas découpé : pour cela, faites-le plus large que deux soudures avec leurs marges, {2}.</translation>
+        <source>The hole at {0} is welded but not cut out: for that, make it wider than two seals with their allowances, {1}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The hole at {0} lies in another hole; remove one of them.</source>
@@ -2723,6 +2923,10 @@
         <translation>La disposition de {0} est plus ancienne que ses patrons : recalculez-la.</translation>
     </message>
     <message>
+        <source>The layout on film</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The layout was stopped; nothing was changed.</source>
         <translation>La disposition a été arrêtée ; rien n'a changé.</translation>
     </message>
@@ -2747,12 +2951,44 @@
         <translation>Le maillage a un nœud sans triangle. Remaillez le contour.</translation>
     </message>
     <message>
-        <source>The mesh size is {0} mm: give one above 0.</source>
-        <translation>La taille de maille est {0} mm : donnez-en une au-dessus de 0.</translation>
+        <source>The mesh size is {0}: give one above 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The native solver cannot be kept. {0} {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The native solver could not be fetched from {0} ({1}). Try again when the network is there. {2}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The native solver is here already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The native solver is in use now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The native solver is in use.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The native solver is not available: {0} Use the NumPy solver.</source>
         <translation>Le solveur natif n'est pas disponible : {0} Utilisez le solveur NumPy.</translation>
+    </message>
+    <message>
+        <source>The native solver is not installed. Everything works without it, but simulations take 20 to 30 times longer. Fetch it now?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The native solver was fetched, but does not run here: {0} {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The native solver was not fetched: stopped.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The native solver, which is faster, is not available: {0}</source>
@@ -2763,12 +2999,16 @@
         <translation>La collerette de la buse doit être plus large que son alésage.</translation>
     </message>
     <message>
+        <source>The options cannot be used ({0}). See --help.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The outline cannot be mirrored about its axis: draw it symmetric, or leave that.</source>
         <translation>Le contour ne peut pas être reflété sur son axe : dessinez-le symétrique, ou laissez cela.</translation>
     </message>
     <message>
-        <source>The outline crosses or nearly touches itself near ({0}, {1}) mm: separate the parts that meet there.</source>
-        <translation>Le contour se croise ou se touche presque près de ({0}, {1}) mm : séparez les parties qui s'y rencontrent.</translation>
+        <source>The outline crosses or nearly touches itself near {0}: separate the parts that meet there.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The outline crosses or touches itself and cannot be meshed: separate the parts that meet.</source>
@@ -2787,8 +3027,8 @@
         <translation>Le contour a une coordonnée qui n'est pas un nombre ; corrigez-la dans le dessin.</translation>
     </message>
     <message>
-        <source>The outline's {0} of</source>
-        <translation>{0} du contour :</translation>
+        <source>The outline's {0} of {1} cannot be made; bring it to a size between 1 mm and 100 m.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The page will be in English, as no font here has the letters of your language: install IPAexGothic or Noto Sans CJK JP, and open this panel again.</source>
@@ -2807,12 +3047,12 @@
         <translation>Le patron devient trop mince pour son maillage. Élargissez les parties minces, ou prenez un maillage plus fin.</translation>
     </message>
     <message>
-        <source>The pattern crosses itself near ({0}, {1}) mm: simplify the drawing there.</source>
-        <translation>Le patron se croise près de ({0}, {1}) mm : simplifiez-y le dessin.</translation>
+        <source>The pattern crosses itself near {0}: simplify the drawing there.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The pattern has no lines for {0}, which takes {1}.</source>
-        <translation>Le patron n'a pas de lignes pour {0}, qui prend {1}.</translation>
+        <source>The pattern has no lines for {0}, which takes {1}: choose another machine.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The pattern is being fitted to the painting ...</source>
@@ -2825,6 +3065,10 @@
     <message>
         <source>The pattern measures {0}, the bed of {1} {2}</source>
         <translation>Le patron mesure {0}, le plateau de {1} {2}</translation>
+    </message>
+    <message>
+        <source>The patterns' files</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The picture has a single colour. Choose one that shows a shape on a background.</source>
@@ -2859,8 +3103,8 @@
         <translation>Les pièces de l'embout « {0} » sont en {1}, qui ne se soude pas à {2} : choisissez un autre embout, ou un film auquel cela se soude : {3}.</translation>
     </message>
     <message>
-        <source>The pressure must be positive and at most {0} Pa, not {1} Pa. A party balloon has about 2 kPa.</source>
-        <translation>La pression doit être positive et d'au plus {0} Pa, pas {1} Pa. Un ballon de fête a environ 2 kPa.</translation>
+        <source>The pressure must be positive and at most {0}, not {1}. A party balloon has about 2 kPa.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The radius of the corner relief must be 0 or above.</source>
@@ -2879,8 +3123,8 @@
         <translation>La forme de l'image est trop effrangée pour être suivie. Prenez une image plus nette.</translation>
     </message>
     <message>
-        <source>The shape is only {0} mm thick near ({1}, {2}) mm, too thin for a mesh of {3}: make it thicker there, or use a mesh size of at most {4} mm.</source>
-        <translation>La forme n'a que {0} mm d'épaisseur près de ({1}, {2}) mm, trop mince pour un maillage de {3} : épaississez-la là, ou prenez au plus {4} mm.</translation>
+        <source>The shape is only {0} thick near {1}, too thin for a mesh of {2}: make it thicker there, or use a mesh size of at most {3}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The shape touches the {0} border of the picture; if it was cut off there, leave more margin.</source>
@@ -2907,8 +3151,16 @@
         <translation>La simulation a été arrêtée.</translation>
     </message>
     <message>
-        <source>The smallest radius is {0} mm, near {1}; {2} follows {3}. It will come out rounder there.</source>
-        <translation>Le plus petit rayon est {0} mm, près de {1} ; {2} suit {3}. Cela sortira plus rond à cet endroit.</translation>
+        <source>The size comes from {0}: make it smaller there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The size of {0} follows an expression: change what that refers to.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The smallest radius is {0}, near {1}; {2} follows {3}. It will come out rounder there.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The solver '{0}' needs the Python package scipy. Install it or use the native solver.</source>
@@ -2917,6 +3169,10 @@
     <message>
         <source>The strips of valves are not here: lay them out on a sheet of their own, with "Valve film".</source>
         <translation>Les bandes des valves ne sont pas ici : disposez-les sur une feuille à part, avec « Film de valve ».</translation>
+    </message>
+    <message>
+        <source>The summary cannot be shown ({0}); {1}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The temperature of the {0}, {1} degrees Celsius, is out of range: give one such as 20C.</source>
@@ -2931,8 +3187,8 @@
         <translation>La valve entre de {0} dans le ballon, au-delà de la soudure en {1} : placez l'embout où le ballon est plus long, ou prenez-en un autre.</translation>
     </message>
     <message>
-        <source>The volume must be positive, not {0} m3.</source>
-        <translation>Le volume doit être positif, pas {0} m3.</translation>
+        <source>The volume must be positive, not {0}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The way from the intake into the balloon narrows to {0}, and the intake is {1} wide: put it where the balloon is wider, else air enters slowly.</source>
@@ -2955,12 +3211,12 @@
         <translation>Aucune surface entourée ({0}) ; tracez une forme fermée d'au moins trois sommets.</translation>
     </message>
     <message>
-        <source>The {0} is {1} % off what was wanted: correct the goal by as much.</source>
-        <translation>Le but ({0}) est manqué de {1} % : corrigez-le d'autant.</translation>
-    </message>
-    <message>
         <source>The {0} is {1} mm: give one above 0, for example 300 mm.</source>
         <translation>La dimension ({0}) est de {1} mm : donnez-en une au-dessus de 0, par exemple 300 mm.</translation>
+    </message>
+    <message>
+        <source>The {0} is {1} off what was wanted: correct the goal by as much.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The {0} line crosses itself near {1}: simplify the drawing there.</source>
@@ -2989,6 +3245,10 @@
     <message>
         <source>There can be 1 to {0} copies, not {1}.</source>
         <translation>Il peut y avoir de 1 à {0} copies, pas {1}.</translation>
+    </message>
+    <message>
+        <source>There is no "{0}" to repair in {1}: see its advice.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>There is no backend "{0}": choose {1}, or leave it out.</source>
@@ -3023,12 +3283,24 @@
         <translation>Il n'y a pas d'assemblage « {0} » : choisissez parmi {1}.</translation>
     </message>
     <message>
+        <source>There is no language "{0}": choose one of {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>There is no look "{0}": choose one of {1}.</source>
         <translation>Il n'y a pas d'aspect « {0} » : choisissez parmi {1}.</translation>
     </message>
     <message>
         <source>There is no machine "{0}": choose one of {1}, or give a .json file.</source>
         <translation>Il n'y a pas de machine « {0} » : choisissez parmi {1}, ou donnez un fichier .json.</translation>
+    </message>
+    <message>
+        <source>There is no native solver for {0}. {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no native solver to be fetched for this version yet. {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>There is no outline at {0} degrees from the centre: choose another intake angle.</source>
@@ -3063,6 +3335,10 @@
         <translation>Il n'y a pas de symétrie « {0} » : choisissez parmi {1}.</translation>
     </message>
     <message>
+        <source>There is no way "{0}" with a large pattern: choose {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>There is too little memory for this: take a coarser mesh, or close other programs.</source>
         <translation>Il n'y a pas assez de mémoire pour cela : prenez un maillage plus grossier, ou fermez d'autres programmes.</translation>
     </message>
@@ -3083,6 +3359,10 @@
         <translation>Épaisseur du trait ([ plus fin, ] plus épais)</translation>
     </message>
     <message>
+        <source>This Python has no working ctypes module, which SciPy and the native solver need: patterns can be changed and written, but no balloon can be inflated anew. Take another build of FreeCAD or of Python.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>This arm is too thin to fill: drawn {width} wide, it becomes {measured} thick. Make it {wanted} wide.</source>
         <translation>Ce bras est trop mince pour se remplir : dessiné large de {width}, il devient épais de {measured}. Faites-le large de {wanted}.</translation>
     </message>
@@ -3091,8 +3371,16 @@
         <translation>Ce bras est trop mince pour se remplir : {}. Le faire large de {} ?</translation>
     </message>
     <message>
-        <source>This balloon holds {0} {1} litres at any pressure that suits its film: {2} litres at {3} Pa. Change the size of the balloon or the volume.</source>
-        <translation>Ce ballon contient {0} {1} litres à toute pression qui convient à son film : {2} litres à {3} Pa. Changez la taille du ballon ou le volume.</translation>
+        <source>This arm stays much thinner than the rest: drawn {width} wide, it becomes {measured} thick. For a rounder one make it {wanted} wide.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This balloon holds {0} {1} at any pressure that suits its film: {2} at {3}. Change the size of the balloon or the volume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This cannot be shown ({0}).</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>This gas is not lighter than the air around, so the balloon never floats: choose another gas or a higher temperature of the gas.</source>
@@ -3123,12 +3411,24 @@
         <translation>Ce col est trop mince pour laisser passer l'air : {}. Le faire large de {} ?</translation>
     </message>
     <message>
+        <source>This neck slows the filling: inside it is as wide as a tube of {measured} of film, the intake is {intake}. {behind} of the balloon fill through it. For quicker filling make it {wanted} wide.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This notch pulls the film {measured} as tight as elsewhere, so that it wrinkles there. A radius of {wanted} eases that.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>This notch pulls the film {measured} as tight as elsewhere; it wrinkles there and is where it would tear. Round it with a radius of {wanted}.</source>
         <translation>Cette entaille tend le film {measured} plus qu'ailleurs ; il s'y plisse et s'y déchirerait. Arrondissez-la au rayon de {wanted}.</translation>
     </message>
     <message>
-        <source>This shape stays flat: it holds {percent} of the air that a disc of as much film would. Fewer and wider parts make it rounder.</source>
-        <translation>Cette forme reste plate : elle contient {percent} de l'air qu'aurait un disque d'autant de film. Des parties moins nombreuses et plus larges l'arrondissent.</translation>
+        <source>This shape stays flat: it holds {percent} of the air that a round balloon of as much film would. Fewer and wider parts make it rounder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This shape stays rather flat: it holds {percent} of the air that a round balloon of as much film would. Fewer and wider parts make it rounder.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>This tip stays flat over {length}: it is too pointed. Round it with a radius of {wanted}.</source>
@@ -3207,6 +3507,14 @@
         <translation>Point le plus faible</translation>
     </message>
     <message>
+        <source>Weakest place: {0} at {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weakest place: {0} at {1}, estimated: the film did not come to rest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Weighing {0}</source>
         <translation>Pesée de {0}</translation>
     </message>
@@ -3227,12 +3535,12 @@
         <translation>Soudez en travers du col le long de sa ligne, à travers panneaux et bandes : le champ garde le canal ouvert. Retirez le papier cuisson et soufflez par la valve.</translation>
     </message>
     <message>
-        <source>Weld along the dashed line, {seal} mm wide, all the way round.</source>
-        <translation>Soudez le long de la ligne en tirets, sur {seal} mm de large, tout autour.</translation>
+        <source>Weld along the dashed line, {seal} wide, all the way round.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Weld along the dashed line, {seal} mm wide. Leave the mouth of the neck open.</source>
-        <translation>Soudez le long de la ligne en tirets, sur {seal} mm de large. Laissez l'embouchure du col ouverte.</translation>
+        <source>Weld along the dashed line, {seal} wide. Leave the mouth of the neck open.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Weld and cut</source>
@@ -3247,12 +3555,12 @@
         <translation>Soudez les deux bandes ensemble le long de leurs lignes ; sur le champ marqué, de l'encre résistant à la chaleur ou un bout de papier cuisson garde le canal ouvert. Fixez-les à un panneau, l'extrémité à l'embouchure ; soudez ensuite autour du ballon et en travers du col. Gonflez avec un tube de 6 mm : la pression ferme les bandes.</translation>
     </message>
     <message>
-        <source>Weld with high frequency along the dashed line, {seal} mm wide, all the way round.</source>
-        <translation>Soudez par haute fréquence le long de la ligne en tirets, sur {seal} mm de large, tout autour.</translation>
+        <source>Weld with high frequency along the dashed line, {seal} wide, all the way round.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Weld with high frequency along the dashed line, {seal} mm wide; leave the mouth of the neck open.</source>
-        <translation>Soudez par haute fréquence le long de la ligne en tirets, sur {seal} mm de large ; laissez l'embouchure du col ouverte.</translation>
+        <source>Weld with high frequency along the dashed line, {seal} wide; leave the mouth of the neck open.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Welded across, last</source>
@@ -3263,6 +3571,10 @@
         <translation>Se soude facilement à la soudeuse à impulsion ou au fer. Cède vers 9 MPa, la moitié de sa résistance, et flue : gardez la pression basse.</translation>
     </message>
     <message>
+        <source>What else is made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>What it takes to make it</source>
         <translation>Ce qu'il faut pour le faire</translation>
     </message>
@@ -3271,8 +3583,20 @@
         <translation>Ce que demandent la plupart des ateliers : R12, polylignes fermées, rien sur la feuille qui ne soit coupé. R12 ne connaît pas d'unité, le nom du fichier la dit donc.</translation>
     </message>
     <message>
+        <source>What this machine can work on, such as 600 x 400 mm, or 600 mm for a roll; empty where there is no limit. It is kept for this machine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>What works here</source>
         <translation>Ce qui marche ici</translation>
+    </message>
+    <message>
+        <source>What {0} sent is not the native solver of this release: its SHA-256 is another one. It was not kept. {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the film wrinkles</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Whether the {0} of the intake's pieces welds to {1} is not known: try it on a scrap first.</source>
@@ -3307,20 +3631,28 @@
         <translation>Flottera-t-il ?</translation>
     </message>
     <message>
-        <source>With the fonts of this computer {0} cannot be drawn, letter by letter from left to right: leave that out of the label, or install a font that has it and start again.</source>
-        <translation>Avec les polices de cet ordinateur, {0} ne peut pas être tracé, lettre par lettre de gauche à droite : omettez-le dans l'inscription, ou installez une police qui l'a et redémarrez.</translation>
+        <source>Will it float? {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Wrinkles</source>
-        <translation>Plis</translation>
+        <source>With the fonts of this computer {0} cannot be drawn, letter by letter from left to right: leave that out of the label, or install a font that has it and start again.</source>
+        <translation>Avec les polices de cet ordinateur, {0} ne peut pas être tracé, lettre par lettre de gauche à droite : omettez-le dans l'inscription, ou installez une police qui l'a et redémarrez.</translation>
     </message>
     <message>
         <source>Write all results for ParaView (.vtu) or NumPy (.npz), or the shape alone (.stl)</source>
         <translation>Écrire tous les résultats pour ParaView (.vtu) ou NumPy (.npz), ou la forme seule (.stl)</translation>
     </message>
     <message>
+        <source>Write anyway</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Write files…</source>
         <translation>Écrire les fichiers…</translation>
+    </message>
+    <message>
+        <source>Write the file although it is larger than the bed</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Write {"unit": "mm", "outer": [[0, 0], [300, 0], [150, 200]]}.</source>
@@ -3337,6 +3669,10 @@
     <message>
         <source>Writing {0}</source>
         <translation>Écriture de {0}</translation>
+    </message>
+    <message>
+        <source>Wrote {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Yellow</source>
@@ -3367,8 +3703,20 @@
         <translation>un fichier {0} a sa propre unité : donnez "unit": "mm".</translation>
     </message>
     <message>
+        <source>about {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>about {} x {}, {} thick, {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>air</source>
         <translation>air</translation>
+    </message>
+    <message>
+        <source>all files were written before to {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>another run has been writing there for a minute</source>
@@ -3387,8 +3735,12 @@
         <translation>artwork.pdf a été omis. {0}</translation>
     </message>
     <message>
-        <source>at most {:.4g} {}</source>
-        <translation>au plus {:.4g} {}</translation>
+        <source>at most {} {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>balloon {0} of {1}, {2}</source>
@@ -3399,10 +3751,6 @@
         <translation>bed_mm est {0} : donnez [largeur, hauteur], ou null s'il n'y a pas de limite.</translation>
     </message>
     <message>
-        <source>bring it to a</source>
-        <translation>donnez-lui une</translation>
-    </message>
-    <message>
         <source>choose Drawn as filled shape</source>
         <translation>mettez « Dessiné comme » sur « Forme pleine »</translation>
     </message>
@@ -3411,12 +3759,20 @@
         <translation>l'indice de couleur {0} et la plume {1} de {2} doivent être de 1 à 255.</translation>
     </message>
     <message>
+        <source>connecting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>cut</source>
         <translation>coupe</translation>
     </message>
     <message>
         <source>cut inside</source>
         <translation>coupe intérieure</translation>
+    </message>
+    <message>
+        <source>designing a balloon</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>does not name its unit</source>
@@ -3435,16 +3791,28 @@
         <translation>vide : </translation>
     </message>
     <message>
+        <source>fetch the native solver from the network, where the workbench came without it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fetching</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>film</source>
         <translation>film</translation>
     </message>
     <message>
-        <source>film and valve weigh {0} g</source>
-        <translation>film et valve pèsent {0} g</translation>
+        <source>film and valve weigh {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>fold</source>
         <translation>pli</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>gas</source>
@@ -3483,12 +3851,16 @@
         <translation>en moyenne {}</translation>
     </message>
     <message>
+        <source>in {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>inflated</source>
         <translation>gonflé</translation>
     </message>
     <message>
-        <source>inflated {0} × {1} × {2} mm, {3} litres</source>
-        <translation>gonflé {0} × {1} × {2} mm, {3} litres</translation>
+        <source>inflated {0}, {1}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>inflating</source>
@@ -3515,8 +3887,8 @@
         <translation>elle se joindrait à une autre partie</translation>
     </message>
     <message>
-        <source>laying out{0}</source>
-        <translation>disposition{0}</translation>
+        <source>laying out, {0} so far</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>left</source>
@@ -3531,12 +3903,16 @@
         <translation>moins de</translation>
     </message>
     <message>
-        <source>less than its {} with a margin of {:g} ({})</source>
-        <translation>moins que ses {} avec une marge de {:g} ({})</translation>
+        <source>less than its {} with a margin of {} ({})</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>lift</source>
         <translation>portance</translation>
+    </message>
+    <message>
+        <source>loose: {}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>lower</source>
@@ -3557,6 +3933,10 @@
     <message>
         <source>names the unit {0}, which is not a usual one</source>
         <translation>nomme l'unité {0}, qui n'est pas courante</translation>
+    </message>
+    <message>
+        <source>no file was written</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>no layer is written: name at least CUT.</source>
@@ -3595,12 +3975,16 @@
         <translation>pression</translation>
     </message>
     <message>
+        <source>printing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>right</source>
         <translation>droite</translation>
     </message>
     <message>
-        <source>safe to {}, margin {:.2g}</source>
-        <translation>sûr jusqu'à {}, marge {:.2g}</translation>
+        <source>safe to {}, margin {}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>seal width</source>
@@ -3623,16 +4007,16 @@
         <translation>taille {0}, {1}</translation>
     </message>
     <message>
-        <source>slack: {:.0f} %</source>
-        <translation>détendu : {:.0f} %</translation>
-    </message>
-    <message>
         <source>stale: </source>
         <translation>périmé : </translation>
     </message>
     <message>
         <source>stale: belongs to earlier values</source>
         <translation>périmé : appartient à des valeurs antérieures</translation>
+    </message>
+    <message>
+        <source>stopped; {0}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>strength</source>
@@ -3651,24 +4035,28 @@
         <translation>couture intérieure au ruban adhésif</translation>
     </message>
     <message>
-        <source>taut: {:.0f} %</source>
-        <translation>tendu : {:.0f} %</translation>
-    </message>
-    <message>
         <source>temperature</source>
         <translation>température</translation>
+    </message>
+    <message>
+        <source>the answer is not HTTP</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the colour "{0}" is not written like #ff0000.</source>
         <translation>la couleur « {0} » n'est pas écrite comme #ff0000.</translation>
     </message>
     <message>
+        <source>the connection ended too soon</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the file name "{0}" may have letters, digits, spaces, _, - and . only.</source>
         <translation>le nom de fichier « {0} » ne peut avoir que lettres, chiffres, espaces, _, - et .</translation>
     </message>
     <message>
-        <source>the film weighs {0} g</source>
-        <translation>le film pèse {0} g</translation>
+        <source>the film weighs {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the last line of each piece is its CUT.</source>
@@ -3701,6 +4089,10 @@
     <message>
         <source>thin PE film, 30 to 50 µm</source>
         <translation>film PE mince, 30 à 50 µm</translation>
+    </message>
+    <message>
+        <source>tight: {}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>trial {0}, {1}</source>
@@ -3747,12 +4139,20 @@
         <translation>width_mm doit dépasser 0, et taper être de 0,2 à 1.</translation>
     </message>
     <message>
-        <source>wrinkled, taut along one direction: {:.0f} %</source>
-        <translation>plissé, tendu dans une direction : {:.0f} %</translation>
+        <source>wrinkled: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>writing files</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} "{1}" is none of {2}.</source>
         <translation>{0} « {1} » n'est aucun de {2}.</translation>
+    </message>
+    <message>
+        <source>{0} ({1}, margin {2})</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} It is left out.</source>
@@ -3783,20 +4183,20 @@
         <translation>Changé depuis : {0}. Choisissez « Gonfler maintenant » dans son menu contextuel, ou activez Direct.</translation>
     </message>
     <message>
+        <source>{0} does not have the native solver (answer {1}). Try again later. {2}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} dots per inch cannot be printed well: give {1} to {2}.</source>
         <translation>{0} points par pouce s'impriment mal : donnez de {1} à {2}.</translation>
     </message>
     <message>
-        <source>{0} g with valve {1} g</source>
-        <translation>{0} g avec une valve de {1} g</translation>
+        <source>{0} gap between the lines closed, the widest {1} of the drawing's width.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0} gap between the lines closed, the widest {1} % of the drawing's width.</source>
-        <translation>{0} écart entre les lignes fermé, le plus large {1} % de la largeur du dessin.</translation>
-    </message>
-    <message>
-        <source>{0} gaps between the lines closed, the widest {1} % of the drawing's width.</source>
-        <translation>{0} écarts entre les lignes fermés, le plus large {1} % de la largeur du dessin.</translation>
+        <source>{0} gaps between the lines closed, the widest {1} of the drawing's width.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} has interface {1}, but {2} is needed.</source>
@@ -3851,6 +4251,10 @@
         <translation>{0} est abîmé ou incomplet. Réinstallez l'atelier.</translation>
     </message>
     <message>
+        <source>{0} is damaged: install the workbench anew, or go on without the native solver.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} is empty: draw a closed line in it.</source>
         <translation>{0} est vide : tracez-y une ligne fermée.</translation>
     </message>
@@ -3899,52 +4303,40 @@
         <translation>{0} est {1} : écrivez true ou false.</translation>
     </message>
     <message>
-        <source>{0} kPa ({1}, margin {2})</source>
-        <translation>{0} kPa ({1}, marge {2})</translation>
-    </message>
-    <message>
         <source>{0} left out ({1}).</source>
         <translation>{0} omises ({1}).</translation>
     </message>
     <message>
-        <source>{0} lifts {1} g, {2}</source>
-        <translation>{0} porte {1} g, {2}</translation>
+        <source>{0} lifts {1}, {2}: no, at no size.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0} litres</source>
-        <translation>{0} litres</translation>
+        <source>{0} lifts {1}, {2}: no. From {3} width on it would.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0} litres, about {1} {2}</source>
-        <translation>{0} litres, environ {1} {2}</translation>
+        <source>{0} lifts {1}, {2}: yes, and it carries {3}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0} loose ends of lines were joined to the drawing.</source>
-        <translation>{0} bouts de lignes libres ont été joints au dessin.</translation>
-    </message>
-    <message>
-        <source>{0} m of a roll {1} mm wide</source>
-        <translation>{0} m d'un rouleau de {1} mm de large</translation>
-    </message>
-    <message>
-        <source>{0} mm on paper = {1} mm of film</source>
-        <translation>{0} mm sur le papier = {1} mm de film</translation>
-    </message>
-    <message>
-        <source>{0} mm wide, {1} m long</source>
-        <translation>{0} mm de large, {1} m de long</translation>
+        <source>{0} mm on paper = {1} of film</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} must never be cut with a laser: choose a machine with a knife.</source>
         <translation>{0} ne doit jamais être coupé au laser : choisissez une machine à lame.</translation>
     </message>
     <message>
-        <source>{0} m²; wider than the usual roll</source>
-        <translation>{0} m² ; plus large que le rouleau habituel</translation>
-    </message>
-    <message>
         <source>{0} notches are closer than {1}: take fewer.</source>
         <translation>{0} encoches sont plus serrées que {1} : prenez-en moins.</translation>
+    </message>
+    <message>
+        <source>{0} of a roll {1} wide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} of its size</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} open line was left out.</source>
@@ -3999,84 +4391,72 @@
         <translation>{0} soudures hors des formes omises.</translation>
     </message>
     <message>
-        <source>{0} {1} cannot be made; {2} size between 1 mm and 100 m.</source>
-        <translation>{0} {1} est impossible ; {2} taille entre 1 mm et 100 m.</translation>
+        <source>{0} wide, {1} long</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0}: make the balloon smaller, or choose another machine or paper.</source>
-        <translation>{0} : réduisez le ballon, ou choisissez une autre machine ou un autre papier.</translation>
+        <source>{0} with valve {1}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0}: no, at no size.</source>
-        <translation>{0} : non, à aucune taille.</translation>
+        <source>{0}: it is written all the same.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0}: no. From {1} cm width it would.</source>
-        <translation>{0} : non. À partir de {1} cm de large, si.</translation>
+        <source>{0}: lay its pieces out on sheets of that size, make the balloon smaller, or have the file written all the same.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: make the balloon smaller, choose another machine or paper, or have the file written all the same.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: pieces {1}, on {2}, {3} used</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0}: turn the pattern by 90 degrees there.</source>
         <translation>{0} : tournez-y le patron de 90 degrés.</translation>
     </message>
     <message>
-        <source>{0}: yes, and it carries {1} g.</source>
-        <translation>{0} : oui, et il porte {1} g.</translation>
+        <source>{0}; wider than the usual roll</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0}what is shown is the last good state. Lower the pressure or change the mesh size.</source>
         <translation>{0}ce qui est montré est le dernier bon état. Baissez la pression ou changez la taille de maille.</translation>
     </message>
     <message>
-        <source>{:.0f} % wrinkled, {:.0f} % slack</source>
-        <translation>{:.0f} % plissé, {:.0f} % détendu</translation>
-    </message>
-    <message>
-        <source>{:.0f} ms, {:.0f} Pa, frame {} of {}</source>
-        <translation>{:.0f} ms, {:.0f} Pa, image {} sur {}</translation>
-    </message>
-    <message>
-        <source>{:.3g} g, carries {:.3g} g with {}</source>
-        <translation>{:.3g} g, porte {:.3g} g avec {}</translation>
-    </message>
-    <message>
-        <source>{:.3g} g, floats from {} width on with {}</source>
-        <translation>{:.3g} g, flotte dès {} de large avec {}</translation>
-    </message>
-    <message>
-        <source>{:.3g} g, never floats with {}</source>
-        <translation>{:.3g} g, ne flotte jamais avec {}</translation>
-    </message>
-    <message>
-        <source>{:.3g} g: film {:.3g}, seam and neck {:.2g}, valve {:.2g}</source>
-        <translation>{:.3g} g : film {:.3g}, couture et col {:.2g}, valve {:.2g}</translation>
-    </message>
-    <message>
-        <source>{:.3g} m², wider than the usual roll</source>
-        <translation>{:.3g} m², plus large que le rouleau habituel</translation>
+        <source>{} MB from {}; the file is checked before it is used, and nothing is sent.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{} at ({})</source>
         <translation>{} en ({})</translation>
     </message>
     <message>
-        <source>{} files written to {}</source>
-        <translation>{} fichiers écrits dans {}</translation>
-    </message>
-    <message>
         <source>{} is in the tree</source>
         <translation>{} est dans l'arborescence</translation>
     </message>
     <message>
-        <source>{} of a roll of {}</source>
-        <translation>{} d'un rouleau de {}</translation>
+        <source>{} is there already: give another name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} is there already: tick "Replace the file", or give another name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} ms, {}, frame {} of {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} of it wrinkles, {} is loose</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{} of {}</source>
         <translation>{} de {}</translation>
-    </message>
-    <message>
-        <source>{} pieces on {}, {:.0f} % used</source>
-        <translation>{} pièces sur {}, {:.0f} % utilisés</translation>
     </message>
     <message>
         <source>{} x {}, {} thick, {}</source>
@@ -4087,12 +4467,28 @@
         <translation>{}, au plus {}</translation>
     </message>
     <message>
-        <source>{}, margin {:g} ({})</source>
-        <translation>{}, marge {:g} ({})</translation>
+        <source>{}, carries {} with {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}, floats from {} width on with {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}, never floats with {}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{}, seam {}</source>
         <translation>{}, couture {}</translation>
+    </message>
+    <message>
+        <source>{}: film {}, seam and neck {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: film {}, seam and neck {}, valve {}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{}: {}</source>

@@ -16,6 +16,10 @@
         <translation>風船をふくらませるための口を付ける</translation>
     </message>
     <message>
+        <source>Air that it holds, as a share of what a round balloon of as much film would</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Another picture for the back; empty takes that of the front</source>
         <translation>裏面用の別の画像（空なら表と同じ）</translation>
     </message>
@@ -192,6 +196,10 @@
         <translation>自分の重さを支えて浮く</translation>
     </message>
     <message>
+        <source>It has a place; a new object is given one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Label of the values the mesh belongs to</source>
         <translation>このメッシュが対応する値の識別子</translation>
     </message>
@@ -304,8 +312,8 @@
         <translation>部品が占めるフィルムの割合（%）</translation>
     </message>
     <message>
-        <source>Part of the film's area that is slack</source>
-        <translation>たるんでいるフィルム面積の割合</translation>
+        <source>Part of the film's area that hangs loose</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Part of the film's area that is wrinkled</source>
@@ -356,12 +364,12 @@
         <translation>配置についての注意</translation>
     </message>
     <message>
-        <source>Result that is shown as colours, with a legend</source>
-        <translation>凡例付きで色表示する結果</translation>
+        <source>Repairs that were made in the drawing, one each; delete an entry to take it back</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Roundness: 1 for a disc, 0 for a flat thing</source>
-        <translation>ふくらみ度：円盤なら 1、平らなものは 0</translation>
+        <source>Result that is shown as colours, with a legend</source>
+        <translation>凡例付きで色表示する結果</translation>
     </message>
     <message>
         <source>Show the drawing and the silhouette over each other</source>
@@ -400,16 +408,16 @@
         <translation>フィルムが破れる断面応力（0：不明）</translation>
     </message>
     <message>
+        <source>The balloon shown has come to rest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The balloon that is cut from this pattern</source>
         <translation>この型紙から作る風船</translation>
     </message>
     <message>
         <source>The film resists bending</source>
         <translation>フィルムの曲げ剛性を考える</translation>
-    </message>
-    <message>
-        <source>The mesh shown is an equilibrium</source>
-        <translation>表示中のメッシュは釣り合い状態にある</translation>
     </message>
     <message>
         <source>The outline of the drawing</source>
@@ -528,10 +536,6 @@
         <translation>風船の材料。「カスタム」では値を自分で入れる</translation>
     </message>
     <message>
-        <source>What the coach has changed in the drawing, one repair each; delete an entry to take it back</source>
-        <translation>助言により図に加えた修正（1 行に 1 つ）。行を消すと元に戻る</translation>
-    </message>
-    <message>
         <source>What the outline was read from</source>
         <translation>輪郭の読み込み元</translation>
     </message>
@@ -550,6 +554,10 @@
     <message>
         <source>Where it is found: farthest from the centre, or low, where a tied balloon hangs straight</source>
         <translation>自動で決める位置：中心から最も遠い所、または結んだ風船が真っすぐ下がる低い所</translation>
+    </message>
+    <message>
+        <source>Where it was put, unless by the user</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Whether a laser may cut this film</source>
@@ -639,6 +647,10 @@
         <translation>「{0}」は {1} x {2} ピクセルで、{3} 百万を超えています。小さくしてください。幅 2000 ピクセルあれば十分です。</translation>
     </message>
     <message>
+        <source>'{0}' is a pipe or a device: save what comes from it, and name that file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>'{0}' is colder than anything; write a temperature as 20C, 68F or 293K.</source>
         <translation>「{0}」は絶対零度より低い温度です。20C、68F、293K のように書いてください。</translation>
     </message>
@@ -671,6 +683,10 @@
         <translation>「{0}」は SVG、DXF、JSON のどれでもありません。いずれかで保存してください。</translation>
     </message>
     <message>
+        <source>'{0}' is no size: write 500mm for a width, 500mmx700mm for width and height.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>'{0}' is not a drawing that can be read. Use PNG, JPEG, BMP, SVG, DXF or JSON.</source>
         <translation>「{0}」は読み込める図ではありません。PNG、JPEG、BMP、SVG、DXF、JSON を使ってください。</translation>
     </message>
@@ -687,24 +703,20 @@
         <translation>「{0}」は温度ではありません。20C、68F、293K のように書いてください。</translation>
     </message>
     <message>
-        <source>'{0}' is not a {1}; write it as {2}.</source>
-        <translation>「{0}」は使えません（{1}）。{2} のように書いてください。</translation>
+        <source>'{0}' is not a {1}; write it like {2}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>'{}' is not a picture. Save it as PNG, JPEG or BMP once more.</source>
         <translation>「{}」は画像ではありません。PNG、JPEG、BMP で保存し直してください。</translation>
     </message>
     <message>
-        <source>, about {:.2f} {}</source>
-        <translation>、約 {:.2f} {}</translation>
+        <source>, about {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>, estimated: the film did not come to rest</source>
         <translation>、推定値：フィルムが静止しませんでした</translation>
-    </message>
-    <message>
-        <source>, {0} mm so far</source>
-        <translation>、これまで {0} mm</translation>
     </message>
     <message>
         <source>1 to {0} pieces can be laid out, not {1}.</source>
@@ -715,12 +727,20 @@
         <translation>風船に「{0}」という値はありません。使えるもの：{1}。</translation>
     </message>
     <message>
+        <source>A bed is {0} mm to {1} mm wide and high: write 600mmx400mm, 600mm for a roll, or {2}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>A corner relief of {0} would cut into the weld: choose a smaller radius or a wider allowance.</source>
         <translation>{0} の角の逃げは溶着線に食い込みます。半径を小さくするか、余白を広くしてください。</translation>
     </message>
     <message>
         <source>A drawing with welds inside is not made symmetric: draw it so, and turn this off.</source>
         <translation>内側に溶着線のある図は対称にしません。対称に描き、この設定をオフにしてください。</translation>
+    </message>
+    <message>
+        <source>A file of this name is there already</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>A hole meets the outline or another hole at {0}; keep some film between them.</source>
@@ -735,16 +755,20 @@
         <translation>文字は {0} 字まで、高さは 0.1 mm～10 m です。変更してください。</translation>
     </message>
     <message>
-        <source>A lift of {0} g cannot be made: give one such as 5g.</source>
-        <translation>{0} g の浮力は作れません。5g のように指定してください。</translation>
+        <source>A layout is as large as its film: give the film the size of the bed there.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A lift of {0} kg is out of reach: {1} m large, this balloon would carry {2} kg. Choose a lighter film or gas, a smaller lift, or a rounder shape.</source>
-        <translation>{0} kg の浮力は得られません。{1} m の大きさでも持ち上げられるのは {2} kg です。軽いフィルムや気体、小さな浮力、丸い形を選んでください。</translation>
+        <source>A lift of {0} cannot be made: give one such as 5g.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A lift of {0} kg is out of reach: {1} m large, this balloon would lack {2} kg. Choose a lighter film or gas, a smaller lift, or a rounder shape.</source>
-        <translation>{0} kg の浮力は得られません。{1} m の大きさでも {2} kg 足りません。軽いフィルムや気体、小さな浮力、丸い形を選んでください。</translation>
+        <source>A lift of {0} is out of reach: {1} large, this balloon would carry {2}. Choose a lighter film or gas, a smaller lift, or a rounder shape.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A lift of {0} is out of reach: {1} large, this balloon would lack {2}. Choose a lighter film or gas, a smaller lift, or a rounder shape.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>A mesh of {0} is too coarse for a shape of {1}: use at most {2}.</source>
@@ -791,12 +815,24 @@
         <translation>単純なポリラインだけを読む厳格なプログラムです。レイヤーは色で区別されます。赤、青、オレンジを切り、ほかの色はすべて出力を「なし」にしてください。</translation>
     </message>
     <message>
-        <source>A volume of {0} litres cannot be made: give one such as 10l.</source>
-        <translation>{0} リットルの体積は作れません。10l のように指定してください。</translation>
+        <source>A target decides the size: leave out --width and --height.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A volume of {0} cannot be made: give one such as 10l.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A volume or a lift decides the size: choose less of it.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>A volume to inflate to and a goal for the size exclude each other: leave one out.</source>
         <translation>ふくらませる体積と大きさの目標は同時に指定できません。どちらかを外してください。</translation>
+    </message>
+    <message>
+        <source>A web page came instead of the native solver, as some networks send before one has signed in. Open {0} in a browser, then try again. {1}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>A weld has no length; draw a line, or a circle for a spot.</source>
@@ -811,8 +847,12 @@
         <translation>溶着線が {0} で輪郭、自分自身、または別の溶着線に触れています。間にフィルムを残してください。</translation>
     </message>
     <message>
-        <source>A weld runs too near to another one or to the outline at ({0}, {1}) mm for this mesh: move it away, or use a smaller mesh size.</source>
-        <translation>({0}, {1}) mm で溶着線が別の溶着線か輪郭に近すぎて、このメッシュでは扱えません。離すか、メッシュを細かくしてください。</translation>
+        <source>A weld runs too near to another one or to the outline at {0} for this mesh: move it away, or use a smaller mesh size.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A {0} of {1} cannot be made; choose one between 1 mm and 100 m.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Across</source>
@@ -821,6 +861,10 @@
     <message>
         <source>Advice</source>
         <translation>助言</translation>
+    </message>
+    <message>
+        <source>Advice ({0}), at {1}: {2}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Air intake</source>
@@ -939,12 +983,20 @@
         <translation>風船の型紙</translation>
     </message>
     <message>
+        <source>Balloon: {0}, {1}, solver {2}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Balloons</source>
         <translation>風船</translation>
     </message>
     <message>
         <source>Balloons of each</source>
         <translation>それぞれの個数</translation>
+    </message>
+    <message>
+        <source>Bed</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Bending stiffness</source>
@@ -991,8 +1043,16 @@
         <translation>大きさの確認：カット用ファイルや印刷物にある 100 mm の棒を測り、100 mm あることを確かめます。</translation>
     </message>
     <message>
-        <source>Checked: nothing is in the way.</source>
-        <translation>確認しました。問題はありません。</translation>
+        <source>Check, {0}: {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Checked: ready to make.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Checking the pattern</source>
@@ -1199,8 +1259,32 @@
         <translation>最も遠い所</translation>
     </message>
     <message>
+        <source>Fetch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fetch the native solver ...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fetches the native solver of this version, checks its SHA-256 and puts it in its place.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fetching the native solver</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fetching {0} ({1} MB) into {2}; only the file with SHA-256 {3} is kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>File</source>
         <translation>ファイル</translation>
+    </message>
+    <message>
+        <source>Files written to {}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Fill</source>
@@ -1215,20 +1299,20 @@
         <translation>先を斜めに切った 6 mm の管を、首を横切る溶着線の 25 mm 奥まで差し込んでふくらませます。管を抜くと、内圧が帯を押し合わせて閉じます。</translation>
     </message>
     <message>
-        <source>Fill to {pressure} kPa, never above {safe} kPa: film and seam then keep a margin of {margin}.</source>
-        <translation>{pressure} kPa までふくらませ、{safe} kPa を超えないようにします。フィルムと継ぎ目に {margin} 倍の余裕が残ります。</translation>
+        <source>Fill to {pressure}, never above {safe}: film and seam then keep a margin of {margin}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Fill to {pressure} kPa, never above {safe} kPa: film and weld then keep a margin of {margin}.</source>
-        <translation>{pressure} kPa までふくらませ、{safe} kPa を超えないようにします。フィルムと溶着線に {margin} 倍の余裕が残ります。</translation>
+        <source>Fill to {pressure}, never above {safe}: film and weld then keep a margin of {margin}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Fill to {safe} kPa at most: {pressure} kPa is more than film and seam bear with a margin of {margin}. Mind your eyes.</source>
-        <translation>ふくらませるのは {safe} kPa までにします。{pressure} kPa は、フィルムと継ぎ目が {margin} 倍の余裕で耐えられる圧力を超えています。目を守ってください。</translation>
+        <source>Fill to {safe} at most: {pressure} is more than film and seam bear with a margin of {margin}. Mind your eyes.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Fill to {safe} kPa at most: {pressure} kPa is more than film and weld bear with a margin of {margin}. Mind your eyes.</source>
-        <translation>ふくらませるのは {safe} kPa までにします。{pressure} kPa は、フィルムと溶着線が {margin} 倍の余裕で耐えられる圧力を超えています。目を守ってください。</translation>
+        <source>Fill to {safe} at most: {pressure} is more than film and weld bear with a margin of {margin}. Mind your eyes.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Fill with air a little and brush soapy water along the weld: bubbles show leaks. Weld once more there.</source>
@@ -1251,20 +1335,24 @@
         <translation>必要なフィルム</translation>
     </message>
     <message>
-        <source>Film of your own</source>
-        <translation>自分のフィルム</translation>
+        <source>Film needed: {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Film state</source>
-        <translation>フィルムの状態</translation>
+        <source>Film of your own</source>
+        <translation>自分のフィルム</translation>
     </message>
     <message>
         <source>Film width</source>
         <translation>フィルムの幅</translation>
     </message>
     <message>
-        <source>Film {0} m large is too much: write 500mm.</source>
-        <translation>{0} m のフィルムは大きすぎます。500mm のように書いてください。</translation>
+        <source>Film {0} large is too much: write 500mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Film: {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Films</source>
@@ -1295,8 +1383,8 @@
         <translation>変更にすぐ追従する</translation>
     </message>
     <message>
-        <source>For {0} litres the drawing would be {1} large: choose a volume that makes it {2} to {3} m.</source>
-        <translation>{0} リットルにすると図の大きさは {1} になります。{2}～{3} m になる体積を選んでください。</translation>
+        <source>For {0} the drawing would be {1} large: choose a volume that makes it {2} to {3}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Forced</source>
@@ -1305,6 +1393,14 @@
     <message>
         <source>Frames are even in movement, not in time. Only the film has mass, the gas has none.</source>
         <translation>コマは時間ではなく動きに対して等間隔です。質量はフィルムだけにあり、気体にはありません。</translation>
+    </message>
+    <message>
+        <source>FreeCAD cannot make it ({0}). {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>FreeCAD ended ({0}). {1}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>FreeCAD has no material card "{0}": choose one of its material editor.</source>
@@ -1323,12 +1419,20 @@
         <translation>表と裏を PNG と PDF で、さらに同じ印の付いたカッター用の DXF と SVG で</translation>
     </message>
     <message>
-        <source>Gaps of up to {0} between lines were closed ({1} loops).</source>
-        <translation>線の間の {0} までのすき間を閉じました（{1} 本の輪）。</translation>
+        <source>Gaps of up to {0} between lines were closed.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Gas</source>
         <translation>気体</translation>
+    </message>
+    <message>
+        <source>Give --artwork for the front too.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give either --material, or all of --young, --poisson and --thickness.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Give either a volume or a lift as the goal.</source>
@@ -1347,12 +1451,12 @@
         <translation>接着剤</translation>
     </message>
     <message>
-        <source>Glue a strip of {seal} mm along the dashed line. Let it dry under a weight.</source>
-        <translation>破線に沿って幅 {seal} mm で接着します。重しをのせて乾かします。</translation>
+        <source>Glue a strip of {seal} along the dashed line. Let it dry under a weight.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Glue a strip of {seal} mm along the dashed line; leave the mouth of the neck open. Let it dry under a weight.</source>
-        <translation>破線に沿って幅 {seal} mm で接着します。首の口は開けておきます。重しをのせて乾かします。</translation>
+        <source>Glue a strip of {seal} along the dashed line; leave the mouth of the neck open. Let it dry under a weight.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Glue the lines inside the balloon.</source>
@@ -1475,6 +1579,10 @@
         <translation>薄い部分にある注入口</translation>
     </message>
     <message>
+        <source>It holds {} of the air that a round balloon of as much film would.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>It is not inflated yet: choose Inflate now in its context menu, or switch Live on.</source>
         <translation>まだふくらんでいません。コンテキストメニューで「今すぐふくらませる」を選ぶか、ライブをオンにしてください。</translation>
     </message>
@@ -1483,12 +1591,16 @@
         <translation>広くしました。Ctrl+Z で元に戻せます。</translation>
     </message>
     <message>
-        <source>Join the panels along the dashed line, {seal} mm wide, all the way round.</source>
-        <translation>破線に沿って幅 {seal} mm で、ぐるりと 1 周接合します。</translation>
+        <source>It needs a home folder and a temporary folder that it can write to, and memory.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Join the panels along the dashed line, {seal} mm wide; leave the mouth of the neck open.</source>
-        <translation>破線に沿って幅 {seal} mm で接合します。首の口は開けておきます。</translation>
+        <source>Join the panels along the dashed line, {seal} wide, all the way round.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Join the panels along the dashed line, {seal} wide; leave the mouth of the neck open.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Join the panels along the lines inside the balloon.</source>
@@ -1571,6 +1683,10 @@
         <translation>{0} を並べています</translation>
     </message>
     <message>
+        <source>Left out: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Length</source>
         <translation>長さ</translation>
     </message>
@@ -1627,6 +1743,10 @@
         <translation>画像を調べています</translation>
     </message>
     <message>
+        <source>Loose ends of lines were joined to the drawing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Low</source>
         <translation>低い所</translation>
     </message>
@@ -1645,6 +1765,10 @@
     <message>
         <source>Make it!</source>
         <translation>作る！</translation>
+    </message>
+    <message>
+        <source>Make the balloon smaller and inflate it again, until its pattern fits the bed. Weld and allowance keep their widths; one undo takes it back</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Marks</source>
@@ -1711,8 +1835,8 @@
         <translation>ネイティブ</translation>
     </message>
     <message>
-        <source>Near ({0}, {1}) mm the inflated outline stays up to {2} from the drawing, along {3}: film cannot follow it there. Round it off or widen it.</source>
-        <translation>({0}, {1}) mm 付近で、ふくらんだ輪郭が {3} にわたって図から最大 {2} 離れます。フィルムはそこに追従できません。丸めるか広げてください。</translation>
+        <source>Near {0} the inflated outline stays up to {1} from the drawing, along {2}: film cannot follow it there. Round it off or widen it.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Neck that chokes the air path</source>
@@ -1755,8 +1879,16 @@
         <translation>これがないと風船を新たにふくらませられません。型紙の変更と書き出しはできます。</translation>
     </message>
     <message>
+        <source>No file could be made.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>No file for {0}: {1}</source>
         <translation>{0} 用のファイルは作れません：{1}</translation>
+    </message>
+    <message>
+        <source>No limit</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>No pattern can be drawn anew without it; documents keep theirs.</source>
@@ -1771,12 +1903,24 @@
         <translation>画像の中に形が見つかりません。はっきりした色か、無地に近い背景にしてください。</translation>
     </message>
     <message>
+        <source>No size of the balloon fits a bed of {0}: weld, allowance, intake and bar keep theirs. Choose another machine.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>No solver works here.</source>
         <translation>使えるソルバーがありません。</translation>
     </message>
     <message>
+        <source>No solver works here: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>No solver works here: {0} Build it or install the package scipy.</source>
         <translation>使えるソルバーがありません：{0} ソルバーをビルドするか、パッケージ scipy を入れてください。</translation>
+    </message>
+    <message>
+        <source>No, use NumPy</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>None</source>
@@ -1799,12 +1943,12 @@
         <translation>{0} の合印は溶着線に届きます。余白は {1} です。</translation>
     </message>
     <message>
-        <source>Nothing can be computed without it; documents open and keep their shapes.</source>
-        <translation>これがないと何も計算できません。文書は開け、形は残ります。</translation>
+        <source>Note: {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Nothing is in the way. Paint on, or press Make it!</source>
-        <translation>問題ありません。続けて描くか「作る！」を押してください。</translation>
+        <source>Nothing can be computed without it; documents open and keep their shapes.</source>
+        <translation>これがないと何も計算できません。文書は開け、形は残ります。</translation>
     </message>
     <message>
         <source>Nothing to improve.</source>
@@ -1817,6 +1961,14 @@
     <message>
         <source>Nozzle with flange</source>
         <translation>フランジ付きノズル</translation>
+    </message>
+    <message>
+        <source>NumPy computes the same, 20 to 30 times slower.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>NumPy took 20 to 30 times longer than the native solver, which fetch-solver fetches.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Numbers</source>
@@ -1835,6 +1987,14 @@
         <translation>図からのずれ</translation>
     </message>
     <message>
+        <source>Off the drawing: {0} on average, at most {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Offer the native solver where it is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>On the way of the valve the balloon narrows to {0} at {1}; its channel takes {2} with its welds there. Make the neck wider or put it elsewhere, else the weld closes the valve.</source>
         <translation>弁の通る所で風船が {1} で {0} に狭まります。そこで弁の通り道は溶着線を含めて {2} 必要です。首を広くするか別の所に付けないと、溶着で弁がふさがります。</translation>
     </message>
@@ -1849,6 +2009,10 @@
     <message>
         <source>One-way tail</source>
         <translation>逆止めの尾</translation>
+    </message>
+    <message>
+        <source>Only a film with another stiffness across has a grain: give --young-across too.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Only grades of this film with a sealing layer weld: try scraps before you cut.</source>
@@ -1879,8 +2043,12 @@
         <translation>輪郭</translation>
     </message>
     <message>
-        <source>Outline {} x {}, {} holes</source>
-        <translation>輪郭 {} x {}、穴 {} 個</translation>
+        <source>Outline {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outline {}, holes: {}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>PDF files need it; DXF, SVG and HPGL can be written.</source>
@@ -1947,8 +2115,8 @@
         <translation>型紙を {} に書き出しました</translation>
     </message>
     <message>
-        <source>Pattern {0} x {1} mm ({2} x {3} in), {4} pages.</source>
-        <translation>型紙 {0} x {1} mm（{2} x {3} インチ）、{4} ページ。</translation>
+        <source>Pattern {0} ({1} x {2} in), pages: {3}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Pattern, cut two (one mirrored)</source>
@@ -1989,6 +2157,10 @@
     <message>
         <source>Pictures need OpenCV, which is missing or does not work here. Install the package python3-opencv (or opencv-python-headless), or open the picture inside FreeCAD.</source>
         <translation>画像には OpenCV が必要ですが、ないか動きません。python3-opencv（または opencv-python-headless）を入れるか、FreeCAD の中で画像を開いてください。</translation>
+    </message>
+    <message>
+        <source>Pieces: {}, on {}, {} used</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Place</source>
@@ -2055,12 +2227,20 @@
         <translation>圧力</translation>
     </message>
     <message>
+        <source>Pressure: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Previews and labels need it; everything else works.</source>
         <translation>プレビューと文字に必要です。ほかはすべて使えます。</translation>
     </message>
     <message>
         <source>Print at 100 % ("actual size"). The bar below must be 100 mm long.</source>
         <translation>100 %（「実際のサイズ」）で印刷してください。下の棒は 100 mm でなければなりません。</translation>
+    </message>
+    <message>
+        <source>Print {0} at {1} dpi, front and back</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Pull a line; then move the pointer to bend it, and click. A right click keeps it straight.</source>
@@ -2095,6 +2275,10 @@
         <translation>RDWorks（Ruida レーザー）</translation>
     </message>
     <message>
+        <source>Ready to make. Paint on, or press Make it!</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Real size, to cut out by hand. Print at 100 % and measure the control bar.</source>
         <translation>手で切るための原寸です。100 % で印刷し、確認用の棒を測ってください。</translation>
     </message>
@@ -2115,8 +2299,8 @@
         <translation>修正 {0} を読めません。Repairs から消してください。</translation>
     </message>
     <message>
-        <source>Residual</source>
-        <translation>ずれ</translation>
+        <source>Replace the file</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Result</source>
@@ -2147,12 +2331,12 @@
         <translation>この穴のまわりで風船は平らになりません。閉じた管は余計に曲がろうとして面から {length} ほどねじれ出ます。輪を切り開くか、穴を切り抜かずに溶着し、小さくしてください。</translation>
     </message>
     <message>
-        <source>Round with a radius of</source>
-        <translation>丸める半径</translation>
+        <source>Round this hole the balloon will not lie quite flat: a closed tube wants to curve more and twists out of its plane, here by about {length}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Roundness {:.0f} % of a disc's.</source>
-        <translation>ふくらみ度は円盤の {:.0f} %。</translation>
+        <source>Round with a radius of</source>
+        <translation>丸める半径</translation>
     </message>
     <message>
         <source>SVG files can be written but not read without it; pictures, DXF and JSON can be read.</source>
@@ -2167,6 +2351,14 @@
         <translation>安全な圧力</translation>
     </message>
     <message>
+        <source>Safe pressure: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Safe pressure: {0}, less than its {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Safe to</source>
         <translation>安全な圧力</translation>
     </message>
@@ -2177,6 +2369,14 @@
     <message>
         <source>Save results…</source>
         <translation>結果を保存…</translation>
+    </message>
+    <message>
+        <source>Scale to fit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scaled to fit: {} wide instead of {}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>SciPy triangulates instead, a little slower.</source>
@@ -2197,6 +2397,10 @@
     <message>
         <source>Seam length</source>
         <translation>継ぎ目の長さ</translation>
+    </message>
+    <message>
+        <source>Seam length: {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Second panel, mirrored</source>
@@ -2259,6 +2463,10 @@
         <translation>シミュレーション</translation>
     </message>
     <message>
+        <source>Simulations use NumPy. "What works here" in the menu fetches the native solver later.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Size</source>
         <translation>大きさ</translation>
     </message>
@@ -2311,20 +2519,12 @@
         <translation>停止して最後の結果を残す</translation>
     </message>
     <message>
-        <source>Stopped.</source>
-        <translation>停止しました。</translation>
-    </message>
-    <message>
         <source>Stopped. Your painting is still here.</source>
         <translation>停止しました。描いた絵は残っています。</translation>
     </message>
     <message>
         <source>Stopping ...</source>
         <translation>停止しています…</translation>
-    </message>
-    <message>
-        <source>Strain</source>
-        <translation>ひずみ</translation>
     </message>
     <message>
         <source>Straw neck</source>
@@ -2375,20 +2575,16 @@
         <translation>テープ</translation>
     </message>
     <message>
-        <source>Tape along the dashed line, {seal} mm wide, all the way round.</source>
-        <translation>破線に沿って幅 {seal} mm で、ぐるりと 1 周テープで留めます。</translation>
+        <source>Tape along the dashed line, {seal} wide, all the way round.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Tape along the dashed line, {seal} mm wide; leave the mouth of the neck open.</source>
-        <translation>破線に沿って幅 {seal} mm でテープで留めます。首の口は開けておきます。</translation>
+        <source>Tape along the dashed line, {seal} wide; leave the mouth of the neck open.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Taped seam</source>
         <translation>テープの継ぎ目</translation>
-    </message>
-    <message>
-        <source>Tension</source>
-        <translation>張力</translation>
     </message>
     <message>
         <source>Tension field</source>
@@ -2479,8 +2675,8 @@
         <translation>SVG ファイルが壊れています（{0}）。保存し直してください。</translation>
     </message>
     <message>
-        <source>The Young's modulus across the grain {0} Pa is too large for one along it of {1} Pa: turn the grain by 90 degrees and exchange the two.</source>
-        <translation>流れに直角のヤング率 {0} Pa は、流れ方向の {1} Pa に対して大きすぎます。流れ方向を 90 度回し、二つを入れ替えてください。</translation>
+        <source>The Young's modulus across the grain {0} is too large for one along it of {1}: turn the grain by 90 degrees and exchange the two.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The altitude {0} m is out of range: give one up to 11000 m.</source>
@@ -2503,12 +2699,12 @@
         <translation>塗り足しは 0 から {0} までです（指定は {1}）。</translation>
     </message>
     <message>
-        <source>The coach finds no "{0}" to repair in {1}: see its advice.</source>
-        <translation>{1} には直すべき「{0}」がありません。助言を確かめてください。</translation>
-    </message>
-    <message>
         <source>The colour would run out: close the line around this place first.</source>
         <translation>色が外にあふれます。先にこの場所を囲む線を閉じてください。</translation>
+    </message>
+    <message>
+        <source>The connection to {0} ended before the whole native solver had come. Try again. {1}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The drawing cannot be reached everywhere: the silhouette is up to {} off it.</source>
@@ -2575,6 +2771,10 @@
         <translation>図（コピーが文書に入ります）</translation>
     </message>
     <message>
+        <source>The end of this tip stays flat, over {length}. A radius of {wanted} makes it rounder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The file is XML but no SVG drawing. Choose a drawing.</source>
         <translation>このファイルは XML ですが SVG の図ではありません。図を選んでください。</translation>
     </message>
@@ -2635,12 +2835,12 @@
         <translation>形の横の手は大人の手の大きさです</translation>
     </message>
     <message>
-        <source>The hole at ({0}, {1}) mm is too small for a {2} seal, and its weld reaches {3} into the balloon: make the hole at least {4} wide, or the seal narrower.</source>
-        <translation>({0}, {1}) mm の穴は {2} の溶着には小さすぎ、溶着が風船の中へ {3} 入り込みます。穴を {4} 以上にするか、溶着を細くしてください。</translation>
+        <source>The hole at {0} is too small for a {1} seal, and its weld reaches {2} into the balloon: make the hole at least {3} wide, or the seal narrower.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The hole at ({0}, {1}) mm is welded but not cut out: for that, make it wider than two seals with their allowances, {2}.</source>
-        <translation>({0}, {1}) mm の穴は溶着しますが切り抜きません。切り抜くには、余白込みの溶着 2 本分（{2}）より広くしてください。</translation>
+        <source>The hole at {0} is welded but not cut out: for that, make it wider than two seals with their allowances, {1}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The hole at {0} lies in another hole; remove one of them.</source>
@@ -2723,6 +2923,10 @@
         <translation>{0} の配置は型紙より古くなっています。再計算してください。</translation>
     </message>
     <message>
+        <source>The layout on film</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The layout was stopped; nothing was changed.</source>
         <translation>配置を中止しました。何も変わっていません。</translation>
     </message>
@@ -2747,12 +2951,44 @@
         <translation>メッシュに三角形のない節点があります。輪郭のメッシュを作り直してください。</translation>
     </message>
     <message>
-        <source>The mesh size is {0} mm: give one above 0.</source>
-        <translation>メッシュの大きさが {0} mm です。0 より大きくしてください。</translation>
+        <source>The mesh size is {0}: give one above 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The native solver cannot be kept. {0} {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The native solver could not be fetched from {0} ({1}). Try again when the network is there. {2}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The native solver is here already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The native solver is in use now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The native solver is in use.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The native solver is not available: {0} Use the NumPy solver.</source>
         <translation>ネイティブソルバーは使えません：{0} NumPy のソルバーを使ってください。</translation>
+    </message>
+    <message>
+        <source>The native solver is not installed. Everything works without it, but simulations take 20 to 30 times longer. Fetch it now?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The native solver was fetched, but does not run here: {0} {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The native solver was not fetched: stopped.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The native solver, which is faster, is not available: {0}</source>
@@ -2763,12 +2999,16 @@
         <translation>ノズルのフランジは穴より広くしてください。</translation>
     </message>
     <message>
+        <source>The options cannot be used ({0}). See --help.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The outline cannot be mirrored about its axis: draw it symmetric, or leave that.</source>
         <translation>輪郭を軸で反転できません。対称に描くか、そのままにしてください。</translation>
     </message>
     <message>
-        <source>The outline crosses or nearly touches itself near ({0}, {1}) mm: separate the parts that meet there.</source>
-        <translation>({0}, {1}) mm 付近で輪郭が交わるか、ほとんど触れています。離してください。</translation>
+        <source>The outline crosses or nearly touches itself near {0}: separate the parts that meet there.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The outline crosses or touches itself and cannot be meshed: separate the parts that meet.</source>
@@ -2787,8 +3027,8 @@
         <translation>輪郭に数ではない座標があります。図を直してください。</translation>
     </message>
     <message>
-        <source>The outline's {0} of</source>
-        <translation>輪郭の{0}：</translation>
+        <source>The outline's {0} of {1} cannot be made; bring it to a size between 1 mm and 100 m.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The page will be in English, as no font here has the letters of your language: install IPAexGothic or Noto Sans CJK JP, and open this panel again.</source>
@@ -2807,12 +3047,12 @@
         <translation>型紙がメッシュに対して細くなりすぎます。細い部分を広げるか、メッシュを細かくしてください。</translation>
     </message>
     <message>
-        <source>The pattern crosses itself near ({0}, {1}) mm: simplify the drawing there.</source>
-        <translation>({0}, {1}) mm 付近で型紙が交わります。そこの図を簡単にしてください。</translation>
+        <source>The pattern crosses itself near {0}: simplify the drawing there.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The pattern has no lines for {0}, which takes {1}.</source>
-        <translation>型紙に {0} 用の線がありません（必要：{1}）。</translation>
+        <source>The pattern has no lines for {0}, which takes {1}: choose another machine.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The pattern is being fitted to the painting ...</source>
@@ -2825,6 +3065,10 @@
     <message>
         <source>The pattern measures {0}, the bed of {1} {2}</source>
         <translation>型紙は {0}、{1} の加工台は {2} です</translation>
+    </message>
+    <message>
+        <source>The patterns' files</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The picture has a single colour. Choose one that shows a shape on a background.</source>
@@ -2859,8 +3103,8 @@
         <translation>注入口「{0}」の部品は {1} で、{2} とは溶着しません。別の注入口か、それと溶着できるフィルムを選んでください：{3}。</translation>
     </message>
     <message>
-        <source>The pressure must be positive and at most {0} Pa, not {1} Pa. A party balloon has about 2 kPa.</source>
-        <translation>圧力は 0 より大きく {0} Pa 以下にしてください（指定は {1} Pa）。パーティー用の風船は約 2 kPa です。</translation>
+        <source>The pressure must be positive and at most {0}, not {1}. A party balloon has about 2 kPa.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The radius of the corner relief must be 0 or above.</source>
@@ -2879,8 +3123,8 @@
         <translation>画像の形の縁が荒れすぎてなぞれません。もっとはっきりした画像を使ってください。</translation>
     </message>
     <message>
-        <source>The shape is only {0} mm thick near ({1}, {2}) mm, too thin for a mesh of {3}: make it thicker there, or use a mesh size of at most {4} mm.</source>
-        <translation>({1}, {2}) mm 付近の太さは {0} mm しかなく、{3} のメッシュには細すぎます。太くするか、メッシュを {4} mm 以下にしてください。</translation>
+        <source>The shape is only {0} thick near {1}, too thin for a mesh of {2}: make it thicker there, or use a mesh size of at most {3}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The shape touches the {0} border of the picture; if it was cut off there, leave more margin.</source>
@@ -2907,8 +3151,16 @@
         <translation>シミュレーションを停止しました。</translation>
     </message>
     <message>
-        <source>The smallest radius is {0} mm, near {1}; {2} follows {3}. It will come out rounder there.</source>
-        <translation>最小の半径は {1} 付近の {0} mm で、{2} が追えるのは {3} までです。そこは丸くなります。</translation>
+        <source>The size comes from {0}: make it smaller there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The size of {0} follows an expression: change what that refers to.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The smallest radius is {0}, near {1}; {2} follows {3}. It will come out rounder there.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The solver '{0}' needs the Python package scipy. Install it or use the native solver.</source>
@@ -2917,6 +3169,10 @@
     <message>
         <source>The strips of valves are not here: lay them out on a sheet of their own, with "Valve film".</source>
         <translation>弁の帯はここにはありません。「弁のフィルム」を選び、別のシートに並べてください。</translation>
+    </message>
+    <message>
+        <source>The summary cannot be shown ({0}); {1}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The temperature of the {0}, {1} degrees Celsius, is out of range: give one such as 20C.</source>
@@ -2931,8 +3187,8 @@
         <translation>弁が風船の中へ {0} 入り、{1} で溶着線を越えます。風船がもっと長い所に注入口を付けるか、別の注入口にしてください。</translation>
     </message>
     <message>
-        <source>The volume must be positive, not {0} m3.</source>
-        <translation>体積は 0 より大きくしてください（指定は {0} m3）。</translation>
+        <source>The volume must be positive, not {0}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The way from the intake into the balloon narrows to {0}, and the intake is {1} wide: put it where the balloon is wider, else air enters slowly.</source>
@@ -2955,12 +3211,12 @@
         <translation>面を囲んでいません（{0}）。角が三つ以上の閉じた形を描いてください。</translation>
     </message>
     <message>
-        <source>The {0} is {1} % off what was wanted: correct the goal by as much.</source>
-        <translation>目標（{0}）から {1} % ずれました。その分だけ目標を直してください。</translation>
-    </message>
-    <message>
         <source>The {0} is {1} mm: give one above 0, for example 300 mm.</source>
         <translation>寸法（{0}）が {1} mm です。300 mm のように 0 より大きくしてください。</translation>
+    </message>
+    <message>
+        <source>The {0} is {1} off what was wanted: correct the goal by as much.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The {0} line crosses itself near {1}: simplify the drawing there.</source>
@@ -2989,6 +3245,10 @@
     <message>
         <source>There can be 1 to {0} copies, not {1}.</source>
         <translation>枚数は 1～{0} です（指定は {1}）。</translation>
+    </message>
+    <message>
+        <source>There is no "{0}" to repair in {1}: see its advice.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>There is no backend "{0}": choose {1}, or leave it out.</source>
@@ -3023,12 +3283,24 @@
         <translation>接合方法「{0}」はありません。{1} から選んでください。</translation>
     </message>
     <message>
+        <source>There is no language "{0}": choose one of {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>There is no look "{0}": choose one of {1}.</source>
         <translation>外観「{0}」はありません。{1} から選んでください。</translation>
     </message>
     <message>
         <source>There is no machine "{0}": choose one of {1}, or give a .json file.</source>
         <translation>機械「{0}」はありません。{1} から選ぶか、.json ファイルを指定してください。</translation>
+    </message>
+    <message>
+        <source>There is no native solver for {0}. {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no native solver to be fetched for this version yet. {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>There is no outline at {0} degrees from the centre: choose another intake angle.</source>
@@ -3063,6 +3335,10 @@
         <translation>対称「{0}」はありません。{1} から選んでください。</translation>
     </message>
     <message>
+        <source>There is no way "{0}" with a large pattern: choose {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>There is too little memory for this: take a coarser mesh, or close other programs.</source>
         <translation>メモリーが足りません。メッシュを粗くするか、ほかのプログラムを閉じてください。</translation>
     </message>
@@ -3083,6 +3359,10 @@
         <translation>ペンの太さ（[ 細く、] 太く）</translation>
     </message>
     <message>
+        <source>This Python has no working ctypes module, which SciPy and the native solver need: patterns can be changed and written, but no balloon can be inflated anew. Take another build of FreeCAD or of Python.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>This arm is too thin to fill: drawn {width} wide, it becomes {measured} thick. Make it {wanted} wide.</source>
         <translation>この腕は細すぎてふくらみません。描いた幅は {width}、ふくらむ厚みは {measured} です。幅を {wanted} にしてください。</translation>
     </message>
@@ -3091,8 +3371,16 @@
         <translation>この腕は細すぎてふくらみません：{}。{} にしますか？</translation>
     </message>
     <message>
-        <source>This balloon holds {0} {1} litres at any pressure that suits its film: {2} litres at {3} Pa. Change the size of the balloon or the volume.</source>
-        <translation>この風船に入るのは、フィルムに合うどの圧力でも {0} {1} リットルです（{3} Pa で {2} リットル）。風船の大きさか体積を変えてください。</translation>
+        <source>This arm stays much thinner than the rest: drawn {width} wide, it becomes {measured} thick. For a rounder one make it {wanted} wide.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This balloon holds {0} {1} at any pressure that suits its film: {2} at {3}. Change the size of the balloon or the volume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This cannot be shown ({0}).</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>This gas is not lighter than the air around, so the balloon never floats: choose another gas or a higher temperature of the gas.</source>
@@ -3123,12 +3411,24 @@
         <translation>このくびれは細すぎて空気が通りません：{}。{} にしますか？</translation>
     </message>
     <message>
+        <source>This neck slows the filling: inside it is as wide as a tube of {measured} of film, the intake is {intake}. {behind} of the balloon fill through it. For quicker filling make it {wanted} wide.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This notch pulls the film {measured} as tight as elsewhere, so that it wrinkles there. A radius of {wanted} eases that.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>This notch pulls the film {measured} as tight as elsewhere; it wrinkles there and is where it would tear. Round it with a radius of {wanted}.</source>
         <translation>この切れ込みではフィルムの張りがほかの {measured} になり、しわが寄って破れやすくなります。半径 {wanted} で丸めてください。</translation>
     </message>
     <message>
-        <source>This shape stays flat: it holds {percent} of the air that a disc of as much film would. Fewer and wider parts make it rounder.</source>
-        <translation>この形は平らなままです。同じ量のフィルムの円盤に比べ、空気は {percent} しか入りません。部分を減らし、広くすると丸くなります。</translation>
+        <source>This shape stays flat: it holds {percent} of the air that a round balloon of as much film would. Fewer and wider parts make it rounder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This shape stays rather flat: it holds {percent} of the air that a round balloon of as much film would. Fewer and wider parts make it rounder.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>This tip stays flat over {length}: it is too pointed. Round it with a radius of {wanted}.</source>
@@ -3207,6 +3507,14 @@
         <translation>最も弱い所</translation>
     </message>
     <message>
+        <source>Weakest place: {0} at {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weakest place: {0} at {1}, estimated: the film did not come to rest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Weighing {0}</source>
         <translation>{0} の重さを求めています</translation>
     </message>
@@ -3227,12 +3535,12 @@
         <translation>首を横切る線に沿って、フィルムと帯を一緒に溶着します。印の枠が通り道を開けておきます。小片を抜き、弁に息を吹き込みます。</translation>
     </message>
     <message>
-        <source>Weld along the dashed line, {seal} mm wide, all the way round.</source>
-        <translation>破線に沿って幅 {seal} mm で、ぐるりと 1 周溶着します。</translation>
+        <source>Weld along the dashed line, {seal} wide, all the way round.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Weld along the dashed line, {seal} mm wide. Leave the mouth of the neck open.</source>
-        <translation>破線に沿って幅 {seal} mm で溶着します。首の口は開けておきます。</translation>
+        <source>Weld along the dashed line, {seal} wide. Leave the mouth of the neck open.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Weld and cut</source>
@@ -3247,12 +3555,12 @@
         <translation>帯 2 本を線に沿って溶着します。印の枠では、耐熱インクかクッキングシートの小片が通り道を開けておきます。端を口に合わせて片方のフィルムに仮留めし、それから風船のまわりと首を横切る線を溶着します。6 mm の管でふくらませると、内圧が帯を閉じます。</translation>
     </message>
     <message>
-        <source>Weld with high frequency along the dashed line, {seal} mm wide, all the way round.</source>
-        <translation>高周波で、破線に沿って幅 {seal} mm で、ぐるりと 1 周溶着します。</translation>
+        <source>Weld with high frequency along the dashed line, {seal} wide, all the way round.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Weld with high frequency along the dashed line, {seal} mm wide; leave the mouth of the neck open.</source>
-        <translation>高周波で、破線に沿って幅 {seal} mm で溶着します。首の口は開けておきます。</translation>
+        <source>Weld with high frequency along the dashed line, {seal} wide; leave the mouth of the neck open.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Welded across, last</source>
@@ -3263,6 +3571,10 @@
         <translation>インパルスシーラーかアイロンで簡単に溶着できます。引張強さの半分の約 9 MPa で降伏し、クリープするので、圧力は低くしてください。</translation>
     </message>
     <message>
+        <source>What else is made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>What it takes to make it</source>
         <translation>作るのに必要なもの</translation>
     </message>
@@ -3271,8 +3583,20 @@
         <translation>多くの業者が求める形式です。R12、閉じたポリライン、切らない線はなし。R12 には単位がないので、ファイル名に書きます。</translation>
     </message>
     <message>
+        <source>What this machine can work on, such as 600 x 400 mm, or 600 mm for a roll; empty where there is no limit. It is kept for this machine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>What works here</source>
         <translation>この環境で使えるもの</translation>
+    </message>
+    <message>
+        <source>What {0} sent is not the native solver of this release: its SHA-256 is another one. It was not kept. {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the film wrinkles</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Whether the {0} of the intake's pieces welds to {1} is not known: try it on a scrap first.</source>
@@ -3307,20 +3631,28 @@
         <translation>浮く？</translation>
     </message>
     <message>
-        <source>With the fonts of this computer {0} cannot be drawn, letter by letter from left to right: leave that out of the label, or install a font that has it and start again.</source>
-        <translation>このコンピューターのフォントでは {0} を左から右へ 1 字ずつ描けません。文字から除くか、それのあるフォントを入れて起動し直してください。</translation>
+        <source>Will it float? {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Wrinkles</source>
-        <translation>しわ</translation>
+        <source>With the fonts of this computer {0} cannot be drawn, letter by letter from left to right: leave that out of the label, or install a font that has it and start again.</source>
+        <translation>このコンピューターのフォントでは {0} を左から右へ 1 字ずつ描けません。文字から除くか、それのあるフォントを入れて起動し直してください。</translation>
     </message>
     <message>
         <source>Write all results for ParaView (.vtu) or NumPy (.npz), or the shape alone (.stl)</source>
         <translation>すべての結果を ParaView（.vtu）か NumPy（.npz）用に、または形だけを（.stl）書き出す</translation>
     </message>
     <message>
+        <source>Write anyway</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Write files…</source>
         <translation>ファイルを書き出す…</translation>
+    </message>
+    <message>
+        <source>Write the file although it is larger than the bed</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Write {"unit": "mm", "outer": [[0, 0], [300, 0], [150, 200]]}.</source>
@@ -3337,6 +3669,10 @@
     <message>
         <source>Writing {0}</source>
         <translation>{0} を書き出しています</translation>
+    </message>
+    <message>
+        <source>Wrote {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Yellow</source>
@@ -3367,8 +3703,20 @@
         <translation>{0} ファイルには自分の単位があります。"unit": "mm" にしてください。</translation>
     </message>
     <message>
+        <source>about {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>about {} x {}, {} thick, {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>air</source>
         <translation>空気</translation>
+    </message>
+    <message>
+        <source>all files were written before to {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>another run has been writing there for a minute</source>
@@ -3387,8 +3735,12 @@
         <translation>artwork.pdf を省きました。{0}</translation>
     </message>
     <message>
-        <source>at most {:.4g} {}</source>
-        <translation>最大 {:.4g} {}</translation>
+        <source>at most {} {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>balloon {0} of {1}, {2}</source>
@@ -3399,10 +3751,6 @@
         <translation>bed_mm が {0} です。[幅, 高さ] か、制限がなければ null にしてください。</translation>
     </message>
     <message>
-        <source>bring it to a</source>
-        <translation>次にしてください：</translation>
-    </message>
-    <message>
         <source>choose Drawn as filled shape</source>
         <translation>「描き方」を「塗った形」にしてください</translation>
     </message>
@@ -3411,12 +3759,20 @@
         <translation>{2} の色番号 {0} とペン {1} は 1～255 にしてください。</translation>
     </message>
     <message>
+        <source>connecting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>cut</source>
         <translation>切り線</translation>
     </message>
     <message>
         <source>cut inside</source>
         <translation>内側の切り線</translation>
+    </message>
+    <message>
+        <source>designing a balloon</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>does not name its unit</source>
@@ -3435,16 +3791,28 @@
         <translation>空：</translation>
     </message>
     <message>
+        <source>fetch the native solver from the network, where the workbench came without it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fetching</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>film</source>
         <translation>フィルム</translation>
     </message>
     <message>
-        <source>film and valve weigh {0} g</source>
-        <translation>フィルムと弁の重さは {0} g</translation>
+        <source>film and valve weigh {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>fold</source>
         <translation>折り線</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>gas</source>
@@ -3483,12 +3851,16 @@
         <translation>平均 {}</translation>
     </message>
     <message>
+        <source>in {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>inflated</source>
         <translation>ふくらんだ形</translation>
     </message>
     <message>
-        <source>inflated {0} × {1} × {2} mm, {3} litres</source>
-        <translation>ふくらんだ大きさ {0} × {1} × {2} mm、{3} リットル</translation>
+        <source>inflated {0}, {1}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>inflating</source>
@@ -3515,8 +3887,8 @@
         <translation>別の部分とつながってしまう</translation>
     </message>
     <message>
-        <source>laying out{0}</source>
-        <translation>配置中{0}</translation>
+        <source>laying out, {0} so far</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>left</source>
@@ -3531,12 +3903,16 @@
         <translation>次の値より少なく</translation>
     </message>
     <message>
-        <source>less than its {} with a margin of {:g} ({})</source>
-        <translation>現在の {} 未満（余裕 {:g} 倍、{}）</translation>
+        <source>less than its {} with a margin of {} ({})</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>lift</source>
         <translation>浮力</translation>
+    </message>
+    <message>
+        <source>loose: {}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>lower</source>
@@ -3557,6 +3933,10 @@
     <message>
         <source>names the unit {0}, which is not a usual one</source>
         <translation>単位 {0} は一般的ではありません</translation>
+    </message>
+    <message>
+        <source>no file was written</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>no layer is written: name at least CUT.</source>
@@ -3595,12 +3975,16 @@
         <translation>圧力</translation>
     </message>
     <message>
+        <source>printing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>right</source>
         <translation>右</translation>
     </message>
     <message>
-        <source>safe to {}, margin {:.2g}</source>
-        <translation>{} まで安全、余裕 {:.2g} 倍</translation>
+        <source>safe to {}, margin {}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>seal width</source>
@@ -3623,16 +4007,16 @@
         <translation>大きさ {0}、{1}</translation>
     </message>
     <message>
-        <source>slack: {:.0f} %</source>
-        <translation>たるみ：{:.0f} %</translation>
-    </message>
-    <message>
         <source>stale: </source>
         <translation>古い結果：</translation>
     </message>
     <message>
         <source>stale: belongs to earlier values</source>
         <translation>古い結果：以前の値のもの</translation>
+    </message>
+    <message>
+        <source>stopped; {0}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>strength</source>
@@ -3651,24 +4035,28 @@
         <translation>内側のテープの継ぎ目</translation>
     </message>
     <message>
-        <source>taut: {:.0f} %</source>
-        <translation>張り：{:.0f} %</translation>
-    </message>
-    <message>
         <source>temperature</source>
         <translation>温度</translation>
+    </message>
+    <message>
+        <source>the answer is not HTTP</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the colour "{0}" is not written like #ff0000.</source>
         <translation>色「{0}」が #ff0000 の形になっていません。</translation>
     </message>
     <message>
+        <source>the connection ended too soon</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the file name "{0}" may have letters, digits, spaces, _, - and . only.</source>
         <translation>ファイル名「{0}」に使えるのは英数字、空白、_、-、. だけです。</translation>
     </message>
     <message>
-        <source>the film weighs {0} g</source>
-        <translation>フィルムの重さは {0} g</translation>
+        <source>the film weighs {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>the last line of each piece is its CUT.</source>
@@ -3701,6 +4089,10 @@
     <message>
         <source>thin PE film, 30 to 50 µm</source>
         <translation>薄い PE フィルム、30～50 µm</translation>
+    </message>
+    <message>
+        <source>tight: {}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>trial {0}, {1}</source>
@@ -3747,12 +4139,20 @@
         <translation>width_mm は 0 より大きく、taper は 0.2～1 にしてください。</translation>
     </message>
     <message>
-        <source>wrinkled, taut along one direction: {:.0f} %</source>
-        <translation>しわ（一方向に張り）：{:.0f} %</translation>
+        <source>wrinkled: {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>writing files</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} "{1}" is none of {2}.</source>
         <translation>{0}「{1}」は {2} のどれでもありません。</translation>
+    </message>
+    <message>
+        <source>{0} ({1}, margin {2})</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} It is left out.</source>
@@ -3783,20 +4183,20 @@
         <translation>変わった値：{0}。コンテキストメニューで「今すぐふくらませる」を選ぶか、ライブをオンにしてください。</translation>
     </message>
     <message>
+        <source>{0} does not have the native solver (answer {1}). Try again later. {2}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} dots per inch cannot be printed well: give {1} to {2}.</source>
         <translation>{0} dpi ではきれいに印刷できません。{1}～{2} にしてください。</translation>
     </message>
     <message>
-        <source>{0} g with valve {1} g</source>
-        <translation>{0} g（弁 {1} g を含む）</translation>
+        <source>{0} gap between the lines closed, the widest {1} of the drawing's width.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0} gap between the lines closed, the widest {1} % of the drawing's width.</source>
-        <translation>線の間のすき間を {0} か所閉じました。最大で図の幅の {1} % です。</translation>
-    </message>
-    <message>
-        <source>{0} gaps between the lines closed, the widest {1} % of the drawing's width.</source>
-        <translation>線の間のすき間を {0} か所閉じました。最大で図の幅の {1} % です。</translation>
+        <source>{0} gaps between the lines closed, the widest {1} of the drawing's width.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} has interface {1}, but {2} is needed.</source>
@@ -3851,6 +4251,10 @@
         <translation>{0} は壊れているか不完全です。ワークベンチを入れ直してください。</translation>
     </message>
     <message>
+        <source>{0} is damaged: install the workbench anew, or go on without the native solver.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} is empty: draw a closed line in it.</source>
         <translation>{0} は空です。閉じた線を描いてください。</translation>
     </message>
@@ -3899,52 +4303,40 @@
         <translation>{0} が {1} です。true か false にしてください。</translation>
     </message>
     <message>
-        <source>{0} kPa ({1}, margin {2})</source>
-        <translation>{0} kPa（{1}、余裕 {2} 倍）</translation>
-    </message>
-    <message>
         <source>{0} left out ({1}).</source>
         <translation>{0} を除きました（{1}）。</translation>
     </message>
     <message>
-        <source>{0} lifts {1} g, {2}</source>
-        <translation>{0}の浮力は {1} g、{2}</translation>
+        <source>{0} lifts {1}, {2}: no, at no size.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0} litres</source>
-        <translation>{0} リットル</translation>
+        <source>{0} lifts {1}, {2}: no. From {3} width on it would.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0} litres, about {1} {2}</source>
-        <translation>{0} リットル、約 {1} {2}</translation>
+        <source>{0} lifts {1}, {2}: yes, and it carries {3}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0} loose ends of lines were joined to the drawing.</source>
-        <translation>線の端を {0} か所、図につなぎました。</translation>
-    </message>
-    <message>
-        <source>{0} m of a roll {1} mm wide</source>
-        <translation>幅 {1} mm のロールを {0} m</translation>
-    </message>
-    <message>
-        <source>{0} mm on paper = {1} mm of film</source>
-        <translation>紙の上の {0} mm = フィルムの {1} mm</translation>
-    </message>
-    <message>
-        <source>{0} mm wide, {1} m long</source>
-        <translation>幅 {0} mm、長さ {1} m</translation>
+        <source>{0} mm on paper = {1} of film</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} must never be cut with a laser: choose a machine with a knife.</source>
         <translation>{0} は絶対にレーザーで切ってはいけません。刃で切る機械を選んでください。</translation>
     </message>
     <message>
-        <source>{0} m²; wider than the usual roll</source>
-        <translation>{0} m²、通常のロールより広い</translation>
-    </message>
-    <message>
         <source>{0} notches are closer than {1}: take fewer.</source>
         <translation>{0} 個の合印では間隔が {1} より狭くなります。減らしてください。</translation>
+    </message>
+    <message>
+        <source>{0} of a roll {1} wide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} of its size</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} open line was left out.</source>
@@ -3999,84 +4391,72 @@
         <translation>形の外の溶着線を {0} 本除きました。</translation>
     </message>
     <message>
-        <source>{0} {1} cannot be made; {2} size between 1 mm and 100 m.</source>
-        <translation>{0} {1} は作れません。{2} 1 mm～100 m の大きさにしてください。</translation>
+        <source>{0} wide, {1} long</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0}: make the balloon smaller, or choose another machine or paper.</source>
-        <translation>{0}。風船を小さくするか、別の機械か用紙を選んでください。</translation>
+        <source>{0} with valve {1}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0}: no, at no size.</source>
-        <translation>{0}。どの大きさでも浮きません。</translation>
+        <source>{0}: it is written all the same.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0}: no. From {1} cm width it would.</source>
-        <translation>{0}。浮きません。幅 {1} cm 以上なら浮きます。</translation>
+        <source>{0}: lay its pieces out on sheets of that size, make the balloon smaller, or have the file written all the same.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: make the balloon smaller, choose another machine or paper, or have the file written all the same.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: pieces {1}, on {2}, {3} used</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0}: turn the pattern by 90 degrees there.</source>
         <translation>{0}。そこで型紙を 90 度回してください。</translation>
     </message>
     <message>
-        <source>{0}: yes, and it carries {1} g.</source>
-        <translation>{0}。浮きます。さらに {1} g を持ち上げられます。</translation>
+        <source>{0}; wider than the usual roll</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0}what is shown is the last good state. Lower the pressure or change the mesh size.</source>
         <translation>{0}表示は最後の良い状態です。圧力を下げるか、メッシュの大きさを変えてください。</translation>
     </message>
     <message>
-        <source>{:.0f} % wrinkled, {:.0f} % slack</source>
-        <translation>しわ {:.0f} %、たるみ {:.0f} %</translation>
-    </message>
-    <message>
-        <source>{:.0f} ms, {:.0f} Pa, frame {} of {}</source>
-        <translation>{:.0f} ms、{:.0f} Pa、コマ {}/{}</translation>
-    </message>
-    <message>
-        <source>{:.3g} g, carries {:.3g} g with {}</source>
-        <translation>{0:.3g} g、{2}で {1:.3g} g を持ち上げる</translation>
-    </message>
-    <message>
-        <source>{:.3g} g, floats from {} width on with {}</source>
-        <translation>{0:.3g} g、{2}なら幅 {1} 以上で浮く</translation>
-    </message>
-    <message>
-        <source>{:.3g} g, never floats with {}</source>
-        <translation>{:.3g} g、{}では浮かない</translation>
-    </message>
-    <message>
-        <source>{:.3g} g: film {:.3g}, seam and neck {:.2g}, valve {:.2g}</source>
-        <translation>{:.3g} g：フィルム {:.3g}、継ぎ目と首 {:.2g}、弁 {:.2g}</translation>
-    </message>
-    <message>
-        <source>{:.3g} m², wider than the usual roll</source>
-        <translation>{:.3g} m²、通常のロールより広い</translation>
+        <source>{} MB from {}; the file is checked before it is used, and nothing is sent.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{} at ({})</source>
         <translation>{}（位置 {}）</translation>
     </message>
     <message>
-        <source>{} files written to {}</source>
-        <translation>{} 個のファイルを {} に書き出しました</translation>
-    </message>
-    <message>
         <source>{} is in the tree</source>
         <translation>{} がツリーに入りました</translation>
     </message>
     <message>
-        <source>{} of a roll of {}</source>
-        <translation>{}（幅 {} のロール）</translation>
+        <source>{} is there already: give another name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} is there already: tick "Replace the file", or give another name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} ms, {}, frame {} of {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} of it wrinkles, {} is loose</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{} of {}</source>
         <translation>{} の{}</translation>
-    </message>
-    <message>
-        <source>{} pieces on {}, {:.0f} % used</source>
-        <translation>{1} に {0} 個、使用率 {2:.0f} %</translation>
     </message>
     <message>
         <source>{} x {}, {} thick, {}</source>
@@ -4087,12 +4467,28 @@
         <translation>{}、最大 {}</translation>
     </message>
     <message>
-        <source>{}, margin {:g} ({})</source>
-        <translation>{}、余裕 {:g} 倍（{}）</translation>
+        <source>{}, carries {} with {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}, floats from {} width on with {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}, never floats with {}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{}, seam {}</source>
         <translation>{}、継ぎ目 {}</translation>
+    </message>
+    <message>
+        <source>{}: film {}, seam and neck {}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{}: film {}, seam and neck {}, valve {}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{}: {}</source>
