@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from BalloonWorkbench.core.errors import ExportError
-from BalloonWorkbench.core.export.files import write_files
+from BalloonWorkbench.core.export.files import safe_name, write_files
 
 
 def test_writes_into_new_folders(tmp_path: Path) -> None:
@@ -57,3 +57,30 @@ def test_names_only(tmp_path: Path) -> None:
     with pytest.raises(ExportError, match="file name"):
         write_files(tmp_path / "x", {"ok": b"", "../evil": b""})
     assert not (tmp_path / "x").exists()
+
+
+@pytest.mark.parametrize(
+    ("text", "name"),
+    [
+        ("fish", "fish"),
+        ("Poisson d'été", "Poisson d'été"),
+        ('a/b\\c: "3" <new>?*|', "a_b_c_ _3_ _new_"),
+        ("  two\n lines\t", "two lines"),
+        ("ends. .", "ends"),
+        ("NUL", "_NUL"),
+        ("com1.x", "_com1.x"),
+        ("..", "pattern"),
+        ("", "pattern"),
+        ("lone \udc80 byte", "lone _ byte"),
+    ],
+)
+def test_any_text_names_a_file(text: str, name: str, tmp_path: Path) -> None:
+    assert safe_name(text) == name
+    write_files(tmp_path, {f"{safe_name(text)}.dxf": b"content"})
+
+
+@pytest.mark.parametrize("sign", ["x", "é", "魚", "\N{FISH}"])
+def test_a_long_text_names_a_file(sign: str, tmp_path: Path) -> None:
+    name = safe_name(300 * sign)
+    assert len(name) > 30
+    write_files(tmp_path, {f"{name}-cutting-shop-inch_in.dxf": b"content"})

@@ -9,7 +9,7 @@ import hands
 import pytest
 
 from BalloonWorkbench.app import create, properties
-from BalloonWorkbench.gui.panels import result_box
+from BalloonWorkbench.gui.panels import result_box, target_file
 
 
 @pytest.fixture
@@ -71,6 +71,12 @@ def test_file_is_named_after_the_balloon_and_goes_beside_the_document(panel):
     hands.press("Ok")
     hands.wait_until(hands.panel_is_closed)
     assert (folder / "Rectangle balloon-paper.pdf").is_file()
+
+
+@pytest.mark.parametrize("label", ["Balloon", "Balloon001", "Painted balloon"])
+def test_balloon_without_a_name_is_called_as_its_document(made, label):
+    made.balloon.getParentGroup().Label = label
+    assert target_file.name_of(made.pattern) == "Test"
 
 
 def test_names_are_fit_for_every_file_system(made):

@@ -16,12 +16,13 @@ from BalloonWorkbench.core.export.system import locked, signals_wait
 #: Signs that some system does not take in the name of a file, and names that Windows keeps for itself.
 _FORBIDDEN = re.compile(r"""[<>:"/\\|?*\x00-\x1f\x7f\ud800-\udfff]+""")
 _KEPT = re.compile(r"(con|prn|aux|nul|com\d|lpt\d)(\..*)?", re.IGNORECASE)
-_LONGEST = 80
+_LONGEST = 160  # bytes: most systems take 255, and an ending follows
 
 
 def safe_name(text: str) -> str:
     """A text as the name of a file, still without its ending, that every system takes; "pattern" for none."""
-    name = " ".join(_FORBIDDEN.sub("_", text).split())[:_LONGEST].strip(" .")
+    plain = _FORBIDDEN.sub("_", " ".join(text.split())).encode()[:_LONGEST]
+    name = plain.decode(errors="ignore").strip(" .")
     return f"_{name}" if _KEPT.fullmatch(name) else name or "pattern"
 
 

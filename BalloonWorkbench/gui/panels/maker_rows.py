@@ -10,7 +10,8 @@ from BalloonWorkbench.app.quantities import cubic_millimetres
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.maker.safety import WELD
 from BalloonWorkbench.core.units import area_text, mass_text, money_text, number_text, to_mm
-from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
+from BalloonWorkbench.gui.panels.narrow import WrappedLabel
+from BalloonWorkbench.gui.qt import QtCore, translate
 from BalloonWorkbench.gui.sentences import tell
 from BalloonWorkbench.gui.user_units import length_text, lengths_text, pressure_text, volume_text
 from BalloonWorkbench.gui.worker import Worker
@@ -72,8 +73,7 @@ class _Counting:
 
 def value_label(text: str):
     """A text that wraps and can be copied."""
-    label = QtWidgets.QLabel(text)
-    label.setWordWrap(True)
+    label = WrappedLabel(text)
     label.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
     return label
 

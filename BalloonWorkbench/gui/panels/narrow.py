@@ -57,6 +57,19 @@ class ElidedLabel(QtWidgets.QLabel):
         painter.end()  # now, not when Python forgets it
 
 
+class WrappedLabel(QtWidgets.QLabel):
+    """A text in as many lines as it takes: in a form, Qt 6 gives some rows less than their heights."""
+
+    def __init__(self, text: str):
+        super().__init__(text)
+        self.setWordWrap(True)
+
+    def resizeEvent(self, event):
+        super().resizeEvent(event)
+        if event.size().width() != event.oldSize().width():
+            self.setMinimumHeight(self.heightForWidth(event.size().width()))
+
+
 class FullList(QtWidgets.QListWidget):
     """A list that is as high as its rows, up to a limit."""
 

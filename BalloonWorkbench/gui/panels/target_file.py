@@ -115,6 +115,11 @@ class TargetFile(QtWidgets.QWidget):
 
 
 def name_of(obj) -> str:
-    """What files about an object are called, without ending: as its balloon in the tree, else as itself."""
-    group = obj.getParentGroup()
-    return safe_name(group.Label if group else obj.Label)
+    """What files about an object are called, without ending: as its balloon in the tree, else as itself.
+
+    A balloon that nobody has named is called as its document.
+    """
+    group, document = obj.getParentGroup(), obj.Document.FileName
+    label = (group or obj).Label
+    unnamed = label.rstrip("0123456789 ") in ("Balloon", translate("Painted balloon"))
+    return safe_name(Path(document).stem if unnamed and document else label)
