@@ -285,7 +285,7 @@ def test_an_example_lies_well_and_makes_room(name):
         doc.Sizes.set("width", "=750 mm")
         doc.Sizes.set("height", "=690 mm")
         doc.recompute()
-        assert other.outline.Shape.BoundBox.XMin > 1500
+        assert other.outline.Shape.BoundBox.XMin > 1100
     elif name == "painted-fish":
         doc.Outline.Width = 600
         doc.recompute()
