@@ -8,6 +8,7 @@ import pytest
 import sketches
 
 from BalloonWorkbench.app import create, status
+from BalloonWorkbench.app.pattern import sheet
 
 PICTURES = Path(__file__).parents[2] / "resources" / "examples" / "pictures"
 
@@ -26,7 +27,8 @@ def result(parts):
         points,
         [getattr(balloon, name).Value for name in lengths.split()],
         [getattr(balloon, name) for name in numbers.split()],
-        pattern.Shape.exportBrepToString(),
+        [contour.points.tolist() for contour in sheet(pattern).contours],
+        [round(edge.Length, 6) for edge in pattern.Shape.Edges],  # where it lies: test_arrange.py
         pattern.SeamLength.Value,
     )
 

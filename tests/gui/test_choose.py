@@ -140,7 +140,9 @@ def test_a_draft_is_shown_before_the_balloon(doc, monkeypatch):
     sizes = 1e3 * np.ptp(made[-1].inflation.positions, axis=0) * (1, 1, 2)
     fitted = (doc.Balloon.InflatedWidth, doc.Balloon.InflatedHeight, doc.Balloon.InflatedThickness)
     assert sizes == pytest.approx([length.Value for length in fitted], rel=0.2)
-    assert 1e9 * made[-1].inflation.volume == pytest.approx(doc.Balloon.Volume.Value, rel=0.3)  # how near a draft is: test_design_draft.py
+    assert 1e9 * made[-1].inflation.volume == pytest.approx(
+        doc.Balloon.Volume.Value, rel=0.3
+    )  # how near a draft is: test_design_draft.py
     hands.press("Ok")
     hands.wait_until(hands.panel_is_closed)
 

@@ -70,7 +70,7 @@ def seen(doc):
     """Left, right, bottom and top of all that is shown, in parts of the view: as FreeCAD projects it."""
     width, height = view().getSize()
     points = [point.Vector for point in doc.Balloon.Mesh.Points[::7]]
-    points += [vertex.Point for obj in (doc.Outline, doc.Pattern) for vertex in obj.Shape.Vertexes]
+    points += [edge.firstVertex().Point for obj in (doc.Outline, doc.Pattern) for edge in obj.Shape.Edges]
     pixels = [view().getPointOnScreen(point) for point in points]
     across, up = ([pixel[axis] for pixel in pixels] for axis in (0, 1))
     return min(across) / width, max(across) / width, min(up) / height, max(up) / height
