@@ -179,7 +179,7 @@ def _map(canvas: Any, drawing: Drawing, machine: Machine, tiles: Tiles, say: Say
     for k, text in enumerate(
         (
             f"Pattern {size_text(from_mm(drawing.width), from_mm(drawing.height))}"
-            f" ({number_text(drawing.width / 25.4)} x {number_text(drawing.height / 25.4)} in),"
+            f" ({number_text(drawing.width / 25.4, 4)} x {number_text(drawing.height / 25.4, 4)} in),"
             f" pages: {len(tiles.pages)}.",
             'Print at 100 % ("actual size"). The bar below must be 100 mm long.',
             "Cut each page along its left and lower crosses, lay it on the crosses of its neighbours, tape.",
