@@ -220,7 +220,8 @@ def _size(pattern: Pattern, machine: Machine) -> list[Finding]:
 
 
 def _both(width: float, height: float) -> str:
-    return f"{size_text(width, height, digits=4)} ({number_text(width / INCH, 4)} x {number_text(height / INCH, 4)} in)"
+    inches = f"{number_text(width / INCH, 4)} x {number_text(height / INCH, 4)} in"
+    return f"{size_text(width, height, digits=4)} ({inches})"
 
 
 def _line(points: Floats, closed: bool) -> Any:
