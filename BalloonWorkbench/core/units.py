@@ -95,10 +95,10 @@ def length_text(metres: float, digits: int = 4) -> str:
     return _measure(metres, digits, _LENGTHS)
 
 
-def size_text(*metres: float) -> str:
+def size_text(*metres: float, digits: int = 3) -> str:
     """Lengths of one thing, such as width, height and thickness, in one unit."""
     scale, unit = _unit(max(map(abs, metres)), _LENGTHS)
-    return f"{' x '.join(number_text(length / scale) for length in metres)} {unit}"
+    return f"{' x '.join(number_text(length / scale, digits) for length in metres)} {unit}"
 
 
 def area_text(square_metres: float) -> str:

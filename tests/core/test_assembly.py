@@ -68,8 +68,8 @@ def test_text_is_text(page: tuple[Path, str]) -> None:
     width, height = (1000.0 * size for size in about.pattern.size)
     for wanted in (
         "Grandma's heart $1",
-        f"{width:.1f} mm",
-        f"{height:.1f} mm",
+        f"{width:.4g} mm",
+        f"{height:.4g} mm",
         "Aluminised nylon/PE foil",
         "30 µm, 31.5 g/m²",
         "of a roll 500 mm wide",

@@ -190,3 +190,20 @@ def test_findings_survive_as_plain_data() -> None:
     assert repair.points == pytest.approx(neck.repair.points, abs=1e-7)
     assert repair.size == pytest.approx(neck.repair.size, abs=1e-7)
     assert repair_text(repair).startswith("Widen to 1")
+
+
+def test_a_hint_is_not_said_as_a_warning() -> None:
+    """What only looks a little different is not called too thin, choked or pointed."""
+    for name, rule in rules().items():
+        hints = {limit.sentence for limit in rule.limits if limit.severity is Severity.HINT}
+        worse = {limit.sentence for limit in rule.limits if limit.severity is not Severity.HINT}
+        assert name == "hidden_intake" or not hints & worse, name  # which tells a share of the film alone
+
+
+def test_a_wide_arm_of_a_large_balloon_is_no_alarm() -> None:
+    """19 mm wide beside a disc of 300 mm: it fills, and stays thinner than the rest."""
+    arm = shapely.LineString([(0.0, 0.0), (0.3, 0.0)]).buffer(0.0095)
+    (finding,) = found(outline_of(shapely.Polygon(polar(0.15)).union(arm)), "thin_arm")
+    assert finding.severity is Severity.HINT
+    assert "too thin" not in finding.text
+    assert "19 mm" in finding.text

@@ -221,7 +221,7 @@ def test_unsuitable_machines_are_left_out() -> None:
     large, empty = remarks
     assert large.startswith("No file for Glowforge: The pattern measures 700 x 710 mm")
     assert empty.startswith("The pattern has no lines for Heat sealer on a plotter")
-    with pytest.raises(ExportError, match=r"Glowforge.*Heat sealer"):
+    with pytest.raises(ExportError, match=r"(?s)Glowforge.*Heat sealer"):
         checked_files(pattern, [chosen[0], chosen[2]])
     assert checked_files(pattern, []) == ({}, ())
 

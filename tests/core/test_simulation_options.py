@@ -21,6 +21,7 @@ from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.outline.symmetry import exact_mirror
 from BalloonWorkbench.core.solver.model import Model
 from BalloonWorkbench.core.solver.volume_load import search_pressure
+from BalloonWorkbench.core.units import pressure_text
 
 SQUARE = {"unit": "mm", "outer": [[0, 0], [200, 0], [200, 200], [0, 200]]}
 RECTANGLE = np.array([[0.0, 0.0], [0.2, 0.0], [0.2, 0.15], [0.0, 0.15]])
@@ -126,7 +127,7 @@ def test_everything_at_once_as_files(tmp_path: Path, capsys: pytest.CaptureFixtu
     words += ["--no-bending", "--results", "npz", "--frames", "3"]
     assert cli.main(words) == 0
     report = json.loads((out / "report.json").read_text())
-    assert f"Pressure {report['pressure_Pa']:.4g} Pa" in capsys.readouterr().out
+    assert f"Pressure: {pressure_text(report['pressure_Pa'])}\n" in capsys.readouterr().out
     with np.load(out / "results.npz") as found:
         assert len(found["triangles"]) == 2 * report["mesh"]["triangles"]
         assert found["thickness_mm"].max() == pytest.approx(report["inflated"]["thickness_mm"])
@@ -138,8 +139,8 @@ def test_everything_at_once_as_files(tmp_path: Path, capsys: pytest.CaptureFixtu
     ("words", "named"),
     [
         (("--gas-volume", "much"), "much"),
-        (("--gas-volume", "1 l"), "litres"),
-        (("--gas-volume", "50 l"), "litres"),
+        (("--gas-volume", "1 l"), " l at any pressure"),
+        (("--gas-volume", "50 l"), " l at any pressure"),
         (("--gas-volume", "2 l", "--pressure", "2kPa"), "--pressure"),
         (("--solver", "magic"), "magic"),
         (("--solver", "native", "--no-native"), "--no-native"),

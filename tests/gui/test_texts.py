@@ -76,16 +76,24 @@ def is_ours(widget) -> bool:
     return True
 
 
+OPENS = ("checkShowReportViewOnError", "checkShowReportViewOnWarning")
+
+
 @pytest.fixture
 def report_view():
     """FreeCAD's report view, closed; it opens by itself for what FreeCAD takes for an error or a warning."""
     docks = Gui.getMainWindow().findChildren(QtWidgets.QDockWidget)
     (dock,) = [dock for dock in docks if dock.objectName() == "Report view"]
+    settings = App.ParamGet("User parameter:BaseApp/Preferences/OutputWindow")
+    for name in OPENS:  # as FreeCAD 0.20 does by itself
+        settings.SetBool(name, True)
     was = dock.isVisible()
     dock.hide()
     hands.wait(0.1)
     yield dock
     dock.setVisible(was)
+    for name in OPENS:
+        settings.RemBool(name)
 
 
 def test_report_view_opens_for_an_error(report_view):

@@ -178,8 +178,8 @@ def _map(canvas: Any, drawing: Drawing, machine: Machine, tiles: Tiles, say: Say
     write(canvas, (_MARGIN, height - 18.0), say(_TITLE), 14.0, tiles.usable[0], bold=True)
     for k, text in enumerate(
         (
-            f"Pattern {size_text(from_mm(drawing.width), from_mm(drawing.height))}"
-            f" ({number_text(drawing.width / 25.4)} x {number_text(drawing.height / 25.4)} in),"
+            f"Pattern {size_text(from_mm(drawing.width), from_mm(drawing.height), digits=4)}"
+            f" ({number_text(drawing.width / 25.4, 4)} x {number_text(drawing.height / 25.4, 4)} in),"
             f" pages: {len(tiles.pages)}.",
             'Print at 100 % ("actual size"). The bar below must be 100 mm long.',
             "Cut each page along its left and lower crosses, lay it on the crosses of its neighbours, tape.",

@@ -233,8 +233,9 @@ def _size(pattern: Pattern, machine: Machine, oversize: str) -> list[Finding]:
 
 def _both(width: float, height: float) -> str:
     if math.isinf(height):
-        return f"{length_text(width)} ({number_text(width / INCH)} in) across"
-    return f"{size_text(width, height)} ({number_text(width / INCH)} x {number_text(height / INCH)} in)"
+        return f"{length_text(width)} ({number_text(width / INCH, 4)} in) across"
+    inches = f"{number_text(width / INCH, 4)} x {number_text(height / INCH, 4)} in"
+    return f"{size_text(width, height, digits=4)} ({inches})"
 
 
 def _line(points: Floats, closed: bool) -> Any:
