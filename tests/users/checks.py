@@ -15,6 +15,7 @@ from BalloonWorkbench.gui.paint import window as paint_window
 
 QtCore, QtGui, QtWidgets = hands.QtCore, hands.QtGui, hands.QtWidgets
 
+_PARKED = -400  # px; FreeCAD 1.0 keeps docks that are not in use to the left of the screen
 _SLACK = 2  # px that styles give or take
 _CONTRAST = 3.0  # of text, WCAG 2.1 for large and graphical parts
 _MOST = 8  # faults of a kind that are told for one step
@@ -65,7 +66,8 @@ def ours():
     Not by `parentWidget`: PySide takes the shells of children away with that of a parent.
     """
     tops, everything = roots(), hands.visible(QtWidgets.QWidget)
-    chosen = [w for w in everything if any(top is w or top.isAncestorOf(w) for top in tops)]
+    parts = [w for w in everything if any(top is w or top.isAncestorOf(w) for top in tops)]
+    chosen = [w for w in parts if w.mapToGlobal(QtCore.QPoint(0, 0)).x() > _PARKED]
     above.clear()
     for widget in chosen:
         line = [w for w in everything if w is not widget and w.isAncestorOf(widget)]  # Qt counts itself in
