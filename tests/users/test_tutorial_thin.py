@@ -27,13 +27,21 @@ def test_tutorial_lone_stroke(user, story, says):
     """A thin place may be all there is."""
     user.command("BalloonWorkbench_Paint")
     window = opened()
-    user.button("PaintBrush")
+    line = [(0.15 + 0.7 * k / 30, 0.5) for k in range(31)]
     user.button(f"PaintColour{RED}")
-    for _ in range(3):
-        user.key("[")
-    window.hand.set_thickness(6)
-    user.paint(window.canvas, [(0.15 + 0.7 * k / 30, 0.5) for k in range(31)])
+    user.paint(window.canvas, line)
+    hands.wait_until(lambda: "it is a line" in window.form.hint.text(), 30)
+    was_line = not window.scene.is_shown()
+    story.step("line")
+    user.button("PaintBrush")
+    user.key("[")
+    user.key("[")
+    user.paint(window.canvas, line)
     hands.wait_until(window.live.is_settled, 60)
+    says(
+        "A lone thin line is no balloon yet: close it, or go over it with the brush.",
+        was_line and window.scene.is_shown(),
+    )
     user.button("PaintSizeDone")
     hands.wait_until(window.live.is_settled, 60)
     ask(user, story, says, window, "stroke")

@@ -47,8 +47,6 @@ class Pages(QtWidgets.QTabWidget):
             self._boxes[index] = box
             box.installEventFilter(self)
             page.setWidget(box)
-            for ground in (box, page.viewport()):  # that of the panel: a theme may have light words there
-                ground.setAutoFillBackground(False)
             page.setMinimumWidth(box.minimumSizeHint().width())
         self.fit()
 
