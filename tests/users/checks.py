@@ -15,8 +15,10 @@ from BalloonWorkbench.gui.paint import window as paint_window
 
 QtCore, QtGui, QtWidgets = hands.QtCore, hands.QtGui, hands.QtWidgets
 
+_PARKED = -400  # px; FreeCAD 1.0 keeps docks that are not in use to the left of the screen
 _SLACK = 2  # px that styles give or take
 _CONTRAST = 3.0  # of text, WCAG 2.1 for large and graphical parts
+_STROKE = 6  # px that a letter has at least
 _MOST = 8  # faults of a kind that are told for one step
 #: Widgets whose parts lie over each other as Qt and FreeCAD made them.
 _WHOLE = (
@@ -65,7 +67,8 @@ def ours():
     Not by `parentWidget`: PySide takes the shells of children away with that of a parent.
     """
     tops, everything = roots(), hands.visible(QtWidgets.QWidget)
-    chosen = [w for w in everything if any(top is w or top.isAncestorOf(w) for top in tops)]
+    parts = [w for w in everything if any(top is w or top.isAncestorOf(w) for top in tops)]
+    chosen = [w for w in parts if w.mapToGlobal(QtCore.QPoint(0, 0)).x() > _PARKED]
     above.clear()
     for widget in chosen:
         line = [w for w in everything if w is not widget and w.isAncestorOf(widget)]  # Qt counts itself in
@@ -216,7 +219,8 @@ def _text_cut_off(widget):
     elif isinstance(widget, QtWidgets.QLineEdit):
         return  # what is typed moves along
     elif isinstance(widget, QtWidgets.QAbstractSpinBox):
-        has = widget.findChild(QtWidgets.QLineEdit).width()
+        line = widget.findChild(QtWidgets.QLineEdit)
+        has = line.width() - line.textMargins().left() - line.textMargins().right()
     if needs > has + _SLACK:
         yield f"{name(widget)} has {has} px for a text of {needs}"
 
@@ -315,8 +319,8 @@ def contrast(rgb):
     light = light @ (0.2126, 0.7152, 0.0722)
     ground = light[counts.argmax()]
     ratios = (np.maximum(light, ground) + 0.05) / (np.minimum(light, ground) + 0.05)
-    often = np.repeat(ratios, np.minimum(counts, 4))
-    return float(np.sort(often)[-min(6, len(often))])
+    often = np.repeat(ratios, np.minimum(counts, _STROKE))
+    return float(np.sort(often)[-min(_STROKE, len(often))])
 
 
 def all_of(image):

@@ -14,6 +14,7 @@ sys.path.append(str(Path(__file__).resolve().parents[2] / "tools"))
 
 import hands
 from brush import close_window
+from promises import sentences
 from story import Story
 from user import User
 
@@ -67,3 +68,14 @@ def story(request):
     told = Story(request.node.name.removeprefix("test_"))
     yield told
     told.end()
+
+
+@pytest.fixture
+def says(story):
+    """Hold the tutorial to a sentence."""
+
+    def hold(sentence, so):
+        assert sentence in sentences(), f"the tutorial does not say: {sentence}"
+        story.expect(so, f"not true: {sentence}")
+
+    return hold

@@ -14,7 +14,7 @@ import hands
 import numpy as np
 import pytest
 import sketches
-from brush import BLACK, BLUE, RED, QEvent, arc, colour_at, is_closed, rgba, tablet
+from brush import BLACK, BLUE, RED, QEvent, colour_at, is_closed, rgba, tablet
 from pointer import MIDDLE
 from promises import BEYOND, TUTORIAL, sentences
 from story import screen, view_box
@@ -26,17 +26,6 @@ from BalloonWorkbench.app.painting import is_painting
 from BalloonWorkbench.app.qt_picture import pixels
 
 HEART = Path("resources/examples/pictures/heart.png").resolve()
-
-
-@pytest.fixture
-def says(story):
-    """Hold the tutorial to a sentence."""
-
-    def hold(sentence, so):
-        assert sentence in sentences(), f"the tutorial does not say: {sentence}"
-        story.expect(so, f"not true: {sentence}")
-
-    return hold
 
 
 def in_view():
@@ -132,8 +121,8 @@ def test_tutorial_fish(user, story, says, tmp_path):
     says("What you paint is on the balloon.", min(len(seen[c]) for c in ("yellow", "red", "orange")) > 60)
     says(
         "When the pen rests for a moment, the workbench works out the pattern with care, so that the "
-        "inflated fish is as large as the drawn one: the foil gets its real folds, and the line under the canvas says "
-        "whether anything is in the way.",
+        "inflated fish is as large as the drawn one: the foil gets its real folds, and the line under the "
+        "canvas says whether anything is in the way.",
         live.latest.solved is not None
         and live.latest.size[0] == pytest.approx(250, rel=0.01)
         and form.hint.text(),
@@ -258,70 +247,6 @@ def test_tutorial_tools(user, story, says):
         "The button with the mountains puts a photo on the paper, without its background; the one beside it "
         "lays a picture under the paper for tracing.",
         photo and painting.is_empty(),
-    )
-
-
-def test_tutorial_thin_arm(user, story, says):
-    user.command("BalloonWorkbench_Paint")
-    window = opened()
-    canvas, live = window.canvas, window.live
-    user.button(f"PaintColour{RED}")
-    left, right = arc(0.3, 0.5, 0.18, 3, 357), arc(0.75, 0.5, 0.15, 178, -178)
-    user.paint(canvas, [(0.46, 0.496), (0.60, 0.496), *right, (0.60, 0.504), (0.46, 0.504), *left])
-    hands.wait_until(window.card.isVisible, 30)
-    user.key("Return") if window.card.field.hasFocus() else user.button("PaintSizeDone")
-    hands.wait_until(live.is_settled, 60)
-    ask(user, story, says, window, "arm")
-
-
-def test_tutorial_lone_stroke(user, story, says):
-    """A thin place may be all there is."""
-    user.command("BalloonWorkbench_Paint")
-    window = opened()
-    user.button("PaintBrush")
-    user.button(f"PaintColour{RED}")
-    for _ in range(3):
-        user.key("[")
-    window.hand.set_thickness(6)
-    user.paint(window.canvas, [(0.15 + 0.7 * k / 30, 0.5) for k in range(31)])
-    hands.wait_until(window.live.is_settled, 60)
-    user.button("PaintSizeDone")
-    hands.wait_until(window.live.is_settled, 60)
-    ask(user, story, says, window, "stroke")
-
-
-def ask(user, story, says, window, what):
-    """The question about a thin place: yes, back again, no."""
-    canvas, live, painting = window.canvas, window.live, window.painting
-    hands.wait(0.5)
-    story.step(f"thin-{what}")
-    asked = canvas.thin.asked()
-    says("Air does not get into an arm that is too thin.", asked is not None)
-    if asked is None:
-        return
-    remark = canvas.thin.remarks[asked]
-    at = on_paper(canvas, (remark.place[0], 1.0 - remark.place[1]))
-    shown = pixels(screen())[at.y(), at.x(), :3].astype(int)
-    says(
-        "Such a place turns orange, and a question says how wide it should be.",
-        shown[0] > 200 and shown[0] > shown[1] > shown[2] and "mm" in remark.question,
-    )
-    says("The dashed line shows what would come of it.", remark.step.wanted > remark.step.was)
-    before = pixels(painting.image)
-    user.click(canvas.mapToGlobal(canvas.thin.question_place().toPoint()))
-    wider = (pixels(painting.image)[..., 3] > 127).sum() > (before[..., 3] > 127).sum()
-    hands.wait_until(live.is_settled, 60)
-    gone = canvas.thin.asked() is None
-    story.step(f"wider-{what}")
-    user.key("Ctrl", "z")
-    back = (pixels(painting.image) == before).all()
-    hands.wait_until(lambda: canvas.thin.asked() is not None and live.is_settled(), 60)
-    hands.wait(0.3)
-    user.click(canvas.mapToGlobal(canvas.thin._cross.center().toPoint()))
-    says(
-        "A click on the question widens the arm, with everything painted on it; Ctrl+Z takes that back, and "
-        "the little cross says that you like it as it is.",
-        wider and gone and back and canvas.thin.asked() is None,
     )
 
 

@@ -10,7 +10,9 @@ from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, drawn_icon, transl
 _TOOL, _ACTION, _COLOUR = 40, 26, 24  # px
 _THICKER = 3  # px, for one press of a key
 #: What is chosen is seen in every theme: some have no look for it.
-_CHOSEN = "QToolButton:checked { background: rgba(127, 140, 160, 90); border: 2px solid #1f9ade; border-radius: 5px; }"
+_CHOSEN = """
+QToolButton:checked { background: rgba(127, 140, 160, 90); border: 2px solid #1f9ade; border-radius: 5px; }
+"""
 
 
 class Buttons(QtWidgets.QWidget):
