@@ -82,9 +82,9 @@ def inner_line(window):
 
 
 def rub_out_the_colour(window):
-    fill(window)
+    inner_line(window)
     press("PaintEraser")
-    draw(window.canvas, [(0.4, 0.45), (0.5, 0.45), (0.6, 0.45)])
+    draw(window.canvas, [(0.4, 0.45), (0.5, 0.5), (0.6, 0.45)])
     press("PaintPen")
 
 
