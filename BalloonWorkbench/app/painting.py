@@ -3,10 +3,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
+from types import MappingProxyType
 
 import numpy as np
 
@@ -113,11 +114,13 @@ def solve(
     settings: Settings,
     progress: Progress = no_progress,
     fitted: Callable[[list[Request], list[Design]], object] = lambda requests, designs: None,
+    known: Mapping[str, Design] = MappingProxyType({}),
 ) -> Solved:
     """Design the balloons of a painting [width in mm]; may run in another thread.
 
     The arcs of the patterns, as the settings want them, are prepared. fitted: called as soon as all balloons
-    have their shape, before what there is to tell about them.
+    have their shape, before what there is to tell about them. known: designs that are not made again, by the
+    keys of their requests.
     Raises BalloonError when there is none, Cancelled when progress says stop.
     """
     from BalloonWorkbench.app.drawing import read_drawing
@@ -133,7 +136,10 @@ def solve(
         alike = settings if number == 0 else replace(settings, goal=None)
         request = Request(Source(path.name, kind, outline), alike)
         requests.append(request)
-        designs.append(request.solve(_share(progress, number, count)))
+        same = known.get(request.key())
+        designs.append(
+            request.solve(_share(progress, number, count)) if same is None else same.of_drawing(outline)
+        )
     fitted(requests, designs)
     with stoppable(progress):
         for number, (request, design) in enumerate(zip(requests, designs)):

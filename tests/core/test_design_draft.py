@@ -1,16 +1,41 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The quick look at a balloon: as large as the drawing, and near the known balloons."""
+"""The quick look at a balloon: as large as the drawing, and near the known and the fitted balloons.
+
+BALLOON_DRAFTS sets how many generated outlines are compared with their fitted balloons (`make fuzz`: 25, and
+all pictures and letters).
+"""
+
+import os
 
 import numpy as np
 import pytest
+from drawn_pictures import EXAMPLES
+from drawn_shapes import LETTERS, NAMED, generated, letter
 
 from BalloonWorkbench.core.design.draft import draft
 from BalloonWorkbench.core.errors import Cancelled, MeshError
 from BalloonWorkbench.core.film.library import DEFAULT_FILM, film
+from BalloonWorkbench.core.job import Settings, design_outline
 from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.outline.read import read_outline
+from BalloonWorkbench.core.pattern.build import usual_pattern
 
 FILM = film(DEFAULT_FILM)
 PRESSURE = 2000.0
+MANY = int(os.environ.get("BALLOON_DRAFTS", "0"))
+NEAR = 0.1  # of the fitted balloon's volume and size
+ROUND_HOLES = 0.13  # of the thickness between holes, where so few triangles are too stiff
+FEW = ("square", "star", "wedge", "ring", "heart")
+
+
+def shapes() -> dict[str, Outline]:
+    """What drafts are compared on, 0.25 m wide or so."""
+    found = {name: NAMED[name] for name in (NAMED if MANY else FEW)}
+    found |= {f"generated {seed}": generated(seed) for seed in range(MANY)}
+    if MANY:
+        found |= {name: letter(name) for name in LETTERS}
+    pictures = [path for path in EXAMPLES if MANY or path.stem in ("fish", "rocket")]
+    return found | {path.stem: read_outline(path, 0.25, None)[0] for path in pictures}
 
 
 def disc(radius: float, count: int = 240) -> np.ndarray:
@@ -58,3 +83,40 @@ def test_a_line_is_no_balloon_yet() -> None:
 def test_it_stops_when_told() -> None:
     with pytest.raises(Cancelled):
         draft(Outline(disc(0.15)), FILM, PRESSURE, progress=lambda fraction, text: False)
+
+
+def measures(inflation) -> np.ndarray:
+    """Volume, width, height, thickness."""
+    return np.array([inflation.volume, *(np.ptp(inflation.positions, axis=0) * (1.0, 1.0, 2.0))])
+
+
+@pytest.mark.parametrize("name", shapes())
+def test_a_draft_is_near_the_fitted_balloon(name: str) -> None:
+    """So the numbers do not jump when it comes."""
+    outline = shapes()[name]
+    look, design = draft(outline, FILM, PRESSURE), design_outline(outline, Settings())
+    share = measures(look.inflation) / measures(design.inflation) - 1.0
+    most = np.array([NEAR, NEAR, NEAR, ROUND_HOLES if outline.holes else NEAR])
+    assert (np.abs(share) < most).all(), dict(zip(("volume", "width", "height", "thickness"), share))
+
+
+@pytest.mark.parametrize("name", ["square", "star", "fish", "rocket"])
+def test_the_neck_is_where_the_fitted_balloon_has_it(name: str) -> None:
+    outline = shapes()[name]
+    look, design = draft(outline, FILM, PRESSURE), design_outline(outline, Settings())
+    first, last = (usual_pattern(seam, FILM).intake for seam in (look.pattern, design.pattern))
+    assert first is not None
+    assert last is not None
+    middles = [
+        0.5 * (seam.outer.min(axis=0) + seam.outer.max(axis=0)) for seam in (look.pattern, design.pattern)
+    ]
+    away = np.linalg.norm((first.at - middles[0]) - (last.at - middles[1]))
+    assert away < 0.1 * max(outline.size)
+
+
+def test_without_a_correction_the_drawing_is_the_pattern() -> None:
+    outline = Outline(disc(0.15))
+    look = draft(outline, FILM, PRESSURE, corrected=False)
+    design = design_outline(outline, Settings(correct=False))
+    assert look.pattern is outline
+    assert measures(look.inflation) == pytest.approx(measures(design.inflation), rel=0.05)

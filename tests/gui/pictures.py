@@ -7,9 +7,14 @@ from pathlib import Path
 
 import FreeCADGui as Gui
 import hands
+import numpy as np
+
+from BalloonWorkbench.app.qt_picture import pixels
+from BalloonWorkbench.core.outline.raster import label
 
 FOLDER = Path(f"build/pictures{os.environ.get('SUITE', '')}")
 SIZE = 1400, 900  # px
+_STANDS_OUT = 12  # difference from the background, of 255
 _PANEL = 270  # px, width of tree and task panels
 
 
@@ -41,3 +46,19 @@ def picture(name):
     taken = hands.QtWidgets.QApplication.primaryScreen().grabWindow(0, 0, 0, *SIZE)
     assert taken.save(str(FOLDER / f"{name}.png"), "PNG", 0)
     return taken.toImage()
+
+
+def silhouette_jump(before, after):
+    """The share of a picture in which its silhouettes differ, in two pictures of one view: whatever is
+    enclosed by something that stands out from the background, of any colour.
+    """
+    one, other = (_silhouette(pixels(image)[..., :3].astype(int)) for image in (before, after))
+    return float((one != other).mean())
+
+
+def _silhouette(rgb):
+    """Where (h, w) the background, a gradient from top to bottom, does not reach from the border."""
+    behind = 0.5 * (rgb[:, :2].mean(axis=1) + rgb[:, -2:].mean(axis=1))
+    bare = np.abs(rgb - behind[:, None]).max(axis=2) <= _STANDS_OUT
+    labels, _ = label(np.pad(bare, 1, constant_values=True))
+    return (labels != labels[0, 0])[1:-1, 1:-1]

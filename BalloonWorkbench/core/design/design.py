@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -69,3 +69,12 @@ class Design:
     reached: bool
     warnings: tuple[str, ...]
     unreached: tuple[Stretch, ...] = ()
+
+    def of_drawing(self, outline: Outline) -> Design:
+        """The same design for another drawing of the same outline: with what that one's notes say."""
+        own = self.warnings[len(self.target.notes) :]
+        return replace(
+            self,
+            target=replace(self.target, notes=outline.notes),
+            warnings=(*outline.notes, *own),
+        )

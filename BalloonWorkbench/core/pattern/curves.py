@@ -126,7 +126,8 @@ class Curve:
             points.append(start[None])
             if turn == 0.0:
                 continue
-            step = 2.0 * np.arccos(max(1.0 - tolerance / float(radius), 0.5))
+            # 2 arccos(1 - tolerance / radius), which a very large radius would make 0
+            step = 4.0 * np.arcsin(np.sqrt(min(0.5 * tolerance / float(radius), 0.25)))
             count = int(np.ceil(abs(turn) / step))
             shares = np.arange(1, count) / count
             points.append(_on_arc(start, float(first[k]), float(turn), float(radius), shares))

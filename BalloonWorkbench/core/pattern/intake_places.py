@@ -21,7 +21,11 @@ from BalloonWorkbench.core.units import from_mm, mm_text, place_text
 #: Where an intake sits by itself: at the point of the seam farthest from the centre, or low on the balloon.
 FARTHEST, LOW = "farthest", "low"
 PLACES = (FARTHEST, LOW)
-#: Farthest points within this share of each other count as equally far; the lowest is taken.
+#: Ends of a balloon that are that much less far than the farthest one count as well; the lowest is taken.
+_ABOUT_AS_FAR = 0.04
+#: A stretch of them longer than this share of the rim is round, and no end.
+_ROUND = 0.2
+#: Points of one end within this share of each other count as equally far.
 _EQUALLY_FAR = 1e-3
 #: Places no higher than that over the lowest one count as low, too; of the size.
 _EQUALLY_LOW = 0.02
@@ -232,22 +236,35 @@ def _freest(rim: Rim, chamber: Any, others: list[Any]) -> float:
 
 
 def _farthest(rim: Rim, centre: Floats) -> tuple[Floats, Floats]:
-    """The point farthest from a centre: the middle of a stretch that is equally far, of several the lowest,
-    then the leftmost.
+    """The point farthest from a centre: of several that are about equally far the lowest, then the leftmost.
+
+    A small change of the seam, such as from a first look to the fitted balloon, must not make it wander.
     """
     points = rim.points
     between = 0.5 * (points + np.roll(points, -1, axis=0))
     away, halfway = (np.linalg.norm(places - centre, axis=1) for places in (points, between))
-    size = float(away.max())
-    limit = (1.0 - _EQUALLY_FAR) * size
-    runs = _runs(away > limit, halfway > limit)
-    closed = np.append(rim.along[:-1], rim.along[:-1] + rim.length)
-    if len(runs) == 1 and len(runs[0]) == len(points):  # a disc
-        at = points[np.lexsort((points[:, 0], points[:, 1]))[0]]
-    else:
-        places = np.array([rim.at(0.5 * float(closed[run[0]] + closed[run[-1]])) for run in runs])
-        at = places[_first(places[:, 1], places[:, 0], _SAME * size)]
+    limit = (1.0 - _ABOUT_AS_FAR) * float(away.max())
+    places = np.array([_end_of(rim, run, away, halfway) for run in _runs(away > limit, halfway > limit)])
+    at = places[_first(places[:, 1], places[:, 0], _ABOUT_AS_FAR * float(away.max()))]
     return at, (at - centre) / np.linalg.norm(at - centre)
+
+
+def _end_of(rim: Rim, run: Ints, away: Floats, halfway: Floats) -> Floats:
+    """The point (2,) that stands for a stretch of the rim, points `run`, that is about equally far.
+
+    Of a round one it is the lowest; else the middle of what is farthest in it, of several the lowest.
+    """
+    count = len(rim.points)
+    closed = np.append(rim.along[:-1], rim.along[:-1] + rim.length)
+    if len(run) == count or closed[run[-1]] - closed[run[0]] > _ROUND * rim.length:
+        points = rim.points[run % count]
+        return np.asarray(points[np.lexsort((points[:, 0], points[:, 1]))[0]])
+    mine = np.zeros(count, dtype=np.bool_)
+    mine[run % count] = True
+    limit = (1.0 - _EQUALLY_FAR) * float(away[mine].max())
+    tops = _runs(mine & (away > limit), halfway > limit)
+    places = np.array([rim.at(0.5 * float(closed[top[0]] + closed[top[-1]])) for top in tops])
+    return np.asarray(places[_first(places[:, 1], places[:, 0], _SAME * float(away.max()))])
 
 
 def _first(values: Floats, others: Floats, equal: float) -> int:

@@ -7,7 +7,7 @@ import numpy as np
 
 from BalloonWorkbench.app.artwork import on_balloon
 from BalloonWorkbench.app.painting import artwork
-from BalloonWorkbench.gui.paint.scene import film_nodes
+from BalloonWorkbench.gui.paint.scene import film_nodes, painted_texture
 from BalloonWorkbench.gui.qt import QtGui
 
 MODE = "Painted"
@@ -52,6 +52,6 @@ def _painted(coin, positions: np.ndarray, facets: np.ndarray, art):
     painted.point.setValues(0, len(places), places.tolist())
     faces = np.column_stack([facets, np.full(len(facets), -1)]).ravel().tolist()
     mesh.coordIndex.setValues(0, len(faces), faces)
-    for child in (*film_nodes(coin, picture), corners, painted, mesh):
+    for child in (*film_nodes(coin, painted_texture(coin, picture)), corners, painted, mesh):
         film.addChild(child)
     return film

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import math
+
 import FreeCAD as App
 
 from BalloonWorkbench.app.outline import DRAWN_AS
@@ -83,13 +85,17 @@ class Form(QtWidgets.QWidget):
         self.drawn_as.setCurrentIndex(self.drawn_as.findData(choice))
 
     def show_look(self, look) -> None:
-        """The numbers of a look; None: there is nothing to measure."""
+        """The numbers of a look, rounded before it is fitted; None: there is nothing to measure."""
         if look is None:
             self.numbers.setText("")
             return
-        lengths = [App.Units.Quantity(value, App.Units.Length).UserString for value in look.size]
-        volume = App.Units.Quantity(cubic_millimetres(look.volume), App.Units.Volume).UserString
-        self.numbers.setText(translate("{} x {}, {} thick, {}").format(*lengths, volume))
+        lengths = [_said(value, App.Units.Length, look.fitted) for value in look.size]
+        volume = _said(cubic_millimetres(look.volume), App.Units.Volume, look.fitted)
+        if look.fitted:
+            text = translate("{} x {}, {} thick, {}")
+        else:
+            text = translate("about {} x {}, {} thick, {}")
+        self.numbers.setText(text.format(*lengths, volume))
 
     def show_progress(self, part: float) -> None:
         """How far the study is; 1 is done."""
@@ -100,6 +106,15 @@ class Form(QtWidgets.QWidget):
         self.hint.setText(
             sentences.tell(text) or translate("Draw a closed line, or paint an area: it becomes a balloon.")
         )
+
+
+def _said(value: float, unit, fitted: bool) -> str:
+    """Three digits of a value in the user's unit, all of a large one; two where it is not fitted yet."""
+    _, factor, symbol = App.Units.Quantity(value, unit).getUserPreferred()
+    number = value / factor
+    size = math.floor(math.log10(number)) if number > 0.0 else 0
+    number = round(number, max(2 - size, 0) if fitted else 1 - size)
+    return f"{number:.6f}".rstrip("0").rstrip(".") + f" {symbol}"
 
 
 def _label(name: str):

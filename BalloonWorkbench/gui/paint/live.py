@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import tempfile
 import time
+from collections import deque
 from dataclasses import replace
 from pathlib import Path
 
@@ -22,6 +23,7 @@ from BalloonWorkbench.gui.worker import Worker
 
 REST = 250  # ms without a change, then the study begins
 _WHILE_DRAWING = 250  # ms between glances during a stroke
+_KNOWN = 8  # fitted balloons that come back at once
 _PART = 0.03  # of the study between two signs of progress
 
 
@@ -45,6 +47,7 @@ class Live(QtCore.QObject):
         self.settings = preferences.settings()
         self.latest: Look | None = None
         self.delays: list[tuple[float, float]] = []
+        self._known: deque[Look] = deque(maxlen=_KNOWN)  # fitted, the newest first
         self._folder = tempfile.TemporaryDirectory()
         self._glance: Worker | None = None
         self._study: Worker | None = None
@@ -62,6 +65,9 @@ class Live(QtCore.QObject):
         self._dirty = True
         self._in_stroke = False
         self.drop_study()
+        if self.painting.is_empty():
+            self._nothing()
+            return
         self._rest.start()
         if self._glance is None:
             self._begin_glance()
@@ -125,6 +131,7 @@ class Live(QtCore.QObject):
             self.settings,
             folder / "painting.png",
             is_awaited=awaited,
+            known=tuple(self._known),
         )
         self._told = 0.0
         self._study = self._begin(request, self._study_done)
@@ -163,15 +170,24 @@ class Live(QtCore.QObject):
             return
         self._dirty, self._is_early = False, self._in_stroke
         if self.painting.is_empty():
-            self._rest.stop()
-            self.latest = None
-            self.empty.emit()
+            self._nothing()
             return
         image = self.painting.image.copy()
+        known = tuple(self._known)
         self._glance = self._begin(
-            Glance(image, self.painting.revision, self.width, self.settings), self._glance_done
+            Glance(image, self.painting.revision, self.width, self.settings, known), self._glance_done
         )
         self._glance.start()
+
+    def _nothing(self) -> None:
+        """Nothing is painted: whatever was seen before is over."""
+        self._rest.stop()
+        self._soon.stop()
+        self._dirty = False
+        if self._glance is not None:
+            self._glance.stop()
+        self.latest = None
+        self.empty.emit()
 
     def _glance_done(self, worker: Worker) -> None:
         if worker is not self._glance:
@@ -179,7 +195,7 @@ class Live(QtCore.QObject):
         self._glance = None
         worker.deleteLater()
         newest = worker.request.revision == self.painting.revision
-        if not (newest and self.is_fitted()):
+        if not (newest and self.is_fitted()) and not self.painting.is_empty():
             self._take(worker)
         if newest and not self._dirty:
             clock, work = self._changed_at
@@ -190,8 +206,7 @@ class Live(QtCore.QObject):
     def _study_shown(self, look: Look) -> None:
         """The balloon is fitted; what the document needs is still on its way."""
         if self._study is not None and look.revision == self.painting.revision:
-            self.latest = look
-            self.found.emit(look)
+            self._show(look)
             self.progressed.emit(1.0)
 
     def _study_done(self, worker: Worker) -> None:
@@ -207,11 +222,17 @@ class Live(QtCore.QObject):
 
     def _take(self, worker: Worker) -> None:
         if worker.design is not None:
-            self.latest = worker.design
-            self.found.emit(worker.design)
+            self._show(worker.design)
         elif not isinstance(worker.error, Cancelled):
             self.latest = None
             self.refused.emit(worker.fault() or str(worker.error))
+
+    def _show(self, look: Look) -> None:
+        self.latest = look
+        if look.fitted:
+            others = [each for each in self._known if not each.is_of(look.traced, look.width)]
+            self._known = deque([look, *others], _KNOWN)
+        self.found.emit(look)
 
     def drop_study(self) -> None:
         """Nobody wants it any more: let the engine stop by itself, nobody waits for it."""

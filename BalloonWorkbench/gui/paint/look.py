@@ -3,25 +3,29 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
 
 from BalloonWorkbench.app.painting import Solved
 from BalloonWorkbench.app.qt_picture import pixels
+from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.job import Settings
 from BalloonWorkbench.core.mesh.reuse import move_rim
 from BalloonWorkbench.core.outline.drawing import Drawing
 from BalloonWorkbench.core.outline.loops import scale_to
 from BalloonWorkbench.core.outline.picture import placed_drawing
+from BalloonWorkbench.core.pattern.arcs import from_polyline
 from BalloonWorkbench.core.pattern.build import usual_pattern
 from BalloonWorkbench.core.solver.inflate import MIRROR
 from BalloonWorkbench.core.units import from_mm, to_mm
 from BalloonWorkbench.gui.paint.remarks import Remark
 from BalloonWorkbench.gui.qt import QtCore
 
+_SAME = 0.5 / 256  # parts of the picture; outlines that differ by less are one
 TRACED = 256  # px along the side of the picture in which a glance looks for the shape
 
 
@@ -61,6 +65,9 @@ class Look:
     fitted    the balloon is the document's own, not that of a glance
     remarks   of the coach; none before the study is over
     solved    what the document takes over, at the end of a study. It belongs to `file`
+    traced    the loops (k, 2) that were seen at a glance, in parts of the picture
+    width     that was asked for, mm
+    designs   the fitted balloons by the keys of their requests
     """
 
     revision: int
@@ -74,11 +81,32 @@ class Look:
     remarks: tuple[Remark, ...] = ()
     solved: Solved | None = None
     file: Path | None = None
+    traced: tuple[np.ndarray, ...] = ()
+    width: float = 0.0
+    designs: Mapping[str, Design] = field(default_factory=dict)
 
     @property
     def loops(self) -> tuple[np.ndarray, ...]:
         """Of the outlines (k, 2), in parts of the picture, y up."""
-        return tuple(self.frame.places(loop) for part in self.drawing.parts for loop in part.loops)
+        return loops_in(self.drawing, self.frame)
+
+    def is_of(self, traced: tuple[np.ndarray, ...], width: float) -> bool:
+        """Whether it is the look of a painting with these loops, seen at a glance, at a width in mm."""
+        return (
+            self.width == width
+            and len(self.traced) == len(traced)
+            and all(_near(mine, its) and _near(its, mine) for mine, its in zip(self.traced, traced))
+        )
+
+
+def loops_in(drawing: Drawing, frame: Frame) -> tuple[np.ndarray, ...]:
+    """The loops of a drawing (k, 2), in parts of the picture, y up."""
+    return tuple(frame.places(loop) for part in drawing.parts for loop in part.loops)
+
+
+def _near(loop: np.ndarray, other: np.ndarray) -> bool:
+    """Whether all points of a loop lie on another one, as far as can be seen."""
+    return bool((from_polyline(loop, np.concatenate([other, other[:1]])) < _SAME).all())
 
 
 def seen(image, width: float, drawn_as: str) -> tuple[Drawing, Frame]:

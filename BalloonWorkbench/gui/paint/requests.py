@@ -19,7 +19,7 @@ from BalloonWorkbench.core.design.draft import VERTICES, check_area, draft
 from BalloonWorkbench.core.errors import BalloonError, ExportError
 from BalloonWorkbench.core.job import Settings
 from BalloonWorkbench.core.outline.drawing import Drawing
-from BalloonWorkbench.gui.paint.look import Frame, Look, contours, drawn, seen, size, skin
+from BalloonWorkbench.gui.paint.look import Frame, Look, contours, drawn, loops_in, seen, size, skin
 from BalloonWorkbench.gui.paint.painting import SIDE
 from BalloonWorkbench.gui.paint.remarks import remarks
 from BalloonWorkbench.gui.qt import QtCore, QtGui, translate
@@ -32,12 +32,16 @@ _LOOK = 0.05  # s each
 
 @dataclass
 class Glance:
-    """The quick look at an image; width in mm."""
+    """The quick look at an image; width in mm.
+
+    known  fitted looks, the newest first: one of the same outline is kept, whatever else has been painted
+    """
 
     image: object
     revision: int
     width: float
     settings: Settings
+    known: tuple[Look, ...] = ()
 
     def solve(self, progress) -> Look:
         """Raises BalloonError where no balloon can be seen yet, Cancelled when progress says stop."""
@@ -46,12 +50,25 @@ class Glance:
 
     def _look(self, progress) -> Look:
         drawing, frame = seen(self.image, self.width, self.settings.drawn_as)
+        traced = loops_in(drawing, frame)
+        for look in self.known:
+            if look.is_of(traced, self.width):
+                return replace(look, revision=self.revision, solved=None, file=None)
         checkpoint()
         drafts = []
         for number, part in enumerate(drawing.parts[:_MOST_SHAPES]):
             vertices = max(_LEAST, int(VERTICES * part.area / drawing.largest.area))
             try:
-                drafts.append(draft(part, self.settings.film, self.settings.pressure, vertices, progress))
+                drafts.append(
+                    draft(
+                        part,
+                        self.settings.film,
+                        self.settings.pressure,
+                        vertices,
+                        progress,
+                        self.settings.correct,
+                    )
+                )
             except BalloonError:
                 if number == 0:
                     raise
@@ -75,6 +92,7 @@ class Study:
     show        is given the look of the balloons as soon as they are fitted; what there is to tell about them
                 and what the document needs comes later
     is_awaited  somebody waits for that
+    known       fitted looks, the newest first: balloons that are the same are not fitted again
     """
 
     image: object
@@ -84,6 +102,7 @@ class Study:
     file: Path
     show: Callable[[Look], object] = bool
     is_awaited: bool = False
+    known: tuple[Look, ...] = ()
 
     def solve(self, progress) -> Look:
         """Raises BalloonError where there is none, Cancelled when progress says stop."""
@@ -98,14 +117,23 @@ class Study:
         drawing, frame = seen(self.image, self.width, self.settings.drawn_as)
         check_area(drawing.largest)
         checkpoint()
+        traced = loops_in(drawing, frame)
         looks = []
 
         def fitted(requests, designs) -> None:
-            looks.append(self._look(frame, requests, designs))
-            self.show(looks[0])
+            made = {request.key(): design for request, design in zip(requests, designs)}
+            same = (look for look in self.known if list(look.designs) == list(made))
+            look = next((look for look in same if look.is_of(traced, self.width)), None)
+            if look is None:
+                look = replace(self._look(frame, requests, designs), traced=traced, designs=made)
+                self.show(look)
+            else:
+                look = replace(look, revision=self.revision, drawing=_drawing(requests))
+            looks.append(look)
             self._pause()
 
-        solved = painting.solve(self.file, self.width, self.settings, progress, fitted)
+        designs = {key: design for look in reversed(self.known) for key, design in look.designs.items()}
+        solved = painting.solve(self.file, self.width, self.settings, progress, fitted, designs)
         findings = [finding_from(data) for told in solved.told for data in told["advice"]]
         findings.sort(key=lambda finding: -finding.severity.rank)
         pattern = contours([design.pattern for design in solved.designs], self.settings)
@@ -126,13 +154,18 @@ class Study:
         return Look(
             self.revision,
             tuple(skin(inflation, frame.places(drawn(inflation))) for inflation in inflations),
-            Drawing(tuple(request.source.outline for request in requests)),
+            _drawing(requests),
             frame,
             contours([design.pattern for design in designs], self.settings, fair=False),
             size(inflations[0]),
             inflations[0].volume,
             fitted=True,
+            width=self.width,
         )
+
+
+def _drawing(requests) -> Drawing:
+    return Drawing(tuple(request.source.outline for request in requests))
 
 
 @dataclass

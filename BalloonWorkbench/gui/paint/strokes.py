@@ -133,8 +133,11 @@ class Fill:
         height, width = region.shape
         layer = QtGui.QImage(mask.tobytes(), width, height, 4 * width, QtGui.QImage.Format_RGBA8888)
         painter = QtGui.QPainter(image)
-        if empty:
-            painter.setCompositionMode(QtGui.QPainter.CompositionMode_DestinationOver)
+        painter.setCompositionMode(
+            QtGui.QPainter.CompositionMode_DestinationOver
+            if empty
+            else QtGui.QPainter.CompositionMode_SourceAtop  # another colour is no other outline
+        )
         painter.drawImage(0, 0, layer)
         painter.end()
 

@@ -111,7 +111,7 @@ class PaintWindow(PaintDock):
         self.painting.changed.connect(self._painted)
         self.live.found.connect(self._found)
         self.live.refused.connect(self._refused)
-        self.live.empty.connect(self._nothing)
+        self.live.empty.connect(self._emptied)
         self.live.progressed.connect(self.form.show_progress)
         self.form.made.connect(self.make)
         self.form.widened.connect(self.set_width)
@@ -254,6 +254,7 @@ class PaintWindow(PaintDock):
     # what comes of it
 
     def _painted(self) -> None:
+        self.scene.paint(self.painting.image)
         self.live.changed()
         self.refresh()
 
@@ -268,7 +269,7 @@ class PaintWindow(PaintDock):
         if self._is_refused:
             self._is_refused = False
             self.form.tell("")
-        if look.solved is not None:
+        if look.solved is not None or look.remarks:
             self._advised(look.remarks)
         self.canvas.update()
         if self.making and self.live.is_settled():
@@ -305,6 +306,12 @@ class PaintWindow(PaintDock):
         self.canvas.update()
         self.scene.clear()
         self.form.show_look(None)
+
+    def _emptied(self) -> None:
+        """Nothing is painted, so there is nothing to say but what to do first."""
+        self._nothing()
+        self._is_refused = False
+        self.form.tell("")
 
     def refresh(self) -> None:
         """Buttons that would do nothing are off."""
