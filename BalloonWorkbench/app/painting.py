@@ -13,6 +13,7 @@ import numpy as np
 
 from BalloonWorkbench.app import balloon, create, pattern, status
 from BalloonWorkbench.app.create import Parts
+from BalloonWorkbench.app.drawing import is_painting, read_drawing
 from BalloonWorkbench.app.outline import DRAWN_AS, set_drawing
 from BalloonWorkbench.app.solve import Request
 from BalloonWorkbench.core.checkpoint import checkpoint, stoppable
@@ -22,9 +23,6 @@ from BalloonWorkbench.core.outline.passages import linked
 from BalloonWorkbench.core.outline.segment import AUTO
 from BalloonWorkbench.core.types import Progress, no_progress
 
-#: Name of the text in a PNG file that holds the strokes.
-KEY = "FilmBalloonPainting"
-_HEAD = 4096  # bytes in which its name appears, before the pixels
 _FITTING = 0.6  # of the work of `solve`
 
 
@@ -99,15 +97,6 @@ def _placed(content: bytes, drawn_as: str):
     return rgba, corner, drawing.size
 
 
-def is_painting(path) -> bool:
-    """Whether a file comes from the paint window: its strokes can be edited again."""
-    try:
-        with open(path, "rb") as file:
-            return KEY.encode() in file.read(_HEAD)
-    except OSError:
-        return False
-
-
 def solve(
     path: Path,
     width: float,
@@ -123,7 +112,6 @@ def solve(
     keys of their requests.
     Raises BalloonError when there is none, Cancelled when progress says stop.
     """
-    from BalloonWorkbench.app.drawing import read_drawing
     from BalloonWorkbench.core.report import Source
 
     drawing, kind = read_drawing(

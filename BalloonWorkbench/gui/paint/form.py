@@ -91,11 +91,8 @@ class Form(QtWidgets.QWidget):
             return
         lengths = [_said(value, App.Units.Length, look.fitted) for value in look.size]
         volume = _said(cubic_millimetres(look.volume), App.Units.Volume, look.fitted)
-        if look.fitted:
-            text = translate("{} x {}, {} thick, {}")
-        else:
-            text = translate("about {} x {}, {} thick, {}")
-        self.numbers.setText(text.format(*lengths, volume))
+        fitted, draft = translate("{} x {}, {} thick, {}"), translate("about {} x {}, {} thick, {}")
+        self.numbers.setText((fitted if look.fitted else draft).format(*lengths, volume))
 
     def show_progress(self, part: float) -> None:
         """How far the study is; 1 is done."""

@@ -32,7 +32,7 @@ def show(panel) -> None:
 
 def paint_again(outline) -> bool:
     """Open the paint window on a painted outline; False for any other one."""
-    from BalloonWorkbench.app.painting import is_painting
+    from BalloonWorkbench.app.drawing import is_painting
     from BalloonWorkbench.app.parts import parts_of
     from BalloonWorkbench.gui.paint.window import open_for
 
