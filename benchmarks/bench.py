@@ -2,6 +2,7 @@
 """Speed, as ratios within one run: build/bench/*.json and docs/benchmarks.md.
 
 bench.py [--sizes N ...] [--evolver-sizes N ...]
+bench.py --strokes   only how soon a stroke is a balloon on the screen: the rest of the page stays as it is
 """
 
 from __future__ import annotations
@@ -10,7 +11,7 @@ import argparse
 import sys
 from pathlib import Path
 
-from speed import page, suite
+from speed import page, strokes, suite
 
 ROOT = Path(__file__).resolve().parents[1]
 
@@ -20,12 +21,18 @@ def main(arguments: list[str]) -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--sizes", type=int, nargs="+", default=[500, 2000, 10000, 50000])
     parser.add_argument("--evolver-sizes", type=int, nargs="*", default=[2000, 10000])
+    parser.add_argument("--strokes", action="store_true")
     options = parser.parse_args(arguments)
     folder = ROOT / "build" / "bench"
     folder.mkdir(parents=True, exist_ok=True)
-    measured = suite.measure(folder, sorted(options.sizes), sorted(options.evolver_sizes), sys.stdout)
-    text = page.written(measured)
-    (ROOT / "docs" / "benchmarks.md").write_text(text, encoding="utf-8")
+    file = ROOT / "docs" / "benchmarks.md"
+    if options.strokes:
+        text = page.with_strokes(file.read_text(encoding="utf-8"), strokes.measure(folder))
+    else:
+        text = page.written(
+            suite.measure(folder, sorted(options.sizes), sorted(options.evolver_sizes), sys.stdout)
+        )
+    file.write_text(text, encoding="utf-8")
     sys.stdout.write("\n" + text)
     return 0
 

@@ -16,8 +16,8 @@ from BalloonWorkbench.app.create import Parts
 from BalloonWorkbench.app.drawing import is_painting, read_drawing
 from BalloonWorkbench.app.outline import DRAWN_AS, set_drawing
 from BalloonWorkbench.app.solve import Request
+from BalloonWorkbench.core.checkpoint import checkpoint, stoppable
 from BalloonWorkbench.core.design.design import Design
-from BalloonWorkbench.core.errors import Cancelled
 from BalloonWorkbench.core.job import Settings
 from BalloonWorkbench.core.outline.passages import linked
 from BalloonWorkbench.core.outline.segment import AUTO
@@ -129,19 +129,14 @@ def solve(
             request.solve(_share(progress, number, count)) if same is None else same.of_drawing(outline)
         )
     fitted(requests, designs)
-    for number, (request, design) in enumerate(zip(requests, designs)):
-        go_on(progress, _FITTING + (1.0 - _FITTING) * number / count)
-        told.append(balloon.describe(request, design))
-        go_on(progress, _FITTING + (1.0 - _FITTING) * (number + 0.5) / count)
-        _prepare(design.pattern, settings)
-    place(path, width, drawn_as=settings.drawn_as)  # the window will ask for it, and shall not wait
+    with stoppable(progress):
+        for number, (request, design) in enumerate(zip(requests, designs)):
+            checkpoint(_FITTING + (1.0 - _FITTING) * number / count)
+            told.append(balloon.describe(request, design))
+            checkpoint(_FITTING + (1.0 - _FITTING) * (number + 0.5) / count)
+            _prepare(design.pattern, settings)
+        place(path, width, drawn_as=settings.drawn_as)  # the window will ask for it, and shall not wait
     return Solved(tuple(requests), tuple(designs), tuple(told))
-
-
-def go_on(progress: Progress, fraction: float = 0.0) -> None:
-    """Raise Cancelled when progress says stop."""
-    if not progress(fraction, ""):
-        raise Cancelled("Stopped.")
 
 
 def _share(progress: Progress, number: int, count: int) -> Progress:

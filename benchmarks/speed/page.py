@@ -11,6 +11,7 @@ from speed import cases, evolver
 #: What is aimed at.
 COLD, COLD_WORST, GROWTH, WARM, NATIVE, MEMORY = 30.0, 60.0, 1.4, 6.0, 5.0, 1500.0
 START = 50.0
+DRAFT, FITTED = 0.1, 1.5  # s
 AGAINST_EVOLVER = {2000: 25.0, 10000: 50.0}
 
 _HEAD = """\
@@ -53,6 +54,19 @@ Volumes are those of the facets, without a band.
 """
 
 
+_STROKES_TITLE = "From a stroke to the balloon"
+_STROKES = """\
+## {title}
+
+{count} strokes in the paint window under Xvfb, drawn by Mesa without a graphics card, with the X server's own
+mouse: a fish, then other shapes, some of them quick. By the clock, from the button that comes up to the end
+of the frame that shows the balloon in the 3D view; the first two, {first} to the draft, begin as soon as the
+window is there. Work is the processor time of all threads on the way, as a median. Run of {date}; processes
+that wanted a processor before it: {load:.1f} on average.
+
+{table}"""
+
+
 def written(measured: dict[str, Any]) -> str:
     """The page."""
     parts = [
@@ -64,6 +78,7 @@ def written(measured: dict[str, Any]) -> str:
             reach=100 * cases.EDIT_REACH,
         ),
         "## Against the aims\n\n" + _table(("aim", "found", ""), _aims(measured)),
+        _strokes(measured["strokes"]),
         "## Cold and warm\n\n" + _solves(measured["solves"]),
     ]
     if measured["numpy"]:
@@ -71,6 +86,46 @@ def written(measured: dict[str, Any]) -> str:
     if measured["evolver"]:
         parts.append(_EVOLVER.format(program=evolver.PROGRAM) + _evolver(measured["evolver"]))
     return "\n".join(parts)
+
+
+def with_strokes(text: str, measured: dict[str, Any] | None) -> str:
+    """The page with its part about strokes, or with it for the first time."""
+    parts = text.split("\n## ")
+    kept = [part for part in parts if not part.startswith(_STROKES_TITLE)]
+    head, aims, *rest = kept
+    return "\n## ".join([head, aims, _strokes(measured).removeprefix("## "), *rest])
+
+
+def _strokes(measured: dict[str, Any] | None) -> str:
+    """From a stroke to the balloon on the screen."""
+    if measured is None:
+        return f"## {_STROKES_TITLE}\n\nNot measured: that takes FreeCAD and Xvfb.\n"
+    rows = []
+    for what, aim in (("draft", DRAFT), ("fitted", FITTED)):
+        times = [one[what] for one in measured["rows"] if one[what] is not None]
+        work = [one[f"{what}_work"] for one in measured["rows"] if one[what] is not None]
+        median = float(np.median(times))
+        rows.append(
+            (
+                f"{what} balloon",
+                f"**{1e3 * median:.0f} ms**",
+                f"{1e3 * min(times):.0f} to {1e3 * max(times):.0f} ms",
+                f"{len([time for time in times if time > aim])} of {len(times)}",
+                f"{1e3 * np.median(work):.0f} ms",
+                f"{1e3 * aim:.0f} ms",
+                "met" if median <= aim and len(times) == len(measured["rows"]) else "**missed**",
+            )
+        )
+    head = ("from the end of a stroke to the", "median", "all", "longer than the aim", "work", "aim", "")
+    first = ", ".join(f"{1e3 * one['draft']:.0f} ms" for one in measured["rows"][:2] if one["draft"])
+    return _STROKES.format(
+        title=_STROKES_TITLE,
+        count=len(measured["rows"]),
+        table=_table(head, rows),
+        first=first,
+        date=measured["date"],
+        load=measured["load"],
+    )
 
 
 def _table(head: tuple[str, ...], rows: list[tuple[str, ...]]) -> str:

@@ -1,15 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How long a stroke takes to become a balloon; runs in FreeCAD's window, `painting.py` starts it.
+"""How long a stroke takes to become a balloon; runs in FreeCAD's window, `strokes.py` starts it.
 
 From the moment the button of the X server's mouse comes up to the end of the frame in which the 3D view shows
-the balloon of the painting as it is then: of a draft, and of the fitted one. Written as JSON to
-build/bench/painting$SUITE.json, or where BALLOON_STROKES says.
+the balloon of the painting as it is then: of a draft, and of the fitted one. The first strokes come as soon
+as the window is there. Written to build/bench/strokes$SUITE.json.
 """
 
 import json
 import os
 import sys
 import time
+import traceback
 from pathlib import Path
 
 import FreeCAD as App
@@ -18,12 +19,13 @@ from PySide import QtCore
 
 sys.path[:0] = ["tests/gui", "tools"]
 
-import fish_painting as fish
-from brush import on_screen
-from player import Player
+import fish_painting as fish  # noqa: E402 - its folder has just become known
+from brush import on_screen  # noqa: E402
+from player import Player  # noqa: E402
 
 _PATIENCE = 20.0  # s for one stroke
-_QUIET = 0.4  # s between a fitted balloon and the next stroke
+_QUIET = (0.4, 1.2)  # s between a fitted balloon and the next stroke, in turn: the study may still be at work
+_WAY = 0.2  # s of the hand from the button that opens the window to the paper
 _BEAT = 10  # ms between two looks at what has come
 
 
@@ -44,7 +46,7 @@ _SCRIBBLE = fish.curve(*((0.2 + 0.05 * k, 0.3 if k % 2 else 0.62) for k in range
 _SNAKE = fish.curve((0.1, 0.2), (0.5, 0.15), (0.85, 0.25), (0.5, 0.45), (0.15, 0.6), (0.5, 0.8), (0.9, 0.75))
 
 #: What is drawn, one after the other: name, tool, colour, width [px], places on the paper, seconds of the
-#: stroke; a name alone is a button. The fish is the one of the examples; others are new shapes and small ones.
+#: stroke; a name alone is a button. The fish of the examples, then other shapes, quick and small ones.
 STROKES = (
     ("rim of the fish", "Pen", fish.BODY, 16, fish.RIM, 1.2),
     ("line of its tail", "Pen", fish.BODY, 12, fish.TAIL_LINE, 0.3),
@@ -56,13 +58,19 @@ STROKES = (
         (f"stripe {number}", "Brush", fish.STRIPE, 38, places, 0.3)
         for number, places in enumerate(fish.STRIPES, 1)
     ),
-    ("eye", "Pen", fish.DARK, 10, fish.EYE, 0.3),
     ("mouth", "Pen", fish.DARK, 10, fish.MOUTH, 0.15),
     ("fin", "Brush", fish.FIN, 60, fish.curve((0.42, 0.3), (0.36, 0.14), (0.5, 0.1), (0.55, 0.28)), 0.3),
     ("bitten off", "Eraser", fish.FIN, 60, fish.curve((0.96, 0.15), (0.88, 0.28), (0.97, 0.36)), 0.2),
     ("clear",),
     ("heart", "Pen", fish.STRIPE, 14, _HEART, 0.8),
-    ("hole in the heart", "Eraser", fish.STRIPE, 90, [(0.5, 0.5), (0.52, 0.52)], 0.1),
+    (
+        "small heart beside it",
+        "Pen",
+        fish.BODY,
+        14,
+        [(0.7 + 0.25 * x, 0.7 + 0.25 * y) for x, y in _HEART],
+        0.3,
+    ),
     ("clear",),
     ("quick ellipse", "Pen", fish.BELLY, 10, _ellipse(0.45, 0.5, 0.3, 0.2), 0.25),
     ("second ellipse", "Pen", fish.FIN, 10, _ellipse(0.86, 0.5, 0.08, 0.2), 0.2),
@@ -170,12 +178,11 @@ def _measure():
     Gui.runCommand("BalloonWorkbench_Paint")
     window = paint_window._open[0]
     _wait(lambda: window.canvas.isVisible() and window.canvas.width() > 300)
-    _pause(0.2)  # the way of the hand from the button to the paper
     screen, canvas, rows = _Screen(window), window.canvas, []
     for name, *stroke in STROKES:
+        _pause(_QUIET[len(rows) % len(_QUIET)] if rows else _WAY)
         if not stroke:
             window.act("clear")
-            _pause(_QUIET)
             continue
         tool, colour, width, places, seconds = stroke
         window.choose(_tool(tool))
@@ -190,13 +197,9 @@ def _measure():
             shown = getattr(screen, what)
             row[what] = shown and shown[0] - player.released
             row[f"{what}_work"] = shown and shown[1] - screen.changed[1]
-        points = window.painting.steps and getattr(window.painting.steps[-1], "points", None)
-        row["points"], row["places"] = len(points or ()), len(places)
         rows.append(row)
-        print(json.dumps(row), flush=True)
         if window.card.isVisible():
             window.card.answer()
-        _pause(_QUIET)
     player.close()
     window.finish()
     return rows
@@ -209,19 +212,15 @@ def _tool(name):
 
 
 def _run():
+    path = Path(f"build/bench/strokes{os.environ.get('SUITE', '')}.json")
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.unlink(missing_ok=True)
     try:
         Gui.activateWorkbench("BalloonWorkbench")
-        rows = _measure()
-        path = Path(
-            os.environ.get("BALLOON_STROKES") or f"build/bench/painting{os.environ.get('SUITE', '')}.json"
-        )
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(json.dumps(rows, indent=1), encoding="utf-8")
-    except BaseException:
-        import traceback
-
-        traceback.print_exc()
+        path.write_text(json.dumps(_measure(), indent=1), encoding="utf-8")
     finally:
+        if not path.exists():
+            traceback.print_exc()
         sys.stdout.flush()
         sys.stderr.flush()
         os._exit(0)

@@ -13,7 +13,7 @@ from datetime import date
 from pathlib import Path
 from typing import Any, TextIO
 
-from speed import cases, evolver, machine, startup
+from speed import cases, evolver, machine, startup, strokes
 
 SHAPES = ("disc", "square", "star")
 EVOLVER_SHAPES = ("disc", "square", "heart")
@@ -36,6 +36,7 @@ def measure(folder: Path, sizes: list[int], evolver_sizes: list[int], log: TextI
         "machine": machine.description(),
         "load_before": machine.load(),
         "start_ms": startup.milliseconds(folder),
+        "strokes": strokes.measure(folder),
         "solves": [],
         "numpy": [],
         "evolver": [],

@@ -60,7 +60,8 @@ def _main():
     pointer = Pointer()
     for line in sys.stdin:
         stroke = json.loads(line)
-        print(json.dumps(_play(pointer, stroke["places"], stroke["seconds"])), flush=True)
+        sys.stdout.write(json.dumps(_play(pointer, stroke["places"], stroke["seconds"])) + "\n")
+        sys.stdout.flush()
     pointer.close()
 
 

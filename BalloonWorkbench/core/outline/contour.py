@@ -41,19 +41,22 @@ def contours(coverage: Pixels) -> list[tuple[Floats, float]]:
     """
     field = np.pad(coverage, 1).astype(np.float64)
     width = field.shape[1]
-    inside = field > 0.5
+    inside = (field > 0.5).view(np.uint8)
     code = inside[:-1, :-1] + 2 * inside[:-1, 1:] + 4 * inside[1:, 1:] + 8 * inside[1:, :-1]
-    middle = 0.25 * (field[:-1, :-1] + field[:-1, 1:] + field[1:, 1:] + field[1:, :-1]) > 0.5
+    rows, columns = np.divmod(np.flatnonzero((code > 0) & (code < 15)), width - 1)  # of the cells it crosses
+    corner, codes = rows * width + columns, code[rows, columns]
+    flat = field.ravel()
+    middle = 0.25 * (flat[corner] + flat[corner + 1] + flat[corner + width + 1] + flat[corner + width]) > 0.5
     # Crossings are named by the pixel left of or above them, those on vertical edges offset by the picture's
     # size.
     shift = {_TOP: 0, _BOTTOM: width, _LEFT: field.size, _RIGHT: field.size + 1}
     leave, enter = [], []
     for table, where in ((_STEPS, np.ones_like(middle)), (_JOINED, middle), (_PARTED, ~middle)):
         for corners, steps in table.items():
-            y, x = np.nonzero((code == corners) & where)
+            cells = corner[(codes == corners) & where]
             for start, stop in steps:
-                leave.append(y * width + x + shift[start])
-                enter.append(y * width + x + shift[stop])
+                leave.append(cells + shift[start])
+                enter.append(cells + shift[stop])
     names = np.concatenate(leave)
     order = np.argsort(names)
     following = order[np.searchsorted(names, np.concatenate(enter), sorter=order)]
