@@ -4,13 +4,17 @@
 from __future__ import annotations
 
 import hashlib
+from dataclasses import replace
 from pathlib import Path
 
 from BalloonWorkbench.app.quantities import metres
-from BalloonWorkbench.core.outline.segment import AUTO
+from BalloonWorkbench.core.outline.segment import AS_PEN, AUTO
 from BalloonWorkbench.core.recent import Recent
 
 _LONGEST_SIDE = 1600  # px; as fine as the engine looks
+#: Name of the text in a PNG file that holds the strokes of a painting.
+KEY = "FilmBalloonPainting"
+_HEAD = 4096  # bytes in which its name appears, before the pixels
 _read = Recent(8)  # shapes of pictures by their content: tracing takes a good part of a second
 _places = Recent(8)  # where the shapes are in those
 
@@ -29,6 +33,15 @@ def read_drawing(
         return drawing, kind
     factors = [want / have for want, have in zip(wanted, drawing.size, strict=True)]
     return drawing.map(lambda loop: loop * factors), kind
+
+
+def is_painting(path) -> bool:
+    """Whether a file comes from the paint window: its strokes can be edited again."""
+    try:
+        with open(path, "rb") as file:
+            return KEY.encode() in file.read(_HEAD)
+    except OSError:
+        return False
 
 
 def is_known(path: str, wanted, symmetry: str, drawn_as: str) -> bool:
@@ -56,6 +69,10 @@ def shapes_in(path: str, wanted, symmetry: str, drawn_as: str):
         return _read[key]
     drawing, kind = read.read_drawing(Path(path), *wanted, decode=_decoder(), drawn_as=drawn_as)
     drawing = scale_to(evened(drawing, symmetry, drawn=kind == "picture"), *wanted)
+    if is_painting(path):
+        first, *others = drawing.parts
+        first = replace(first, notes=tuple(note for note in first.notes if note != AS_PEN))
+        drawing = replace(drawing, parts=(first, *others))
     if kind == "picture":
         _read[key] = drawing, kind
     return drawing, kind

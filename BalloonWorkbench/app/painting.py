@@ -13,18 +13,16 @@ import numpy as np
 
 from BalloonWorkbench.app import balloon, create, pattern, status
 from BalloonWorkbench.app.create import Parts
+from BalloonWorkbench.app.drawing import is_painting, read_drawing
 from BalloonWorkbench.app.outline import DRAWN_AS, set_drawing
 from BalloonWorkbench.app.solve import Request
+from BalloonWorkbench.core.checkpoint import checkpoint, stoppable
 from BalloonWorkbench.core.design.design import Design
-from BalloonWorkbench.core.errors import Cancelled
 from BalloonWorkbench.core.job import Settings
 from BalloonWorkbench.core.outline.passages import linked
 from BalloonWorkbench.core.outline.segment import AUTO
 from BalloonWorkbench.core.types import Progress, no_progress
 
-#: Name of the text in a PNG file that holds the strokes.
-KEY = "FilmBalloonPainting"
-_HEAD = 4096  # bytes in which its name appears, before the pixels
 _FITTING = 0.6  # of the work of `solve`
 
 
@@ -99,15 +97,6 @@ def _placed(content: bytes, drawn_as: str):
     return rgba, corner, drawing.size
 
 
-def is_painting(path) -> bool:
-    """Whether a file comes from the paint window: its strokes can be edited again."""
-    try:
-        with open(path, "rb") as file:
-            return KEY.encode() in file.read(_HEAD)
-    except OSError:
-        return False
-
-
 def solve(
     path: Path,
     width: float,
@@ -123,7 +112,6 @@ def solve(
     keys of their requests.
     Raises BalloonError when there is none, Cancelled when progress says stop.
     """
-    from BalloonWorkbench.app.drawing import read_drawing
     from BalloonWorkbench.core.report import Source
 
     drawing, kind = read_drawing(
@@ -141,19 +129,14 @@ def solve(
             request.solve(_share(progress, number, count)) if same is None else same.of_drawing(outline)
         )
     fitted(requests, designs)
-    for number, (request, design) in enumerate(zip(requests, designs)):
-        go_on(progress, _FITTING + (1.0 - _FITTING) * number / count)
-        told.append(balloon.describe(request, design))
-        go_on(progress, _FITTING + (1.0 - _FITTING) * (number + 0.5) / count)
-        _prepare(design.pattern, settings)
-    place(path, width, drawn_as=settings.drawn_as)  # the window will ask for it, and shall not wait
+    with stoppable(progress):
+        for number, (request, design) in enumerate(zip(requests, designs)):
+            checkpoint(_FITTING + (1.0 - _FITTING) * number / count)
+            told.append(balloon.describe(request, design))
+            checkpoint(_FITTING + (1.0 - _FITTING) * (number + 0.5) / count)
+            _prepare(design.pattern, settings)
+        place(path, width, drawn_as=settings.drawn_as)  # the window will ask for it, and shall not wait
     return Solved(tuple(requests), tuple(designs), tuple(told))
-
-
-def go_on(progress: Progress, fraction: float = 0.0) -> None:
-    """Raise Cancelled when progress says stop."""
-    if not progress(fraction, ""):
-        raise Cancelled("Stopped.")
 
 
 def _share(progress: Progress, number: int, count: int) -> Progress:

@@ -114,6 +114,20 @@ def test_the_neck_is_where_the_fitted_balloon_has_it(name: str) -> None:
     assert away < 0.1 * max(outline.size)
 
 
+@pytest.mark.parametrize("share", [-0.01, 0.01])
+def test_an_end_that_becomes_a_little_shorter_keeps_the_neck(share: float) -> None:
+    """Of ends that are about as far the lowest has it, whichever is a hair farther."""
+    for name in ("square", "spiky", "flower", "disc"):
+        plain = NAMED[name]
+        points = plain.outer - plain.outer.mean(axis=0)
+        turn = np.arctan2(points[:, 1], points[:, 0])
+        other = Outline(points * (1.0 + share * np.cos(turn - 0.7))[:, None])
+        one, two = (usual_pattern(seam, FILM).intake for seam in (Outline(points), other))
+        assert one is not None
+        assert two is not None
+        assert np.linalg.norm(one.at - two.at) < 0.05 * max(plain.size), name
+
+
 def test_without_a_correction_the_drawing_is_the_pattern() -> None:
     outline = Outline(disc(0.15))
     look = draft(outline, FILM, PRESSURE, corrected=False)

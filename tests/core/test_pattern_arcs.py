@@ -188,6 +188,14 @@ def test_half_circle_by_hand() -> None:
     assert list(cut.corners) == [True, False, True]
 
 
+def test_an_arc_of_a_very_large_radius_is_flattened() -> None:
+    """Nearly a line: a tolerance below the last digit of its radius leaves at least its ends."""
+    curve = Curve(np.array([[0.0, 0.0], [0.1, 0.0]]), np.array([1e-13]), False)
+    points = curve.flattened(2e-7)
+    assert points[[0, -1]] == pytest.approx(curve.joints)
+    assert len(points) < 10
+
+
 def test_polyline_is_a_curve_of_lines() -> None:
     curve = polyline(NAMED["star"].outer, True)
     assert not curve.bulges.any()

@@ -43,12 +43,13 @@ class Watch:
     """What the window shows from now on, while it lives."""
 
     def __init__(self, window):
-        self.window, self.looks, self.texts = window, [], set()
+        self.window, self.looks, self.texts, self.moving = window, [], set(), []
         window.live.found.connect(self._found)
 
     def _found(self, look):
         self.looks.append(look)
         self.texts.add(self.window.form.numbers.text())
+        self.moving.append(self.window.scene.is_moving())
 
     def until_settled(self):
         live = self.window.live
@@ -82,9 +83,9 @@ def inner_line(window):
 
 
 def rub_out_the_colour(window):
-    fill(window)
+    inner_line(window)
     press("PaintEraser")
-    draw(window.canvas, [(0.4, 0.45), (0.5, 0.45), (0.6, 0.45)])
+    draw(window.canvas, [(0.4, 0.45), (0.5, 0.5), (0.6, 0.45)])
     press("PaintPen")
 
 
@@ -179,7 +180,8 @@ def test_the_film_moves_from_the_draft_to_the_fitted_balloon(window):
     press(f"PaintColour{BLUE}")
     draw(window.canvas, ellipse(0.5, 0.5, 0.3, 0.2))
     hands.wait_until(lambda: any(look.fitted for look in watch.looks), 60)
-    assert window.scene.is_moving()
+    first = next(number for number, look in enumerate(watch.looks) if look.fitted)
+    assert watch.moving[: first + 1] == [False] * first + [True]
     draft = [look for look in watch.looks if not look.fitted][-1]
     fitted = window.live.latest
     (skin,), (last,) = fitted.skins, draft.skins

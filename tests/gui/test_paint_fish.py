@@ -29,7 +29,8 @@ from pictures import framed, picture
 from pointer import Pointer
 
 from BalloonWorkbench.app import status
-from BalloonWorkbench.app.painting import artwork, is_painting
+from BalloonWorkbench.app.drawing import is_painting
+from BalloonWorkbench.app.painting import artwork
 from BalloonWorkbench.gui.paint.live import Live
 
 sys.path.append(str(Path(__file__).resolve().parents[2] / "tools"))

@@ -35,9 +35,9 @@ def searches(monkeypatch):
 def test_no_arc_is_looked_for_before_the_fitted_balloon_is_shown(window, searches, monkeypatch):
     before, pause = [], requests.Study._pause
 
-    def shown(study, progress):
+    def shown(study):
         before.append(len(searches))
-        pause(study, progress)
+        pause(study)
 
     monkeypatch.setattr(requests.Study, "_pause", shown)
     looks = []

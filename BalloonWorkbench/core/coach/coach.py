@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from BalloonWorkbench.core.checkpoint import checkpoint
 from BalloonWorkbench.core.coach import shape, thin
 from BalloonWorkbench.core.coach.findings import Advice, Finding
 from BalloonWorkbench.core.coach.gauge import Measured, Predicted
@@ -22,6 +23,15 @@ from BalloonWorkbench.core.pattern.make import Wanted
 from BalloonWorkbench.core.solver.inflation import Inflation
 
 _USUAL = Wanted()
+_RULES = (
+    thin.necks,
+    thin.arms,
+    shape.sharp_notches,
+    thin.tips,
+    shape.rings,
+    shape.roundness,
+    shape.intake,
+)
 
 
 def advise(outline: Outline, film: Film, *, fitted: bool = True, wanted: Wanted = _USUAL) -> Advice:
@@ -59,10 +69,6 @@ def _advice(subject: Subject) -> Advice:
 
 
 def _found(subject: Subject) -> Iterator[Finding]:
-    yield from thin.necks(subject)
-    yield from thin.arms(subject)
-    yield from shape.sharp_notches(subject)
-    yield from thin.tips(subject)
-    yield from shape.rings(subject)
-    yield from shape.roundness(subject)
-    yield from shape.intake(subject)
+    for rule in _RULES:
+        checkpoint()
+        yield from rule(subject)

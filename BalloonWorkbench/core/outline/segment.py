@@ -21,6 +21,8 @@ AUTO, SHAPE, PEN = "auto", "shape", "pen"
 DRAWN_AS = (AUTO, SHAPE, PEN)
 #: Part of what is said where holes were filled.
 KEEP_HOLES = "choose Drawn as filled shape"
+#: Said of a picture; who paints a closed line means its inside.
+AS_PEN = "The picture was read as a pen drawing: the inside of its lines is filled."
 # Of the drawn area; what is smaller and filled is not worth a remark.
 _TOLD_FROM = 5e-4
 # Of the rim of a hole, this part must be thin lines for the hole to be the inside of a drawn line.
@@ -64,7 +66,7 @@ def segment(rgba: NDArray[np.uint8], drawn_as: str = AUTO) -> tuple[Pixels, list
             if loose:
                 notes.append("Lines that close around nothing beside the shapes were left out.")
         notes.append(
-            "The picture was read as a pen drawing: the inside of its lines is filled."
+            AS_PEN
             if filled.any()
             else "The lines of the drawing do not close around anything: the outline follows the lines."
         )

@@ -18,6 +18,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from BalloonWorkbench.core.checkpoint import checkpoint
 from BalloonWorkbench.core.pattern.samples import Samples
 from BalloonWorkbench.core.types import Bools, Floats
 
@@ -70,6 +71,7 @@ def fewest_arcs(samples: Samples, first: float | None, last: float | None, toler
     levels = [_start(samples, first, tolerance)]
     ending = None if last is None else _unwound(samples, last, -1)
     while len(levels) <= len(samples.along):
+        checkpoint()
         states = levels[-1]
         low, high, reach = _reach(samples, states, tolerance)
         tail = _last_arcs(samples, states, low, high, reach, ending, tolerance)

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from BalloonWorkbench.core.checkpoint import checkpoint
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.pattern.arc_spline import Knots, fewest_arcs
 from BalloonWorkbench.core.pattern.biarc import (
@@ -165,6 +166,7 @@ def _deviation(samples: Samples, knots: Knots, joints: Floats, bulges: list[floa
     segments = Curve(joints, np.array(bulges), False).segments
     most = 0.0
     for k in range(len(bulges)):
+        checkpoint()
         low, high = int(knots.places[k]), int(knots.places[k + 1])
         # the joint of a pair is not exactly at its sample, so the neighbours count too
         beside = segments[max(k - 1, 0) : k + 2]

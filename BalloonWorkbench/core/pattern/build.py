@@ -116,14 +116,14 @@ def build_pattern(
     )
 
 
-def usual_pattern(seam: Outline, film: Film, intake: bool = True, fair: bool = True) -> Pattern:
+def usual_pattern(seam: Outline, film: Film, intake: bool = True) -> Pattern:
     """The pattern as it is made unless told otherwise: for its weight. Without an intake that has no room."""
     try:
-        return build_pattern(seam, film.seal_width, intake=intake, fair=fair)
+        return build_pattern(seam, film.seal_width, intake=intake)
     except InputError:
         if not intake:
             raise
-        return build_pattern(seam, film.seal_width, intake=False, fair=fair)
+        return build_pattern(seam, film.seal_width, intake=False)
 
 
 def _necks(seam: Outline, film: Any, wish: Wish, seal_width: float, allowance: float) -> list[Neck]:

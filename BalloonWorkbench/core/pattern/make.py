@@ -61,7 +61,16 @@ def make_pattern(seam: Outline, seal_width: float, wanted: Wanted) -> Pattern:
 
     Raises what build_pattern, with_tie_tab, with_label and with_notches raise.
     """
-    pattern = build_pattern(
+    pattern = plain_pattern(seam, seal_width, wanted)
+    if wanted.tie_tab:
+        pattern = with_tie_tab(pattern, wanted.tie_tab_angle)
+    pattern = with_label(pattern, wanted.label, wanted.label_height)
+    return with_notches(pattern, wanted.notches, wanted.notch_depth)
+
+
+def plain_pattern(seam: Outline, seal_width: float, wanted: Wanted, fair: bool = True) -> Pattern:
+    """The same without tie tab, label and notches; fair: as in build_pattern."""
+    return build_pattern(
         seam,
         seal_width if wanted.seal_width is None else wanted.seal_width,
         allowance=wanted.allowance,
@@ -73,11 +82,8 @@ def make_pattern(seam: Outline, seal_width: float, wanted: Wanted) -> Pattern:
         intake_along=wanted.intake_along,
         intake_place=wanted.intake_place,
         corner_radius=wanted.corner_radius,
+        fair=fair,
     )
-    if wanted.tie_tab:
-        pattern = with_tie_tab(pattern, wanted.tie_tab_angle)
-    pattern = with_label(pattern, wanted.label, wanted.label_height)
-    return with_notches(pattern, wanted.notches, wanted.notch_depth)
 
 
 def sheet_of(pattern: Pattern, wanted: Wanted) -> Pattern:

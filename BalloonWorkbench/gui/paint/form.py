@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import math
+
 import FreeCAD as App
 
 from BalloonWorkbench.app.outline import DRAWN_AS
@@ -87,13 +89,10 @@ class Form(QtWidgets.QWidget):
         if look is None:
             self.numbers.setText("")
             return
-        size, volume = look.size, cubic_millimetres(look.volume)
-        if look.fitted:
-            text, said = translate("{} x {}, {} thick, {}"), _exact
-        else:
-            text, said = translate("about {} x {}, {} thick, {}"), _about
-        lengths = [said(value, App.Units.Length) for value in size]
-        self.numbers.setText(text.format(*lengths, said(volume, App.Units.Volume)))
+        lengths = [_said(value, App.Units.Length, look.fitted) for value in look.size]
+        volume = _said(cubic_millimetres(look.volume), App.Units.Volume, look.fitted)
+        fitted, draft = translate("{} x {}, {} thick, {}"), translate("about {} x {}, {} thick, {}")
+        self.numbers.setText((fitted if look.fitted else draft).format(*lengths, volume))
 
     def show_progress(self, part: float) -> None:
         """How far the study is; 1 is done."""
@@ -106,14 +105,12 @@ class Form(QtWidgets.QWidget):
         )
 
 
-def _exact(value: float, unit) -> str:
-    return App.Units.Quantity(value, unit).UserString
-
-
-def _about(value: float, unit) -> str:
-    """Two digits of a value, in the user's unit."""
+def _said(value: float, unit, fitted: bool) -> str:
+    """Three digits of a value in the user's unit, all of a large one; two where it is not fitted yet."""
     _, factor, symbol = App.Units.Quantity(value, unit).getUserPreferred()
-    number = float(f"{value / factor:.1e}")
+    number = value / factor
+    size = math.floor(math.log10(number)) if number > 0.0 else 0
+    number = round(number, max(2 - size, 0) if fitted else 1 - size)
     return f"{number:.6f}".rstrip("0").rstrip(".") + f" {symbol}"
 
 

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
@@ -19,7 +19,8 @@ from BalloonWorkbench.core.outline.drawing import Drawing
 from BalloonWorkbench.core.outline.loops import scale_to
 from BalloonWorkbench.core.outline.picture import placed_drawing
 from BalloonWorkbench.core.pattern.arcs import from_polyline
-from BalloonWorkbench.core.pattern.build import usual_pattern
+from BalloonWorkbench.core.pattern.make import plain_pattern
+from BalloonWorkbench.core.pattern.pattern import Pattern
 from BalloonWorkbench.core.solver.inflate import MIRROR
 from BalloonWorkbench.core.units import from_mm, to_mm
 from BalloonWorkbench.gui.paint.remarks import Remark
@@ -137,12 +138,22 @@ def contours(seams, settings: Settings, fair: bool = True) -> tuple[tuple[str, n
     """
     found = []
     for seam in seams:
-        try:
-            pattern = usual_pattern(seam, settings.film, settings.intake, fair)
-        except InputError:  # too thin for its weld, as long as it is drawn
+        pattern = _pattern(seam, settings, fair)
+        if pattern is None:
             continue
         found += [(contour.role.value, to_mm(np.asarray(contour.points))) for contour in pattern.contours]
     return tuple(found)
+
+
+def _pattern(seam, settings: Settings, fair: bool) -> Pattern | None:
+    """The pattern as it is wanted, without an intake that has no room; None where a weld has none, either:
+    it is too thin as long as it is drawn."""
+    for wanted in (settings.wanted, replace(settings.wanted, intake=False)):
+        try:
+            return plain_pattern(seam, settings.film.seal_width, wanted, fair)
+        except InputError:
+            continue
+    return None
 
 
 def drawn(inflation) -> np.ndarray:

@@ -13,7 +13,7 @@ from pathlib import Path
 
 import numpy as np
 
-from BalloonWorkbench.app.painting import KEY
+from BalloonWorkbench.app.drawing import KEY
 from BalloonWorkbench.core.errors import PictureError
 from BalloonWorkbench.gui.paint.steps import KINDS
 from BalloonWorkbench.gui.paint.strokes import Picture

@@ -14,6 +14,7 @@ import numpy as np
 from BalloonWorkbench.app import painting
 from BalloonWorkbench.app.qt_picture import pixels
 from BalloonWorkbench.core.advice import finding_from
+from BalloonWorkbench.core.checkpoint import checkpoint, stoppable
 from BalloonWorkbench.core.design.draft import VERTICES, check_area, draft
 from BalloonWorkbench.core.errors import BalloonError, ExportError
 from BalloonWorkbench.core.job import Settings
@@ -43,13 +44,17 @@ class Glance:
     known: tuple[Look, ...] = ()
 
     def solve(self, progress) -> Look:
-        """Raises BalloonError where no balloon can be seen yet."""
+        """Raises BalloonError where no balloon can be seen yet, Cancelled when progress says stop."""
+        with stoppable(progress):
+            return self._look(progress)
+
+    def _look(self, progress) -> Look:
         drawing, frame = seen(self.image, self.width, self.settings.drawn_as)
         traced = loops_in(drawing, frame)
         for look in self.known:
             if look.is_of(traced, self.width):
                 return replace(look, revision=self.revision, solved=None, file=None)
-        painting.go_on(progress)
+        checkpoint()
         drafts = []
         for number, part in enumerate(drawing.parts[:_MOST_SHAPES]):
             vertices = max(_LEAST, int(VERTICES * part.area / drawing.largest.area))
@@ -67,7 +72,7 @@ class Glance:
             except BalloonError:
                 if number == 0:
                     raise
-            painting.go_on(progress)
+            checkpoint()
         largest = drafts[0].inflation
         return Look(
             self.revision,
@@ -101,13 +106,17 @@ class Study:
 
     def solve(self, progress) -> Look:
         """Raises BalloonError where there is none, Cancelled when progress says stop."""
+        with stoppable(progress):
+            return self._solve(progress)
+
+    def _solve(self, progress) -> Look:
         if not self.image.save(str(self.file), "PNG"):
             raise ExportError(
                 translate("The painting cannot be written to '{}': is the disk full?").format(self.file)
             )
         drawing, frame = seen(self.image, self.width, self.settings.drawn_as)
         check_area(drawing.largest)
-        painting.go_on(progress)
+        checkpoint()
         traced = loops_in(drawing, frame)
         looks = []
 
@@ -121,7 +130,7 @@ class Study:
             else:
                 look = replace(look, revision=self.revision, drawing=_drawing(requests))
             looks.append(look)
-            self._pause(progress)
+            self._pause()
 
         designs = {key: design for look in reversed(self.known) for key, design in look.designs.items()}
         solved = painting.solve(self.file, self.width, self.settings, progress, fitted, designs)
@@ -132,11 +141,11 @@ class Study:
             looks[0], contours=pattern, remarks=remarks(findings, frame, SIDE), solved=solved, file=self.file
         )
 
-    def _pause(self, progress) -> None:
+    def _pause(self) -> None:
         """The pen may be back soon: then the rest would be for nothing, and slow down the next glance."""
         end = time.monotonic() + _PAUSE
         while time.monotonic() < end and not self.is_awaited:
-            painting.go_on(progress)
+            checkpoint()
             time.sleep(_LOOK)
 
     def _look(self, frame: Frame, requests, designs) -> Look:

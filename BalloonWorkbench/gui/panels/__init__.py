@@ -48,7 +48,7 @@ def _keep_in_sight(name: str) -> None:
 
 def paint_again(outline) -> bool:
     """Open the paint window on a painted outline; False for any other one."""
-    from BalloonWorkbench.app.painting import is_painting
+    from BalloonWorkbench.app.drawing import is_painting
     from BalloonWorkbench.app.parts import parts_of
     from BalloonWorkbench.gui.paint.window import open_for
 
