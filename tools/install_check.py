@@ -3,8 +3,8 @@
 
     install_check.py LIBRARIES FOLDER [SUITE...]
 
-LIBRARIES are those of native_libraries.py; FOLDER is made anew. Suites: here (FreeCAD 0.20), trixie (1.0), forky
-(1.1), the last two in the roots of freecad-root.sh, as root. Each way of WAYS starts in a home that is empty.
+LIBRARIES are those of native_libraries.py; FOLDER is made anew. Suites: here (FreeCAD 0.20), trixie (1.0),
+forky (1.1), the last two in the roots of freecad-root.sh; as root. Each of WAYS starts in an empty home.
 """
 
 from __future__ import annotations
@@ -22,21 +22,20 @@ from pathlib import Path
 from typing import NamedTuple
 from xml.etree import ElementTree
 
-from native_libraries import PLATFORMS, ROOT
+from native_libraries import ROOT
 from release import addon_files, files, version_and_date
 from release_branch import publish
 
 sys.path[:0] = [str(ROOT), str(ROOT / "tests" / "core")]
 
-from wheel_server import server, wheel_list
+from wheel_server import server, wheel_list  # noqa: E402 - the tests are no package
 
 NAME = "BalloonWorkbench"
-HERE = "linux-x86_64"
 _PATIENCE = 300  # s for one FreeCAD
 
 
 class Way(NamedTuple):
-    """What is installed and how; whether there is a network; what the user answers; the solver that is used then."""
+    """What is installed and how; is there a network; what the user answers; the solver that is used then."""
 
     source: str
     manager: bool
@@ -55,6 +54,10 @@ WAYS = {
 }
 #: What FreeCAD itself keeps of a window, of the user's document, and of the workbench that was used last.
 _OF_FREECAD = ("/MainWindow", "/RecentFiles", "/Preferences/General/FileOpenSavePath", "/General/LastModule")
+
+
+#: Files, and entries of the settings.
+Left = tuple[set[str], set[str]]
 
 
 class FreeCAD:
@@ -84,7 +87,7 @@ class FreeCAD:
         self._run(["freecadcmd", str(self.mod / NAME / "uninstall.py")])
         shutil.rmtree(self.mod / NAME)
 
-    def left(self) -> tuple[set[str], set[str]]:
+    def left(self) -> Left:
         """Files in the home, and entries of FreeCAD's settings."""
         names = {path.relative_to(self.home).as_posix() for path in self.home.rglob("*") if not path.is_dir()}
         entries: set[str] = set()
@@ -191,9 +194,7 @@ def install(freecad: FreeCAD, way: Way, known: dict[str, Path]) -> None:
         shutil.copytree(known["clone"], place)
 
 
-def check(
-    suite: str, way: Way, known: dict[str, Path], folder: Path, usual: tuple[set[str], set[str]]
-) -> None:
+def check(suite: str, way: Way, known: dict[str, Path], folder: Path, usual: Left) -> None:
     """One way from an empty home to one that is as it was. SystemExit where it does not lead there."""
     freecad = FreeCAD(suite, folder / "home")
     freecad.window({"activate": False})
@@ -208,7 +209,7 @@ def check(
             wheel_list(freecad.mod / NAME / "resources" / "native-wheels.json", address, wheel)
         task = {"activate": True, "answer": way.answer, "save": str(document)}
         seen = freecad.window(task, way.network)
-    expected = {"active": NAME, "solver": way.solver, "status": "converged", "asks": False}
+    expected = {"active": NAME, "solver": way.solver, "asks": False}
     wrong = {key: seen.get(key) for key, value in expected.items() if seen.get(key) != value}
     if wrong:
         raise SystemExit(f"not as expected: {wrong}")
@@ -229,7 +230,6 @@ def main(arguments: list[str]) -> int:
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
     known, failed = sources(libraries, folder), 0
-    assert HERE in PLATFORMS
     for suite in suites or ("here", "trixie", "forky"):
         without = FreeCAD(suite, folder / suite / "without" / "home")
         for _ in range(3):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Run by a freecadcmd of its own, see tools/install_check.py: FreeCAD's own Addon Manager installs or removes.
+"""Run by a freecadcmd of its own, see tools/install_check.py: the Addon Manager installs or removes.
 
 BALLOON_TASK names a JSON file: "do" is install or remove, "from" the address, "branch" the branch of it.
 """
@@ -14,7 +14,7 @@ import FreeCAD as App
 sys.path.append(str(Path(App.getResourceDir()) / "Mod" / "AddonManager"))
 
 task = json.loads(Path(os.environ["BALLOON_TASK"]).read_text(encoding="utf-8"))
-from Addon import Addon
+from Addon import Addon  # noqa: E402
 
 addon = Addon("BalloonWorkbench", task["from"], Addon.Status.NOT_INSTALLED, task["branch"])
 if task["do"] == "install":

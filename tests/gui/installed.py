@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Run by a FreeCAD of its own, see tools/install_check.py: what a new user does with what was installed.
 
-The task is the JSON file in BALLOON_TASK; what was seen is written beside it, and FreeCAD is closed by its window.
+The task is the JSON file in BALLOON_TASK; what was seen is written beside it, and FreeCAD's window closed.
 
     activate  whether the workbench is chosen at all
     answer    the button of the offer of the native solver that is pressed; empty where none may be offered
