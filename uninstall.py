@@ -51,7 +51,8 @@ def remove_film_balloon():
     except ImportError:
         sys.stdout.write("FreeCAD's settings stay: run this with freecadcmd to remove ours from them too.\n")
         return
-    forget(FreeCAD.ParamGet("User parameter:BaseApp"))
+    for part in ("BaseApp", "Tux"):  # Tux keeps where toolbars lie
+        forget(FreeCAD.ParamGet("User parameter:" + part))
     FreeCAD.saveParameter()
 
 

@@ -197,9 +197,10 @@ def install(freecad: FreeCAD, way: Way, known: dict[str, Path]) -> None:
 def check(suite: str, way: Way, known: dict[str, Path], folder: Path, usual: Left) -> None:
     """One way from an empty home to one that is as it was. SystemExit where it does not lead there."""
     freecad = FreeCAD(suite, folder / "home")
-    freecad.window({"activate": False})
+    document, other = freecad.home / "First.FCStd", freecad.home / "Other.FCStd"
+    without: dict[str, object] = {"activate": False, "save": str(other)}
+    freecad.window(without)
     install(freecad, way, known)
-    document = freecad.home / "First.FCStd"
     with ExitStack() as stack:
         if way.answer:
             version, _ = version_and_date()
@@ -217,7 +218,7 @@ def check(suite: str, way: Way, known: dict[str, Path], folder: Path, usual: Lef
         freecad.manager("remove", known["archive"])
     else:
         freecad.uninstall()
-    assert not freecad.window({"activate": False})["known"]
+    assert not freecad.window(without)["known"]
     names, entries = freecad.left()
     more = sorted(names - usual[0] - {document.name}) + sorted(entries - usual[1])
     if more or not document.is_file():
@@ -233,7 +234,7 @@ def main(arguments: list[str]) -> int:
     for suite in suites or ("here", "trixie", "forky"):
         without = FreeCAD(suite, folder / suite / "without" / "home")
         for _ in range(3):
-            without.window({"activate": False})
+            without.window({"activate": False, "save": str(without.home / "Other.FCStd")})
         usual = without.left()
         for number, (title, way) in enumerate(WAYS.items()):
             if way.manager and suite == "here":

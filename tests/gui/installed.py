@@ -5,7 +5,7 @@ The task is the JSON file in BALLOON_TASK; what was seen is written beside it, a
 
     activate  whether the workbench is chosen at all
     answer    the button of the offer of the native solver that is pressed; empty where none may be offered
-    save      the document that a balloon is kept in
+    save      the document that a balloon is kept in, or what FreeCAD itself makes without the workbench
 """
 
 import json
@@ -54,10 +54,41 @@ def answer(text):
     seen["said"] = Gui.getMainWindow().statusBar().currentMessage()
 
 
+def drawn():
+    """A new document with a rectangle."""
+    document = App.newDocument("First")
+    sketch = document.addObject("Sketcher::SketchObject", "Rectangle")
+    import Part
+
+    corners = [App.Vector(*each, 0) for each in ((0, 0), (120, 0), (120, 80), (0, 80))]
+    for start, end in zip(corners, corners[1:] + corners[:1]):
+        sketch.addGeometry(Part.LineSegment(start, end), False)
+    return document, sketch
+
+
+def others():
+    """The same with FreeCAD's own workbenches, which keep settings of their own."""
+    Gui.activateWorkbench("PartWorkbench")
+    import Mesh
+
+    document, _ = drawn()
+    document.addObject("Mesh::Feature", "Box").Mesh = Mesh.createBox(10, 10, 10)
+    keep(document)
+
+
+def keep(document):
+    document.recompute()
+    wait(lambda: False, 0.5)
+    document.saveAs(task["save"])
+    App.closeDocument(document.Name)
+    wait(lambda: False, 0.5)
+
+
 def look():
     wait(lambda: False, 0.5)
     if not task["activate"]:
         seen["known"] = "BalloonWorkbench" in Gui.listWorkbenches()
+        others()
         return
     Gui.activateWorkbench("BalloonWorkbench")
     seen["active"] = Gui.activeWorkbench().name()
@@ -65,21 +96,13 @@ def look():
     if task["answer"]:
         answer(task["answer"])
     seen["asks"] = bool(offers())
-    document = App.newDocument("First")
-    sketch = document.addObject("Sketcher::SketchObject", "Rectangle")
-    import Part
-
-    corners = [App.Vector(*each, 0) for each in ((0, 0), (120, 0), (120, 80), (0, 80))]
-    for start, end in zip(corners, corners[1:] + corners[:1], strict=True):
-        sketch.addGeometry(Part.LineSegment(start, end), False)
+    document, sketch = drawn()
     from BalloonWorkbench.app import create
 
     parts = create.balloon_from_sketch(document, sketch, mesh_size=16, correct=False)
     seen["solver"], seen["status"] = parts.balloon.ActiveBackend, parts.balloon.Status
     seen["facets"] = parts.balloon.Mesh.CountFacets
-    document.saveAs(task["save"])
-    App.closeDocument(document.Name)
-    wait(lambda: False, 0.5)
+    keep(document)
 
 
 def run():
