@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Check the libraries of native_libraries.py: what they show, what they need, and that they compute; then the files
-of release.py: sums, and that the lists of parts are valid CycloneDX.
+"""Check the libraries of native_libraries.py: what they show, what they need, and that they compute.
+
+Then the files of release.py: their sums, and that the lists of parts are valid CycloneDX.
 
     check_release.py LIBRARIES RELEASE
 

@@ -21,10 +21,13 @@ def faults(monkeypatch: pytest.MonkeyPatch) -> Callable[[bytes], list[str]]:
     return importlib.import_module("macho_signature").signature_faults
 
 
-def signed(size: int = 2 * PAGE + 100, flags: int = 0x2, signs: bool = True) -> bytes:
-    """A Mach-O file of `size` bytes and its signature: a header, one load command, anything, the hashes."""
+def signed(
+    size: int = 2 * PAGE + 100, flags: int = 0x2, signs: bool = True, covered: int | None = None
+) -> bytes:
+    """A Mach-O file of `size` bytes and the signature of all or `covered` bytes: header, command, hashes."""
+    covered = size if covered is None else covered
     identifier = b"a.dylib\0"
-    pages = -(-size // PAGE)
+    pages = -(-covered // PAGE)
     directory_size = 88 + len(identifier) + 32 * pages
     blob_size = 20 + directory_size
     command = struct.pack("<4I", 0x1D if signs else 0x2, 16, size, blob_size)
@@ -40,14 +43,14 @@ def signed(size: int = 2 * PAGE + 100, flags: int = 0x2, signs: bool = True) -> 
         88,
         0,
         pages,
-        size,
+        covered,
         32,
         2,
         0,
         12,
         0,
     )
-    hashes = b"".join(hashlib.sha256(body[at : at + PAGE]).digest() for at in range(0, size, PAGE))
+    hashes = b"".join(hashlib.sha256(body[at : at + PAGE]).digest() for at in range(0, covered, PAGE))
     return body + (
         struct.pack(">5I", 0xFADE0CC0, blob_size, 1, 0, 20) + directory.ljust(88, b"\0") + identifier + hashes
     )
@@ -68,6 +71,7 @@ def test_every_changed_byte_of_the_content_is_noticed(faults: Callable[[bytes], 
 
 def test_no_signature_another_one_or_half_of_one_is_noticed(faults: Callable[[bytes], list[str]]) -> None:
     assert faults(signed(signs=False)) == ["it is not signed"]
+    assert faults(signed(covered=PAGE)) == ["its signature does not cover the whole file"]
     assert faults(signed(flags=0)) == ["its signature is not an ad-hoc one"]
     assert faults(b"no Mach-O file, but as long as its header")
     content = signed()

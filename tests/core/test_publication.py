@@ -124,6 +124,7 @@ def test_one_address() -> None:
         *ROOT.glob("docs/*.md"),
         *ROOT.glob(".github/**/*.yml"),
         *ROOT.glob("tools/*"),
+        *ROOT.glob("resources/*.json"),
     ]:
         if path.is_file():
             text = path.read_text(encoding="utf-8").replace(address, "").replace(email, "")

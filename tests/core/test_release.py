@@ -160,6 +160,21 @@ def test_addon_has_the_sums_of_all_its_files(addon: dict[str, bytes]) -> None:
     assert sums_in(addon["SHA256SUMS"]) == sums_of(addon)
 
 
+def test_a_clone_of_the_branch_has_the_sums_also_on_windows(
+    addon: dict[str, bytes], release: ModuleType, tmp_path: Path
+) -> None:
+    """Git for Windows changes line ends unless the files forbid it."""
+    home, clone = tmp_path / "home", tmp_path / "clone"
+    subprocess.run(["git", "init", "-q", "--bare", str(home)], check=True)
+    importlib.import_module("release_branch").publish(addon, home)
+    subprocess.run(
+        ["git", "-c", "core.autocrlf=true", "clone", "-q", "--branch", "release", str(home), str(clone)],
+        check=True,
+    )
+    found = {name: (clone / name).read_bytes() for name in addon}
+    assert sums_in(found["SHA256SUMS"]) == sums_of(found)
+
+
 def test_what_an_addon_leads_to_is_in_it(addon: dict[str, bytes]) -> None:
     """A page that names another one, or a picture, is of no use without it."""
     missing = []

@@ -124,6 +124,9 @@ def test_what_was_released_stays(branch: ModuleType, tmp_path: Path, version: st
 
 def test_a_branch_of_another_kind_stays(branch: ModuleType, tmp_path: Path) -> None:
     home = repository(tmp_path / "home")
+    (home / "package.xml").write_bytes(files("0.1.0")["package.xml"])
+    git(home, "add", "package.xml")
+    git(home, "commit", "-q", "-m", "What releases are made from")
     git(home, "branch", "release")
     before = git(home, "rev-parse", "release")
     with pytest.raises(branch.Refused, match="rename it"):
