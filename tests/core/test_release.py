@@ -17,6 +17,7 @@ import zipfile
 from collections.abc import Iterator
 from pathlib import Path
 from types import ModuleType
+from xml.etree import ElementTree
 
 import pytest
 
@@ -150,6 +151,33 @@ def test_wheels_are_as_the_specification_wants(files: dict[str, bytes]) -> None:
                 assert (digest, int(size)) == (f"sha256={made}", len(content))
             tag_lines = archive.read(f"{about}/WHEEL").decode()
             assert all(f"Tag: py3-none-{tag}\n" in tag_lines for tag in tags[2].split("."))
+
+
+def test_the_source_knows_the_wheels_of_its_version(release: ModuleType) -> None:
+    """What a workbench without a library may fetch, as the last `make release` wrote it."""
+    listed = json.loads(release.WHEEL_LIST.read_text(encoding="utf-8"))
+    assert (listed["version"], listed["interface"]) == (BalloonWorkbench.__version__, native.ABI_VERSION)
+    manifest = ElementTree.parse(ROOT / "package.xml").getroot()
+    repository = manifest.findtext("{*}url[@type='repository']")
+    assert listed["address"] == f"{repository}/releases/download/v{listed['version']}"
+    assert set(listed["wheels"]) == set(release.PLATFORMS)
+    for name, entry in listed["wheels"].items():
+        tag = release.PLATFORMS[name].wheel
+        assert entry["file"] == f"{library.PACKAGE}-{listed['version']}-py3-none-{tag}.whl"
+        assert re.fullmatch("[0-9a-f]{64}", entry["sha256"])
+        assert 50_000 < entry["size"] < 1_000_000
+
+
+def test_the_list_is_that_of_the_wheels(
+    release: ModuleType, libraries: Path, files: dict[str, bytes]
+) -> None:
+    listed = json.loads(release.wheel_list(libraries))["wheels"]
+    made = {entry["file"]: (entry["size"], entry["sha256"]) for entry in listed.values()}
+    assert made == {
+        name: (len(content), hashlib.sha256(content).hexdigest())
+        for name, content in files.items()
+        if name.endswith(".whl")
+    }
 
 
 def test_sums_are_those_of_the_files(files: dict[str, bytes]) -> None:
