@@ -12,6 +12,7 @@ from __future__ import annotations
 import io
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -56,6 +57,8 @@ WAYS = {
 _OF_FREECAD = ("/MainWindow", "/RecentFiles", "/Preferences/General/FileOpenSavePath", "/General/LastModule")
 
 
+_TIME = re.compile(r"\d{8}-\d{6}|\d{10}")  # in the names of the copies that FreeCAD keeps
+
 #: Files, and entries of the settings.
 Left = tuple[set[str], set[str]]
 
@@ -89,7 +92,11 @@ class FreeCAD:
 
     def left(self) -> Left:
         """Files in the home, and entries of FreeCAD's settings."""
-        names = {path.relative_to(self.home).as_posix() for path in self.home.rglob("*") if not path.is_dir()}
+        names = {
+            _TIME.sub("TIME", path.relative_to(self.home).as_posix())
+            for path in self.home.rglob("*")
+            if not path.is_dir()
+        }
         entries: set[str] = set()
         for path in self.home.rglob("user.cfg"):
             entries |= set(_entries(ElementTree.parse(path).getroot(), ""))
