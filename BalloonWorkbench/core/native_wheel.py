@@ -193,6 +193,8 @@ def _received(wheel: Wheel, progress: Progress, opener: Opener) -> bytes:
 
 def _reason(error: Exception) -> str:
     """Why the network failed, in few words."""
+    if isinstance(error, http.client.IncompleteRead):
+        return "the connection ended too soon"
     if isinstance(error, http.client.HTTPException):
         return "the answer is not HTTP"
     cause = getattr(error, "reason", error)

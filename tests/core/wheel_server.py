@@ -85,6 +85,13 @@ def _something(answer: Answer, wheel: bytes) -> None:
     answer.wfile.write(b"\x16\x03\x01 hello\r\n\r\n")
 
 
+def _torn(answer: Answer, wheel: bytes) -> None:
+    answer.send_response(200)
+    answer.send_header("Transfer-Encoding", "chunked")
+    answer.end_headers()
+    answer.wfile.write(b"10000\r\n" + wheel[:1000])
+
+
 def _drip(answer: Answer, wheel: bytes) -> None:
     answer.send(wheel[:100], length=len(wheel))
     time.sleep(1.0)
@@ -105,6 +112,7 @@ FAULTS: dict[str, tuple[Callable[[Answer, bytes], None], str]] = {
     "endless": (_endless, "SHA-256 is another"),
     "in a circle": (_loop, "(answer 302)"),
     "no HTTP": (_something, "the answer is not HTTP"),
+    "torn in a part": (_torn, "ended"),
     "silence": (_silence, "timed out"),
     "stuck": (_drip, "timed out"),
 }
