@@ -57,6 +57,8 @@ WAYS = {
 _OF_FREECAD = ("/MainWindow", "/RecentFiles", "/Preferences/General/FileOpenSavePath", "/General/LastModule")
 
 
+#: What Qt and the graphics driver keep of compiled shaders.
+_OF_DRIVERS = ("mesa_shader_cache", "qtshadercache-x86_64-little_endian-lp64")
 _TIME = re.compile(r"\d{8}-\d{6}|\d{10}")  # in the names of the copies that FreeCAD keeps
 
 #: Files, and entries of the settings.
@@ -83,7 +85,8 @@ class FreeCAD:
     def manager(self, do: str, source: Path) -> None:
         """Have the Addon Manager install or remove the workbench."""
         task: dict[str, object] = {"do": do, "from": str(source), "branch": "release"}
-        assert self._task(["freecadcmd"], "by_addon_manager.py", task, True)["done"]
+        if not self._task(["freecadcmd"], "by_addon_manager.py", task, True)["done"]:
+            raise SystemExit(f"the Addon Manager did not {do} it")
 
     def uninstall(self) -> None:
         """Run uninstall.py, and delete the folder."""
@@ -95,7 +98,7 @@ class FreeCAD:
         names = {
             _TIME.sub("TIME", path.relative_to(self.home).as_posix())
             for path in self.home.rglob("*")
-            if not path.is_dir()
+            if not path.is_dir() and not any(part in _OF_DRIVERS for part in path.parts)
         }
         entries: set[str] = set()
         for path in self.home.rglob("user.cfg"):

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Run by a freecadcmd of its own, see tools/install_check.py: the Addon Manager installs or removes.
 
-BALLOON_TASK names a JSON file: "do" is install or remove, "from" the address, "branch" the branch of it.
+BALLOON_TASK names a JSON file: "do" is install or remove, "from" the zip file of the branch "branch".
 """
 
 import json
@@ -18,9 +18,9 @@ from Addon import Addon  # noqa: E402
 
 addon = Addon("BalloonWorkbench", task["from"], Addon.Status.NOT_INSTALLED, task["branch"])
 if task["do"] == "install":
-    from addonmanager_installer import AddonInstaller, InstallationMethod
+    from addonmanager_installer import AddonInstaller
 
-    done = AddonInstaller(addon).run(InstallationMethod.GIT)
+    done = AddonInstaller(addon).run()
 else:
     from addonmanager_uninstaller import AddonUninstaller
 
