@@ -10,7 +10,7 @@ import FreeCAD as App
 import pytest
 
 SCRIPT = Path("uninstall.py").resolve()
-BASE = "User parameter:BaseApp"
+BASE, TUX = "User parameter:BaseApp", "User parameter:Tux"
 OURS = "BalloonWorkbench"
 PLACES = ("Preferences/Shortcut", "Preferences/Workbenches")
 
@@ -93,6 +93,7 @@ def test_settings_of_ours_go_and_those_of_others_stay(way, home, settings):
         group = App.ParamGet(f"{BASE}/Workbench/{name}/Toolbar/Custom_1")
         group.SetString("BalloonWorkbench_Paint", "Film Balloon")
         group.SetString("Std_Open", "FreeCAD")
+    App.ParamGet(f"{TUX}/PersistentToolbars/User/{OURS}").SetString("Top", "File,Film Balloon")
     del group  # FreeCAD keeps a group that somebody holds, but empty
     shortcuts = App.ParamGet(f"{BASE}/Preferences/Shortcut")
     shortcuts.SetString("BalloonWorkbench_Paint", "Ctrl+B")
@@ -105,6 +106,7 @@ def test_settings_of_ours_go_and_those_of_others_stay(way, home, settings):
     WAYS[way]()
 
     assert _everything(App.ParamGet(BASE)) == []
+    assert _everything(App.ParamGet(TUX)) == []
     assert workbenches.GetString("Ordered") == "PartWorkbench,MeshWorkbench"
     assert shortcuts.GetStrings() == ["Std_Open"]
     kept = App.ParamGet(f"{BASE}/Preferences/Mod/Other")
