@@ -107,7 +107,7 @@ docs: build/docs-tools/made-from ## Write the user guide and the reference of th
 	@$(PYTHON) -W error::UserWarning -W "ignore:Error parsing type annotation ForwardRef('Floats')" \
 	    -m pdoc -o build/docs/api BalloonWorkbench.core
 
-release release-check release-branch: export PYTHONPATH := $(CURDIR)/build/release-tools
+release release-check release-branch install-check: export PYTHONPATH := $(CURDIR)/build/release-tools
 
 release: build/release-tools/made-from ## Compile the solver for five platforms, pack addon and wheels into build/release
 	@$(PYTHON) tools/native_libraries.py build/native-libraries
@@ -122,6 +122,9 @@ release-branch: release ## Commit the release to the branch release, from which 
 	@$(PYTHON) tools/release_branch.py build/native-libraries $(REPOSITORY)
 
 # PINS="--upgrade" takes the newest versions of what is not pinned in requirements*.in
+install-check: release ## Install what is released in each FreeCAD with an empty home, use it, remove it; as root
+	@$(PYTHON) tools/install_check.py build/native-libraries build/install-check
+
 pins: export PYTHONPATH := $(CURDIR)/build/pins-tools
 pins: build/pins-tools/made-from ## Write versions and sums of all Python packages to the lists requirements*.txt
 	@tools/pins.sh $(PINS)

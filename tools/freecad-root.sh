@@ -12,10 +12,12 @@ packages+=,python3-pytest,python3-fonttools,python3-pyparsing,python3-typing-ext
 base=${FREECAD_ROOTS:-/var/cache/freecad-roots}
 root=$base/$suite-$({ echo "$suite $packages" && cat requirements.txt "$0"; } | sha256sum | cut -c1-10)
 
+mkdir -p "$base"
+exec {lock}>"$root.lock"
+flock "$lock" # of two that need the root, one makes it
 if [ ! -e "$root/.ready" ]; then
     tools/install-debian-packages.sh debian-packages-matrix.txt >&2
     mirror=$(awk '/^URIs:/ { print $2; exit }' /etc/apt/sources.list.d/*.sources)
-    mkdir -p "$base"
     rm -rf --one-file-system "$root.part"
     # a mirror's testing suite may be older than its own date of expiry
     mmdebstrap --quiet --variant=apt --mode=root --components=main \
