@@ -121,10 +121,10 @@ release-check: release ## Run and read what was released: here, in QEMU, in Wine
 release-branch: release ## Commit the release to the branch release, from which FreeCAD's Addon Manager installs
 	@$(PYTHON) tools/release_branch.py build/native-libraries $(REPOSITORY)
 
-# PINS="--upgrade" takes the newest versions of what is not pinned in requirements*.in
 install-check: release ## Install what is released in each FreeCAD with an empty home, use it, remove it; as root
 	@$(PYTHON) tools/install_check.py build/native-libraries build/install-check
 
+# PINS="--upgrade" takes the newest versions of what is not pinned in requirements*.in
 pins: export PYTHONPATH := $(CURDIR)/build/pins-tools
 pins: build/pins-tools/made-from ## Write versions and sums of all Python packages to the lists requirements*.txt
 	@tools/pins.sh $(PINS)
