@@ -112,6 +112,20 @@ def test_scaled_until_it_fits(wide: float, size: str) -> None:
     assert beside == pytest.approx(np.full(2, 0.0045), abs=1e-4)
 
 
+def test_many_pieces_are_scaled_until_they_fit() -> None:
+    """Eight discs in rows: most of what lies between their welds does not shrink."""
+    chosen = replace(machine("inkscape", "160mm x 110mm"), control_bar=False)
+    made = []
+
+    def make(scale: float) -> Pattern:
+        made.append(on_one_sheet([disc(scale)] * 8))
+        return made[-1]
+
+    bed.scale_to_fit(on_one_sheet([disc()] * 8), [chosen], make)
+    assert bed.fits(made[-1], chosen)
+    assert len(made) <= 5
+
+
 def test_what_fits_stays() -> None:
     def make(_scale: float) -> Pattern:
         raise AssertionError

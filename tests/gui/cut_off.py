@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What is wrong with the looks of an open panel: what is cut off, and scroll bars that nobody can follow."""
 
+import re
+
 import hands
 
 QtCore, QtGui, QtWidgets = hands.QtCore, hands.QtGui, hands.QtWidgets
@@ -16,7 +18,7 @@ def faults(top):
     return [
         line
         for widget in widgets
-        for line in (*_narrow(widget), *_outside(widget, areas), *_scrolls(widget, areas))
+        for line in (*_narrow(widget), *_outside(widget, areas), *_scrolls(widget, areas), *_address(widget))
     ]
 
 
@@ -57,6 +59,12 @@ def _narrow(widget):
         needed = widget.fontMetrics().boundingRect(widget.text() or widget.placeholderText()).width() + 6
         if needed > room:
             yield f"{_name(widget)} is cut off: {widget.width()} px of {needed}"
+
+
+def _address(widget):
+    """Tooltips that show where a file of the program is."""
+    if isinstance(widget, QtWidgets.QAbstractButton) and re.search(r"file:|(^|\s)/\w+/", widget.toolTip()):
+        yield f"{_name(widget)} has a file address as its tooltip: {widget.toolTip()!r}"
 
 
 def _tabs(bar):

@@ -63,14 +63,17 @@ def scale_to_fit(sheet: Pattern, machines: Sequence[Machine], make: Callable[[fl
           wide as they are, so that a scale can only be found by trying
     Raises ExportError where no scale does, and what `make` raises.
     """
-    scale = 1.0
+    scale, before = 1.0, None
     for _ in range(_ROUNDS):
-        step = min(
-            (_step(sheet.of_stock(stock), machine) for stock in sheet.stocks for machine in machines),
-            default=1.0,
-        )
+        steps = [
+            _step(sheet.of_stock(stock), machine, before and (scale / before[0], before[1].of_stock(stock)))
+            for stock in sheet.stocks
+            for machine in machines
+        ]
+        step = min(steps, default=1.0)
         if step == 1.0:
             return scale
+        before = scale, sheet
         scale *= step
         if scale < _LEAST:
             break
@@ -82,8 +85,12 @@ def scale_to_fit(sheet: Pattern, machines: Sequence[Machine], make: Callable[[fl
     )
 
 
-def _step(part: Pattern, machine: Machine) -> float:
-    """By how much a drawing must shrink: of the pattern, what the weld goes round shrinks with it."""
+def _step(part: Pattern, machine: Machine, before: tuple[float, Pattern] | None) -> float:
+    """By how much a drawing must shrink: of the pattern, what the weld goes round shrinks with it.
+
+    before  by how much it has shrunk the last time, and the pattern then: pieces beside each other have welds
+            and gaps between them that do not shrink
+    """
     if machine.bed is None or fits(part, machine):
         return 1.0
     size = size_on(part, machine)
@@ -91,11 +98,15 @@ def _step(part: Pattern, machine: Machine) -> float:
     if not welds:
         return 0.0
     points = np.concatenate(welds)
-    seam = points.max(axis=0) - points.min(axis=0)
-    steps = [_shrunk(np.array(bed), size, seam) for bed in (machine.bed, machine.bed[::-1])]
+    shrinks = points.max(axis=0) - points.min(axis=0)
+    if before is not None:
+        by, larger = before
+        measured = (size_on(larger, machine) - size) * by / (1.0 - by)
+        shrinks = np.where((measured > 0.0) & (measured < shrinks), measured, shrinks)
+    steps = [_shrunk(np.array(bed), size, shrinks) for bed in (machine.bed, machine.bed[::-1])]
     return _BELOW * max(steps)
 
 
-def _shrunk(bed: Floats, size: Floats, seam: Floats) -> float:
+def _shrunk(bed: Floats, size: Floats, shrinks: Floats) -> float:
     over: Any = size > bed
-    return float(np.min(np.where(over, np.maximum(bed - (size - seam), 0.0) / seam, 1.0)))
+    return float(np.min(np.where(over, np.maximum(bed - (size - shrinks), 0.0) / shrinks, 1.0)))

@@ -16,7 +16,7 @@ from BalloonWorkbench.gui.panels.narrow import NarrowForm
 from BalloonWorkbench.gui.panels.object_panel import ObjectPanel
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.sentences import tell
-from BalloonWorkbench.gui.user_units import size_text
+from BalloonWorkbench.gui.user_units import NOTHING, size_text
 
 
 def show_panel(obj) -> None:
@@ -83,7 +83,7 @@ class ArtworkPanel(ObjectPanel):
         self.write.setEnabled(ready)
         self.message.setText(tell(status.problem(self.obj)))
         width, height = self.obj.PatternWidth.Value, self.obj.PatternHeight.Value
-        self.size.setText(size_text(width, height) if ready else "")
+        self.size.setText(size_text(width, height) if ready else NOTHING)
 
     def write_files(self, folder: str = "") -> None:
         """Ask for a folder and write the files."""

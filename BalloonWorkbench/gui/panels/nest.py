@@ -16,7 +16,7 @@ from BalloonWorkbench.gui.panels.narrow import FullList, NarrowForm
 from BalloonWorkbench.gui.panels.object_panel import ObjectPanel
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.sentences import tell
-from BalloonWorkbench.gui.user_units import size_text
+from BalloonWorkbench.gui.user_units import NOTHING, size_text
 
 _HIGHEST = 160  # px, of the list of patterns
 _MOST = 100  # balloons of each kind, and sheets
@@ -98,7 +98,7 @@ class NestPanel(ObjectPanel):
     def show_state(self) -> None:
         """What the object says."""
         self.fields.refresh()
-        obj, told = self.obj, ""
+        obj, told = self.obj, NOTHING
         if obj.LaidOutFor:
             told = translate("Pieces: {}, on {}, {} used").format(
                 obj.Pieces,
