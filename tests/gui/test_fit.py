@@ -116,12 +116,12 @@ def test_a_panel_that_opens_does_not_hide_what_was_there(ring, lay_over):
     view().viewTop()
     hands.wait(0.6)
     fit.fit_all()
-    ring.Balloon.ViewObject.Proxy.doubleClicked(ring.Balloon.ViewObject)
-    hands.wait_until(hands.panel_is_seen)
     if not has_overlays():
         lay_over("OverlayRight")
+    ring.Balloon.ViewObject.Proxy.doubleClicked(ring.Balloon.ViewObject)
+    hands.wait_until(hands.panel_is_seen)
     hands.wait(0.7)
-    assert seen(ring)[1] < fit.free_part(view())[1] + 0.012
+    hands.wait_until(lambda: seen(ring)[1] < fit.free_part(view())[1] + 0.012, 20)
     hands.press("Cancel")
     hands.wait_until(hands.panel_is_closed)
 
@@ -132,10 +132,10 @@ def test_a_view_that_shows_a_part_stays(ring, lay_over):
     camera = view().getCameraNode()
     camera.height.setValue(0.2 * camera.height.getValue())
     before = camera.height.getValue(), camera.position.getValue().getValue()
-    ring.Balloon.ViewObject.Proxy.doubleClicked(ring.Balloon.ViewObject)
-    hands.wait_until(hands.panel_is_seen)
     if not has_overlays():
         lay_over("OverlayRight")
+    ring.Balloon.ViewObject.Proxy.doubleClicked(ring.Balloon.ViewObject)
+    hands.wait_until(hands.panel_is_seen)
     hands.wait(0.7)
     camera = view().getCameraNode()
     assert (camera.height.getValue(), camera.position.getValue().getValue()) == before
