@@ -25,7 +25,7 @@ PRESSURE = 2000.0
 MANY = int(os.environ.get("BALLOON_DRAFTS", "0"))
 NEAR = 0.1  # of the fitted balloon's volume and size
 ROUND_HOLES = 0.13  # of the thickness between holes, where so few triangles are too stiff
-FEW = ("square", "star", "wedge", "ring", "heart")
+FEW = ("square", "star", "spiky", "wedge", "ring", "rectangle")
 
 
 def shapes() -> dict[str, Outline]:
