@@ -12,6 +12,7 @@ from BalloonWorkbench.app import create, maker, status
 from BalloonWorkbench.app.parts import parts_of
 from BalloonWorkbench.app.qt_picture import pixels
 from BalloonWorkbench.core.export import colour_map
+from BalloonWorkbench.core.units import number_text
 from BalloonWorkbench.gui import film_map
 
 QtCore, QtWidgets = hands.QtCore, hands.QtWidgets
@@ -202,7 +203,7 @@ def test_tension_shows_the_weakest_place(made, monkeypatch):
     safe = maker.safety_of(made.balloon)
     ((place, text),) = shown
     assert place == pytest.approx(1000.0 * safe.place)
-    assert text == f"{safe.weakest} {safe.load.value:.4g} N/m"
+    assert text == f"{safe.weakest} {number_text(safe.load.value)} N/m"
     assert maker.numbers(parts_of(made.balloon), exact=False).safety.safe_pressure == safe.safe_pressure
 
 
