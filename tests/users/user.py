@@ -14,6 +14,7 @@ from BalloonWorkbench.gui.paint.painting import SIDE
 
 QtCore, QtGui, QtWidgets = hands.QtCore, hands.QtGui, hands.QtWidgets
 _OBJECT = 1001  # kind of the tree's items that are objects, in FreeCAD
+_TRIES = 4
 _ANSWER = 10.0  # s in which the pointer has to arrive
 
 
@@ -138,11 +139,18 @@ class User:
 
     def open_in_tree(self, obj):
         """Double-click an object in the tree."""
+        self.select(obj)
+        hands.wait(0.6)  # or it would be the third click
         self.double_click(self._in_tree(obj))
 
     def select(self, obj):
-        """Click an object in the tree."""
-        self.click(self._in_tree(obj))
+        """Click an object in the tree, which may still be moving."""
+        for _ in range(_TRIES):
+            self.click(self._in_tree(obj))
+            if obj in Gui.Selection.getSelection():
+                return
+            hands.wait(0.6)
+        raise AssertionError(f"{obj.Label} cannot be selected in the tree")
 
     def _in_tree(self, obj):
         found = []
