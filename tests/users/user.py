@@ -47,7 +47,8 @@ class User:
         for _ in range(times):
             self.pointer.press(button)
             self.pointer.release(button)
-        hands.wait(0.15)
+            hands.wait(0.08)  # between two clicks of a hand
+        hands.wait(0.1)
 
     def double_click(self, what):
         self.click(what, times=2)
