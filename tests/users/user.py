@@ -10,6 +10,7 @@ import FreeCADGui as Gui
 import hands
 from pointer import LEFT, WHEEL_DOWN, WHEEL_UP, Pointer
 
+from BalloonWorkbench.gui.paint import window as paint_window
 from BalloonWorkbench.gui.paint.painting import SIDE
 
 QtCore, QtGui, QtWidgets = hands.QtCore, hands.QtGui, hands.QtWidgets
@@ -46,7 +47,8 @@ class User:
         for _ in range(times):
             self.pointer.press(button)
             self.pointer.release(button)
-        hands.wait(0.15)
+            hands.wait(0.08)  # between two clicks of a hand
+        hands.wait(0.1)
 
     def double_click(self, what):
         self.click(what, times=2)
@@ -138,10 +140,13 @@ class User:
             menu = action.menu() or menu
 
     def open_in_tree(self, obj):
-        """Double-click an object in the tree."""
-        self.select(obj)
-        hands.wait(0.6)  # or it would be the third click
-        self.double_click(self._in_tree(obj))
+        """Double-click an object in the tree, which may still be moving: something opens."""
+        for _ in range(_TRIES):
+            self.double_click(self._in_tree(obj))
+            hands.wait(1.0)
+            if hands.panel_is_open() or paint_window._open:
+                return
+        raise AssertionError(f"{obj.Label} cannot be opened from the tree")
 
     def select(self, obj):
         """Click an object in the tree, which may still be moving."""
@@ -172,7 +177,7 @@ class User:
                     tree.scrollToItem(item)
                     hands.wait(0.2)
                     box = tree.visualItemRect(item)
-                    at = QtCore.QPoint(box.left() + 30, box.center().y())
+                    at = QtCore.QPoint(box.left() + min(60, box.width() - 6), box.center().y())
                     return tree.viewport().mapToGlobal(at)
         return None
 
