@@ -4316,7 +4316,7 @@
     </message>
     <message>
         <source>{0} lifts {1}, {2}: yes, and it carries {3}.</source>
-        <translation>{0} : porte {1}, {2} ; oui, et il porte encore {3}.</translation>
+        <translation>{0} : porte {1}, {2} ; oui, et le ballon porte encore {3}.</translation>
     </message>
     <message>
         <source>{0} mm on paper = {1} of film</source>
