@@ -174,7 +174,7 @@ class _Run:
         """Contents of the files that can be made, by name, and lines for the user."""
         progress(1.0, "writing files")
         contents: dict[str, bytes] = {}
-        usual = self._attempt("The patterns' files", lambda: makers(balloon, options.results))
+        usual = self._attempt("The file of the pattern", lambda: makers(balloon, options.results))
         for name, maker in (usual or {}).items():
             content = self._attempt(name, maker)
             if content is not None:
@@ -202,7 +202,7 @@ class _Run:
         if refused and len(refused) == len(asked):
             raise ExportError("\n".join([*map(str, refused), *cli_bed.ways_on(balloon, chosen)]))
         self._left_out += [*map(str, refused), *(cli_bed.ways_on(balloon, chosen) if refused else [])]
-        more = self._attempt("What else is made", lambda: make(balloon, chosen, progress, self._attempt))
+        more = self._attempt("The rest of the job", lambda: make(balloon, chosen, progress, self._attempt))
         files, told = more or ({}, [])
         return contents | files, [*lines, *told]
 
@@ -304,7 +304,7 @@ def _goal(options: argparse.Namespace) -> SizeGoal | None:
     if options.target_volume is None and options.target_lift is None:
         return None
     if options.width is not None or options.height is not None:
-        raise InputError("A target decides the size: leave out --width and --height.")
+        raise InputError("--target-volume and --target-lift decide the size: leave out --width and --height.")
     if options.target_volume is not None:
         return SizeGoal(volume=parse_volume(options.target_volume, "l"))
     return SizeGoal(lift=parse_mass(options.target_lift, "g"))

@@ -199,7 +199,7 @@ def _reason(error: Exception) -> str:
         return "the answer is not HTTP"
     cause = getattr(error, "reason", error)
     if isinstance(cause, TimeoutError):
-        return "timed out"
+        return "the connection timed out"
     return str(getattr(cause, "strerror", None) or cause)
 
 

@@ -9,6 +9,7 @@ import FreeCAD as App
 
 from BalloonWorkbench.app.outline import DRAWN_AS
 from BalloonWorkbench.app.quantities import cubic_millimetres
+from BalloonWorkbench.core.units import number_text
 from BalloonWorkbench.gui import sentences
 from BalloonWorkbench.gui.panels.fields import new_quantity_box
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, drawn_icon, translate
@@ -109,9 +110,10 @@ def _said(value: float, unit, fitted: bool) -> str:
     """Three digits of a value in the user's unit, all of a large one; two where it is not fitted yet."""
     _, factor, symbol = App.Units.Quantity(value, unit).getUserPreferred()
     number = value / factor
+    if fitted:
+        return f"{number_text(number)} {symbol}"
     size = math.floor(math.log10(number)) if number > 0.0 else 0
-    number = round(number, max(2 - size, 0) if fitted else 1 - size)
-    return f"{number:.6f}".rstrip("0").rstrip(".") + f" {symbol}"
+    return f"{number_text(round(number, 1 - size), 2)} {symbol}"
 
 
 def _label(name: str):
