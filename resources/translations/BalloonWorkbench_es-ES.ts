@@ -4380,7 +4380,7 @@
     </message>
     <message>
         <source>{0} was left out. {1}</source>
-        <translation>Omitido: {0}. {1}</translation>
+        <translation>{0} (omitido). {1}</translation>
     </message>
     <message>
         <source>{0} weld outside the shapes left out.</source>
