@@ -68,13 +68,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         with cli_console.signals_are_errors():
             run.say = speech(language_of(arguments))
-            options = parser().parse_args(arguments)
-            if options.command == FETCH:
-                return run.fetch_solver()
             with home():
                 for sentence in left_out():
                     run.complain(sentence)
-                return run.command(options)
+                options = parser().parse_args(arguments)
+                if options.command != FETCH:
+                    return run.command(options)
+            return run.fetch_solver()  # into the user's own home, if anywhere there
     except BalloonError as error:
         run.complain(error)
         return FAULT if isinstance(error, ProgramFault) else 2
@@ -240,7 +240,7 @@ class _Run:
             native_wheel.fetch(wheel, self._progress(line))
         finally:
             line.clear()
-        return shown or self._show("The native solver is in use.")
+        return shown or self._show("The native solver is in use now.")
 
     def _show(self, text: str) -> int:
         """Show a line; the exit code."""
@@ -251,7 +251,7 @@ class _Run:
         say, settings = self.say, balloon.settings
         told = summary(balloon.report, settings.film, settings.correct, say)
         slow = native_wheel.slow_notes() if settings.backend is None else []
-        told += [say(f"Note: {note}") for note in (*self._left_out, *slow)]
+        told += [say(f"Note: {say(note)}") for note in (*self._left_out, *slow)]
         told += [*lines, *(say(f"Wrote {path}") for path in self._paths)]
         problem = cli_console.show("\n".join(told) + "\n")
         if self._fault is not None:

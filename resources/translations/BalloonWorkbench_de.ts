@@ -196,10 +196,6 @@
         <translation>Er trägt sich selbst</translation>
     </message>
     <message>
-        <source>It has a place; a new object is given one</source>
-        <translation>Es hat einen Platz; ein neues Objekt bekommt einen</translation>
-    </message>
-    <message>
         <source>Label of the values the mesh belongs to</source>
         <translation>Kennzeichen der Werte, zu denen das Netz gehört</translation>
     </message>
@@ -452,6 +448,10 @@
         <translation>Der ganze Bericht als JSON</translation>
     </message>
     <message>
+        <source>The workbench has given it a place</source>
+        <translation>Es hat einen Platz; ein neues Objekt bekommt einen</translation>
+    </message>
+    <message>
         <source>Thickness of the film</source>
         <translation>Dicke der Folie</translation>
     </message>
@@ -556,7 +556,7 @@
         <translation>Wo er gesucht wird: am weitesten von der Mitte, oder unten, wo ein angebundener Ballon gerade hängt</translation>
     </message>
     <message>
-        <source>Where it was put, unless by the user</source>
+        <source>Where the workbench put it</source>
         <translation>Wohin es gesetzt wurde, wenn nicht vom Benutzer</translation>
     </message>
     <message>
@@ -625,6 +625,10 @@
     <message>
         <source> is not ready: </source>
         <translation> ist nicht bereit: </translation>
+    </message>
+    <message>
+        <source>"{0}" is no choice for a pattern larger than the bed: choose {1}.</source>
+        <translation>Mit einem zu großen Schnittmuster geht „{0}“ nicht: {1} wählen.</translation>
     </message>
     <message>
         <source>"{0}" is no colour: give one such as "#cc294d".</source>
@@ -719,12 +723,24 @@
         <translation>, geschätzt: Die Folie kam nicht zur Ruhe</translation>
     </message>
     <message>
+        <source>--oversize scale makes the balloon smaller until it fits, --oversize write writes the file anyway, --bed tells how large the bed is.</source>
+        <translation>--oversize scale verkleinert den Ballon, bis er passt, --oversize write schreibt die Datei trotzdem, --bed sagt, wie groß das Bett ist.</translation>
+    </message>
+    <message>
+        <source>--target-volume and --target-lift decide the size: leave out --width and --height.</source>
+        <translation>--target-volume und --target-lift bestimmen die Größe: --width und --height weglassen.</translation>
+    </message>
+    <message>
         <source>1 to {0} pieces can be laid out, not {1}.</source>
         <translation>1 bis {0} Stücke können ausgelegt werden, nicht {1}.</translation>
     </message>
     <message>
         <source>A balloon has no "{0}": it has {1}.</source>
         <translation>Ein Ballon hat kein „{0}“: Es gibt {1}.</translation>
+    </message>
+    <message>
+        <source>A bed is that of a machine: give --machine too.</source>
+        <translation>Ein Bett gehört zu einer Maschine: auch --machine angeben.</translation>
     </message>
     <message>
         <source>A bed is {0} mm to {1} mm wide and high: write 600mmx400mm, 600mm for a roll, or {2}.</source>
@@ -815,16 +831,12 @@
         <translation>Ein strenger Leser, der schlichte Polylinien will. Ebenen werden durch Farben unterschieden: Rot, Blau und Orange schneiden, die Ausgabe aller anderen auf Nein stellen.</translation>
     </message>
     <message>
-        <source>A target decides the size: leave out --width and --height.</source>
-        <translation>Ein Ziel bestimmt die Größe: --width und --height weglassen.</translation>
-    </message>
-    <message>
         <source>A volume of {0} cannot be made: give one such as 10l.</source>
         <translation>Ein Volumen von {0} ist nicht möglich: zum Beispiel 10l angeben.</translation>
     </message>
     <message>
-        <source>A volume or a lift decides the size: choose less of it.</source>
-        <translation>Ein Volumen oder ein Auftrieb bestimmt die Größe: dort weniger wählen.</translation>
+        <source>A volume or a lift decides the size, so the balloon cannot be scaled to fit: leave out --oversize scale, or what you give of --target-volume, --target-lift and --gas-volume.</source>
+        <translation>Ein Volumen oder ein Auftrieb bestimmt die Größe, darum kann der Ballon nicht passend verkleinert werden: --oversize scale weglassen, oder was von --target-volume, --target-lift und --gas-volume angegeben ist.</translation>
     </message>
     <message>
         <source>A volume to inflate to and a goal for the size exclude each other: leave one out.</source>
@@ -1395,16 +1407,20 @@
         <translation>Die Bilder sind gleichmäßig in der Bewegung, nicht in der Zeit. Nur die Folie hat Masse, das Gas keine.</translation>
     </message>
     <message>
-        <source>FreeCAD cannot make it ({0}). {1}</source>
+        <source>FreeCAD cannot make the document ({0}). {1}</source>
         <translation>FreeCAD kann das Dokument nicht erstellen ({0}). {1}</translation>
-    </message>
-    <message>
-        <source>FreeCAD ended ({0}). {1}</source>
-        <translation>FreeCAD brach ab ({0}). {1}</translation>
     </message>
     <message>
         <source>FreeCAD has no material card "{0}": choose one of its material editor.</source>
         <translation>FreeCAD hat keine Materialkarte „{0}“: eine aus dem Materialeditor wählen.</translation>
+    </message>
+    <message>
+        <source>FreeCAD needs a home folder and a temporary folder that it can write to, and enough memory.</source>
+        <translation>Es braucht ein Benutzerverzeichnis und einen temporären Ordner, in die es schreiben kann, und Arbeitsspeicher.</translation>
+    </message>
+    <message>
+        <source>FreeCAD stopped before the document was done ({0}). {1}</source>
+        <translation>FreeCAD brach ab ({0}). {1}</translation>
     </message>
     <message>
         <source>From the flat film to the balloon at rest</source>
@@ -1589,10 +1605,6 @@
     <message>
         <source>It is wider now. Ctrl+Z takes that back.</source>
         <translation>Jetzt ist er breiter. Strg+Z nimmt das zurück.</translation>
-    </message>
-    <message>
-        <source>It needs a home folder and a temporary folder that it can write to, and memory.</source>
-        <translation>Es braucht ein Benutzerverzeichnis und einen temporären Ordner, in die es schreiben kann, und Arbeitsspeicher.</translation>
     </message>
     <message>
         <source>Join the panels along the dashed line, {seal} wide, all the way round.</source>
@@ -1835,7 +1847,7 @@
         <translation>Nativ</translation>
     </message>
     <message>
-        <source>Near {0} the inflated outline stays up to {1} from the drawing, along {2}: film cannot follow it there. Round it off or widen it.</source>
+        <source>Near {0} the inflated outline stays up to {1} from the drawing, over a length of {2}: film cannot follow it there. Round it off or widen it.</source>
         <translation>Nahe {0} bleibt der aufgeblasene Umriss bis zu {1} von der Zeichnung entfernt, auf {2} Länge: Die Folie kann ihr dort nicht folgen. Die Stelle runden oder verbreitern.</translation>
     </message>
     <message>
@@ -1903,7 +1915,7 @@
         <translation>Im Bild hebt sich keine Form ab. Kräftigere Farben oder einen ruhigeren Hintergrund benutzen.</translation>
     </message>
     <message>
-        <source>No size of the balloon fits a bed of {0}: weld, allowance, intake and bar keep theirs. Choose another machine.</source>
+        <source>No size of the balloon fits a bed of {0}: weld, allowance, intake and control bar keep their sizes. Choose another machine.</source>
         <translation>Keine Größe des Ballons passt auf ein Bett von {0}: Schweißnaht, Zugabe, Füllhals und Kontrollbalken behalten ihre Maße. Eine andere Maschine wählen.</translation>
     </message>
     <message>
@@ -2375,6 +2387,10 @@
         <translation>Passend verkleinern</translation>
     </message>
     <message>
+        <source>Scaled to fit: the drawing is {0} wide instead of {1}.</source>
+        <translation>Passend verkleinert: Die Zeichnung ist {0} breit statt {1}.</translation>
+    </message>
+    <message>
         <source>Scaled to fit: {} wide instead of {}.</source>
         <translation>Passend verkleinert: {} breit statt {}.</translation>
     </message>
@@ -2771,10 +2787,6 @@
         <translation>Die Zeichnung; eine Kopie davon liegt im Dokument</translation>
     </message>
     <message>
-        <source>The end of this tip stays flat, over {length}. A radius of {wanted} makes it rounder.</source>
-        <translation>Das Ende dieser Spitze bleibt flach, auf {length}. Ein Radius von {wanted} macht es runder.</translation>
-    </message>
-    <message>
         <source>The file is XML but no SVG drawing. Choose a drawing.</source>
         <translation>Die Datei ist XML, aber keine SVG-Zeichnung. Eine Zeichnung wählen.</translation>
     </message>
@@ -2789,6 +2801,10 @@
     <message>
         <source>The file of rules {0} is of no use: {1}. Install it anew.</source>
         <translation>Die Regeldatei {0} ist unbrauchbar: {1}. Sie neu installieren.</translation>
+    </message>
+    <message>
+        <source>The file of the pattern</source>
+        <translation>Die Ausgabe der Schnittmuster</translation>
     </message>
     <message>
         <source>The file {0} is of no use: {1}. Install it anew.</source>
@@ -2911,6 +2927,10 @@
         <translation>Die Beschriftung „{0}“ ist {1} lang, und die Folie nur {2} breit: einen kürzeren Text oder niedrigere Buchstaben nehmen.</translation>
     </message>
     <message>
+        <source>The last {length} of this tip stay flat. A radius of {wanted} makes it rounder.</source>
+        <translation>Das Ende dieser Spitze bleibt flach, auf {length}. Ein Radius von {wanted} macht es runder.</translation>
+    </message>
+    <message>
         <source>The layer MARK of the machine file {0}.json takes notches only. Rename it NOTCH, and where your machine can draw, add the layers FOLD and PEN.</source>
         <translation>Die Ebene MARK der Maschinendatei {0}.json nimmt nur Passkerben auf. Sie in NOTCH umbenennen, und wenn die Maschine zeichnen kann, die Ebenen FOLD und PEN ergänzen.</translation>
     </message>
@@ -2955,8 +2975,8 @@
         <translation>Die Netzweite ist {0}: einen Wert über 0 angeben.</translation>
     </message>
     <message>
-        <source>The native solver cannot be kept. {0} {1}</source>
-        <translation>Der native Löser kann nicht gespeichert werden. {0} {1}</translation>
+        <source>The native solver cannot be saved. {0}</source>
+        <translation>Der native Löser kann nicht gespeichert werden. {0}</translation>
     </message>
     <message>
         <source>The native solver could not be fetched from {0} ({1}). Try again when the network is there. {2}</source>
@@ -2971,10 +2991,6 @@
         <translation>Der native Löser wird jetzt benutzt.</translation>
     </message>
     <message>
-        <source>The native solver is in use.</source>
-        <translation>Der native Löser wird benutzt.</translation>
-    </message>
-    <message>
         <source>The native solver is not available: {0} Use the NumPy solver.</source>
         <translation>Der native Löser ist nicht verfügbar: {0} Den NumPy-Löser benutzen.</translation>
     </message>
@@ -2983,8 +2999,8 @@
         <translation>Der native Löser ist nicht installiert. Alles funktioniert ohne ihn, aber Simulationen dauern 20- bis 30-mal so lange. Ihn jetzt herunterladen?</translation>
     </message>
     <message>
-        <source>The native solver was fetched, but does not run here: {0} {1}</source>
-        <translation>Der native Löser wurde heruntergeladen, läuft hier aber nicht: {0} {1}</translation>
+        <source>The native solver was fetched, but does not run here: {0}</source>
+        <translation>Der native Löser wurde heruntergeladen, läuft hier aber nicht: {0}</translation>
     </message>
     <message>
         <source>The native solver was not fetched: stopped.</source>
@@ -3067,10 +3083,6 @@
         <translation>Das Schnittmuster misst {0}, das Bett von {1} {2}</translation>
     </message>
     <message>
-        <source>The patterns' files</source>
-        <translation>Die Ausgabe der Schnittmuster</translation>
-    </message>
-    <message>
         <source>The picture has a single colour. Choose one that shows a shape on a background.</source>
         <translation>Das Bild hat nur eine Farbe. Eines wählen, das eine Form vor einem Hintergrund zeigt.</translation>
     </message>
@@ -3107,12 +3119,20 @@
         <translation>Der Druck muss positiv und höchstens {0} sein, nicht {1}. Ein Partyballon hat etwa 2 kPa.</translation>
     </message>
     <message>
+        <source>The print on film</source>
+        <translation>Der Druck auf Folie</translation>
+    </message>
+    <message>
         <source>The radius of the corner relief must be 0 or above.</source>
         <translation>Der Radius des Eckenfreistichs muss 0 oder größer sein.</translation>
     </message>
     <message>
         <source>The repair at {0} no longer fits, {1}: take it back or draw that part anew.</source>
         <translation>Die Reparatur bei {0} passt nicht mehr, {1}: sie zurücknehmen oder den Teil neu zeichnen.</translation>
+    </message>
+    <message>
+        <source>The rest of the job</source>
+        <translation>Das Übrige</translation>
     </message>
     <message>
         <source>The seal width must be between 0.01 mm and 1 m, the allowance between 0 and 1 m.</source>
@@ -3155,7 +3175,11 @@
         <translation>Die Größe kommt von {0}: sie dort verkleinern.</translation>
     </message>
     <message>
-        <source>The size of {0} follows an expression: change what that refers to.</source>
+        <source>The size follows from a volume or a lift: choose a smaller one.</source>
+        <translation>Ein Volumen oder ein Auftrieb bestimmt die Größe: dort weniger wählen.</translation>
+    </message>
+    <message>
+        <source>The size of {0} is set by an expression: change the value that it uses.</source>
         <translation>Die Größe von {0} folgt einem Ausdruck: ändern, worauf er sich bezieht.</translation>
     </message>
     <message>
@@ -3215,10 +3239,6 @@
         <translation>Das Maß ({0}) ist {1} mm: einen Wert über 0 angeben, zum Beispiel 300 mm.</translation>
     </message>
     <message>
-        <source>The {0} is {1} off what was wanted: correct the goal by as much.</source>
-        <translation>Das Ziel ({0}) wurde um {1} verfehlt: es um ebenso viel berichtigen.</translation>
-    </message>
-    <message>
         <source>The {0} line crosses itself near {1}: simplify the drawing there.</source>
         <translation>Die Linie {0} kreuzt sich nahe {1}: die Zeichnung dort vereinfachen.</translation>
     </message>
@@ -3229,6 +3249,10 @@
     <message>
         <source>The {0} line that begins at {1} is open: programs fill, offset and cut closed lines only. Close it.</source>
         <translation>Die Linie {0}, die bei {1} beginnt, ist offen: Programme füllen, versetzen und schneiden nur geschlossene. Sie schließen.</translation>
+    </message>
+    <message>
+        <source>The {0} misses the goal by {1}: change the goal by as much.</source>
+        <translation>Das Ziel ({0}) wurde um {1} verfehlt: es um ebenso viel berichtigen.</translation>
     </message>
     <message>
         <source>The {0} {1} is not between {2} and {3} {4}: give one such as {5}.</source>
@@ -3335,10 +3359,6 @@
         <translation>Es gibt keine Symmetrie „{0}“: eine von {1} wählen.</translation>
     </message>
     <message>
-        <source>There is no way "{0}" with a large pattern: choose {1}.</source>
-        <translation>Mit einem zu großen Schnittmuster geht „{0}“ nicht: {1} wählen.</translation>
-    </message>
-    <message>
         <source>There is too little memory for this: take a coarser mesh, or close other programs.</source>
         <translation>Dafür reicht der Speicher nicht: ein gröberes Netz nehmen oder andere Programme schließen.</translation>
     </message>
@@ -3375,8 +3395,12 @@
         <translation>Dieser Arm bleibt viel dünner als der Rest: {width} breit gezeichnet, wird er {measured} dick. Damit er runder wird, ihn {wanted} breit machen.</translation>
     </message>
     <message>
-        <source>This balloon holds {0} {1} at any pressure that suits its film: {2} at {3}. Change the size of the balloon or the volume.</source>
-        <translation>Dieser Ballon fasst bei jedem Druck, den seine Folie verträgt, {0} {1}: {2} bei {3}. Die Größe des Ballons oder das Volumen ändern.</translation>
+        <source>This balloon holds less than {0} at any pressure that suits its film: {1} at {2}. Change the size of the balloon or the volume.</source>
+        <translation>Dieser Ballon fasst bei jedem Druck, den seine Folie verträgt, weniger als {0}: {1} bei {2}. Die Größe des Ballons oder das Volumen ändern.</translation>
+    </message>
+    <message>
+        <source>This balloon holds more than {0} at any pressure that suits its film: {1} at {2}. Change the size of the balloon or the volume.</source>
+        <translation>Dieser Ballon fasst bei jedem Druck, den seine Folie verträgt, mehr als {0}: {1} bei {2}. Die Größe des Ballons oder das Volumen ändern.</translation>
     </message>
     <message>
         <source>This cannot be shown ({0}).</source>
@@ -3569,10 +3593,6 @@
     <message>
         <source>Welds easily with an impulse sealer or an iron. Yields at about 9 MPa, half its tensile strength, and creeps: keep the pressure low.</source>
         <translation>Lässt sich leicht mit Impulssiegler oder Bügeleisen schweißen. Fließt bei etwa 9 MPa, der Hälfte seiner Zugfestigkeit, und kriecht: den Druck niedrig halten.</translation>
-    </message>
-    <message>
-        <source>What else is made</source>
-        <translation>Das Übrige</translation>
     </message>
     <message>
         <source>What it takes to make it</source>
@@ -4051,6 +4071,10 @@
         <translation>die Verbindung endete zu früh</translation>
     </message>
     <message>
+        <source>the connection timed out</source>
+        <translation>keine Antwort in der erlaubten Zeit</translation>
+    </message>
+    <message>
         <source>the file name "{0}" may have letters, digits, spaces, _, - and . only.</source>
         <translation>der Dateiname „{0}“ darf nur Buchstaben, Ziffern, Leerzeichen, _, - und . haben.</translation>
     </message>
@@ -4399,20 +4423,20 @@
         <translation>{0} mit Ventil von {1}</translation>
     </message>
     <message>
-        <source>{0}: it is written all the same.</source>
-        <translation>{0}: Die Datei wird trotzdem geschrieben.</translation>
-    </message>
-    <message>
-        <source>{0}: lay its pieces out on sheets of that size, make the balloon smaller, or have the file written all the same.</source>
+        <source>{0}: lay its pieces out on sheets of that size, make the balloon smaller, or write the file anyway.</source>
         <translation>{0}: die Stücke auf Bögen dieser Größe auslegen, den Ballon kleiner machen oder die Datei trotzdem schreiben lassen.</translation>
     </message>
     <message>
-        <source>{0}: make the balloon smaller, choose another machine or paper, or have the file written all the same.</source>
+        <source>{0}: make the balloon smaller, choose another machine or paper, or write the file anyway.</source>
         <translation>{0}: den Ballon kleiner machen, eine andere Maschine oder anderes Papier wählen oder die Datei trotzdem schreiben lassen.</translation>
     </message>
     <message>
         <source>{0}: pieces {1}, on {2}, {3} used</source>
         <translation>{0}: Stücke {1}, auf {2}, {3} genutzt</translation>
+    </message>
+    <message>
+        <source>{0}: the file is written anyway.</source>
+        <translation>{0}: Die Datei wird trotzdem geschrieben.</translation>
     </message>
     <message>
         <source>{0}: turn the pattern by 90 degrees there.</source>

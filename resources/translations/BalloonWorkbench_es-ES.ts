@@ -196,10 +196,6 @@
         <translation>Se sostiene por sí mismo</translation>
     </message>
     <message>
-        <source>It has a place; a new object is given one</source>
-        <translation>Tiene un lugar; a un objeto nuevo se le da uno</translation>
-    </message>
-    <message>
         <source>Label of the values the mesh belongs to</source>
         <translation>Marca de los valores a los que pertenece la malla</translation>
     </message>
@@ -452,6 +448,10 @@
         <translation>El informe completo en JSON</translation>
     </message>
     <message>
+        <source>The workbench has given it a place</source>
+        <translation>Tiene un lugar; a un objeto nuevo se le da uno</translation>
+    </message>
+    <message>
         <source>Thickness of the film</source>
         <translation>Espesor de la película</translation>
     </message>
@@ -556,7 +556,7 @@
         <translation>Dónde se busca: lo más lejos del centro, o abajo, donde un globo atado cuelga derecho</translation>
     </message>
     <message>
-        <source>Where it was put, unless by the user</source>
+        <source>Where the workbench put it</source>
         <translation>Dónde se colocó de forma automática, si no lo movió el usuario</translation>
     </message>
     <message>
@@ -625,6 +625,10 @@
     <message>
         <source> is not ready: </source>
         <translation> no está listo: </translation>
+    </message>
+    <message>
+        <source>"{0}" is no choice for a pattern larger than the bed: choose {1}.</source>
+        <translation>No hay modo «{0}» para un patrón grande: elija {1}.</translation>
     </message>
     <message>
         <source>"{0}" is no colour: give one such as "#cc294d".</source>
@@ -719,12 +723,24 @@
         <translation>, estimado: la película no llegó al reposo</translation>
     </message>
     <message>
+        <source>--oversize scale makes the balloon smaller until it fits, --oversize write writes the file anyway, --bed tells how large the bed is.</source>
+        <translation>--oversize scale reduce el globo hasta que quepa, --oversize write escribe el archivo de todos modos, --bed indica el tamaño de la cama.</translation>
+    </message>
+    <message>
+        <source>--target-volume and --target-lift decide the size: leave out --width and --height.</source>
+        <translation>--target-volume y --target-lift deciden el tamaño: omita --width y --height.</translation>
+    </message>
+    <message>
         <source>1 to {0} pieces can be laid out, not {1}.</source>
         <translation>Se pueden colocar de 1 a {0} piezas, no {1}.</translation>
     </message>
     <message>
         <source>A balloon has no "{0}": it has {1}.</source>
         <translation>Un globo no tiene «{0}»: tiene {1}.</translation>
+    </message>
+    <message>
+        <source>A bed is that of a machine: give --machine too.</source>
+        <translation>La cama es la de una máquina: indique también --machine.</translation>
     </message>
     <message>
         <source>A bed is {0} mm to {1} mm wide and high: write 600mmx400mm, 600mm for a roll, or {2}.</source>
@@ -815,16 +831,12 @@
         <translation>Un lector estricto que quiere polilíneas sencillas. Las capas se distinguen por el color: corte rojo, azul y naranja, y ponga en no la salida de todas las demás.</translation>
     </message>
     <message>
-        <source>A target decides the size: leave out --width and --height.</source>
-        <translation>El objetivo decide el tamaño: omita --width y --height.</translation>
-    </message>
-    <message>
         <source>A volume of {0} cannot be made: give one such as 10l.</source>
         <translation>Un volumen de {0} no es posible: indique por ejemplo 10l.</translation>
     </message>
     <message>
-        <source>A volume or a lift decides the size: choose less of it.</source>
-        <translation>Un volumen o una sustentación decide el tamaño: elija un valor menor.</translation>
+        <source>A volume or a lift decides the size, so the balloon cannot be scaled to fit: leave out --oversize scale, or what you give of --target-volume, --target-lift and --gas-volume.</source>
+        <translation>Un volumen o una sustentación decide el tamaño, por eso el globo no se puede reducir para que quepa: omita --oversize scale, o lo que haya dado de --target-volume, --target-lift y --gas-volume.</translation>
     </message>
     <message>
         <source>A volume to inflate to and a goal for the size exclude each other: leave one out.</source>
@@ -1395,16 +1407,20 @@
         <translation>Los fotogramas son regulares en movimiento, no en tiempo. Solo la película tiene masa, el gas no.</translation>
     </message>
     <message>
-        <source>FreeCAD cannot make it ({0}). {1}</source>
+        <source>FreeCAD cannot make the document ({0}). {1}</source>
         <translation>FreeCAD no puede crearlo ({0}). {1}</translation>
-    </message>
-    <message>
-        <source>FreeCAD ended ({0}). {1}</source>
-        <translation>FreeCAD se cerró ({0}). {1}</translation>
     </message>
     <message>
         <source>FreeCAD has no material card "{0}": choose one of its material editor.</source>
         <translation>FreeCAD no tiene la ficha de material «{0}»: elija una de su editor de materiales.</translation>
+    </message>
+    <message>
+        <source>FreeCAD needs a home folder and a temporary folder that it can write to, and enough memory.</source>
+        <translation>Necesita una carpeta personal y una temporal en las que pueda escribir, y memoria.</translation>
+    </message>
+    <message>
+        <source>FreeCAD stopped before the document was done ({0}). {1}</source>
+        <translation>FreeCAD se cerró ({0}). {1}</translation>
     </message>
     <message>
         <source>From the flat film to the balloon at rest</source>
@@ -1589,10 +1605,6 @@
     <message>
         <source>It is wider now. Ctrl+Z takes that back.</source>
         <translation>Ahora es más ancho. Ctrl+Z lo deshace.</translation>
-    </message>
-    <message>
-        <source>It needs a home folder and a temporary folder that it can write to, and memory.</source>
-        <translation>Necesita una carpeta personal y una temporal en las que pueda escribir, y memoria.</translation>
     </message>
     <message>
         <source>Join the panels along the dashed line, {seal} wide, all the way round.</source>
@@ -1835,7 +1847,7 @@
         <translation>Nativo</translation>
     </message>
     <message>
-        <source>Near {0} the inflated outline stays up to {1} from the drawing, along {2}: film cannot follow it there. Round it off or widen it.</source>
+        <source>Near {0} the inflated outline stays up to {1} from the drawing, over a length of {2}: film cannot follow it there. Round it off or widen it.</source>
         <translation>Cerca de {0} el contorno inflado queda hasta a {1} del dibujo, a lo largo de {2}: la película no puede seguirlo ahí. Redondéelo o ensánchelo.</translation>
     </message>
     <message>
@@ -1903,7 +1915,7 @@
         <translation>Ninguna forma destaca en la imagen. Use colores más vivos o un fondo más liso.</translation>
     </message>
     <message>
-        <source>No size of the balloon fits a bed of {0}: weld, allowance, intake and bar keep theirs. Choose another machine.</source>
+        <source>No size of the balloon fits a bed of {0}: weld, allowance, intake and control bar keep their sizes. Choose another machine.</source>
         <translation>Ningún tamaño del globo cabe en una cama de {0}: soldadura, margen, boca y barra conservan el suyo. Elija otra máquina.</translation>
     </message>
     <message>
@@ -2375,6 +2387,10 @@
         <translation>Reducir para que quepa</translation>
     </message>
     <message>
+        <source>Scaled to fit: the drawing is {0} wide instead of {1}.</source>
+        <translation>Reducido para que quepa: el dibujo tiene {0} de ancho en vez de {1}.</translation>
+    </message>
+    <message>
         <source>Scaled to fit: {} wide instead of {}.</source>
         <translation>Reducido para que quepa: {} de ancho en vez de {}.</translation>
     </message>
@@ -2771,10 +2787,6 @@
         <translation>El dibujo; una copia viaja en el documento</translation>
     </message>
     <message>
-        <source>The end of this tip stays flat, over {length}. A radius of {wanted} makes it rounder.</source>
-        <translation>El extremo de esta punta queda plano a lo largo de {length}. Un radio de {wanted} lo hace más redondo.</translation>
-    </message>
-    <message>
         <source>The file is XML but no SVG drawing. Choose a drawing.</source>
         <translation>El archivo es XML pero no un dibujo SVG. Elija un dibujo.</translation>
     </message>
@@ -2789,6 +2801,10 @@
     <message>
         <source>The file of rules {0} is of no use: {1}. Install it anew.</source>
         <translation>El archivo de reglas {0} no sirve: {1}. Instálelo de nuevo.</translation>
+    </message>
+    <message>
+        <source>The file of the pattern</source>
+        <translation>Los archivos de los patrones</translation>
     </message>
     <message>
         <source>The file {0} is of no use: {1}. Install it anew.</source>
@@ -2911,6 +2927,10 @@
         <translation>La etiqueta «{0}» mide {1} y la película solo {2} de ancho: tome un texto más corto o letras más bajas.</translation>
     </message>
     <message>
+        <source>The last {length} of this tip stay flat. A radius of {wanted} makes it rounder.</source>
+        <translation>El extremo de esta punta queda plano a lo largo de {length}. Un radio de {wanted} lo hace más redondo.</translation>
+    </message>
+    <message>
         <source>The layer MARK of the machine file {0}.json takes notches only. Rename it NOTCH, and where your machine can draw, add the layers FOLD and PEN.</source>
         <translation>La capa MARK del archivo de máquina {0}.json solo recibe muescas. Cámbiele el nombre a NOTCH y, si su máquina puede dibujar, añada las capas FOLD y PEN.</translation>
     </message>
@@ -2955,8 +2975,8 @@
         <translation>El tamaño de malla es {0}: indique uno mayor que 0.</translation>
     </message>
     <message>
-        <source>The native solver cannot be kept. {0} {1}</source>
-        <translation>El solucionador nativo no se puede guardar. {0} {1}</translation>
+        <source>The native solver cannot be saved. {0}</source>
+        <translation>El solucionador nativo no se puede guardar. {0}</translation>
     </message>
     <message>
         <source>The native solver could not be fetched from {0} ({1}). Try again when the network is there. {2}</source>
@@ -2971,10 +2991,6 @@
         <translation>Ahora se usa el solucionador nativo.</translation>
     </message>
     <message>
-        <source>The native solver is in use.</source>
-        <translation>Se usa el solucionador nativo.</translation>
-    </message>
-    <message>
         <source>The native solver is not available: {0} Use the NumPy solver.</source>
         <translation>El solucionador nativo no está disponible: {0} Use el de NumPy.</translation>
     </message>
@@ -2983,8 +2999,8 @@
         <translation>El solucionador nativo no está instalado. Todo funciona sin él, pero las simulaciones tardan de 20 a 30 veces más. ¿Descargarlo ahora?</translation>
     </message>
     <message>
-        <source>The native solver was fetched, but does not run here: {0} {1}</source>
-        <translation>El solucionador nativo se descargó, pero no funciona aquí: {0} {1}</translation>
+        <source>The native solver was fetched, but does not run here: {0}</source>
+        <translation>El solucionador nativo se descargó, pero no funciona aquí: {0}</translation>
     </message>
     <message>
         <source>The native solver was not fetched: stopped.</source>
@@ -3067,10 +3083,6 @@
         <translation>El patrón mide {0}, la cama de {1} {2}</translation>
     </message>
     <message>
-        <source>The patterns' files</source>
-        <translation>Los archivos de los patrones</translation>
-    </message>
-    <message>
         <source>The picture has a single colour. Choose one that shows a shape on a background.</source>
         <translation>La imagen tiene un solo color. Elija una que muestre una forma sobre un fondo.</translation>
     </message>
@@ -3107,12 +3119,20 @@
         <translation>La presión debe ser positiva y como mucho {0}, no {1}. Un globo de fiesta tiene unos 2 kPa.</translation>
     </message>
     <message>
+        <source>The print on film</source>
+        <translation>La impresión en la película</translation>
+    </message>
+    <message>
         <source>The radius of the corner relief must be 0 or above.</source>
         <translation>El radio del alivio de esquinas debe ser 0 o mayor.</translation>
     </message>
     <message>
         <source>The repair at {0} no longer fits, {1}: take it back or draw that part anew.</source>
         <translation>La reparación en {0} ya no encaja, {1}: deshágala o dibuje esa parte de nuevo.</translation>
+    </message>
+    <message>
+        <source>The rest of the job</source>
+        <translation>Los demás archivos</translation>
     </message>
     <message>
         <source>The seal width must be between 0.01 mm and 1 m, the allowance between 0 and 1 m.</source>
@@ -3155,7 +3175,11 @@
         <translation>El tamaño viene de {0}: redúzcalo allí.</translation>
     </message>
     <message>
-        <source>The size of {0} follows an expression: change what that refers to.</source>
+        <source>The size follows from a volume or a lift: choose a smaller one.</source>
+        <translation>Un volumen o una sustentación decide el tamaño: elija un valor menor.</translation>
+    </message>
+    <message>
+        <source>The size of {0} is set by an expression: change the value that it uses.</source>
         <translation>El tamaño de {0} sigue una expresión: cambie aquello a lo que se refiere.</translation>
     </message>
     <message>
@@ -3215,10 +3239,6 @@
         <translation>La medida ({0}) es {1} mm: indique una mayor que 0, por ejemplo 300 mm.</translation>
     </message>
     <message>
-        <source>The {0} is {1} off what was wanted: correct the goal by as much.</source>
-        <translation>El objetivo ({0}) se desvió un {1}: corríjalo en la misma medida.</translation>
-    </message>
-    <message>
         <source>The {0} line crosses itself near {1}: simplify the drawing there.</source>
         <translation>La línea {0} se cruza cerca de {1}: simplifique ahí el dibujo.</translation>
     </message>
@@ -3229,6 +3249,10 @@
     <message>
         <source>The {0} line that begins at {1} is open: programs fill, offset and cut closed lines only. Close it.</source>
         <translation>La línea {0} que empieza en {1} está abierta: los programas solo rellenan, desplazan y cortan líneas cerradas. Ciérrela.</translation>
+    </message>
+    <message>
+        <source>The {0} misses the goal by {1}: change the goal by as much.</source>
+        <translation>El objetivo ({0}) se desvió un {1}: corríjalo en la misma medida.</translation>
     </message>
     <message>
         <source>The {0} {1} is not between {2} and {3} {4}: give one such as {5}.</source>
@@ -3335,10 +3359,6 @@
         <translation>No hay simetría «{0}»: elija una de {1}.</translation>
     </message>
     <message>
-        <source>There is no way "{0}" with a large pattern: choose {1}.</source>
-        <translation>No hay modo «{0}» para un patrón grande: elija {1}.</translation>
-    </message>
-    <message>
         <source>There is too little memory for this: take a coarser mesh, or close other programs.</source>
         <translation>Hay muy poca memoria para esto: tome una malla más gruesa o cierre otros programas.</translation>
     </message>
@@ -3375,8 +3395,12 @@
         <translation>Este brazo queda mucho más fino que el resto: dibujado con {width} de ancho, queda con {measured} de grueso. Para que sea más redondo, hágalo de {wanted} de ancho.</translation>
     </message>
     <message>
-        <source>This balloon holds {0} {1} at any pressure that suits its film: {2} at {3}. Change the size of the balloon or the volume.</source>
-        <translation>Este globo contiene {0} {1} a cualquier presión que admita su película: {2} a {3}. Cambie el tamaño del globo o el volumen.</translation>
+        <source>This balloon holds less than {0} at any pressure that suits its film: {1} at {2}. Change the size of the balloon or the volume.</source>
+        <translation>Este globo contiene menos de {0} a cualquier presión que admita su película: {1} a {2}. Cambie el tamaño del globo o el volumen.</translation>
+    </message>
+    <message>
+        <source>This balloon holds more than {0} at any pressure that suits its film: {1} at {2}. Change the size of the balloon or the volume.</source>
+        <translation>Este globo contiene más de {0} a cualquier presión que admita su película: {1} a {2}. Cambie el tamaño del globo o el volumen.</translation>
     </message>
     <message>
         <source>This cannot be shown ({0}).</source>
@@ -3569,10 +3593,6 @@
     <message>
         <source>Welds easily with an impulse sealer or an iron. Yields at about 9 MPa, half its tensile strength, and creeps: keep the pressure low.</source>
         <translation>Se suelda fácilmente con selladora de impulso o plancha. Cede a unos 9 MPa, la mitad de su resistencia, y fluye: mantenga baja la presión.</translation>
-    </message>
-    <message>
-        <source>What else is made</source>
-        <translation>Los demás archivos</translation>
     </message>
     <message>
         <source>What it takes to make it</source>
@@ -4051,6 +4071,10 @@
         <translation>la conexión terminó demasiado pronto</translation>
     </message>
     <message>
+        <source>the connection timed out</source>
+        <translation>no hubo respuesta a tiempo</translation>
+    </message>
+    <message>
         <source>the file name "{0}" may have letters, digits, spaces, _, - and . only.</source>
         <translation>el nombre de archivo «{0}» solo puede tener letras, dígitos, espacios, _, - y .</translation>
     </message>
@@ -4399,20 +4423,20 @@
         <translation>{0} con válvula de {1}</translation>
     </message>
     <message>
-        <source>{0}: it is written all the same.</source>
-        <translation>{0}: se escribe de todos modos.</translation>
-    </message>
-    <message>
-        <source>{0}: lay its pieces out on sheets of that size, make the balloon smaller, or have the file written all the same.</source>
+        <source>{0}: lay its pieces out on sheets of that size, make the balloon smaller, or write the file anyway.</source>
         <translation>{0}: coloque sus piezas en láminas de ese tamaño, reduzca el globo o haga escribir el archivo de todos modos.</translation>
     </message>
     <message>
-        <source>{0}: make the balloon smaller, choose another machine or paper, or have the file written all the same.</source>
+        <source>{0}: make the balloon smaller, choose another machine or paper, or write the file anyway.</source>
         <translation>{0}: reduzca el globo, elija otra máquina u otro papel, o haga escribir el archivo de todos modos.</translation>
     </message>
     <message>
         <source>{0}: pieces {1}, on {2}, {3} used</source>
         <translation>{0}: piezas {1}, en {2}, {3} usado</translation>
+    </message>
+    <message>
+        <source>{0}: the file is written anyway.</source>
+        <translation>{0}: se escribe de todos modos.</translation>
     </message>
     <message>
         <source>{0}: turn the pattern by 90 degrees there.</source>

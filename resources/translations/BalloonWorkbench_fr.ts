@@ -196,10 +196,6 @@
         <translation>Il se porte lui-même</translation>
     </message>
     <message>
-        <source>It has a place; a new object is given one</source>
-        <translation>Il a une place ; un nouvel objet en reçoit une</translation>
-    </message>
-    <message>
         <source>Label of the values the mesh belongs to</source>
         <translation>Repère des valeurs auxquelles appartient le maillage</translation>
     </message>
@@ -452,6 +448,10 @@
         <translation>Le rapport entier en JSON</translation>
     </message>
     <message>
+        <source>The workbench has given it a place</source>
+        <translation>Il a une place ; un nouvel objet en reçoit une</translation>
+    </message>
+    <message>
         <source>Thickness of the film</source>
         <translation>Épaisseur du film</translation>
     </message>
@@ -556,7 +556,7 @@
         <translation>Où elle est cherchée : au plus loin du centre, ou en bas, où un ballon attaché pend droit</translation>
     </message>
     <message>
-        <source>Where it was put, unless by the user</source>
+        <source>Where the workbench put it</source>
         <translation>Où il a été placé, sauf par l'utilisateur</translation>
     </message>
     <message>
@@ -625,6 +625,10 @@
     <message>
         <source> is not ready: </source>
         <translation> n'est pas prêt : </translation>
+    </message>
+    <message>
+        <source>"{0}" is no choice for a pattern larger than the bed: choose {1}.</source>
+        <translation>« {0} » n'est pas possible avec un patron trop grand : choisissez {1}.</translation>
     </message>
     <message>
         <source>"{0}" is no colour: give one such as "#cc294d".</source>
@@ -719,12 +723,24 @@
         <translation>, estimé : le film n'est pas arrivé au repos</translation>
     </message>
     <message>
+        <source>--oversize scale makes the balloon smaller until it fits, --oversize write writes the file anyway, --bed tells how large the bed is.</source>
+        <translation>--oversize scale réduit le ballon jusqu'à ce qu'il tienne, --oversize write écrit le fichier quand même, --bed dit la taille du plateau.</translation>
+    </message>
+    <message>
+        <source>--target-volume and --target-lift decide the size: leave out --width and --height.</source>
+        <translation>--target-volume et --target-lift décident de la taille : omettez --width et --height.</translation>
+    </message>
+    <message>
         <source>1 to {0} pieces can be laid out, not {1}.</source>
         <translation>On peut disposer de 1 à {0} pièces, pas {1}.</translation>
     </message>
     <message>
         <source>A balloon has no "{0}": it has {1}.</source>
         <translation>Un ballon n'a pas de « {0} » : il a {1}.</translation>
+    </message>
+    <message>
+        <source>A bed is that of a machine: give --machine too.</source>
+        <translation>Un plateau est celui d'une machine : donnez aussi --machine.</translation>
     </message>
     <message>
         <source>A bed is {0} mm to {1} mm wide and high: write 600mmx400mm, 600mm for a roll, or {2}.</source>
@@ -815,16 +831,12 @@
         <translation>Un lecteur strict qui veut des polylignes simples. Les calques se distinguent par la couleur : coupez le rouge, le bleu et l'orange, mettez la sortie de tous les autres sur non.</translation>
     </message>
     <message>
-        <source>A target decides the size: leave out --width and --height.</source>
-        <translation>Un but décide de la taille : omettez --width et --height.</translation>
-    </message>
-    <message>
         <source>A volume of {0} cannot be made: give one such as 10l.</source>
         <translation>Un volume de {0} est impossible : donnez par exemple 10l.</translation>
     </message>
     <message>
-        <source>A volume or a lift decides the size: choose less of it.</source>
-        <translation>Un volume ou une portance décide de la taille : choisissez-en moins.</translation>
+        <source>A volume or a lift decides the size, so the balloon cannot be scaled to fit: leave out --oversize scale, or what you give of --target-volume, --target-lift and --gas-volume.</source>
+        <translation>Un volume ou une portance décide de la taille, le ballon ne peut donc pas être réduit au plateau : omettez --oversize scale, ou ce que vous donnez de --target-volume, --target-lift et --gas-volume.</translation>
     </message>
     <message>
         <source>A volume to inflate to and a goal for the size exclude each other: leave one out.</source>
@@ -1395,16 +1407,20 @@
         <translation>Les images sont régulières en mouvement, non en temps. Seul le film a une masse, le gaz n'en a pas.</translation>
     </message>
     <message>
-        <source>FreeCAD cannot make it ({0}). {1}</source>
+        <source>FreeCAD cannot make the document ({0}). {1}</source>
         <translation>FreeCAD ne peut pas créer le document ({0}). {1}</translation>
-    </message>
-    <message>
-        <source>FreeCAD ended ({0}). {1}</source>
-        <translation>FreeCAD s'est arrêté ({0}). {1}</translation>
     </message>
     <message>
         <source>FreeCAD has no material card "{0}": choose one of its material editor.</source>
         <translation>FreeCAD n'a pas de fiche de matériau « {0} » : choisissez-en une de son éditeur de matériaux.</translation>
+    </message>
+    <message>
+        <source>FreeCAD needs a home folder and a temporary folder that it can write to, and enough memory.</source>
+        <translation>Il lui faut un dossier personnel et un dossier temporaire où il peut écrire, et de la mémoire.</translation>
+    </message>
+    <message>
+        <source>FreeCAD stopped before the document was done ({0}). {1}</source>
+        <translation>FreeCAD s'est arrêté ({0}). {1}</translation>
     </message>
     <message>
         <source>From the flat film to the balloon at rest</source>
@@ -1589,10 +1605,6 @@
     <message>
         <source>It is wider now. Ctrl+Z takes that back.</source>
         <translation>Il est plus large maintenant. Ctrl+Z annule.</translation>
-    </message>
-    <message>
-        <source>It needs a home folder and a temporary folder that it can write to, and memory.</source>
-        <translation>Il lui faut un dossier personnel et un dossier temporaire où il peut écrire, et de la mémoire.</translation>
     </message>
     <message>
         <source>Join the panels along the dashed line, {seal} wide, all the way round.</source>
@@ -1835,7 +1847,7 @@
         <translation>Natif</translation>
     </message>
     <message>
-        <source>Near {0} the inflated outline stays up to {1} from the drawing, along {2}: film cannot follow it there. Round it off or widen it.</source>
+        <source>Near {0} the inflated outline stays up to {1} from the drawing, over a length of {2}: film cannot follow it there. Round it off or widen it.</source>
         <translation>Près de {0}, le contour gonflé reste jusqu'à {1} du dessin, sur {2} : le film ne peut pas le suivre là. Arrondissez ou élargissez cet endroit.</translation>
     </message>
     <message>
@@ -1903,7 +1915,7 @@
         <translation>Aucune forme ne ressort de l'image. Prenez des couleurs plus vives ou un fond plus uni.</translation>
     </message>
     <message>
-        <source>No size of the balloon fits a bed of {0}: weld, allowance, intake and bar keep theirs. Choose another machine.</source>
+        <source>No size of the balloon fits a bed of {0}: weld, allowance, intake and control bar keep their sizes. Choose another machine.</source>
         <translation>Aucune taille du ballon ne tient sur un plateau de {0} : soudure, marge, embout et barre de contrôle gardent les leurs. Choisissez une autre machine.</translation>
     </message>
     <message>
@@ -2375,6 +2387,10 @@
         <translation>Réduire au plateau</translation>
     </message>
     <message>
+        <source>Scaled to fit: the drawing is {0} wide instead of {1}.</source>
+        <translation>Réduit au plateau : le dessin a {0} de large au lieu de {1}.</translation>
+    </message>
+    <message>
         <source>Scaled to fit: {} wide instead of {}.</source>
         <translation>Réduit au plateau : {} de large au lieu de {}.</translation>
     </message>
@@ -2771,10 +2787,6 @@
         <translation>Le dessin ; une copie en reste dans le document</translation>
     </message>
     <message>
-        <source>The end of this tip stays flat, over {length}. A radius of {wanted} makes it rounder.</source>
-        <translation>Le bout de cette pointe reste plat, sur {length}. Un rayon de {wanted} l'arrondit.</translation>
-    </message>
-    <message>
         <source>The file is XML but no SVG drawing. Choose a drawing.</source>
         <translation>Le fichier est du XML mais pas un dessin SVG. Choisissez un dessin.</translation>
     </message>
@@ -2789,6 +2801,10 @@
     <message>
         <source>The file of rules {0} is of no use: {1}. Install it anew.</source>
         <translation>Le fichier des règles {0} est inutilisable : {1}. Réinstallez-le.</translation>
+    </message>
+    <message>
+        <source>The file of the pattern</source>
+        <translation>L'export des patrons</translation>
     </message>
     <message>
         <source>The file {0} is of no use: {1}. Install it anew.</source>
@@ -2911,6 +2927,10 @@
         <translation>L'inscription « {0} » fait {1} de long, et le film n'a que {2} de large : prenez un texte plus court ou des lettres plus basses.</translation>
     </message>
     <message>
+        <source>The last {length} of this tip stay flat. A radius of {wanted} makes it rounder.</source>
+        <translation>Le bout de cette pointe reste plat, sur {length}. Un rayon de {wanted} l'arrondit.</translation>
+    </message>
+    <message>
         <source>The layer MARK of the machine file {0}.json takes notches only. Rename it NOTCH, and where your machine can draw, add the layers FOLD and PEN.</source>
         <translation>Le calque MARK du fichier de machine {0}.json ne prend que les encoches. Renommez-le NOTCH, et si votre machine peut tracer, ajoutez les calques FOLD et PEN.</translation>
     </message>
@@ -2955,8 +2975,8 @@
         <translation>La taille de maille est {0} : donnez-en une au-dessus de 0.</translation>
     </message>
     <message>
-        <source>The native solver cannot be kept. {0} {1}</source>
-        <translation>Le solveur natif ne peut pas être enregistré. {0} {1}</translation>
+        <source>The native solver cannot be saved. {0}</source>
+        <translation>Le solveur natif ne peut pas être enregistré. {0}</translation>
     </message>
     <message>
         <source>The native solver could not be fetched from {0} ({1}). Try again when the network is there. {2}</source>
@@ -2971,10 +2991,6 @@
         <translation>Le solveur natif est maintenant utilisé.</translation>
     </message>
     <message>
-        <source>The native solver is in use.</source>
-        <translation>Le solveur natif est utilisé.</translation>
-    </message>
-    <message>
         <source>The native solver is not available: {0} Use the NumPy solver.</source>
         <translation>Le solveur natif n'est pas disponible : {0} Utilisez le solveur NumPy.</translation>
     </message>
@@ -2983,8 +2999,8 @@
         <translation>Le solveur natif n'est pas installé. Tout marche sans lui, mais les simulations prennent 20 à 30 fois plus de temps. Le télécharger maintenant ?</translation>
     </message>
     <message>
-        <source>The native solver was fetched, but does not run here: {0} {1}</source>
-        <translation>Le solveur natif a été téléchargé, mais ne marche pas ici : {0} {1}</translation>
+        <source>The native solver was fetched, but does not run here: {0}</source>
+        <translation>Le solveur natif a été téléchargé, mais ne marche pas ici : {0}</translation>
     </message>
     <message>
         <source>The native solver was not fetched: stopped.</source>
@@ -3067,10 +3083,6 @@
         <translation>Le patron mesure {0}, le plateau de {1} {2}</translation>
     </message>
     <message>
-        <source>The patterns' files</source>
-        <translation>L'export des patrons</translation>
-    </message>
-    <message>
         <source>The picture has a single colour. Choose one that shows a shape on a background.</source>
         <translation>L'image n'a qu'une couleur. Choisissez-en une qui montre une forme sur un fond.</translation>
     </message>
@@ -3107,12 +3119,20 @@
         <translation>La pression doit être positive et d'au plus {0}, pas {1}. Un ballon de fête a environ 2 kPa.</translation>
     </message>
     <message>
+        <source>The print on film</source>
+        <translation>L'impression sur film</translation>
+    </message>
+    <message>
         <source>The radius of the corner relief must be 0 or above.</source>
         <translation>Le rayon du dégagement d'angle doit être 0 ou plus.</translation>
     </message>
     <message>
         <source>The repair at {0} no longer fits, {1}: take it back or draw that part anew.</source>
         <translation>La réparation en {0} ne convient plus, {1} : annulez-la ou redessinez cette partie.</translation>
+    </message>
+    <message>
+        <source>The rest of the job</source>
+        <translation>Le reste</translation>
     </message>
     <message>
         <source>The seal width must be between 0.01 mm and 1 m, the allowance between 0 and 1 m.</source>
@@ -3155,7 +3175,11 @@
         <translation>La taille vient de {0} : réduisez-la là.</translation>
     </message>
     <message>
-        <source>The size of {0} follows an expression: change what that refers to.</source>
+        <source>The size follows from a volume or a lift: choose a smaller one.</source>
+        <translation>Un volume ou une portance décide de la taille : choisissez-en moins.</translation>
+    </message>
+    <message>
+        <source>The size of {0} is set by an expression: change the value that it uses.</source>
         <translation>La taille de {0} suit une expression : changez ce à quoi elle se réfère.</translation>
     </message>
     <message>
@@ -3215,10 +3239,6 @@
         <translation>La dimension ({0}) est de {1} mm : donnez-en une au-dessus de 0, par exemple 300 mm.</translation>
     </message>
     <message>
-        <source>The {0} is {1} off what was wanted: correct the goal by as much.</source>
-        <translation>Le but ({0}) est manqué de {1} : corrigez-le d'autant.</translation>
-    </message>
-    <message>
         <source>The {0} line crosses itself near {1}: simplify the drawing there.</source>
         <translation>La ligne {0} se croise près de {1} : simplifiez-y le dessin.</translation>
     </message>
@@ -3229,6 +3249,10 @@
     <message>
         <source>The {0} line that begins at {1} is open: programs fill, offset and cut closed lines only. Close it.</source>
         <translation>La ligne {0} qui commence en {1} est ouverte : les programmes ne remplissent, décalent et coupent que des lignes fermées. Fermez-la.</translation>
+    </message>
+    <message>
+        <source>The {0} misses the goal by {1}: change the goal by as much.</source>
+        <translation>Le but ({0}) est manqué de {1} : corrigez-le d'autant.</translation>
     </message>
     <message>
         <source>The {0} {1} is not between {2} and {3} {4}: give one such as {5}.</source>
@@ -3335,10 +3359,6 @@
         <translation>Il n'y a pas de symétrie « {0} » : choisissez parmi {1}.</translation>
     </message>
     <message>
-        <source>There is no way "{0}" with a large pattern: choose {1}.</source>
-        <translation>« {0} » n'est pas possible avec un patron trop grand : choisissez {1}.</translation>
-    </message>
-    <message>
         <source>There is too little memory for this: take a coarser mesh, or close other programs.</source>
         <translation>Il n'y a pas assez de mémoire pour cela : prenez un maillage plus grossier, ou fermez d'autres programmes.</translation>
     </message>
@@ -3375,8 +3395,12 @@
         <translation>Ce bras reste bien plus mince que le reste : dessiné large de {width}, il devient épais de {measured}. Pour l'arrondir, faites-le large de {wanted}.</translation>
     </message>
     <message>
-        <source>This balloon holds {0} {1} at any pressure that suits its film: {2} at {3}. Change the size of the balloon or the volume.</source>
-        <translation>Ce ballon contient {0} {1} à toute pression qui convient à son film : {2} à {3}. Changez la taille du ballon ou le volume.</translation>
+        <source>This balloon holds less than {0} at any pressure that suits its film: {1} at {2}. Change the size of the balloon or the volume.</source>
+        <translation>Ce ballon contient moins de {0} à toute pression qui convient à son film : {1} à {2}. Changez la taille du ballon ou le volume.</translation>
+    </message>
+    <message>
+        <source>This balloon holds more than {0} at any pressure that suits its film: {1} at {2}. Change the size of the balloon or the volume.</source>
+        <translation>Ce ballon contient plus de {0} à toute pression qui convient à son film : {1} à {2}. Changez la taille du ballon ou le volume.</translation>
     </message>
     <message>
         <source>This cannot be shown ({0}).</source>
@@ -3569,10 +3593,6 @@
     <message>
         <source>Welds easily with an impulse sealer or an iron. Yields at about 9 MPa, half its tensile strength, and creeps: keep the pressure low.</source>
         <translation>Se soude facilement à la soudeuse à impulsion ou au fer. Cède vers 9 MPa, la moitié de sa résistance, et flue : gardez la pression basse.</translation>
-    </message>
-    <message>
-        <source>What else is made</source>
-        <translation>Le reste</translation>
     </message>
     <message>
         <source>What it takes to make it</source>
@@ -4051,6 +4071,10 @@
         <translation>la connexion s'est terminée trop tôt</translation>
     </message>
     <message>
+        <source>the connection timed out</source>
+        <translation>pas de réponse dans le délai</translation>
+    </message>
+    <message>
         <source>the file name "{0}" may have letters, digits, spaces, _, - and . only.</source>
         <translation>le nom de fichier « {0} » ne peut avoir que lettres, chiffres, espaces, _, - et .</translation>
     </message>
@@ -4399,20 +4423,20 @@
         <translation>{0} avec une valve de {1}</translation>
     </message>
     <message>
-        <source>{0}: it is written all the same.</source>
-        <translation>{0} : le fichier est écrit quand même.</translation>
-    </message>
-    <message>
-        <source>{0}: lay its pieces out on sheets of that size, make the balloon smaller, or have the file written all the same.</source>
+        <source>{0}: lay its pieces out on sheets of that size, make the balloon smaller, or write the file anyway.</source>
         <translation>{0} : disposez ses pièces sur des feuilles de cette taille, réduisez le ballon, ou faites écrire le fichier quand même.</translation>
     </message>
     <message>
-        <source>{0}: make the balloon smaller, choose another machine or paper, or have the file written all the same.</source>
+        <source>{0}: make the balloon smaller, choose another machine or paper, or write the file anyway.</source>
         <translation>{0} : réduisez le ballon, choisissez une autre machine ou un autre papier, ou faites écrire le fichier quand même.</translation>
     </message>
     <message>
         <source>{0}: pieces {1}, on {2}, {3} used</source>
         <translation>{0} : pièces {1}, sur {2}, {3} utilisés</translation>
+    </message>
+    <message>
+        <source>{0}: the file is written anyway.</source>
+        <translation>{0} : le fichier est écrit quand même.</translation>
     </message>
     <message>
         <source>{0}: turn the pattern by 90 degrees there.</source>

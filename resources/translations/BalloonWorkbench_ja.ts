@@ -196,10 +196,6 @@
         <translation>自分の重さを支えて浮く</translation>
     </message>
     <message>
-        <source>It has a place; a new object is given one</source>
-        <translation>位置が決まっている（新しいオブジェクトには自動で位置が決まる）</translation>
-    </message>
-    <message>
         <source>Label of the values the mesh belongs to</source>
         <translation>このメッシュが対応する値の識別子</translation>
     </message>
@@ -452,6 +448,10 @@
         <translation>レポート全体（JSON）</translation>
     </message>
     <message>
+        <source>The workbench has given it a place</source>
+        <translation>位置が決まっている（新しいオブジェクトには自動で位置が決まる）</translation>
+    </message>
+    <message>
         <source>Thickness of the film</source>
         <translation>フィルムの厚さ</translation>
     </message>
@@ -556,7 +556,7 @@
         <translation>自動で決める位置：中心から最も遠い所、または結んだ風船が真っすぐ下がる低い所</translation>
     </message>
     <message>
-        <source>Where it was put, unless by the user</source>
+        <source>Where the workbench put it</source>
         <translation>自動で置かれた位置（ユーザーが動かした場合を除く）</translation>
     </message>
     <message>
@@ -625,6 +625,10 @@
     <message>
         <source> is not ready: </source>
         <translation> の準備ができていません：</translation>
+    </message>
+    <message>
+        <source>"{0}" is no choice for a pattern larger than the bed: choose {1}.</source>
+        <translation>大きすぎる型紙の扱い方「{0}」はありません。{1} から選んでください。</translation>
     </message>
     <message>
         <source>"{0}" is no colour: give one such as "#cc294d".</source>
@@ -719,12 +723,24 @@
         <translation>、推定値：フィルムが静止しませんでした</translation>
     </message>
     <message>
+        <source>--oversize scale makes the balloon smaller until it fits, --oversize write writes the file anyway, --bed tells how large the bed is.</source>
+        <translation>--oversize scale は収まるまで風船を小さくし、--oversize write はそのままファイルを書き出し、--bed は加工台の大きさを指定します。</translation>
+    </message>
+    <message>
+        <source>--target-volume and --target-lift decide the size: leave out --width and --height.</source>
+        <translation>大きさは --target-volume と --target-lift で決まります。--width と --height を省いてください。</translation>
+    </message>
+    <message>
         <source>1 to {0} pieces can be laid out, not {1}.</source>
         <translation>配置できるのは 1～{0} 枚です（{1} は不可）。</translation>
     </message>
     <message>
         <source>A balloon has no "{0}": it has {1}.</source>
         <translation>風船に「{0}」という値はありません。使えるもの：{1}。</translation>
+    </message>
+    <message>
+        <source>A bed is that of a machine: give --machine too.</source>
+        <translation>加工台は機械のものです。--machine も指定してください。</translation>
     </message>
     <message>
         <source>A bed is {0} mm to {1} mm wide and high: write 600mmx400mm, 600mm for a roll, or {2}.</source>
@@ -815,16 +831,12 @@
         <translation>単純なポリラインだけを読む厳格なプログラムです。レイヤーは色で区別されます。赤、青、オレンジを切り、ほかの色はすべて出力を「なし」にしてください。</translation>
     </message>
     <message>
-        <source>A target decides the size: leave out --width and --height.</source>
-        <translation>大きさは目標で決まります。--width と --height を省いてください。</translation>
-    </message>
-    <message>
         <source>A volume of {0} cannot be made: give one such as 10l.</source>
         <translation>{0} の体積は作れません。10l のように指定してください。</translation>
     </message>
     <message>
-        <source>A volume or a lift decides the size: choose less of it.</source>
-        <translation>大きさは体積か浮力で決まります。その値を小さくしてください。</translation>
+        <source>A volume or a lift decides the size, so the balloon cannot be scaled to fit: leave out --oversize scale, or what you give of --target-volume, --target-lift and --gas-volume.</source>
+        <translation>大きさは体積か浮力で決まるため、風船を収まるように縮められません。--oversize scale か、指定した --target-volume、--target-lift、--gas-volume を省いてください。</translation>
     </message>
     <message>
         <source>A volume to inflate to and a goal for the size exclude each other: leave one out.</source>
@@ -1395,16 +1407,20 @@
         <translation>コマは時間ではなく動きに対して等間隔です。質量はフィルムだけにあり、気体にはありません。</translation>
     </message>
     <message>
-        <source>FreeCAD cannot make it ({0}). {1}</source>
+        <source>FreeCAD cannot make the document ({0}). {1}</source>
         <translation>FreeCAD で作れません（{0}）。{1}</translation>
-    </message>
-    <message>
-        <source>FreeCAD ended ({0}). {1}</source>
-        <translation>FreeCAD が途中で終了しました（{0}）。{1}</translation>
     </message>
     <message>
         <source>FreeCAD has no material card "{0}": choose one of its material editor.</source>
         <translation>FreeCAD に材料カード「{0}」はありません。材料エディターのカードから選んでください。</translation>
+    </message>
+    <message>
+        <source>FreeCAD needs a home folder and a temporary folder that it can write to, and enough memory.</source>
+        <translation>書き込めるホームフォルダーと一時フォルダー、それにメモリーが必要です。</translation>
+    </message>
+    <message>
+        <source>FreeCAD stopped before the document was done ({0}). {1}</source>
+        <translation>FreeCAD が途中で終了しました（{0}）。{1}</translation>
     </message>
     <message>
         <source>From the flat film to the balloon at rest</source>
@@ -1589,10 +1605,6 @@
     <message>
         <source>It is wider now. Ctrl+Z takes that back.</source>
         <translation>広くしました。Ctrl+Z で元に戻せます。</translation>
-    </message>
-    <message>
-        <source>It needs a home folder and a temporary folder that it can write to, and memory.</source>
-        <translation>書き込めるホームフォルダーと一時フォルダー、それにメモリーが必要です。</translation>
     </message>
     <message>
         <source>Join the panels along the dashed line, {seal} wide, all the way round.</source>
@@ -1835,7 +1847,7 @@
         <translation>ネイティブ</translation>
     </message>
     <message>
-        <source>Near {0} the inflated outline stays up to {1} from the drawing, along {2}: film cannot follow it there. Round it off or widen it.</source>
+        <source>Near {0} the inflated outline stays up to {1} from the drawing, over a length of {2}: film cannot follow it there. Round it off or widen it.</source>
         <translation>{0} 付近で、ふくらんだ輪郭が {2} にわたって図から最大 {1} 離れます。フィルムはそこに追従できません。丸めるか広げてください。</translation>
     </message>
     <message>
@@ -1903,7 +1915,7 @@
         <translation>画像の中に形が見つかりません。はっきりした色か、無地に近い背景にしてください。</translation>
     </message>
     <message>
-        <source>No size of the balloon fits a bed of {0}: weld, allowance, intake and bar keep theirs. Choose another machine.</source>
+        <source>No size of the balloon fits a bed of {0}: weld, allowance, intake and control bar keep their sizes. Choose another machine.</source>
         <translation>風船をどの大きさにしても {0} の加工台に収まりません。溶着、余白、注入口、確認用の棒の大きさは変わらないためです。別の機械を選んでください。</translation>
     </message>
     <message>
@@ -2375,6 +2387,10 @@
         <translation>収まるように縮める</translation>
     </message>
     <message>
+        <source>Scaled to fit: the drawing is {0} wide instead of {1}.</source>
+        <translation>収まるように縮めました：図の幅は {1} から {0} になりました。</translation>
+    </message>
+    <message>
         <source>Scaled to fit: {} wide instead of {}.</source>
         <translation>収まるように縮めました：幅は {1} から {0} になりました。</translation>
     </message>
@@ -2771,10 +2787,6 @@
         <translation>図（コピーが文書に入ります）</translation>
     </message>
     <message>
-        <source>The end of this tip stays flat, over {length}. A radius of {wanted} makes it rounder.</source>
-        <translation>この先端の端は {length} にわたって平らなままです。半径を {wanted} にするともっとふくらみます。</translation>
-    </message>
-    <message>
         <source>The file is XML but no SVG drawing. Choose a drawing.</source>
         <translation>このファイルは XML ですが SVG の図ではありません。図を選んでください。</translation>
     </message>
@@ -2789,6 +2801,10 @@
     <message>
         <source>The file of rules {0} is of no use: {1}. Install it anew.</source>
         <translation>規則のファイル {0} が使えません：{1}。入れ直してください。</translation>
+    </message>
+    <message>
+        <source>The file of the pattern</source>
+        <translation>型紙のファイル</translation>
     </message>
     <message>
         <source>The file {0} is of no use: {1}. Install it anew.</source>
@@ -2911,6 +2927,10 @@
         <translation>文字「{0}」の長さは {1} ですが、フィルムの幅は {2} しかありません。短くするか文字を小さくしてください。</translation>
     </message>
     <message>
+        <source>The last {length} of this tip stay flat. A radius of {wanted} makes it rounder.</source>
+        <translation>この先端の端は {length} にわたって平らなままです。半径を {wanted} にするともっとふくらみます。</translation>
+    </message>
+    <message>
         <source>The layer MARK of the machine file {0}.json takes notches only. Rename it NOTCH, and where your machine can draw, add the layers FOLD and PEN.</source>
         <translation>機械のファイル {0}.json のレイヤー MARK には合印しか入りません。名前を NOTCH に変え、機械で描けるならレイヤー FOLD と PEN を加えてください。</translation>
     </message>
@@ -2955,8 +2975,8 @@
         <translation>メッシュの大きさが {0} です。0 より大きくしてください。</translation>
     </message>
     <message>
-        <source>The native solver cannot be kept. {0} {1}</source>
-        <translation>ネイティブソルバーを保存できません。{0} {1}</translation>
+        <source>The native solver cannot be saved. {0}</source>
+        <translation>ネイティブソルバーを保存できません。{0}</translation>
     </message>
     <message>
         <source>The native solver could not be fetched from {0} ({1}). Try again when the network is there. {2}</source>
@@ -2971,10 +2991,6 @@
         <translation>これからはネイティブソルバーを使います。</translation>
     </message>
     <message>
-        <source>The native solver is in use.</source>
-        <translation>ネイティブソルバーを使っています。</translation>
-    </message>
-    <message>
         <source>The native solver is not available: {0} Use the NumPy solver.</source>
         <translation>ネイティブソルバーは使えません：{0} NumPy のソルバーを使ってください。</translation>
     </message>
@@ -2983,8 +2999,8 @@
         <translation>ネイティブソルバーが入っていません。なくてもすべて動きますが、シミュレーションに 20～30 倍の時間がかかります。今すぐ取得しますか？</translation>
     </message>
     <message>
-        <source>The native solver was fetched, but does not run here: {0} {1}</source>
-        <translation>ネイティブソルバーを取得しましたが、この環境では動きません：{0} {1}</translation>
+        <source>The native solver was fetched, but does not run here: {0}</source>
+        <translation>ネイティブソルバーを取得しましたが、この環境では動きません：{0}</translation>
     </message>
     <message>
         <source>The native solver was not fetched: stopped.</source>
@@ -3067,10 +3083,6 @@
         <translation>型紙は {0}、{1} の加工台は {2} です</translation>
     </message>
     <message>
-        <source>The patterns' files</source>
-        <translation>型紙のファイル</translation>
-    </message>
-    <message>
         <source>The picture has a single colour. Choose one that shows a shape on a background.</source>
         <translation>画像が一色だけです。背景の上に形が見えるものを選んでください。</translation>
     </message>
@@ -3107,12 +3119,20 @@
         <translation>圧力は 0 より大きく {0} 以下にしてください（指定は {1}）。パーティー用の風船は約 2 kPa です。</translation>
     </message>
     <message>
+        <source>The print on film</source>
+        <translation>フィルムへの印刷</translation>
+    </message>
+    <message>
         <source>The radius of the corner relief must be 0 or above.</source>
         <translation>角の逃げの半径は 0 以上にしてください。</translation>
     </message>
     <message>
         <source>The repair at {0} no longer fits, {1}: take it back or draw that part anew.</source>
         <translation>{0} の修正は合わなくなりました（{1}）。取り消すか、その部分を描き直してください。</translation>
+    </message>
+    <message>
+        <source>The rest of the job</source>
+        <translation>そのほかのファイル</translation>
     </message>
     <message>
         <source>The seal width must be between 0.01 mm and 1 m, the allowance between 0 and 1 m.</source>
@@ -3155,7 +3175,11 @@
         <translation>大きさは {0} で決まります。そちらで小さくしてください。</translation>
     </message>
     <message>
-        <source>The size of {0} follows an expression: change what that refers to.</source>
+        <source>The size follows from a volume or a lift: choose a smaller one.</source>
+        <translation>大きさは体積か浮力で決まります。その値を小さくしてください。</translation>
+    </message>
+    <message>
+        <source>The size of {0} is set by an expression: change the value that it uses.</source>
         <translation>{0} の大きさは式で決まります。式が参照する値を変えてください。</translation>
     </message>
     <message>
@@ -3215,10 +3239,6 @@
         <translation>寸法（{0}）が {1} mm です。300 mm のように 0 より大きくしてください。</translation>
     </message>
     <message>
-        <source>The {0} is {1} off what was wanted: correct the goal by as much.</source>
-        <translation>目標（{0}）から {1} ずれました。その分だけ目標を直してください。</translation>
-    </message>
-    <message>
         <source>The {0} line crosses itself near {1}: simplify the drawing there.</source>
         <translation>{0} の線が {1} 付近で交わります。そこの図を簡単にしてください。</translation>
     </message>
@@ -3229,6 +3249,10 @@
     <message>
         <source>The {0} line that begins at {1} is open: programs fill, offset and cut closed lines only. Close it.</source>
         <translation>{1} で始まる {0} の線が閉じていません。塗り、オフセット、切断には閉じた線が必要です。閉じてください。</translation>
+    </message>
+    <message>
+        <source>The {0} misses the goal by {1}: change the goal by as much.</source>
+        <translation>目標（{0}）から {1} ずれました。その分だけ目標を直してください。</translation>
     </message>
     <message>
         <source>The {0} {1} is not between {2} and {3} {4}: give one such as {5}.</source>
@@ -3335,10 +3359,6 @@
         <translation>対称「{0}」はありません。{1} から選んでください。</translation>
     </message>
     <message>
-        <source>There is no way "{0}" with a large pattern: choose {1}.</source>
-        <translation>大きすぎる型紙の扱い方「{0}」はありません。{1} から選んでください。</translation>
-    </message>
-    <message>
         <source>There is too little memory for this: take a coarser mesh, or close other programs.</source>
         <translation>メモリーが足りません。メッシュを粗くするか、ほかのプログラムを閉じてください。</translation>
     </message>
@@ -3375,8 +3395,12 @@
         <translation>この腕はほかよりずっと細いままです。描いた幅は {width}、ふくらむ厚みは {measured} です。もっと丸くするには幅を {wanted} にしてください。</translation>
     </message>
     <message>
-        <source>This balloon holds {0} {1} at any pressure that suits its film: {2} at {3}. Change the size of the balloon or the volume.</source>
-        <translation>この風船に入るのは、フィルムに合うどの圧力でも {0} {1} です（{3} で {2}）。風船の大きさか体積を変えてください。</translation>
+        <source>This balloon holds less than {0} at any pressure that suits its film: {1} at {2}. Change the size of the balloon or the volume.</source>
+        <translation>この風船に入るのは、フィルムに合うどの圧力でも {0} より少ない量です（{2} で {1}）。風船の大きさか体積を変えてください。</translation>
+    </message>
+    <message>
+        <source>This balloon holds more than {0} at any pressure that suits its film: {1} at {2}. Change the size of the balloon or the volume.</source>
+        <translation>この風船に入るのは、フィルムに合うどの圧力でも {0} より多い量です（{2} で {1}）。風船の大きさか体積を変えてください。</translation>
     </message>
     <message>
         <source>This cannot be shown ({0}).</source>
@@ -3569,10 +3593,6 @@
     <message>
         <source>Welds easily with an impulse sealer or an iron. Yields at about 9 MPa, half its tensile strength, and creeps: keep the pressure low.</source>
         <translation>インパルスシーラーかアイロンで簡単に溶着できます。引張強さの半分の約 9 MPa で降伏し、クリープするので、圧力は低くしてください。</translation>
-    </message>
-    <message>
-        <source>What else is made</source>
-        <translation>そのほかのファイル</translation>
     </message>
     <message>
         <source>What it takes to make it</source>
@@ -4051,6 +4071,10 @@
         <translation>接続が途中で切れました</translation>
     </message>
     <message>
+        <source>the connection timed out</source>
+        <translation>時間内に応答がありませんでした</translation>
+    </message>
+    <message>
         <source>the file name "{0}" may have letters, digits, spaces, _, - and . only.</source>
         <translation>ファイル名「{0}」に使えるのは英数字、空白、_、-、. だけです。</translation>
     </message>
@@ -4399,20 +4423,20 @@
         <translation>{0}（弁 {1} を含む）</translation>
     </message>
     <message>
-        <source>{0}: it is written all the same.</source>
-        <translation>{0}。そのまま書き出します。</translation>
-    </message>
-    <message>
-        <source>{0}: lay its pieces out on sheets of that size, make the balloon smaller, or have the file written all the same.</source>
+        <source>{0}: lay its pieces out on sheets of that size, make the balloon smaller, or write the file anyway.</source>
         <translation>{0}。部品をその大きさのシートに並べるか、風船を小さくするか、そのまま書き出してください。</translation>
     </message>
     <message>
-        <source>{0}: make the balloon smaller, choose another machine or paper, or have the file written all the same.</source>
+        <source>{0}: make the balloon smaller, choose another machine or paper, or write the file anyway.</source>
         <translation>{0}。風船を小さくするか、別の機械か用紙を選ぶか、そのまま書き出してください。</translation>
     </message>
     <message>
         <source>{0}: pieces {1}, on {2}, {3} used</source>
         <translation>{0}：部品 {1} 個、フィルム {2}、使用率 {3}</translation>
+    </message>
+    <message>
+        <source>{0}: the file is written anyway.</source>
+        <translation>{0}。そのまま書き出します。</translation>
     </message>
     <message>
         <source>{0}: turn the pattern by 90 degrees there.</source>
