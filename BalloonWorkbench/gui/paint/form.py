@@ -44,6 +44,8 @@ class Form(QtWidgets.QWidget):
         )
         self.drawn_as.activated.connect(lambda index: self.read_as.emit(self.drawn_as.itemData(index)))
         self.numbers = _label("PaintNumbers")
+        self.numbers.setWordWrap(True)
+        self.numbers.setSizePolicy(QtWidgets.QSizePolicy.Ignored, QtWidgets.QSizePolicy.Preferred)
         self.hint = _label("PaintHint")
         self.hint.setWordWrap(True)
         self.hint.setSizePolicy(QtWidgets.QSizePolicy.Ignored, QtWidgets.QSizePolicy.Preferred)
@@ -74,6 +76,12 @@ class Form(QtWidgets.QWidget):
         column.addWidget(self.hint)
         column.addLayout(below)
         self.tell("")
+
+    def showEvent(self, event):
+        """Themes give fields least widths that cut off what is in them."""
+        super().showEvent(event)
+        for field in (self.width_field, self.drawn_as):
+            field.setMinimumWidth(field.sizeHint().width())
 
     def show_width(self, width: float) -> None:
         """Show a width in mm that came from elsewhere."""
