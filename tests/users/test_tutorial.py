@@ -122,10 +122,10 @@ def test_tutorial_fish(user, story, says, tmp_path):
     says(
         "When the pen rests for a moment, the workbench works out the pattern with care, so that the "
         "inflated fish is as large as the drawn one: the foil gets its real folds, and the line under the "
-        "canvas says whether anything is in the way.",
+        "canvas says when it is ready to make, or what to change.",
         live.latest.solved is not None
         and live.latest.size[0] == pytest.approx(250, rel=0.01)
-        and form.hint.text(),
+        and "Ready to make" in form.hint.text(),
     )
     user.button("PaintMake")
     hands.wait_until(is_closed, 60)
