@@ -8,6 +8,7 @@ everything fill a narrow view.
 from __future__ import annotations
 
 import math
+from contextlib import contextmanager
 
 import FreeCAD as App
 import FreeCADGui as Gui
@@ -31,6 +32,25 @@ def fit_all(document=None) -> None:
         _aim(view, corners, _AROUND)
     else:
         view.fitAll()
+
+
+def is_whole(document) -> bool:
+    """All that is visible in a Gui document can be seen in its view."""
+    view = view_of(document)
+    corners = () if view is None or min(view.getSize()) < 1 else _corners(view, document)
+    if not len(corners):
+        return False
+    low, high = _seen(view, corners)
+    return bool(min(low) > -_SLACK and max(high) < 1.0 + _SLACK)
+
+
+@contextmanager
+def kept_whole(document):
+    """What comes or grows meanwhile is brought into a view that had shown everything."""
+    was_whole = is_whole(document)
+    yield
+    if was_whole and not is_whole(document):
+        fit_all(document)
 
 
 def keep_in_sight(document) -> None:

@@ -186,6 +186,7 @@ class User:
         hands.wait_until(hands.panel_is_seen)
         button = hands.panel_buttons()[0].button(getattr(QtWidgets.QDialogButtonBox, name))
         assert button is not None, f"the panel has no {name}"
+        show(button)  # FreeCAD 0.20 scrolls the row away with the rest
         self.click(button)
 
     # on the paper

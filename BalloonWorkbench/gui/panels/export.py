@@ -38,9 +38,8 @@ class ExportPanel(Panel):
         self.file = TargetFile(patterns[0].Document, "File", translate("Export pattern"))
         self.size = WrappedLabel()
         self.size.setObjectName("Size")
-        self.message = QtWidgets.QLabel()
+        self.message = WrappedLabel()
         self.message.setObjectName("Message")
-        self.message.setWordWrap(True)
         form = NarrowForm(self.form)
         for text, widget in (
             (translate("Pattern"), self.choice),
