@@ -55,6 +55,7 @@ def test_engineer(user, story, tmp_path):
     hands.wait_until(hands.panel_is_seen)
     field = hands.find("Pressure")
     hands.show_tab(field)
+    hands.wait(0.5)  # the page takes its place
     user.click(field.mapToGlobal(hands.QtCore.QPoint(20, field.height() // 2)))
     story.step("pressure-page")
     give_expression(user, field, "1 kPa + 2 kPa", story)

@@ -109,6 +109,7 @@ class Form(QtWidgets.QWidget):
 
     def tell(self, text: str) -> None:
         """One sentence; without one, what to do first."""
+        self.says_first = not text
         self.hint.setText(
             sentences.tell(text) or translate("Draw a closed line, or paint an area: it becomes a balloon.")
         )

@@ -171,7 +171,8 @@ class PaintWindow(PaintDock):
         self.hand.cancel()
         self.hand.tool = tool
         self.tools.show_chosen(tool)
-        self.form.tell("")
+        if self.live.latest is None:
+            self.form.tell("")
         self.canvas.update()
 
     def colour(self, value: str) -> None:
@@ -299,9 +300,9 @@ class PaintWindow(PaintDock):
             self.card.ask(self.live.width)
         self.scene.show(look, self.painting.image)
         self.form.show_look(look)
-        if self._is_refused:
+        if self._is_refused or self.form.says_first:
             self._is_refused = False
-            self.form.tell("")
+            self.form.tell(translate("The pattern is being fitted to the painting ..."))
         if look.solved is not None or look.remarks:
             self._advised(look.remarks)
         self.canvas.update()
