@@ -85,12 +85,15 @@ class WrappedLabel(QtWidgets.QLabel):
 
     def setText(self, text):
         super().setText(text)
-        self.setMinimumHeight(self.heightForWidth(self.width()))
+        self._fit()
 
     def resizeEvent(self, event):
         super().resizeEvent(event)
         if event.size().width() != event.oldSize().width():
-            self.setMinimumHeight(self.heightForWidth(event.size().width()))
+            self._fit()
+
+    def _fit(self) -> None:
+        self.setMinimumHeight(max(self.heightForWidth(self.width()), 0))  # -1 without a text
 
 
 class FullList(QtWidgets.QListWidget):
