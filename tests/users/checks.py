@@ -12,12 +12,14 @@ import numpy as np
 
 from BalloonWorkbench.app.qt_picture import pixels
 from BalloonWorkbench.gui.paint import window as paint_window
+from BalloonWorkbench.gui.panels.narrow import ElidedCombo, ElidedLabel
 
 QtCore, QtGui, QtWidgets = hands.QtCore, hands.QtGui, hands.QtWidgets
 
 _PARKED = -400  # px; FreeCAD 1.0 keeps docks that are not in use to the left of the screen
 _SLACK = 2  # px that styles give or take
 _CONTRAST = 3.0  # of text, WCAG 2.1 for large and graphical parts
+_READ = 0.8  # of the entry of a choice that shows an ellipsis in place of its end
 _STROKE = 6  # px that a letter has at least
 _MOST = 8  # faults of a kind that are told for one step
 #: Widgets whose parts lie over each other as Qt and FreeCAD made them.
@@ -31,6 +33,8 @@ _WHOLE = (
     QtWidgets.QDockWidget,
     QtWidgets.QDialogButtonBox,
 )
+#: Where a file goes, which the user has chosen and has to know.
+_PLACES = ("File", "FileFolder", "AssemblyFile", "AssemblyFileFolder")
 _SAYING = (
     QtWidgets.QLabel,
     QtWidgets.QAbstractButton,
@@ -41,8 +45,9 @@ _SAYING = (
 #: What no text may have in it.
 WRONG = {
     "a number with an exponent": r"\d[eE][+-]?\d+\b",
-    # what the user has typed lies in a folder of pytest
-    "the address of a file": r"file:|\bqrc:|(?<![\w.])/(?!tmp/pytest)(?:work|usr|root|home|tmp|opt)/\S+",
+    # the user's own folder and what he has typed: of test.sh and of pytest
+    "the address of a file": r"file:|\bqrc:|"
+    r"(?<![\w.])/(?!tmp/(?:pytest|tmp\.))(?:work|usr|root|home|tmp|opt)/\S+",
     "no number": r"\b(?:nan|inf)\b",
     "a placeholder": r"\{\w*\}|%[1-9sdn]\b",
     "one of many": r"(?<![\d.,/])1 (?:holes|shapes|pieces|files|sheets|pages|places|panels|parts|balloons)\b",
@@ -188,6 +193,10 @@ def _text_cut_off(widget):
     said = text_of(widget).replace("&", "")
     if not said or "<" in said:
         return
+    if isinstance(widget, ElidedLabel):
+        if not widget.toolTip():
+            yield f"{name(widget)} says nowhere what it leaves out"
+        return
     needs = max(widget.fontMetrics().horizontalAdvance(line) for line in said.split("\n"))
     has = widget.contentsRect().width()
     if isinstance(widget, QtWidgets.QLabel):
@@ -211,6 +220,7 @@ def _text_cut_off(widget):
             .subControlRect(style.CC_ComboBox, option, style.SC_ComboBoxEditField, widget)
             .width()
         )
+        needs *= _READ if isinstance(widget, ElidedCombo) else 1.0
     elif isinstance(widget, QtWidgets.QToolButton):
         if widget.toolButtonStyle() == QtCore.Qt.ToolButtonIconOnly and not widget.icon().isNull():
             return
@@ -231,6 +241,8 @@ def texts(widgets):
     for widget in widgets:
         where = name(widget)
         said = text_of(widget)
+        if widget.objectName() in _PLACES:
+            continue
         if said and _is_said(widget, said):
             yield where, said
         if widget.toolTip():
@@ -299,8 +311,10 @@ def faint(image, widgets):
     for widget in widgets:
         if not isinstance(widget, (QtWidgets.QLabel, QtWidgets.QAbstractButton, QtWidgets.QComboBox)):
             continue
-        if not text_of(widget).strip() or not widget.isEnabled():
+        if not re.search(r"\w", text_of(widget)) or not widget.isEnabled():
             continue
+        if isinstance(widget, QtWidgets.QAbstractButton) and widget.underMouse():
+            continue  # as the theme lights it up
         seen = widget.visibleRegion().boundingRect()
         if seen.width() < 8 or seen.height() < 8:
             continue

@@ -17,7 +17,7 @@ from BalloonWorkbench.core.units import number_text, percent_text, to_mm
 from BalloonWorkbench.gui import record
 from BalloonWorkbench.gui.borders import Panel, undo_step
 from BalloonWorkbench.gui.marks import COLOURS, Overlay
-from BalloonWorkbench.gui.panels.narrow import FullList
+from BalloonWorkbench.gui.panels.narrow import FullList, WrappedLabel
 from BalloonWorkbench.gui.panels.watch import Watch
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, drawn_icon, number_of, translate
 from BalloonWorkbench.gui.sentences import tell
@@ -40,21 +40,18 @@ class AdvicePanel(Panel):
         self.form.setObjectName("Advice")
         self.form.setWindowTitle(translate("Advice"))
         self.form.setWindowIcon(drawn_icon("advice"))
-        self.source = QtWidgets.QLabel()
+        self.source = WrappedLabel()
         self.source.setObjectName("AdviceSource")
-        self.source.setWordWrap(True)
         self.list = FullList(_HIGHEST)
         self.list.setObjectName("Findings")
         self.repair = QtWidgets.QPushButton()
         self.repair.setObjectName("Repair")
         self.map = QtWidgets.QCheckBox(translate("Expected thickness"))
         self.map.setObjectName("ThicknessMap")
-        self.legend = QtWidgets.QLabel()
+        self.legend = WrappedLabel()
         self.legend.setObjectName("Legend")
-        self.legend.setWordWrap(True)
-        self.message = QtWidgets.QLabel()
+        self.message = WrappedLabel()
         self.message.setObjectName("AdviceMessage")
-        self.message.setWordWrap(True)
         column = QtWidgets.QVBoxLayout(self.form)
         for widget in (self.source, self.list, self.repair, self.map, self.legend, self.message):
             column.addWidget(widget)
@@ -117,6 +114,8 @@ class AdvicePanel(Panel):
             self.list.addItem(item)
         self.list.blockSignals(False)
         self.list.fit()
+        for widget in (self.list, self.repair):
+            widget.setVisible(bool(self.found))
         if not self.found and not self.message.text():
             problem = status.problem(self.parts.outline)
             self.message.setText(tell(problem) or translate("Nothing to improve."))

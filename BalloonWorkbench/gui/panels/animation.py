@@ -9,6 +9,7 @@ from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.units import number_text
 from BalloonWorkbench.gui.animation import FRAMES, Player, request_of
 from BalloonWorkbench.gui.borders import Panel
+from BalloonWorkbench.gui.panels.narrow import WrappedLabel
 from BalloonWorkbench.gui.panels.watch import Watch
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, drawn_icon, number_of, translate
 from BalloonWorkbench.gui.user_units import pressure_text
@@ -41,16 +42,14 @@ class AnimationPanel(Panel):
         self.slider.setObjectName("Frame")
         self.slider.setRange(0, FRAMES - 1)
         self.slider.setToolTip(translate("From the flat film to the balloon at rest"))
-        self.told = QtWidgets.QLabel()
+        self.told = WrappedLabel()
         self.told.setObjectName("FrameTold")
-        self.told.setWordWrap(True)
         self.note = QtWidgets.QLabel(
             translate("Frames are even in movement, not in time. Only the film has mass, the gas has none.")
         )
         self.note.setWordWrap(True)
-        self.message = QtWidgets.QLabel()
+        self.message = WrappedLabel()
         self.message.setObjectName("AnimationMessage")
-        self.message.setWordWrap(True)
         column = QtWidgets.QVBoxLayout(self.form)
         for widget in (self.bar, self.play, self.slider, self.told, self.note, self.message):
             column.addWidget(widget)

@@ -5,14 +5,17 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import FreeCADGui as Gui
+
 from BalloonWorkbench.app import artwork, status, values
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.gui import record
 from BalloonWorkbench.gui.borders import undo_step
 from BalloonWorkbench.gui.choose import ask_for_picture
+from BalloonWorkbench.gui.fit import kept_whole
 from BalloonWorkbench.gui.paint.display import MODE
 from BalloonWorkbench.gui.panels import show
-from BalloonWorkbench.gui.panels.narrow import NarrowForm
+from BalloonWorkbench.gui.panels.narrow import NarrowForm, WrappedLabel
 from BalloonWorkbench.gui.panels.object_panel import ObjectPanel
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.sentences import tell
@@ -40,9 +43,8 @@ class ArtworkPanel(ObjectPanel):
         )
         self.size = QtWidgets.QLabel()
         self.size.setObjectName("ArtworkSize")
-        self.message = QtWidgets.QLabel()
+        self.message = WrappedLabel()
         self.message.setObjectName("ArtworkMessage")
-        self.message.setWordWrap(True)
         form = NarrowForm(self.form)
         for text, row in ((translate("Front"), self.front), (translate("Back"), self.back)):
             form.addRow(QtWidgets.QLabel(text))
@@ -73,7 +75,8 @@ class ArtworkPanel(ObjectPanel):
 
     def update(self) -> None:
         """Bring the artwork up to date and show what it says."""
-        self.obj.recompute()
+        with kept_whole(Gui.getDocument(self.doc.Name)):
+            self.obj.recompute()
         self.fields.refresh()
         self.front.show_file(self.obj.Picture)
         self.back.show_file(self.obj.BackPicture)

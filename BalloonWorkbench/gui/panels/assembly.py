@@ -12,7 +12,7 @@ from BalloonWorkbench.core.fonts import can_show
 from BalloonWorkbench.gui import record
 from BalloonWorkbench.gui.borders import Panel
 from BalloonWorkbench.gui.panels.maker_rows import MakerRows
-from BalloonWorkbench.gui.panels.narrow import NarrowForm
+from BalloonWorkbench.gui.panels.narrow import NarrowForm, WrappedLabel
 from BalloonWorkbench.gui.panels.target_file import TargetFile, name_of
 from BalloonWorkbench.gui.panels.watch import Watch
 from BalloonWorkbench.gui.qt import QtGui, QtWidgets, icon, translate
@@ -33,9 +33,8 @@ class AssemblyPanel(Panel):
         self.paper.addItems(list(PAGES))
         self.file = TargetFile(parts.balloon.Document, "AssemblyFile", translate("Assembly sheet"))
         self.file.suggest(f"{name_of(parts.balloon)}-assembly.pdf")
-        self.message = QtWidgets.QLabel()
+        self.message = WrappedLabel()
         self.message.setObjectName("AssemblyMessage")
-        self.message.setWordWrap(True)
         form = NarrowForm(self.form)
         numbers = NarrowForm()
         self.numbers = MakerRows(numbers)

@@ -22,7 +22,7 @@ from BalloonWorkbench.app.outline import leader
 from BalloonWorkbench.app.solve import Told
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.gui.borders import Panel
-from BalloonWorkbench.gui.fit import fit_all
+from BalloonWorkbench.gui.fit import fit_all, is_whole
 from BalloonWorkbench.gui.panels.draft import DraftView
 from BalloonWorkbench.gui.panels.file_box import FileBox
 from BalloonWorkbench.gui.panels.film_box import FilmBox
@@ -68,6 +68,7 @@ class BalloonPanel(Panel):
         self.closing = False
         self.again = False  # values have changed while the worker was at it
         self.busy = 0  # the document follows, and the window lives on meanwhile: timers and workers wait
+        self.was_whole = False  # all was in the view before a change
         self.then = ""
         outline = leader(parts.outline)
         drawing = SketchBox if sketch or outline.Source else FileBox
@@ -167,6 +168,7 @@ class BalloonPanel(Panel):
         """Find the outline anew where something changed; True when there is one."""
         if self.is_new and self.parts.outline.Drawing:
             name_group(self.parts.balloon.getParentGroup(), Path(self.parts.outline.Drawing).stem)
+        self.was_whole = self.was_whole or is_whole(Gui.getDocument(self.doc.Name))
         with self._doing():
             for outline in (leader(self.parts.outline), self.parts.outline):
                 if "Touched" in outline.State or not status.is_ready(outline):
@@ -295,9 +297,11 @@ class BalloonPanel(Panel):
         self.doc.recompute([self.parts.balloon])
         breathe()
         self.doc.recompute()
-        if self.is_new and status.is_ready(self.parts.pattern):
-            self.is_new = False
-            fit_all(Gui.getDocument(self.doc.Name))
+        if status.is_ready(self.parts.pattern):
+            shown = Gui.getDocument(self.doc.Name)
+            if self.is_new or (self.was_whole and not is_whole(shown)):
+                fit_all(shown)
+            self.is_new = self.was_whole = False
 
     @contextmanager
     def _doing(self):

@@ -13,7 +13,7 @@ from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.gui import record
 from BalloonWorkbench.gui.borders import Panel, undo_step
 from BalloonWorkbench.gui.panels.machine_box import MachineBox
-from BalloonWorkbench.gui.panels.narrow import NarrowCombo, NarrowForm
+from BalloonWorkbench.gui.panels.narrow import NarrowCombo, NarrowForm, WrappedLabel
 from BalloonWorkbench.gui.panels.target_file import TargetFile, name_of
 from BalloonWorkbench.gui.panels.watch import Watch
 from BalloonWorkbench.gui.qt import QtGui, QtWidgets, icon, translate
@@ -36,12 +36,10 @@ class ExportPanel(Panel):
         self.machine = MachineBox(patterns[0].Document.Name)
         self.machine.choose(preferences.get("Machine"))
         self.file = TargetFile(patterns[0].Document, "File", translate("Export pattern"))
-        self.size = QtWidgets.QLabel()
+        self.size = WrappedLabel()
         self.size.setObjectName("Size")
-        self.size.setWordWrap(True)
-        self.message = QtWidgets.QLabel()
+        self.message = WrappedLabel()
         self.message.setObjectName("Message")
-        self.message.setWordWrap(True)
         form = NarrowForm(self.form)
         for text, widget in (
             (translate("Pattern"), self.choice),

@@ -8,12 +8,14 @@ from collections.abc import Callable
 import FreeCAD as App
 import FreeCADGui as Gui
 
+from BalloonWorkbench.gui.panels.narrow import ElidedCombo
 from BalloonWorkbench.gui.panels.whole_box import WholeBox
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, translate
 from BalloonWorkbench.gui.sentences import tell
 
 _SEEN = 0.01  # mm, between what is shown and its rounded text
-_MIN_WIDTH = 120  # px; a task panel may be 190 px wide
+_MIN_WIDTH, _MAX_WIDTH = 120, 170  # px; a task panel may be 190 px wide
+_BESIDE = 64  # px of a number box for its arrows, the sign of its expression and its frame
 
 
 class ReturnKey(QtCore.QObject):
@@ -99,7 +101,7 @@ class Fields(QtCore.QObject):
 
     def choice(self, name: str):
         """A combo box for an enumeration."""
-        widget = QtWidgets.QComboBox()
+        widget = ElidedCombo()
         for entry in self.obj.getEnumerationsOfProperty(name):
             widget.addItem(tell(entry), entry)
         self._add(name, widget, lambda value: widget.setCurrentIndex(widget.findData(value)))
@@ -123,6 +125,7 @@ class Fields(QtCore.QObject):
             if self._is_free(name):
                 widget.setProperty("rawValue", self._free[name]())
             widget.blockSignals(blocked)
+            _give_room(widget)
             if isinstance(widget, WholeBox):
                 widget.show_expression(driven.get(name, ""))
             # a field with an expression shows it by its sign f(x), behind which it can be changed
@@ -189,6 +192,17 @@ class Fields(QtCore.QObject):
         if getattr(present, "Value", present) != value:
             setattr(self.obj, name, value)
             self.changed.emit(name)
+
+
+def _give_room(widget) -> None:
+    """Let what a field says be seen whole: fonts differ, and themes give fields least widths of their own."""
+    if isinstance(widget, QtWidgets.QAbstractSpinBox):
+        width = widget.fontMetrics().horizontalAdvance(widget.text()) + _BESIDE
+    elif isinstance(widget, QtWidgets.QComboBox):
+        width = widget.sizeHint().width()
+    else:
+        return
+    widget.setMinimumWidth(min(max(width, _MIN_WIDTH), _MAX_WIDTH))
 
 
 def new_quantity_box():

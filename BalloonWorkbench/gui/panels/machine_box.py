@@ -21,7 +21,7 @@ from BalloonWorkbench.core.export.preflight import ERROR
 from BalloonWorkbench.core.units import LENGTH_UNITS
 from BalloonWorkbench.gui.marks import Overlay
 from BalloonWorkbench.gui.panels.fields import ReturnKey
-from BalloonWorkbench.gui.panels.narrow import FullList, NarrowCombo
+from BalloonWorkbench.gui.panels.narrow import FullList, NarrowCombo, WrappedLabel
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.sentences import tell
 from BalloonWorkbench.gui.user_units import bed_size_text, user_unit
@@ -54,9 +54,8 @@ class MachineBox(QtWidgets.QWidget):
         self.pages = QtWidgets.QComboBox()
         self.pages.setObjectName("Pages")
         self.pages.addItems([translate("One large page"), *TILES])
-        self.note = QtWidgets.QLabel()
+        self.note = WrappedLabel()
         self.note.setObjectName("MachineNote")
-        self.note.setWordWrap(True)
         self.list = FullList(_HIGHEST)
         self.list.setObjectName("Preflight")
         self.bed = QtWidgets.QLineEdit()
@@ -98,9 +97,8 @@ class MachineBox(QtWidgets.QWidget):
         self.write = QtWidgets.QCheckBox(translate("Write anyway"))
         self.write.setObjectName("WriteAnyway")
         self.write.setToolTip(translate("Write the file although it is larger than the bed"))
-        self.why_not = QtWidgets.QLabel()
+        self.why_not = WrappedLabel()
         self.why_not.setObjectName("WhyNotScaled")
-        self.why_not.setWordWrap(True)
         self.scale.clicked.connect(lambda _checked=False: self.scaled.emit())
         self.ways = QtWidgets.QWidget()
         column = QtWidgets.QVBoxLayout(self.ways)

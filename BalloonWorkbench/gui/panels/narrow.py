@@ -6,6 +6,7 @@ from __future__ import annotations
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets
 
 _ROOM = 180  # px, for a name and its field in a panel as FreeCAD opens it
+_BESIDE = 4  # px, that themes leave free at the sides of an entry
 
 
 class NarrowForm(QtWidgets.QFormLayout):
@@ -29,7 +30,25 @@ class NarrowForm(QtWidgets.QFormLayout):
         super().addRow(*row)
 
 
-class NarrowCombo(QtWidgets.QComboBox):
+class ElidedCombo(QtWidgets.QComboBox):
+    """A choice that leaves out the end of an entry where there is no room for it."""
+
+    def paintEvent(self, event):
+        option = QtWidgets.QStyleOptionComboBox()
+        self.initStyleOption(option)
+        room = self.style().subControlRect(
+            QtWidgets.QStyle.CC_ComboBox, option, QtWidgets.QStyle.SC_ComboBoxEditField, self
+        )
+        option.currentText = self.fontMetrics().elidedText(
+            option.currentText, QtCore.Qt.ElideRight, room.width() - _BESIDE
+        )
+        painter = QtWidgets.QStylePainter(self)
+        painter.drawComplexControl(QtWidgets.QStyle.CC_ComboBox, option)
+        painter.drawControl(QtWidgets.QStyle.CE_ComboBoxLabel, option)
+        painter.end()  # now, not when Python forgets it
+
+
+class NarrowCombo(ElidedCombo):
     """A choice that may be narrower than its entries; what is chosen can be read as its tooltip then."""
 
     def __init__(self):
@@ -58,16 +77,24 @@ class ElidedLabel(QtWidgets.QLabel):
 
 
 class WrappedLabel(QtWidgets.QLabel):
-    """A text in as many lines as it takes: in a form, Qt 6 gives some rows less than their heights."""
+    """A text in as many lines as it takes: in a form, Qt gives some rows less than their heights."""
 
-    def __init__(self, text: str):
+    def __init__(self, text: str = ""):
         super().__init__(text)
         self.setWordWrap(True)
+
+    def setText(self, text: str) -> None:
+        """Another text in as many lines."""
+        super().setText(text)
+        self._fit()
 
     def resizeEvent(self, event):
         super().resizeEvent(event)
         if event.size().width() != event.oldSize().width():
-            self.setMinimumHeight(self.heightForWidth(event.size().width()))
+            self._fit()
+
+    def _fit(self) -> None:
+        self.setMinimumHeight(max(self.heightForWidth(self.width()), 0))
 
 
 class FullList(QtWidgets.QListWidget):

@@ -12,7 +12,7 @@ from BalloonWorkbench.gui import record
 from BalloonWorkbench.gui.borders import undo_step
 from BalloonWorkbench.gui.fit import fit_all
 from BalloonWorkbench.gui.panels import show
-from BalloonWorkbench.gui.panels.narrow import FullList, NarrowForm
+from BalloonWorkbench.gui.panels.narrow import FullList, NarrowForm, WrappedLabel
 from BalloonWorkbench.gui.panels.object_panel import ObjectPanel
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.sentences import tell
@@ -47,12 +47,10 @@ class NestPanel(ObjectPanel):
         self.apply = QtWidgets.QPushButton(translate("Lay out"))
         self.apply.setObjectName("LayOut")
         self.apply.setToolTip(translate("Look for the closest layout; Esc takes the best one so far"))
-        self.result = QtWidgets.QLabel()
+        self.result = WrappedLabel()
         self.result.setObjectName("NestResult")
-        self.result.setWordWrap(True)
-        self.message = QtWidgets.QLabel()
+        self.message = WrappedLabel()
         self.message.setObjectName("NestMessage")
-        self.message.setWordWrap(True)
         form = NarrowForm(self.form)
         form.addRow(QtWidgets.QLabel(translate("Patterns")))
         form.addRow(self.choice)

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from BalloonWorkbench.gui.qt import QtCore, QtWidgets
+from BalloonWorkbench.gui.qt import CHOSEN, QtCore, QtWidgets
 
 
 class Pages(QtWidgets.QWidget):
@@ -29,6 +29,7 @@ class Pages(QtWidgets.QWidget):
             button.setObjectName(f"Step{index}")
             button.setText(title)
             button.setCheckable(True)
+            button.setStyleSheet(CHOSEN)
             button.setSizePolicy(QtWidgets.QSizePolicy.Expanding, QtWidgets.QSizePolicy.Fixed)
             button.clicked.connect(lambda _checked=False, chosen=index: self.setCurrentIndex(chosen))
             self._group.addButton(button, index)

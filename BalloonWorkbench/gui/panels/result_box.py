@@ -12,6 +12,7 @@ from BalloonWorkbench.app.quantities import cubic_millimetres, pascals
 from BalloonWorkbench.core.units import from_grams, mass_text, percent_text, to_mm
 from BalloonWorkbench.gui.panels.fields import Fields
 from BalloonWorkbench.gui.panels.maker_rows import MakerRows, value_label
+from BalloonWorkbench.gui.panels.narrow import WrappedLabel
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, drawn_icon, translate
 from BalloonWorkbench.gui.sentences import tell
 from BalloonWorkbench.gui.user_units import (
@@ -71,9 +72,8 @@ class ResultBox(QtWidgets.QWidget):
         working.addWidget(self._step, 1, 0, 1, 2)
         self._sign = QtWidgets.QLabel()
         self._sign.setAlignment(QtCore.Qt.AlignTop)
-        self._message = QtWidgets.QLabel()
+        self._message = WrappedLabel()
         self._message.setObjectName("Message")
-        self._message.setWordWrap(True)
         self._message.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
         told = QtWidgets.QHBoxLayout()
         told.addWidget(self._sign)
