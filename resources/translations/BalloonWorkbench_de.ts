@@ -904,7 +904,7 @@
     </message>
     <message>
         <source>Aluminised PET ("Mylar"), 25 µm</source>
-        <translation>Aluminisiertes PET („Mylar“), 25 µm</translation>
+        <translation>Alu-PET („Mylar“), 25 µm</translation>
     </message>
     <message>
         <source>Aluminised nylon/PE foil (party balloon), 30 µm</source>
