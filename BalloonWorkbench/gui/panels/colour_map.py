@@ -9,7 +9,6 @@ from BalloonWorkbench.app import status
 from BalloonWorkbench.core.export.colour_map import TENSION
 from BalloonWorkbench.gui.borders import Panel
 from BalloonWorkbench.gui.film_map import CHOICES, OFF, choice_title
-from BalloonWorkbench.gui.panels.narrow import WrappedLabel
 from BalloonWorkbench.gui.panels.results_file import save_results
 from BalloonWorkbench.gui.panels.watch import Watch
 from BalloonWorkbench.gui.qt import QtWidgets, drawn_icon, translate
@@ -42,8 +41,9 @@ class ColourMapPanel(Panel):
         self.save.setToolTip(
             translate("Write all results for ParaView (.vtu) or NumPy (.npz), or the shape alone (.stl)")
         )
-        self.message = WrappedLabel(tell(status.problem(parts.balloon)))
+        self.message = QtWidgets.QLabel(tell(status.problem(parts.balloon)))
         self.message.setObjectName("ColourMapMessage")
+        self.message.setWordWrap(True)
         column = QtWidgets.QVBoxLayout(self.form)
         for widget in (self.choice, self.curves, self.save, self.message):
             column.addWidget(widget)
