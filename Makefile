@@ -55,6 +55,7 @@ validation: native ## Compare with every reference solution, write docs/validati
 	@$(PYTHON) benchmarks/validate.py
 
 # BENCH gives other sizes: BENCH="--sizes 500 2000 --evolver-sizes 2000 10000" make bench
+# or the strokes of the paint window alone: BENCH=--strokes make bench
 bench: native ## Time against a yardstick, NumPy and Surface Evolver, write docs/benchmarks.md
 	@tools/install-debian-packages.sh debian-packages-bench.txt
 	@cmake -S benchmarks -B build/bench/yardstick -G Ninja -DCMAKE_BUILD_TYPE=Release >/dev/null
@@ -72,13 +73,16 @@ pictures: native ## Take the pictures of the tutorial anew, in docs/images
 # Files, outlines, options, kills: as many as it takes a night to try. The last lines put faults into the engine.
 fuzz: native readers ## Inflate 2 000 outlines, read 10 000 broken files, kill writers everywhere, inject 200 faults
 	@BALLOON_OUTLINES=2000 BALLOON_FILES=10000 BALLOON_VALUES=1000 BALLOON_KILLS=100000 BALLOON_CUTS=300 \
-	    BALLOON_COACHED=300 BALLOON_INTAKES=24 BALLOON_LAYER_SHAPES=40 \
+	    BALLOON_COACHED=300 BALLOON_INTAKES=24 BALLOON_LAYER_SHAPES=40 BALLOON_DRAFTS=25 \
+	    BALLOON_WORD_SIZES="3mm 30mm 5m 30m" BALLOON_WORD_SHAPES="star fish heart" \
 	    $(PYTHON) -m pytest -q -o faulthandler_timeout=0 --log-cli-level=INFO \
 	    tests/core/test_random_outlines.py tests/core/test_broken_files.py tests/core/test_value_limits.py \
 	    tests/core/test_interrupted_writing.py tests/core/test_export_cuts.py tests/core/test_coach_shapes.py \
-	    tests/core/test_intake_places.py tests/core/test_layers.py
+	    tests/core/test_intake_places.py tests/core/test_layers.py tests/core/test_design_draft.py tests/core/test_words.py
+	@BALLOON_ARRANGE_STORIES=200 BALLOON_TESTS="tests/app/test_arrange.py -k story" tools/test.sh app
 	@BALLOON_FAULTS=200 BALLOON_TESTS=tests/app/test_faults.py tools/test.sh app
 	@BALLOON_FAULTS=200 BALLOON_TESTS=tests/gui/test_faults.py tools/test.sh gui
+	@BALLOON_LANGUAGES=English,German,French,Spanish,Japanese BALLOON_TESTS=tests/gui/test_small_screen.py tools/test.sh gui
 
 mutations: native ## Break the code in known ways, one after the other: a quick test must notice each
 	@$(PYTHON) tools/mutations.py

@@ -68,13 +68,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         with cli_console.signals_are_errors():
             run.say = speech(language_of(arguments))
-            options = parser().parse_args(arguments)
-            if options.command == FETCH:
-                return run.fetch_solver()
             with home():
                 for sentence in left_out():
                     run.complain(sentence)
-                return run.command(options)
+                options = parser().parse_args(arguments)
+                if options.command != FETCH:
+                    return run.command(options)
+            return run.fetch_solver()  # into the user's own home, if anywhere there
     except BalloonError as error:
         run.complain(error)
         return FAULT if isinstance(error, ProgramFault) else 2
@@ -174,7 +174,7 @@ class _Run:
         """Contents of the files that can be made, by name, and lines for the user."""
         progress(1.0, "writing files")
         contents: dict[str, bytes] = {}
-        usual = self._attempt("The patterns' files", lambda: makers(balloon, options.results))
+        usual = self._attempt("The file of the pattern", lambda: makers(balloon, options.results))
         for name, maker in (usual or {}).items():
             content = self._attempt(name, maker)
             if content is not None:
@@ -202,7 +202,7 @@ class _Run:
         if refused and len(refused) == len(asked):
             raise ExportError("\n".join([*map(str, refused), *cli_bed.ways_on(balloon, chosen)]))
         self._left_out += [*map(str, refused), *(cli_bed.ways_on(balloon, chosen) if refused else [])]
-        more = self._attempt("What else is made", lambda: make(balloon, chosen, progress, self._attempt))
+        more = self._attempt("The rest of the job", lambda: make(balloon, chosen, progress, self._attempt))
         files, told = more or ({}, [])
         return contents | files, [*lines, *told]
 
@@ -240,7 +240,7 @@ class _Run:
             native_wheel.fetch(wheel, self._progress(line))
         finally:
             line.clear()
-        return shown or self._show("The native solver is in use.")
+        return shown or self._show("The native solver is in use now.")
 
     def _show(self, text: str) -> int:
         """Show a line; the exit code."""
@@ -251,7 +251,7 @@ class _Run:
         say, settings = self.say, balloon.settings
         told = summary(balloon.report, settings.film, settings.correct, say)
         slow = native_wheel.slow_notes() if settings.backend is None else []
-        told += [say(f"Note: {note}") for note in (*self._left_out, *slow)]
+        told += [say(f"Note: {say(note)}") for note in (*self._left_out, *slow)]
         told += [*lines, *(say(f"Wrote {path}") for path in self._paths)]
         problem = cli_console.show("\n".join(told) + "\n")
         if self._fault is not None:
@@ -304,7 +304,7 @@ def _goal(options: argparse.Namespace) -> SizeGoal | None:
     if options.target_volume is None and options.target_lift is None:
         return None
     if options.width is not None or options.height is not None:
-        raise InputError("A target decides the size: leave out --width and --height.")
+        raise InputError("--target-volume and --target-lift decide the size: leave out --width and --height.")
     if options.target_volume is not None:
         return SizeGoal(volume=parse_volume(options.target_volume, "l"))
     return SizeGoal(lift=parse_mass(options.target_lift, "g"))

@@ -77,6 +77,6 @@ def ways_on(balloon: Balloon, machines: Sequence[Machine]) -> list[str]:
     if all(fits(sheet.of_stock(stock), each) for stock in sheet.stocks for each in machines):
         return []
     return [
-        "--oversize scale makes the balloon smaller until it fits, --oversize write writes the file all the"
-        " same, --bed tells how large the bed is."
+        "--oversize scale makes the balloon smaller until it fits, --oversize write writes the file"
+        " anyway, --bed tells how large the bed is."
     ]

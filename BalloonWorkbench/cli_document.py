@@ -28,7 +28,7 @@ NAME = "balloon.FCStd"
 _REFUSED, _FAULT = 2, 70
 #: A numerical library that gets no memory may try for ever: seconds of processor time, or many times our own.
 _PATIENCE, _SHARE = 120, 4
-_NEEDS = "It needs a home folder and a temporary folder that it can write to, and memory."
+_NEEDS = "FreeCAD needs a home folder and a temporary folder that it can write to, and enough memory."
 
 
 class Document:
@@ -66,7 +66,9 @@ class Document:
             raise ProgramFault(last)
         if status == _REFUSED:
             raise MissingPackageError(last)
-        raise MissingPackageError(f"FreeCAD ended ({last or f'exit code {status}'}). {_NEEDS}")
+        raise MissingPackageError(
+            f"FreeCAD stopped before the document was done ({last or status}). {_NEEDS}"
+        )
 
     def stop(self) -> None:
         """Give up what is not finished."""
@@ -107,7 +109,7 @@ def _make(request: bytes) -> bytes:
     except (ImportError, OSError, RuntimeError, MemoryError) as error:  # FreeCAD's own are of these kinds
         text = _said(error)
         raise MissingPackageError(
-            f"FreeCAD cannot make it ({text or type(error).__name__}). {_NEEDS}"
+            f"FreeCAD cannot make the document ({text or type(error).__name__}). {_NEEDS}"
         ) from error
 
 

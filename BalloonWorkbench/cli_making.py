@@ -90,7 +90,9 @@ def checked(
         made: list[tuple[Mapping[str, bytes], list[str]] | None] = []
         if artwork is not None:
             progress(1.0, "printing")
-            made.append(attempt("The print", lambda: _print(balloon, artwork, asked, options.oversize, say)))
+            made.append(
+                attempt("The print on film", lambda: _print(balloon, artwork, asked, options.oversize, say))
+            )
         if stock is not None:
             made.append(
                 attempt(

@@ -31,7 +31,15 @@ _SILENT = ("export/preview.py", "export/vtu.py", "export/machine_svg.py", "expor
 _SILENT += ("export/machine_hpgl.py", "core/report.py", "app/host.py")
 _SILENT += ("core/fonts.py",)
 #: Of the window and the command line, but in plain sentences like the engine.
-_SPOKEN = ("equipment.py", "cli.py", "cli_summary.py", "cli_making.py", "cli_options.py", "cli_document.py")
+_SPOKEN = (
+    "equipment.py",
+    "cli.py",
+    "cli_bed.py",
+    "cli_summary.py",
+    "cli_making.py",
+    "cli_options.py",
+    "cli_document.py",
+)
 #: Keys of the data files that people read, by folder or file.
 _DATA = {
     "advice/rules.json": ("title", "sentence"),

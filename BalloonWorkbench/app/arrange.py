@@ -17,8 +17,8 @@ from BalloonWorkbench.app.guard import Guarded
 from BalloonWorkbench.app.properties import Property
 
 PROPERTIES = (
-    Property("Bool", "Placed", "Base", "It has a place; a new object is given one", True, True, True),
-    Property("PlacementList", "PlacedAt", "Base", "Where it was put, unless by the user", None, True, True),
+    Property("Bool", "Placed", "Base", "The workbench has given it a place", True, True, True),
+    Property("PlacementList", "PlacedAt", "Base", "Where the workbench put it", None, True, True),
 )
 
 _RIGHT, _DOWN = App.Vector(1.0, 0.0, 0.0), App.Vector(0.0, -1.0, 0.0)

@@ -24,10 +24,10 @@ def hindrance(pattern_obj) -> str:
         return f"The size comes from {outline.Source[0].Label}: make it smaller there."
     driven = dict(outline.ExpressionEngine)
     if "Width" in driven or "Height" in driven:
-        return f"The size of {outline.Label} follows an expression: change what that refers to."
+        return f"The size of {outline.Label} is set by an expression: change the value that it uses."
     balloons = [pattern.Balloon for pattern in patterns]
     if any(balloon.SizeGoal != WIDTH or balloon.Load == VOLUME for balloon in balloons):
-        return "A volume or a lift decides the size: choose less of it."
+        return "The size follows from a volume or a lift: choose a smaller one."
     return ""
 
 

@@ -121,7 +121,9 @@ def export_for(
     from BalloonWorkbench.core.export.preflight import ERROR, preflight
 
     if oversize not in OVERSIZE:
-        raise InputError(f'There is no way "{oversize}" with a large pattern: choose {", ".join(OVERSIZE)}.')
+        raise InputError(
+            f'"{oversize}" is no choice for a pattern larger than the bed: choose {", ".join(OVERSIZE)}.'
+        )
     if oversize == SCALE:
         scale_to_bed(pattern_obj, machine_name, bed)
     made_for, pattern = machine(machine_name, bed), sheet(pattern_obj)

@@ -11,11 +11,14 @@ import json
 from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
+from typing import TYPE_CHECKING
 from xml.etree import ElementTree
 
 from BalloonWorkbench.core import forms
 from BalloonWorkbench.core.errors import InputError
-from BalloonWorkbench.core.types import Say, in_english
+
+if TYPE_CHECKING:  # FreeCAD's start needs the sentences, and must not load NumPy
+    from BalloonWorkbench.core.types import Say
 
 FOLDER = Path(__file__).resolve().parents[2] / "resources" / "translations"
 ENGLISH = "en"
@@ -60,7 +63,7 @@ def users_language(environment: Mapping[str, str]) -> str:
 def speech(language: str) -> Say:
     """A function that says a text of the engine in a language; what it does not know stays English."""
     if language == ENGLISH:
-        return in_english
+        return str
     messages = ElementTree.parse(FOLDER / f"{_STEM}{language}.ts").iter("message")
     done = {message.findtext("source", ""): message.findtext("translation", "") for message in messages}
     known = listed()

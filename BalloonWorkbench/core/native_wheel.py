@@ -138,7 +138,7 @@ def fetch(wheel: Wheel, progress: Progress = no_progress, opener: Opener = open_
     problem = native.problem_with(library)
     if problem is not None:
         _discard(folder)
-        raise FetchError(f"The native solver was fetched, but does not run here: {problem} {SLOWER}")
+        raise FetchError(f"The native solver was fetched, but does not run here: {problem}")
     _forget_other_versions(folder.parent)
     _look_again()
     return library
@@ -199,7 +199,7 @@ def _reason(error: Exception) -> str:
         return "the answer is not HTTP"
     cause = getattr(error, "reason", error)
     if isinstance(cause, TimeoutError):
-        return "timed out"
+        return "the connection timed out"
     return str(getattr(cause, "strerror", None) or cause)
 
 
@@ -224,4 +224,4 @@ def _checked(wheel: Wheel, content: bytes) -> bytes:
 
 
 def _unwritable(error: ExportError) -> str:
-    return f"The native solver cannot be kept. {error} {SLOWER}"
+    return f"The native solver cannot be saved. {error}"

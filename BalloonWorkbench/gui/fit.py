@@ -35,13 +35,13 @@ def fit_all(document=None) -> None:
 
 
 def is_whole(document) -> bool:
-    """All that is visible in a Gui document can be seen in its view."""
+    """All that is visible in a Gui document can be seen in the free part of its view."""
     view = view_of(document)
     corners = () if view is None or min(view.getSize()) < 1 else _corners(view, document)
     if not len(corners):
         return False
     low, high = _seen(view, corners)
-    return bool(min(low) > -_SLACK and max(high) < 1.0 + _SLACK)
+    return not _is_hidden(view, low, high)
 
 
 @contextmanager
@@ -59,12 +59,16 @@ def keep_in_sight(document) -> None:
     corners = () if view is None or min(view.getSize()) < 1 else _corners(view, document)
     if len(corners):
         low, high = _seen(view, corners)
-        left, right, bottom, top = free_part(view)
         was_whole = min(low) > -_SLACK and max(high) < 1.0 + _SLACK
-        is_hidden = low[0] < left - _SLACK or high[0] > right + _SLACK
-        is_hidden |= low[1] < bottom - _SLACK or high[1] > top + _SLACK
-        if was_whole and is_hidden:
+        if was_whole and _is_hidden(view, low, high):
             _aim(view, corners, _AROUND)
+
+
+def _is_hidden(view, low, high) -> bool:
+    """Some of a box, in parts of the view, lies beside its free part."""
+    left, right, bottom, top = free_part(view)
+    at_sides = low[0] < left - _SLACK or high[0] > right + _SLACK
+    return bool(at_sides or low[1] < bottom - _SLACK or high[1] > top + _SLACK)
 
 
 def fit_points(view, points, around: float = _AROUND) -> None:

@@ -10,6 +10,7 @@ import FreeCADGui as Gui
 from BalloonWorkbench.app import preferences
 from BalloonWorkbench.core.errors import Cancelled, FetchError
 from BalloonWorkbench.core.solver import library
+from BalloonWorkbench.core.units import number_text
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.sentences import tell
 from BalloonWorkbench.gui.worker import Worker
@@ -62,7 +63,7 @@ def ask() -> None:
     )
     box.setInformativeText(
         translate("{} MB from {}; the file is checked before it is used, and nothing is sent.").format(
-            f"{wheel.size / 1e6:.1f}", wheel.host
+            number_text(wheel.size / 1e6, 2), wheel.host
         )
     )
     box.setDetailedText(f"{wheel.address}\nSHA-256 {wheel.sha256}\n{folder}")

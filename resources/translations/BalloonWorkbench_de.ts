@@ -17,7 +17,7 @@
     </message>
     <message>
         <source>Air that it holds, as a share of what a round balloon of as much film would</source>
-        <translation type="unfinished"></translation>
+        <translation>Luft, die er fasst, als Anteil dessen, was ein runder Ballon aus ebenso viel Folie fassen würde</translation>
     </message>
     <message>
         <source>Another picture for the back; empty takes that of the front</source>
@@ -196,10 +196,6 @@
         <translation>Er trägt sich selbst</translation>
     </message>
     <message>
-        <source>It has a place; a new object is given one</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Label of the values the mesh belongs to</source>
         <translation>Kennzeichen der Werte, zu denen das Netz gehört</translation>
     </message>
@@ -313,7 +309,7 @@
     </message>
     <message>
         <source>Part of the film's area that hangs loose</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil der Folienfläche, der schlaff ist</translation>
     </message>
     <message>
         <source>Part of the film's area that is wrinkled</source>
@@ -365,7 +361,7 @@
     </message>
     <message>
         <source>Repairs that were made in the drawing, one each; delete an entry to take it back</source>
-        <translation type="unfinished"></translation>
+        <translation>Reparaturen, die an der Zeichnung gemacht wurden, je ein Eintrag; einen Eintrag löschen nimmt sie zurück</translation>
     </message>
     <message>
         <source>Result that is shown as colours, with a legend</source>
@@ -409,7 +405,7 @@
     </message>
     <message>
         <source>The balloon shown has come to rest</source>
-        <translation type="unfinished"></translation>
+        <translation>Der gezeigte Ballon ist zur Ruhe gekommen</translation>
     </message>
     <message>
         <source>The balloon that is cut from this pattern</source>
@@ -450,6 +446,10 @@
     <message>
         <source>The whole report as JSON</source>
         <translation>Der ganze Bericht als JSON</translation>
+    </message>
+    <message>
+        <source>The workbench has given it a place</source>
+        <translation>Es hat einen Platz; ein neues Objekt bekommt einen</translation>
     </message>
     <message>
         <source>Thickness of the film</source>
@@ -556,8 +556,8 @@
         <translation>Wo er gesucht wird: am weitesten von der Mitte, oder unten, wo ein angebundener Ballon gerade hängt</translation>
     </message>
     <message>
-        <source>Where it was put, unless by the user</source>
-        <translation type="unfinished"></translation>
+        <source>Where the workbench put it</source>
+        <translation>Wohin es gesetzt wurde, wenn nicht vom Benutzer</translation>
     </message>
     <message>
         <source>Whether a laser may cut this film</source>
@@ -627,6 +627,10 @@
         <translation> ist nicht bereit: </translation>
     </message>
     <message>
+        <source>"{0}" is no choice for a pattern larger than the bed: choose {1}.</source>
+        <translation>Mit einem zu großen Schnittmuster geht „{0}“ nicht: {1} wählen.</translation>
+    </message>
+    <message>
         <source>"{0}" is no colour: give one such as "#cc294d".</source>
         <translation>„{0}“ ist keine Farbe: zum Beispiel „#cc294d“ angeben.</translation>
     </message>
@@ -648,7 +652,7 @@
     </message>
     <message>
         <source>'{0}' is a pipe or a device: save what comes from it, and name that file.</source>
-        <translation type="unfinished"></translation>
+        <translation>„{0}“ ist eine Pipe oder ein Gerät: speichern, was daraus kommt, und diese Datei angeben.</translation>
     </message>
     <message>
         <source>'{0}' is colder than anything; write a temperature as 20C, 68F or 293K.</source>
@@ -684,7 +688,7 @@
     </message>
     <message>
         <source>'{0}' is no size: write 500mm for a width, 500mmx700mm for width and height.</source>
-        <translation type="unfinished"></translation>
+        <translation>„{0}“ ist keine Größe: 500mm für eine Breite schreiben, 500mmx700mm für Breite und Höhe.</translation>
     </message>
     <message>
         <source>'{0}' is not a drawing that can be read. Use PNG, JPEG, BMP, SVG, DXF or JSON.</source>
@@ -704,7 +708,7 @@
     </message>
     <message>
         <source>'{0}' is not a {1}; write it like {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>„{0}“ passt hier nicht ({1}); wie {2} schreiben.</translation>
     </message>
     <message>
         <source>'{}' is not a picture. Save it as PNG, JPEG or BMP once more.</source>
@@ -712,11 +716,19 @@
     </message>
     <message>
         <source>, about {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>, etwa {0}</translation>
     </message>
     <message>
         <source>, estimated: the film did not come to rest</source>
         <translation>, geschätzt: Die Folie kam nicht zur Ruhe</translation>
+    </message>
+    <message>
+        <source>--oversize scale makes the balloon smaller until it fits, --oversize write writes the file anyway, --bed tells how large the bed is.</source>
+        <translation>--oversize scale verkleinert den Ballon, bis er passt, --oversize write schreibt die Datei trotzdem, --bed sagt, wie groß das Bett ist.</translation>
+    </message>
+    <message>
+        <source>--target-volume and --target-lift decide the size: leave out --width and --height.</source>
+        <translation>--target-volume und --target-lift bestimmen die Größe: --width und --height weglassen.</translation>
     </message>
     <message>
         <source>1 to {0} pieces can be laid out, not {1}.</source>
@@ -727,8 +739,12 @@
         <translation>Ein Ballon hat kein „{0}“: Es gibt {1}.</translation>
     </message>
     <message>
+        <source>A bed is that of a machine: give --machine too.</source>
+        <translation>Ein Bett gehört zu einer Maschine: auch --machine angeben.</translation>
+    </message>
+    <message>
         <source>A bed is {0} mm to {1} mm wide and high: write 600mmx400mm, 600mm for a roll, or {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Bett ist {0} mm bis {1} mm breit und hoch: 600mmx400mm schreiben, 600mm für eine Rolle oder {2}.</translation>
     </message>
     <message>
         <source>A corner relief of {0} would cut into the weld: choose a smaller radius or a wider allowance.</source>
@@ -740,7 +756,7 @@
     </message>
     <message>
         <source>A file of this name is there already</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Datei mit diesem Namen gibt es schon</translation>
     </message>
     <message>
         <source>A hole meets the outline or another hole at {0}; keep some film between them.</source>
@@ -756,19 +772,19 @@
     </message>
     <message>
         <source>A layout is as large as its film: give the film the size of the bed there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Anordnung ist so groß wie ihre Folie: der Folie dort die Größe des Betts geben.</translation>
     </message>
     <message>
         <source>A lift of {0} cannot be made: give one such as 5g.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Auftrieb von {0} ist nicht möglich: zum Beispiel 5g angeben.</translation>
     </message>
     <message>
         <source>A lift of {0} is out of reach: {1} large, this balloon would carry {2}. Choose a lighter film or gas, a smaller lift, or a rounder shape.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Auftrieb von {0} ist unerreichbar: {1} groß trüge dieser Ballon {2}. Leichtere Folie oder leichteres Gas, weniger Auftrieb oder eine rundere Form wählen.</translation>
     </message>
     <message>
         <source>A lift of {0} is out of reach: {1} large, this balloon would lack {2}. Choose a lighter film or gas, a smaller lift, or a rounder shape.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Auftrieb von {0} ist unerreichbar: {1} groß fehlten diesem Ballon {2}. Leichtere Folie oder leichteres Gas, weniger Auftrieb oder eine rundere Form wählen.</translation>
     </message>
     <message>
         <source>A mesh of {0} is too coarse for a shape of {1}: use at most {2}.</source>
@@ -815,16 +831,12 @@
         <translation>Ein strenger Leser, der schlichte Polylinien will. Ebenen werden durch Farben unterschieden: Rot, Blau und Orange schneiden, die Ausgabe aller anderen auf Nein stellen.</translation>
     </message>
     <message>
-        <source>A target decides the size: leave out --width and --height.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>A volume of {0} cannot be made: give one such as 10l.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Volumen von {0} ist nicht möglich: zum Beispiel 10l angeben.</translation>
     </message>
     <message>
-        <source>A volume or a lift decides the size: choose less of it.</source>
-        <translation type="unfinished"></translation>
+        <source>A volume or a lift decides the size, so the balloon cannot be scaled to fit: leave out --oversize scale, or what you give of --target-volume, --target-lift and --gas-volume.</source>
+        <translation>Ein Volumen oder ein Auftrieb bestimmt die Größe, darum kann der Ballon nicht passend verkleinert werden: --oversize scale weglassen, oder was von --target-volume, --target-lift und --gas-volume angegeben ist.</translation>
     </message>
     <message>
         <source>A volume to inflate to and a goal for the size exclude each other: leave one out.</source>
@@ -832,7 +844,7 @@
     </message>
     <message>
         <source>A web page came instead of the native solver, as some networks send before one has signed in. Open {0} in a browser, then try again. {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>Statt des nativen Lösers kam eine Webseite, wie sie manche Netze vor der Anmeldung schicken. {0} in einem Browser öffnen, dann noch einmal versuchen. {1}</translation>
     </message>
     <message>
         <source>A weld has no length; draw a line, or a circle for a spot.</source>
@@ -848,11 +860,11 @@
     </message>
     <message>
         <source>A weld runs too near to another one or to the outline at {0} for this mesh: move it away, or use a smaller mesh size.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Schweißnaht liegt bei {0} für dieses Netz zu nah an einer anderen oder am Umriss: sie verschieben oder eine kleinere Netzweite benutzen.</translation>
     </message>
     <message>
         <source>A {0} of {1} cannot be made; choose one between 1 mm and 100 m.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine {0} von {1} ist nicht möglich; eine zwischen 1 mm und 100 m wählen.</translation>
     </message>
     <message>
         <source>Across</source>
@@ -864,7 +876,7 @@
     </message>
     <message>
         <source>Advice ({0}), at {1}: {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>Ratschlag ({0}), bei {1}: {2}</translation>
     </message>
     <message>
         <source>Air intake</source>
@@ -984,7 +996,7 @@
     </message>
     <message>
         <source>Balloon: {0}, {1}, solver {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>Ballon: {0}, {1}, Löser {2}</translation>
     </message>
     <message>
         <source>Balloons</source>
@@ -996,7 +1008,7 @@
     </message>
     <message>
         <source>Bed</source>
-        <translation type="unfinished"></translation>
+        <translation>Bett</translation>
     </message>
     <message>
         <source>Bending stiffness</source>
@@ -1044,15 +1056,15 @@
     </message>
     <message>
         <source>Check, {0}: {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüfung, {0}: {1}</translation>
     </message>
     <message>
         <source>Check: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüfung: {0}</translation>
     </message>
     <message>
         <source>Checked: ready to make.</source>
-        <translation type="unfinished"></translation>
+        <translation>Geprüft: bereit zum Herstellen.</translation>
     </message>
     <message>
         <source>Checking the pattern</source>
@@ -1260,23 +1272,23 @@
     </message>
     <message>
         <source>Fetch</source>
-        <translation type="unfinished"></translation>
+        <translation>Herunterladen</translation>
     </message>
     <message>
         <source>Fetch the native solver ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Den nativen Löser herunterladen ...</translation>
     </message>
     <message>
         <source>Fetches the native solver of this version, checks its SHA-256 and puts it in its place.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lädt den nativen Löser dieser Version herunter, prüft seine SHA-256 und legt ihn an seinen Platz.</translation>
     </message>
     <message>
         <source>Fetching the native solver</source>
-        <translation type="unfinished"></translation>
+        <translation>Der native Löser wird heruntergeladen</translation>
     </message>
     <message>
         <source>Fetching {0} ({1} MB) into {2}; only the file with SHA-256 {3} is kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ({1} MB) wird nach {2} heruntergeladen; nur die Datei mit der SHA-256 {3} wird behalten.</translation>
     </message>
     <message>
         <source>File</source>
@@ -1284,7 +1296,7 @@
     </message>
     <message>
         <source>Files written to {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Dateien nach {} geschrieben</translation>
     </message>
     <message>
         <source>Fill</source>
@@ -1300,19 +1312,19 @@
     </message>
     <message>
         <source>Fill to {pressure}, never above {safe}: film and seam then keep a margin of {margin}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bis {pressure} füllen, nie über {safe}: Folie und Naht behalten dann {margin}-fache Reserve.</translation>
     </message>
     <message>
         <source>Fill to {pressure}, never above {safe}: film and weld then keep a margin of {margin}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bis {pressure} füllen, nie über {safe}: Folie und Schweißnaht behalten dann {margin}-fache Reserve.</translation>
     </message>
     <message>
         <source>Fill to {safe} at most: {pressure} is more than film and seam bear with a margin of {margin}. Mind your eyes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Höchstens bis {safe} füllen: {pressure} sind mehr, als Folie und Naht mit {margin}-facher Reserve tragen. Augen schützen.</translation>
     </message>
     <message>
         <source>Fill to {safe} at most: {pressure} is more than film and weld bear with a margin of {margin}. Mind your eyes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Höchstens bis {safe} füllen: {pressure} sind mehr, als Folie und Schweißnaht mit {margin}-facher Reserve tragen. Augen schützen.</translation>
     </message>
     <message>
         <source>Fill with air a little and brush soapy water along the weld: bubbles show leaks. Weld once more there.</source>
@@ -1336,7 +1348,7 @@
     </message>
     <message>
         <source>Film needed: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Benötigte Folie: {0}</translation>
     </message>
     <message>
         <source>Film of your own</source>
@@ -1348,11 +1360,11 @@
     </message>
     <message>
         <source>Film {0} large is too much: write 500mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} Folie sind zu viel: 500mm schreiben.</translation>
     </message>
     <message>
         <source>Film: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Folie: {0}</translation>
     </message>
     <message>
         <source>Films</source>
@@ -1384,7 +1396,7 @@
     </message>
     <message>
         <source>For {0} the drawing would be {1} large: choose a volume that makes it {2} to {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Für {0} würde die Zeichnung {1} groß: ein Volumen wählen, das sie {2} bis {3} groß macht.</translation>
     </message>
     <message>
         <source>Forced</source>
@@ -1395,16 +1407,20 @@
         <translation>Die Bilder sind gleichmäßig in der Bewegung, nicht in der Zeit. Nur die Folie hat Masse, das Gas keine.</translation>
     </message>
     <message>
-        <source>FreeCAD cannot make it ({0}). {1}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>FreeCAD ended ({0}). {1}</source>
-        <translation type="unfinished"></translation>
+        <source>FreeCAD cannot make the document ({0}). {1}</source>
+        <translation>FreeCAD kann das Dokument nicht erstellen ({0}). {1}</translation>
     </message>
     <message>
         <source>FreeCAD has no material card "{0}": choose one of its material editor.</source>
         <translation>FreeCAD hat keine Materialkarte „{0}“: eine aus dem Materialeditor wählen.</translation>
+    </message>
+    <message>
+        <source>FreeCAD needs a home folder and a temporary folder that it can write to, and enough memory.</source>
+        <translation>Es braucht ein Benutzerverzeichnis und einen temporären Ordner, in die es schreiben kann, und Arbeitsspeicher.</translation>
+    </message>
+    <message>
+        <source>FreeCAD stopped before the document was done ({0}). {1}</source>
+        <translation>FreeCAD brach ab ({0}). {1}</translation>
     </message>
     <message>
         <source>From the flat film to the balloon at rest</source>
@@ -1420,7 +1436,7 @@
     </message>
     <message>
         <source>Gaps of up to {0} between lines were closed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lücken bis {0} zwischen Linien wurden geschlossen.</translation>
     </message>
     <message>
         <source>Gas</source>
@@ -1428,11 +1444,11 @@
     </message>
     <message>
         <source>Give --artwork for the front too.</source>
-        <translation type="unfinished"></translation>
+        <translation>--artwork auch für die Vorderseite angeben.</translation>
     </message>
     <message>
         <source>Give either --material, or all of --young, --poisson and --thickness.</source>
-        <translation type="unfinished"></translation>
+        <translation>Entweder --material angeben oder alle drei: --young, --poisson und --thickness.</translation>
     </message>
     <message>
         <source>Give either a volume or a lift as the goal.</source>
@@ -1452,11 +1468,11 @@
     </message>
     <message>
         <source>Glue a strip of {seal} along the dashed line. Let it dry under a weight.</source>
-        <translation type="unfinished"></translation>
+        <translation>Entlang der gestrichelten Linie einen Streifen von {seal} kleben. Unter einem Gewicht trocknen lassen.</translation>
     </message>
     <message>
         <source>Glue a strip of {seal} along the dashed line; leave the mouth of the neck open. Let it dry under a weight.</source>
-        <translation type="unfinished"></translation>
+        <translation>Entlang der gestrichelten Linie einen Streifen von {seal} kleben; die Mündung des Halses offen lassen. Unter einem Gewicht trocknen lassen.</translation>
     </message>
     <message>
         <source>Glue the lines inside the balloon.</source>
@@ -1580,7 +1596,7 @@
     </message>
     <message>
         <source>It holds {} of the air that a round balloon of as much film would.</source>
-        <translation type="unfinished"></translation>
+        <translation>Er fasst {} der Luft, die ein runder Ballon aus ebenso viel Folie fassen würde.</translation>
     </message>
     <message>
         <source>It is not inflated yet: choose Inflate now in its context menu, or switch Live on.</source>
@@ -1591,16 +1607,12 @@
         <translation>Jetzt ist er breiter. Strg+Z nimmt das zurück.</translation>
     </message>
     <message>
-        <source>It needs a home folder and a temporary folder that it can write to, and memory.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Join the panels along the dashed line, {seal} wide, all the way round.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Bahnen entlang der gestrichelten Linie verbinden, {seal} breit, rundherum.</translation>
     </message>
     <message>
         <source>Join the panels along the dashed line, {seal} wide; leave the mouth of the neck open.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Bahnen entlang der gestrichelten Linie verbinden, {seal} breit; die Mündung des Halses offen lassen.</translation>
     </message>
     <message>
         <source>Join the panels along the lines inside the balloon.</source>
@@ -1684,7 +1696,7 @@
     </message>
     <message>
         <source>Left out: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Weggelassen: {0}</translation>
     </message>
     <message>
         <source>Length</source>
@@ -1744,7 +1756,7 @@
     </message>
     <message>
         <source>Loose ends of lines were joined to the drawing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lose Linienenden wurden mit der Zeichnung verbunden.</translation>
     </message>
     <message>
         <source>Low</source>
@@ -1768,7 +1780,7 @@
     </message>
     <message>
         <source>Make the balloon smaller and inflate it again, until its pattern fits the bed. Weld and allowance keep their widths; one undo takes it back</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Ballon verkleinern und neu aufblasen, bis sein Schnittmuster auf das Bett passt. Schweißnaht und Zugabe behalten ihre Breite; einmal Rückgängig nimmt es zurück</translation>
     </message>
     <message>
         <source>Marks</source>
@@ -1835,8 +1847,8 @@
         <translation>Nativ</translation>
     </message>
     <message>
-        <source>Near {0} the inflated outline stays up to {1} from the drawing, along {2}: film cannot follow it there. Round it off or widen it.</source>
-        <translation type="unfinished"></translation>
+        <source>Near {0} the inflated outline stays up to {1} from the drawing, over a length of {2}: film cannot follow it there. Round it off or widen it.</source>
+        <translation>Nahe {0} bleibt der aufgeblasene Umriss bis zu {1} von der Zeichnung entfernt, auf {2} Länge: Die Folie kann ihr dort nicht folgen. Die Stelle runden oder verbreitern.</translation>
     </message>
     <message>
         <source>Neck that chokes the air path</source>
@@ -1880,7 +1892,7 @@
     </message>
     <message>
         <source>No file could be made.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es konnte keine Datei erstellt werden.</translation>
     </message>
     <message>
         <source>No file for {0}: {1}</source>
@@ -1888,7 +1900,7 @@
     </message>
     <message>
         <source>No limit</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Grenze</translation>
     </message>
     <message>
         <source>No pattern can be drawn anew without it; documents keep theirs.</source>
@@ -1903,8 +1915,8 @@
         <translation>Im Bild hebt sich keine Form ab. Kräftigere Farben oder einen ruhigeren Hintergrund benutzen.</translation>
     </message>
     <message>
-        <source>No size of the balloon fits a bed of {0}: weld, allowance, intake and bar keep theirs. Choose another machine.</source>
-        <translation type="unfinished"></translation>
+        <source>No size of the balloon fits a bed of {0}: weld, allowance, intake and control bar keep their sizes. Choose another machine.</source>
+        <translation>Keine Größe des Ballons passt auf ein Bett von {0}: Schweißnaht, Zugabe, Füllhals und Kontrollbalken behalten ihre Maße. Eine andere Maschine wählen.</translation>
     </message>
     <message>
         <source>No solver works here.</source>
@@ -1912,7 +1924,7 @@
     </message>
     <message>
         <source>No solver works here: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier arbeitet kein Löser: {0}</translation>
     </message>
     <message>
         <source>No solver works here: {0} Build it or install the package scipy.</source>
@@ -1920,7 +1932,7 @@
     </message>
     <message>
         <source>No, use NumPy</source>
-        <translation type="unfinished"></translation>
+        <translation>Nein, NumPy benutzen</translation>
     </message>
     <message>
         <source>None</source>
@@ -1944,7 +1956,7 @@
     </message>
     <message>
         <source>Note: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Hinweis: {0}</translation>
     </message>
     <message>
         <source>Nothing can be computed without it; documents open and keep their shapes.</source>
@@ -1964,11 +1976,11 @@
     </message>
     <message>
         <source>NumPy computes the same, 20 to 30 times slower.</source>
-        <translation type="unfinished"></translation>
+        <translation>NumPy rechnet dasselbe, 20- bis 30-mal langsamer.</translation>
     </message>
     <message>
         <source>NumPy took 20 to 30 times longer than the native solver, which fetch-solver fetches.</source>
-        <translation type="unfinished"></translation>
+        <translation>NumPy brauchte 20- bis 30-mal so lange wie der native Löser, den fetch-solver herunterlädt.</translation>
     </message>
     <message>
         <source>Numbers</source>
@@ -1988,11 +2000,11 @@
     </message>
     <message>
         <source>Off the drawing: {0} on average, at most {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>Neben der Zeichnung: im Mittel {0}, höchstens {1}</translation>
     </message>
     <message>
         <source>Offer the native solver where it is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>Den nativen Löser anbieten, wo er fehlt</translation>
     </message>
     <message>
         <source>On the way of the valve the balloon narrows to {0} at {1}; its channel takes {2} with its welds there. Make the neck wider or put it elsewhere, else the weld closes the valve.</source>
@@ -2012,7 +2024,7 @@
     </message>
     <message>
         <source>Only a film with another stiffness across has a grain: give --young-across too.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur eine Folie mit anderer Steifigkeit quer hat eine Laufrichtung: auch --young-across angeben.</translation>
     </message>
     <message>
         <source>Only grades of this film with a sealing layer weld: try scraps before you cut.</source>
@@ -2044,11 +2056,11 @@
     </message>
     <message>
         <source>Outline {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Umriss {}</translation>
     </message>
     <message>
         <source>Outline {}, holes: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Umriss {}, Löcher: {}</translation>
     </message>
     <message>
         <source>PDF files need it; DXF, SVG and HPGL can be written.</source>
@@ -2116,7 +2128,7 @@
     </message>
     <message>
         <source>Pattern {0} ({1} x {2} in), pages: {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnittmuster {0} ({1} x {2} Zoll), Seiten: {3}.</translation>
     </message>
     <message>
         <source>Pattern, cut two (one mirrored)</source>
@@ -2160,7 +2172,7 @@
     </message>
     <message>
         <source>Pieces: {}, on {}, {} used</source>
-        <translation type="unfinished"></translation>
+        <translation>Stücke: {}, auf {}, {} genutzt</translation>
     </message>
     <message>
         <source>Place</source>
@@ -2228,7 +2240,7 @@
     </message>
     <message>
         <source>Pressure: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Druck: {0}</translation>
     </message>
     <message>
         <source>Previews and labels need it; everything else works.</source>
@@ -2240,7 +2252,7 @@
     </message>
     <message>
         <source>Print {0} at {1} dpi, front and back</source>
-        <translation type="unfinished"></translation>
+        <translation>Bedruckt: {0} mit {1} dpi, Vorder- und Rückseite</translation>
     </message>
     <message>
         <source>Pull a line; then move the pointer to bend it, and click. A right click keeps it straight.</source>
@@ -2276,7 +2288,7 @@
     </message>
     <message>
         <source>Ready to make. Paint on, or press Make it!</source>
-        <translation type="unfinished"></translation>
+        <translation>Bereit zum Herstellen. Weitermalen oder „Mach ihn!“ drücken.</translation>
     </message>
     <message>
         <source>Real size, to cut out by hand. Print at 100 % and measure the control bar.</source>
@@ -2300,7 +2312,7 @@
     </message>
     <message>
         <source>Replace the file</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei ersetzen</translation>
     </message>
     <message>
         <source>Result</source>
@@ -2332,7 +2344,7 @@
     </message>
     <message>
         <source>Round this hole the balloon will not lie quite flat: a closed tube wants to curve more and twists out of its plane, here by about {length}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Um dieses Loch liegt der Ballon nicht ganz flach: Ein geschlossener Schlauch will sich stärker krümmen und verwindet sich aus seiner Ebene, hier um etwa {length}.</translation>
     </message>
     <message>
         <source>Round with a radius of</source>
@@ -2352,11 +2364,11 @@
     </message>
     <message>
         <source>Safe pressure: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Sicherer Druck: {0}</translation>
     </message>
     <message>
         <source>Safe pressure: {0}, less than its {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>Sicherer Druck: {0}, weniger als seine {1}</translation>
     </message>
     <message>
         <source>Safe to</source>
@@ -2372,11 +2384,15 @@
     </message>
     <message>
         <source>Scale to fit</source>
-        <translation type="unfinished"></translation>
+        <translation>Passend verkleinern</translation>
+    </message>
+    <message>
+        <source>Scaled to fit: the drawing is {0} wide instead of {1}.</source>
+        <translation>Passend verkleinert: Die Zeichnung ist {0} breit statt {1}.</translation>
     </message>
     <message>
         <source>Scaled to fit: {} wide instead of {}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Passend verkleinert: {} breit statt {}.</translation>
     </message>
     <message>
         <source>SciPy triangulates instead, a little slower.</source>
@@ -2400,7 +2416,7 @@
     </message>
     <message>
         <source>Seam length: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Nahtlänge: {0}</translation>
     </message>
     <message>
         <source>Second panel, mirrored</source>
@@ -2464,7 +2480,7 @@
     </message>
     <message>
         <source>Simulations use NumPy. "What works here" in the menu fetches the native solver later.</source>
-        <translation type="unfinished"></translation>
+        <translation>Simulationen benutzen NumPy. „Was hier funktioniert“ im Menü lädt den nativen Löser später herunter.</translation>
     </message>
     <message>
         <source>Size</source>
@@ -2576,11 +2592,11 @@
     </message>
     <message>
         <source>Tape along the dashed line, {seal} wide, all the way round.</source>
-        <translation type="unfinished"></translation>
+        <translation>Entlang der gestrichelten Linie mit Klebeband verbinden, {seal} breit, rundherum.</translation>
     </message>
     <message>
         <source>Tape along the dashed line, {seal} wide; leave the mouth of the neck open.</source>
-        <translation type="unfinished"></translation>
+        <translation>Entlang der gestrichelten Linie mit Klebeband verbinden, {seal} breit; die Mündung des Halses offen lassen.</translation>
     </message>
     <message>
         <source>Taped seam</source>
@@ -2676,7 +2692,7 @@
     </message>
     <message>
         <source>The Young's modulus across the grain {0} is too large for one along it of {1}: turn the grain by 90 degrees and exchange the two.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Elastizitätsmodul quer zur Laufrichtung {0} ist zu groß für den längs von {1}: die Laufrichtung um 90 Grad drehen und beide tauschen.</translation>
     </message>
     <message>
         <source>The altitude {0} m is out of range: give one up to 11000 m.</source>
@@ -2704,7 +2720,7 @@
     </message>
     <message>
         <source>The connection to {0} ended before the whole native solver had come. Try again. {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Verbindung zu {0} endete, bevor der ganze native Löser da war. Noch einmal versuchen. {1}</translation>
     </message>
     <message>
         <source>The drawing cannot be reached everywhere: the silhouette is up to {} off it.</source>
@@ -2771,10 +2787,6 @@
         <translation>Die Zeichnung; eine Kopie davon liegt im Dokument</translation>
     </message>
     <message>
-        <source>The end of this tip stays flat, over {length}. A radius of {wanted} makes it rounder.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The file is XML but no SVG drawing. Choose a drawing.</source>
         <translation>Die Datei ist XML, aber keine SVG-Zeichnung. Eine Zeichnung wählen.</translation>
     </message>
@@ -2789,6 +2801,10 @@
     <message>
         <source>The file of rules {0} is of no use: {1}. Install it anew.</source>
         <translation>Die Regeldatei {0} ist unbrauchbar: {1}. Sie neu installieren.</translation>
+    </message>
+    <message>
+        <source>The file of the pattern</source>
+        <translation>Die Ausgabe der Schnittmuster</translation>
     </message>
     <message>
         <source>The file {0} is of no use: {1}. Install it anew.</source>
@@ -2836,11 +2852,11 @@
     </message>
     <message>
         <source>The hole at {0} is too small for a {1} seal, and its weld reaches {2} into the balloon: make the hole at least {3} wide, or the seal narrower.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Loch bei {0} ist zu klein für eine Naht von {1}, und seine Schweißnaht reicht {2} in den Ballon: das Loch mindestens {3} breit machen oder die Naht schmaler.</translation>
     </message>
     <message>
         <source>The hole at {0} is welded but not cut out: for that, make it wider than two seals with their allowances, {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Loch bei {0} wird geschweißt, aber nicht ausgeschnitten: dafür breiter machen als zwei Nähte mit Zugabe, {1}.</translation>
     </message>
     <message>
         <source>The hole at {0} lies in another hole; remove one of them.</source>
@@ -2911,6 +2927,10 @@
         <translation>Die Beschriftung „{0}“ ist {1} lang, und die Folie nur {2} breit: einen kürzeren Text oder niedrigere Buchstaben nehmen.</translation>
     </message>
     <message>
+        <source>The last {length} of this tip stay flat. A radius of {wanted} makes it rounder.</source>
+        <translation>Das Ende dieser Spitze bleibt flach, auf {length}. Ein Radius von {wanted} macht es runder.</translation>
+    </message>
+    <message>
         <source>The layer MARK of the machine file {0}.json takes notches only. Rename it NOTCH, and where your machine can draw, add the layers FOLD and PEN.</source>
         <translation>Die Ebene MARK der Maschinendatei {0}.json nimmt nur Passkerben auf. Sie in NOTCH umbenennen, und wenn die Maschine zeichnen kann, die Ebenen FOLD und PEN ergänzen.</translation>
     </message>
@@ -2924,7 +2944,7 @@
     </message>
     <message>
         <source>The layout on film</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Anordnung auf Folie</translation>
     </message>
     <message>
         <source>The layout was stopped; nothing was changed.</source>
@@ -2952,27 +2972,23 @@
     </message>
     <message>
         <source>The mesh size is {0}: give one above 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Netzweite ist {0}: einen Wert über 0 angeben.</translation>
     </message>
     <message>
-        <source>The native solver cannot be kept. {0} {1}</source>
-        <translation type="unfinished"></translation>
+        <source>The native solver cannot be saved. {0}</source>
+        <translation>Der native Löser kann nicht gespeichert werden. {0}</translation>
     </message>
     <message>
         <source>The native solver could not be fetched from {0} ({1}). Try again when the network is there. {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>Der native Löser konnte nicht von {0} heruntergeladen werden ({1}). Noch einmal versuchen, wenn das Netzwerk da ist. {2}</translation>
     </message>
     <message>
         <source>The native solver is here already.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der native Löser ist schon da.</translation>
     </message>
     <message>
         <source>The native solver is in use now.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The native solver is in use.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der native Löser wird jetzt benutzt.</translation>
     </message>
     <message>
         <source>The native solver is not available: {0} Use the NumPy solver.</source>
@@ -2980,15 +2996,15 @@
     </message>
     <message>
         <source>The native solver is not installed. Everything works without it, but simulations take 20 to 30 times longer. Fetch it now?</source>
-        <translation type="unfinished"></translation>
+        <translation>Der native Löser ist nicht installiert. Alles funktioniert ohne ihn, aber Simulationen dauern 20- bis 30-mal so lange. Ihn jetzt herunterladen?</translation>
     </message>
     <message>
-        <source>The native solver was fetched, but does not run here: {0} {1}</source>
-        <translation type="unfinished"></translation>
+        <source>The native solver was fetched, but does not run here: {0}</source>
+        <translation>Der native Löser wurde heruntergeladen, läuft hier aber nicht: {0}</translation>
     </message>
     <message>
         <source>The native solver was not fetched: stopped.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der native Löser wurde nicht heruntergeladen: angehalten.</translation>
     </message>
     <message>
         <source>The native solver, which is faster, is not available: {0}</source>
@@ -3000,7 +3016,7 @@
     </message>
     <message>
         <source>The options cannot be used ({0}). See --help.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Optionen sind nicht brauchbar ({0}). Siehe --help.</translation>
     </message>
     <message>
         <source>The outline cannot be mirrored about its axis: draw it symmetric, or leave that.</source>
@@ -3008,7 +3024,7 @@
     </message>
     <message>
         <source>The outline crosses or nearly touches itself near {0}: separate the parts that meet there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Umriss kreuzt oder berührt sich fast nahe {0}: die Teile dort trennen.</translation>
     </message>
     <message>
         <source>The outline crosses or touches itself and cannot be meshed: separate the parts that meet.</source>
@@ -3028,7 +3044,7 @@
     </message>
     <message>
         <source>The outline's {0} of {1} cannot be made; bring it to a size between 1 mm and 100 m.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Umriss kann keine {0} von {1} haben; ihn auf eine Größe zwischen 1 mm und 100 m bringen.</translation>
     </message>
     <message>
         <source>The page will be in English, as no font here has the letters of your language: install IPAexGothic or Noto Sans CJK JP, and open this panel again.</source>
@@ -3048,11 +3064,11 @@
     </message>
     <message>
         <source>The pattern crosses itself near {0}: simplify the drawing there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Schnittmuster kreuzt sich nahe {0}: die Zeichnung dort vereinfachen.</translation>
     </message>
     <message>
         <source>The pattern has no lines for {0}, which takes {1}: choose another machine.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Schnittmuster hat keine Linien für {0}, das {1} verarbeitet: eine andere Maschine wählen.</translation>
     </message>
     <message>
         <source>The pattern is being fitted to the painting ...</source>
@@ -3065,10 +3081,6 @@
     <message>
         <source>The pattern measures {0}, the bed of {1} {2}</source>
         <translation>Das Schnittmuster misst {0}, das Bett von {1} {2}</translation>
-    </message>
-    <message>
-        <source>The patterns' files</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The picture has a single colour. Choose one that shows a shape on a background.</source>
@@ -3104,7 +3116,11 @@
     </message>
     <message>
         <source>The pressure must be positive and at most {0}, not {1}. A party balloon has about 2 kPa.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Druck muss positiv und höchstens {0} sein, nicht {1}. Ein Partyballon hat etwa 2 kPa.</translation>
+    </message>
+    <message>
+        <source>The print on film</source>
+        <translation>Der Druck auf Folie</translation>
     </message>
     <message>
         <source>The radius of the corner relief must be 0 or above.</source>
@@ -3113,6 +3129,10 @@
     <message>
         <source>The repair at {0} no longer fits, {1}: take it back or draw that part anew.</source>
         <translation>Die Reparatur bei {0} passt nicht mehr, {1}: sie zurücknehmen oder den Teil neu zeichnen.</translation>
+    </message>
+    <message>
+        <source>The rest of the job</source>
+        <translation>Das Übrige</translation>
     </message>
     <message>
         <source>The seal width must be between 0.01 mm and 1 m, the allowance between 0 and 1 m.</source>
@@ -3124,7 +3144,7 @@
     </message>
     <message>
         <source>The shape is only {0} thick near {1}, too thin for a mesh of {2}: make it thicker there, or use a mesh size of at most {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Form ist nahe {1} nur {0} dick, zu dünn für ein Netz von {2}: dort verdicken oder höchstens {3} Netzweite benutzen.</translation>
     </message>
     <message>
         <source>The shape touches the {0} border of the picture; if it was cut off there, leave more margin.</source>
@@ -3152,15 +3172,19 @@
     </message>
     <message>
         <source>The size comes from {0}: make it smaller there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Größe kommt von {0}: sie dort verkleinern.</translation>
     </message>
     <message>
-        <source>The size of {0} follows an expression: change what that refers to.</source>
-        <translation type="unfinished"></translation>
+        <source>The size follows from a volume or a lift: choose a smaller one.</source>
+        <translation>Ein Volumen oder ein Auftrieb bestimmt die Größe: dort weniger wählen.</translation>
+    </message>
+    <message>
+        <source>The size of {0} is set by an expression: change the value that it uses.</source>
+        <translation>Die Größe von {0} folgt einem Ausdruck: ändern, worauf er sich bezieht.</translation>
     </message>
     <message>
         <source>The smallest radius is {0}, near {1}; {2} follows {3}. It will come out rounder there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der kleinste Radius ist {0}, nahe {1}; {2} folgt {3}. Dort wird es runder.</translation>
     </message>
     <message>
         <source>The solver '{0}' needs the Python package scipy. Install it or use the native solver.</source>
@@ -3172,7 +3196,7 @@
     </message>
     <message>
         <source>The summary cannot be shown ({0}); {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Zusammenfassung kann nicht angezeigt werden ({0}); {1}.</translation>
     </message>
     <message>
         <source>The temperature of the {0}, {1} degrees Celsius, is out of range: give one such as 20C.</source>
@@ -3188,7 +3212,7 @@
     </message>
     <message>
         <source>The volume must be positive, not {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Volumen muss positiv sein, nicht {0}.</translation>
     </message>
     <message>
         <source>The way from the intake into the balloon narrows to {0}, and the intake is {1} wide: put it where the balloon is wider, else air enters slowly.</source>
@@ -3215,10 +3239,6 @@
         <translation>Das Maß ({0}) ist {1} mm: einen Wert über 0 angeben, zum Beispiel 300 mm.</translation>
     </message>
     <message>
-        <source>The {0} is {1} off what was wanted: correct the goal by as much.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The {0} line crosses itself near {1}: simplify the drawing there.</source>
         <translation>Die Linie {0} kreuzt sich nahe {1}: die Zeichnung dort vereinfachen.</translation>
     </message>
@@ -3229,6 +3249,10 @@
     <message>
         <source>The {0} line that begins at {1} is open: programs fill, offset and cut closed lines only. Close it.</source>
         <translation>Die Linie {0}, die bei {1} beginnt, ist offen: Programme füllen, versetzen und schneiden nur geschlossene. Sie schließen.</translation>
+    </message>
+    <message>
+        <source>The {0} misses the goal by {1}: change the goal by as much.</source>
+        <translation>Das Ziel ({0}) wurde um {1} verfehlt: es um ebenso viel berichtigen.</translation>
     </message>
     <message>
         <source>The {0} {1} is not between {2} and {3} {4}: give one such as {5}.</source>
@@ -3248,7 +3272,7 @@
     </message>
     <message>
         <source>There is no "{0}" to repair in {1}: see its advice.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt in {1} kein „{0}“ zu reparieren: dessen Ratschläge ansehen.</translation>
     </message>
     <message>
         <source>There is no backend "{0}": choose {1}, or leave it out.</source>
@@ -3284,7 +3308,7 @@
     </message>
     <message>
         <source>There is no language "{0}": choose one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt keine Sprache „{0}“: eine von {1} wählen.</translation>
     </message>
     <message>
         <source>There is no look "{0}": choose one of {1}.</source>
@@ -3296,11 +3320,11 @@
     </message>
     <message>
         <source>There is no native solver for {0}. {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt keinen nativen Löser für {0}. {1}</translation>
     </message>
     <message>
         <source>There is no native solver to be fetched for this version yet. {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Für diese Version kann noch kein nativer Löser heruntergeladen werden. {0}</translation>
     </message>
     <message>
         <source>There is no outline at {0} degrees from the centre: choose another intake angle.</source>
@@ -3335,10 +3359,6 @@
         <translation>Es gibt keine Symmetrie „{0}“: eine von {1} wählen.</translation>
     </message>
     <message>
-        <source>There is no way "{0}" with a large pattern: choose {1}.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>There is too little memory for this: take a coarser mesh, or close other programs.</source>
         <translation>Dafür reicht der Speicher nicht: ein gröberes Netz nehmen oder andere Programme schließen.</translation>
     </message>
@@ -3360,7 +3380,7 @@
     </message>
     <message>
         <source>This Python has no working ctypes module, which SciPy and the native solver need: patterns can be changed and written, but no balloon can be inflated anew. Take another build of FreeCAD or of Python.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Python hat kein funktionierendes ctypes-Modul, das SciPy und der native Löser brauchen: Schnittmuster können geändert und geschrieben werden, aber kein Ballon kann neu aufgeblasen werden. Eine andere Ausgabe von FreeCAD oder von Python nehmen.</translation>
     </message>
     <message>
         <source>This arm is too thin to fill: drawn {width} wide, it becomes {measured} thick. Make it {wanted} wide.</source>
@@ -3372,15 +3392,19 @@
     </message>
     <message>
         <source>This arm stays much thinner than the rest: drawn {width} wide, it becomes {measured} thick. For a rounder one make it {wanted} wide.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieser Arm bleibt viel dünner als der Rest: {width} breit gezeichnet, wird er {measured} dick. Damit er runder wird, ihn {wanted} breit machen.</translation>
     </message>
     <message>
-        <source>This balloon holds {0} {1} at any pressure that suits its film: {2} at {3}. Change the size of the balloon or the volume.</source>
-        <translation type="unfinished"></translation>
+        <source>This balloon holds less than {0} at any pressure that suits its film: {1} at {2}. Change the size of the balloon or the volume.</source>
+        <translation>Dieser Ballon fasst bei jedem Druck, den seine Folie verträgt, weniger als {0}: {1} bei {2}. Die Größe des Ballons oder das Volumen ändern.</translation>
+    </message>
+    <message>
+        <source>This balloon holds more than {0} at any pressure that suits its film: {1} at {2}. Change the size of the balloon or the volume.</source>
+        <translation>Dieser Ballon fasst bei jedem Druck, den seine Folie verträgt, mehr als {0}: {1} bei {2}. Die Größe des Ballons oder das Volumen ändern.</translation>
     </message>
     <message>
         <source>This cannot be shown ({0}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Das kann nicht angezeigt werden ({0}).</translation>
     </message>
     <message>
         <source>This gas is not lighter than the air around, so the balloon never floats: choose another gas or a higher temperature of the gas.</source>
@@ -3412,11 +3436,11 @@
     </message>
     <message>
         <source>This neck slows the filling: inside it is as wide as a tube of {measured} of film, the intake is {intake}. {behind} of the balloon fill through it. For quicker filling make it {wanted} wide.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Engstelle bremst das Füllen: Innen ist sie so weit wie ein Schlauch aus {measured} breiter Folie, der Füllhals hat {intake}. {behind} des Ballons füllen sich durch sie. Für schnelleres Füllen sie {wanted} breit machen.</translation>
     </message>
     <message>
         <source>This notch pulls the film {measured} as tight as elsewhere, so that it wrinkles there. A radius of {wanted} eases that.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Kerbe spannt die Folie {measured} so straff wie anderswo, sodass sie dort Falten wirft. Ein Radius von {wanted} mildert das.</translation>
     </message>
     <message>
         <source>This notch pulls the film {measured} as tight as elsewhere; it wrinkles there and is where it would tear. Round it with a radius of {wanted}.</source>
@@ -3424,11 +3448,11 @@
     </message>
     <message>
         <source>This shape stays flat: it holds {percent} of the air that a round balloon of as much film would. Fewer and wider parts make it rounder.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Form bleibt flach: Sie fasst {percent} der Luft, die ein runder Ballon aus ebenso viel Folie fassen würde. Weniger und breitere Teile machen sie runder.</translation>
     </message>
     <message>
         <source>This shape stays rather flat: it holds {percent} of the air that a round balloon of as much film would. Fewer and wider parts make it rounder.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Form bleibt recht flach: Sie fasst {percent} der Luft, die ein runder Ballon aus ebenso viel Folie fassen würde. Weniger und breitere Teile machen sie runder.</translation>
     </message>
     <message>
         <source>This tip stays flat over {length}: it is too pointed. Round it with a radius of {wanted}.</source>
@@ -3508,11 +3532,11 @@
     </message>
     <message>
         <source>Weakest place: {0} at {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>Schwächste Stelle: {0} bei {1}</translation>
     </message>
     <message>
         <source>Weakest place: {0} at {1}, estimated: the film did not come to rest</source>
-        <translation type="unfinished"></translation>
+        <translation>Schwächste Stelle: {0} bei {1}, geschätzt: Die Folie kam nicht zur Ruhe</translation>
     </message>
     <message>
         <source>Weighing {0}</source>
@@ -3536,11 +3560,11 @@
     </message>
     <message>
         <source>Weld along the dashed line, {seal} wide, all the way round.</source>
-        <translation type="unfinished"></translation>
+        <translation>Entlang der gestrichelten Linie schweißen, {seal} breit, rundherum.</translation>
     </message>
     <message>
         <source>Weld along the dashed line, {seal} wide. Leave the mouth of the neck open.</source>
-        <translation type="unfinished"></translation>
+        <translation>Entlang der gestrichelten Linie schweißen, {seal} breit. Die Mündung des Halses offen lassen.</translation>
     </message>
     <message>
         <source>Weld and cut</source>
@@ -3556,11 +3580,11 @@
     </message>
     <message>
         <source>Weld with high frequency along the dashed line, {seal} wide, all the way round.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit Hochfrequenz entlang der gestrichelten Linie schweißen, {seal} breit, rundherum.</translation>
     </message>
     <message>
         <source>Weld with high frequency along the dashed line, {seal} wide; leave the mouth of the neck open.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit Hochfrequenz entlang der gestrichelten Linie schweißen, {seal} breit; die Mündung des Halses offen lassen.</translation>
     </message>
     <message>
         <source>Welded across, last</source>
@@ -3569,10 +3593,6 @@
     <message>
         <source>Welds easily with an impulse sealer or an iron. Yields at about 9 MPa, half its tensile strength, and creeps: keep the pressure low.</source>
         <translation>Lässt sich leicht mit Impulssiegler oder Bügeleisen schweißen. Fließt bei etwa 9 MPa, der Hälfte seiner Zugfestigkeit, und kriecht: den Druck niedrig halten.</translation>
-    </message>
-    <message>
-        <source>What else is made</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>What it takes to make it</source>
@@ -3584,7 +3604,7 @@
     </message>
     <message>
         <source>What this machine can work on, such as 600 x 400 mm, or 600 mm for a roll; empty where there is no limit. It is kept for this machine</source>
-        <translation type="unfinished"></translation>
+        <translation>Was diese Maschine bearbeiten kann, etwa 600 x 400 mm, oder 600 mm für eine Rolle; leer, wo es keine Grenze gibt. Es wird für diese Maschine behalten</translation>
     </message>
     <message>
         <source>What works here</source>
@@ -3592,11 +3612,11 @@
     </message>
     <message>
         <source>What {0} sent is not the native solver of this release: its SHA-256 is another one. It was not kept. {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>Was {0} geschickt hat, ist nicht der native Löser dieser Version: Die SHA-256 ist eine andere. Es wurde nicht behalten. {1}</translation>
     </message>
     <message>
         <source>Where the film wrinkles</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo die Folie Falten wirft</translation>
     </message>
     <message>
         <source>Whether the {0} of the intake's pieces welds to {1} is not known: try it on a scrap first.</source>
@@ -3632,7 +3652,7 @@
     </message>
     <message>
         <source>Will it float? {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Schwebt er? {0}</translation>
     </message>
     <message>
         <source>With the fonts of this computer {0} cannot be drawn, letter by letter from left to right: leave that out of the label, or install a font that has it and start again.</source>
@@ -3644,7 +3664,7 @@
     </message>
     <message>
         <source>Write anyway</source>
-        <translation type="unfinished"></translation>
+        <translation>Trotzdem schreiben</translation>
     </message>
     <message>
         <source>Write files…</source>
@@ -3652,7 +3672,7 @@
     </message>
     <message>
         <source>Write the file although it is larger than the bed</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei schreiben, obwohl sie größer als das Bett ist</translation>
     </message>
     <message>
         <source>Write {"unit": "mm", "outer": [[0, 0], [300, 0], [150, 200]]}.</source>
@@ -3672,7 +3692,7 @@
     </message>
     <message>
         <source>Wrote {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} geschrieben</translation>
     </message>
     <message>
         <source>Yellow</source>
@@ -3704,11 +3724,11 @@
     </message>
     <message>
         <source>about {}</source>
-        <translation type="unfinished"></translation>
+        <translation>etwa {}</translation>
     </message>
     <message>
         <source>about {} x {}, {} thick, {}</source>
-        <translation type="unfinished"></translation>
+        <translation>etwa {} x {}, {} dick, {}</translation>
     </message>
     <message>
         <source>air</source>
@@ -3716,7 +3736,7 @@
     </message>
     <message>
         <source>all files were written before to {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>alle Dateien waren vorher nach {0} geschrieben</translation>
     </message>
     <message>
         <source>another run has been writing there for a minute</source>
@@ -3736,11 +3756,11 @@
     </message>
     <message>
         <source>at most {} {}</source>
-        <translation type="unfinished"></translation>
+        <translation>höchstens {} {}</translation>
     </message>
     <message>
         <source>back</source>
-        <translation type="unfinished"></translation>
+        <translation>Rückseite</translation>
     </message>
     <message>
         <source>balloon {0} of {1}, {2}</source>
@@ -3760,7 +3780,7 @@
     </message>
     <message>
         <source>connecting</source>
-        <translation type="unfinished"></translation>
+        <translation>Verbinden</translation>
     </message>
     <message>
         <source>cut</source>
@@ -3772,7 +3792,7 @@
     </message>
     <message>
         <source>designing a balloon</source>
-        <translation type="unfinished"></translation>
+        <translation>Entwurf eines Ballons</translation>
     </message>
     <message>
         <source>does not name its unit</source>
@@ -3792,11 +3812,11 @@
     </message>
     <message>
         <source>fetch the native solver from the network, where the workbench came without it</source>
-        <translation type="unfinished"></translation>
+        <translation>den nativen Löser aus dem Netz herunterladen, wo der Arbeitsbereich ohne ihn kam</translation>
     </message>
     <message>
         <source>fetching</source>
-        <translation type="unfinished"></translation>
+        <translation>Herunterladen</translation>
     </message>
     <message>
         <source>film</source>
@@ -3804,7 +3824,7 @@
     </message>
     <message>
         <source>film and valve weigh {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Folie und Ventil wiegen {0}</translation>
     </message>
     <message>
         <source>fold</source>
@@ -3812,7 +3832,7 @@
     </message>
     <message>
         <source>front</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorderseite</translation>
     </message>
     <message>
         <source>gas</source>
@@ -3852,7 +3872,7 @@
     </message>
     <message>
         <source>in {}</source>
-        <translation type="unfinished"></translation>
+        <translation>in {}</translation>
     </message>
     <message>
         <source>inflated</source>
@@ -3860,7 +3880,7 @@
     </message>
     <message>
         <source>inflated {0}, {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>aufgeblasen {0}, {1}</translation>
     </message>
     <message>
         <source>inflating</source>
@@ -3888,7 +3908,7 @@
     </message>
     <message>
         <source>laying out, {0} so far</source>
-        <translation type="unfinished"></translation>
+        <translation>Auslegen, bisher {0}</translation>
     </message>
     <message>
         <source>left</source>
@@ -3904,7 +3924,7 @@
     </message>
     <message>
         <source>less than its {} with a margin of {} ({})</source>
-        <translation type="unfinished"></translation>
+        <translation>weniger als seine {} mit Reserve {} ({})</translation>
     </message>
     <message>
         <source>lift</source>
@@ -3912,7 +3932,7 @@
     </message>
     <message>
         <source>loose: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>schlaff: {}</translation>
     </message>
     <message>
         <source>lower</source>
@@ -3936,7 +3956,7 @@
     </message>
     <message>
         <source>no file was written</source>
-        <translation type="unfinished"></translation>
+        <translation>es wurde keine Datei geschrieben</translation>
     </message>
     <message>
         <source>no layer is written: name at least CUT.</source>
@@ -3976,7 +3996,7 @@
     </message>
     <message>
         <source>printing</source>
-        <translation type="unfinished"></translation>
+        <translation>Drucken</translation>
     </message>
     <message>
         <source>right</source>
@@ -3984,7 +4004,7 @@
     </message>
     <message>
         <source>safe to {}, margin {}</source>
-        <translation type="unfinished"></translation>
+        <translation>sicher bis {}, Reserve {}-fach</translation>
     </message>
     <message>
         <source>seal width</source>
@@ -4016,7 +4036,7 @@
     </message>
     <message>
         <source>stopped; {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>angehalten; {0}.</translation>
     </message>
     <message>
         <source>strength</source>
@@ -4040,7 +4060,7 @@
     </message>
     <message>
         <source>the answer is not HTTP</source>
-        <translation type="unfinished"></translation>
+        <translation>die Antwort ist kein HTTP</translation>
     </message>
     <message>
         <source>the colour "{0}" is not written like #ff0000.</source>
@@ -4048,7 +4068,11 @@
     </message>
     <message>
         <source>the connection ended too soon</source>
-        <translation type="unfinished"></translation>
+        <translation>die Verbindung endete zu früh</translation>
+    </message>
+    <message>
+        <source>the connection timed out</source>
+        <translation>keine Antwort in der erlaubten Zeit</translation>
     </message>
     <message>
         <source>the file name "{0}" may have letters, digits, spaces, _, - and . only.</source>
@@ -4056,7 +4080,7 @@
     </message>
     <message>
         <source>the film weighs {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>die Folie wiegt {0}</translation>
     </message>
     <message>
         <source>the last line of each piece is its CUT.</source>
@@ -4092,7 +4116,7 @@
     </message>
     <message>
         <source>tight: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>straff: {}</translation>
     </message>
     <message>
         <source>trial {0}, {1}</source>
@@ -4140,11 +4164,11 @@
     </message>
     <message>
         <source>wrinkled: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>faltig: {}</translation>
     </message>
     <message>
         <source>writing files</source>
-        <translation type="unfinished"></translation>
+        <translation>Dateien schreiben</translation>
     </message>
     <message>
         <source>{0} "{1}" is none of {2}.</source>
@@ -4152,7 +4176,7 @@
     </message>
     <message>
         <source>{0} ({1}, margin {2})</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ({1}, Reserve {2})</translation>
     </message>
     <message>
         <source>{0} It is left out.</source>
@@ -4184,7 +4208,7 @@
     </message>
     <message>
         <source>{0} does not have the native solver (answer {1}). Try again later. {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} hat den nativen Löser nicht (Antwort {1}). Später noch einmal versuchen. {2}</translation>
     </message>
     <message>
         <source>{0} dots per inch cannot be printed well: give {1} to {2}.</source>
@@ -4192,11 +4216,11 @@
     </message>
     <message>
         <source>{0} gap between the lines closed, the widest {1} of the drawing's width.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} Lücke zwischen den Linien geschlossen, {1} der Breite der Zeichnung weit.</translation>
     </message>
     <message>
         <source>{0} gaps between the lines closed, the widest {1} of the drawing's width.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} Lücken zwischen den Linien geschlossen, die weiteste {1} der Breite der Zeichnung.</translation>
     </message>
     <message>
         <source>{0} has interface {1}, but {2} is needed.</source>
@@ -4252,7 +4276,7 @@
     </message>
     <message>
         <source>{0} is damaged: install the workbench anew, or go on without the native solver.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ist beschädigt: den Arbeitsbereich neu installieren oder ohne den nativen Löser weitermachen.</translation>
     </message>
     <message>
         <source>{0} is empty: draw a closed line in it.</source>
@@ -4308,19 +4332,19 @@
     </message>
     <message>
         <source>{0} lifts {1}, {2}: no, at no size.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} trägt {1}, {2}: nein, in keiner Größe.</translation>
     </message>
     <message>
         <source>{0} lifts {1}, {2}: no. From {3} width on it would.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} trägt {1}, {2}: nein. Ab {3} Breite schon.</translation>
     </message>
     <message>
         <source>{0} lifts {1}, {2}: yes, and it carries {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} trägt {1}, {2}: ja, und der Ballon trägt noch {3}.</translation>
     </message>
     <message>
         <source>{0} mm on paper = {1} of film</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} mm auf Papier = {1} Folie</translation>
     </message>
     <message>
         <source>{0} must never be cut with a laser: choose a machine with a knife.</source>
@@ -4332,11 +4356,11 @@
     </message>
     <message>
         <source>{0} of a roll {1} wide</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} einer {1} breiten Rolle</translation>
     </message>
     <message>
         <source>{0} of its size</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ihrer Größe</translation>
     </message>
     <message>
         <source>{0} open line was left out.</source>
@@ -4392,27 +4416,27 @@
     </message>
     <message>
         <source>{0} wide, {1} long</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} breit, {1} lang</translation>
     </message>
     <message>
         <source>{0} with valve {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} mit Ventil von {1}</translation>
     </message>
     <message>
-        <source>{0}: it is written all the same.</source>
-        <translation type="unfinished"></translation>
+        <source>{0}: lay its pieces out on sheets of that size, make the balloon smaller, or write the file anyway.</source>
+        <translation>{0}: die Stücke auf Bögen dieser Größe auslegen, den Ballon kleiner machen oder die Datei trotzdem schreiben lassen.</translation>
     </message>
     <message>
-        <source>{0}: lay its pieces out on sheets of that size, make the balloon smaller, or have the file written all the same.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0}: make the balloon smaller, choose another machine or paper, or have the file written all the same.</source>
-        <translation type="unfinished"></translation>
+        <source>{0}: make the balloon smaller, choose another machine or paper, or write the file anyway.</source>
+        <translation>{0}: den Ballon kleiner machen, eine andere Maschine oder anderes Papier wählen oder die Datei trotzdem schreiben lassen.</translation>
     </message>
     <message>
         <source>{0}: pieces {1}, on {2}, {3} used</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: Stücke {1}, auf {2}, {3} genutzt</translation>
+    </message>
+    <message>
+        <source>{0}: the file is written anyway.</source>
+        <translation>{0}: Die Datei wird trotzdem geschrieben.</translation>
     </message>
     <message>
         <source>{0}: turn the pattern by 90 degrees there.</source>
@@ -4420,7 +4444,7 @@
     </message>
     <message>
         <source>{0}; wider than the usual roll</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}; breiter als die übliche Rolle</translation>
     </message>
     <message>
         <source>{0}what is shown is the last good state. Lower the pressure or change the mesh size.</source>
@@ -4428,7 +4452,7 @@
     </message>
     <message>
         <source>{} MB from {}; the file is checked before it is used, and nothing is sent.</source>
-        <translation type="unfinished"></translation>
+        <translation>{} MB von {}; die Datei wird geprüft, bevor sie benutzt wird, und nichts wird gesendet.</translation>
     </message>
     <message>
         <source>{} at ({})</source>
@@ -4440,19 +4464,19 @@
     </message>
     <message>
         <source>{} is there already: give another name.</source>
-        <translation type="unfinished"></translation>
+        <translation>{} gibt es schon: einen anderen Namen angeben.</translation>
     </message>
     <message>
         <source>{} is there already: tick "Replace the file", or give another name.</source>
-        <translation type="unfinished"></translation>
+        <translation>{} gibt es schon: „Die Datei ersetzen“ ankreuzen oder einen anderen Namen angeben.</translation>
     </message>
     <message>
         <source>{} ms, {}, frame {} of {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} ms, {}, Bild {} von {}</translation>
     </message>
     <message>
         <source>{} of it wrinkles, {} is loose</source>
-        <translation type="unfinished"></translation>
+        <translation>{} faltig, {} schlaff</translation>
     </message>
     <message>
         <source>{} of {}</source>
@@ -4468,15 +4492,15 @@
     </message>
     <message>
         <source>{}, carries {} with {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, trägt mit {2} {1}</translation>
     </message>
     <message>
         <source>{}, floats from {} width on with {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, schwebt mit {2} ab {1} Breite</translation>
     </message>
     <message>
         <source>{}, never floats with {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}, schwebt nie mit {}</translation>
     </message>
     <message>
         <source>{}, seam {}</source>
@@ -4484,11 +4508,11 @@
     </message>
     <message>
         <source>{}: film {}, seam and neck {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: Folie {}, Naht und Hals {}</translation>
     </message>
     <message>
         <source>{}: film {}, seam and neck {}, valve {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: Folie {}, Naht und Hals {}, Ventil {}</translation>
     </message>
     <message>
         <source>{}: {}</source>

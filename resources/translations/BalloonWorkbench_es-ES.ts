@@ -17,7 +17,7 @@
     </message>
     <message>
         <source>Air that it holds, as a share of what a round balloon of as much film would</source>
-        <translation type="unfinished"></translation>
+        <translation>Aire que contiene, como parte del que tendría un globo redondo con igual película</translation>
     </message>
     <message>
         <source>Another picture for the back; empty takes that of the front</source>
@@ -196,10 +196,6 @@
         <translation>Se sostiene por sí mismo</translation>
     </message>
     <message>
-        <source>It has a place; a new object is given one</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Label of the values the mesh belongs to</source>
         <translation>Marca de los valores a los que pertenece la malla</translation>
     </message>
@@ -313,7 +309,7 @@
     </message>
     <message>
         <source>Part of the film's area that hangs loose</source>
-        <translation type="unfinished"></translation>
+        <translation>Parte del área de película que está floja</translation>
     </message>
     <message>
         <source>Part of the film's area that is wrinkled</source>
@@ -365,7 +361,7 @@
     </message>
     <message>
         <source>Repairs that were made in the drawing, one each; delete an entry to take it back</source>
-        <translation type="unfinished"></translation>
+        <translation>Reparaciones hechas en el dibujo, una por entrada; borre una entrada para deshacerla</translation>
     </message>
     <message>
         <source>Result that is shown as colours, with a legend</source>
@@ -409,7 +405,7 @@
     </message>
     <message>
         <source>The balloon shown has come to rest</source>
-        <translation type="unfinished"></translation>
+        <translation>El globo que se muestra llegó al reposo</translation>
     </message>
     <message>
         <source>The balloon that is cut from this pattern</source>
@@ -450,6 +446,10 @@
     <message>
         <source>The whole report as JSON</source>
         <translation>El informe completo en JSON</translation>
+    </message>
+    <message>
+        <source>The workbench has given it a place</source>
+        <translation>Tiene un lugar; a un objeto nuevo se le da uno</translation>
     </message>
     <message>
         <source>Thickness of the film</source>
@@ -556,8 +556,8 @@
         <translation>Dónde se busca: lo más lejos del centro, o abajo, donde un globo atado cuelga derecho</translation>
     </message>
     <message>
-        <source>Where it was put, unless by the user</source>
-        <translation type="unfinished"></translation>
+        <source>Where the workbench put it</source>
+        <translation>Dónde se colocó de forma automática, si no lo movió el usuario</translation>
     </message>
     <message>
         <source>Whether a laser may cut this film</source>
@@ -627,6 +627,10 @@
         <translation> no está listo: </translation>
     </message>
     <message>
+        <source>"{0}" is no choice for a pattern larger than the bed: choose {1}.</source>
+        <translation>No hay modo «{0}» para un patrón grande: elija {1}.</translation>
+    </message>
+    <message>
         <source>"{0}" is no colour: give one such as "#cc294d".</source>
         <translation>«{0}» no es un color: indique por ejemplo «#cc294d».</translation>
     </message>
@@ -648,7 +652,7 @@
     </message>
     <message>
         <source>'{0}' is a pipe or a device: save what comes from it, and name that file.</source>
-        <translation type="unfinished"></translation>
+        <translation>«{0}» es una tubería o un dispositivo: guarde lo que sale de él e indique ese archivo.</translation>
     </message>
     <message>
         <source>'{0}' is colder than anything; write a temperature as 20C, 68F or 293K.</source>
@@ -684,7 +688,7 @@
     </message>
     <message>
         <source>'{0}' is no size: write 500mm for a width, 500mmx700mm for width and height.</source>
-        <translation type="unfinished"></translation>
+        <translation>«{0}» no es un tamaño: escriba 500mm para una anchura, 500mmx700mm para anchura y altura.</translation>
     </message>
     <message>
         <source>'{0}' is not a drawing that can be read. Use PNG, JPEG, BMP, SVG, DXF or JSON.</source>
@@ -704,7 +708,7 @@
     </message>
     <message>
         <source>'{0}' is not a {1}; write it like {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>«{0}» no sirve aquí ({1}); escríbalo como {2}.</translation>
     </message>
     <message>
         <source>'{}' is not a picture. Save it as PNG, JPEG or BMP once more.</source>
@@ -712,11 +716,19 @@
     </message>
     <message>
         <source>, about {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>, unos {0}</translation>
     </message>
     <message>
         <source>, estimated: the film did not come to rest</source>
         <translation>, estimado: la película no llegó al reposo</translation>
+    </message>
+    <message>
+        <source>--oversize scale makes the balloon smaller until it fits, --oversize write writes the file anyway, --bed tells how large the bed is.</source>
+        <translation>--oversize scale reduce el globo hasta que quepa, --oversize write escribe el archivo de todos modos, --bed indica el tamaño de la cama.</translation>
+    </message>
+    <message>
+        <source>--target-volume and --target-lift decide the size: leave out --width and --height.</source>
+        <translation>--target-volume y --target-lift deciden el tamaño: omita --width y --height.</translation>
     </message>
     <message>
         <source>1 to {0} pieces can be laid out, not {1}.</source>
@@ -727,8 +739,12 @@
         <translation>Un globo no tiene «{0}»: tiene {1}.</translation>
     </message>
     <message>
+        <source>A bed is that of a machine: give --machine too.</source>
+        <translation>La cama es la de una máquina: indique también --machine.</translation>
+    </message>
+    <message>
         <source>A bed is {0} mm to {1} mm wide and high: write 600mmx400mm, 600mm for a roll, or {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una cama tiene de {0} mm a {1} mm de ancho y de alto: escriba 600mmx400mm, 600mm para un rollo, o {2}.</translation>
     </message>
     <message>
         <source>A corner relief of {0} would cut into the weld: choose a smaller radius or a wider allowance.</source>
@@ -740,7 +756,7 @@
     </message>
     <message>
         <source>A file of this name is there already</source>
-        <translation type="unfinished"></translation>
+        <translation>Ya hay un archivo con este nombre</translation>
     </message>
     <message>
         <source>A hole meets the outline or another hole at {0}; keep some film between them.</source>
@@ -756,19 +772,19 @@
     </message>
     <message>
         <source>A layout is as large as its film: give the film the size of the bed there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una colocación es tan grande como su película: dele allí a la película el tamaño de la cama.</translation>
     </message>
     <message>
         <source>A lift of {0} cannot be made: give one such as 5g.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una sustentación de {0} no es posible: indique por ejemplo 5g.</translation>
     </message>
     <message>
         <source>A lift of {0} is out of reach: {1} large, this balloon would carry {2}. Choose a lighter film or gas, a smaller lift, or a rounder shape.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una sustentación de {0} es inalcanzable: con {1}, este globo levantaría {2}. Elija película o gas más ligeros, menos sustentación o una forma más redonda.</translation>
     </message>
     <message>
         <source>A lift of {0} is out of reach: {1} large, this balloon would lack {2}. Choose a lighter film or gas, a smaller lift, or a rounder shape.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una sustentación de {0} es inalcanzable: con {1}, a este globo le faltarían {2}. Elija película o gas más ligeros, menos sustentación o una forma más redonda.</translation>
     </message>
     <message>
         <source>A mesh of {0} is too coarse for a shape of {1}: use at most {2}.</source>
@@ -815,16 +831,12 @@
         <translation>Un lector estricto que quiere polilíneas sencillas. Las capas se distinguen por el color: corte rojo, azul y naranja, y ponga en no la salida de todas las demás.</translation>
     </message>
     <message>
-        <source>A target decides the size: leave out --width and --height.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>A volume of {0} cannot be made: give one such as 10l.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un volumen de {0} no es posible: indique por ejemplo 10l.</translation>
     </message>
     <message>
-        <source>A volume or a lift decides the size: choose less of it.</source>
-        <translation type="unfinished"></translation>
+        <source>A volume or a lift decides the size, so the balloon cannot be scaled to fit: leave out --oversize scale, or what you give of --target-volume, --target-lift and --gas-volume.</source>
+        <translation>Un volumen o una sustentación decide el tamaño, por eso el globo no se puede reducir para que quepa: omita --oversize scale, o lo que haya dado de --target-volume, --target-lift y --gas-volume.</translation>
     </message>
     <message>
         <source>A volume to inflate to and a goal for the size exclude each other: leave one out.</source>
@@ -832,7 +844,7 @@
     </message>
     <message>
         <source>A web page came instead of the native solver, as some networks send before one has signed in. Open {0} in a browser, then try again. {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>Llegó una página web en vez del solucionador nativo; algunas redes la envían hasta que se inicia sesión. Abra {0} en un navegador e inténtelo de nuevo. {1}</translation>
     </message>
     <message>
         <source>A weld has no length; draw a line, or a circle for a spot.</source>
@@ -848,11 +860,11 @@
     </message>
     <message>
         <source>A weld runs too near to another one or to the outline at {0} for this mesh: move it away, or use a smaller mesh size.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una soldadura pasa demasiado cerca de otra o del contorno en {0} para esta malla: apártela o use una malla más fina.</translation>
     </message>
     <message>
         <source>A {0} of {1} cannot be made; choose one between 1 mm and 100 m.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una {0} de {1} no es posible; elija una entre 1 mm y 100 m.</translation>
     </message>
     <message>
         <source>Across</source>
@@ -864,7 +876,7 @@
     </message>
     <message>
         <source>Advice ({0}), at {1}: {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>Consejo ({0}), en {1}: {2}</translation>
     </message>
     <message>
         <source>Air intake</source>
@@ -984,7 +996,7 @@
     </message>
     <message>
         <source>Balloon: {0}, {1}, solver {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>Globo: {0}, {1}, solucionador {2}</translation>
     </message>
     <message>
         <source>Balloons</source>
@@ -996,7 +1008,7 @@
     </message>
     <message>
         <source>Bed</source>
-        <translation type="unfinished"></translation>
+        <translation>Cama</translation>
     </message>
     <message>
         <source>Bending stiffness</source>
@@ -1044,15 +1056,15 @@
     </message>
     <message>
         <source>Check, {0}: {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>Compruebe ({0}): {1}</translation>
     </message>
     <message>
         <source>Check: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Compruebe: {0}</translation>
     </message>
     <message>
         <source>Checked: ready to make.</source>
-        <translation type="unfinished"></translation>
+        <translation>Comprobado: listo para hacer.</translation>
     </message>
     <message>
         <source>Checking the pattern</source>
@@ -1260,23 +1272,23 @@
     </message>
     <message>
         <source>Fetch</source>
-        <translation type="unfinished"></translation>
+        <translation>Descargar</translation>
     </message>
     <message>
         <source>Fetch the native solver ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Descargar el solucionador nativo…</translation>
     </message>
     <message>
         <source>Fetches the native solver of this version, checks its SHA-256 and puts it in its place.</source>
-        <translation type="unfinished"></translation>
+        <translation>Descarga el solucionador nativo de esta versión, comprueba su SHA-256 y lo pone en su lugar.</translation>
     </message>
     <message>
         <source>Fetching the native solver</source>
-        <translation type="unfinished"></translation>
+        <translation>Descargando el solucionador nativo</translation>
     </message>
     <message>
         <source>Fetching {0} ({1} MB) into {2}; only the file with SHA-256 {3} is kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>Descargando {0} ({1} MB) en {2}; solo se conserva el archivo con SHA-256 {3}.</translation>
     </message>
     <message>
         <source>File</source>
@@ -1284,7 +1296,7 @@
     </message>
     <message>
         <source>Files written to {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Archivos escritos en {}</translation>
     </message>
     <message>
         <source>Fill</source>
@@ -1300,19 +1312,19 @@
     </message>
     <message>
         <source>Fill to {pressure}, never above {safe}: film and seam then keep a margin of {margin}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Llene hasta {pressure}, nunca por encima de {safe}: película y costura conservan así un margen de {margin}.</translation>
     </message>
     <message>
         <source>Fill to {pressure}, never above {safe}: film and weld then keep a margin of {margin}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Llene hasta {pressure}, nunca por encima de {safe}: película y soldadura conservan así un margen de {margin}.</translation>
     </message>
     <message>
         <source>Fill to {safe} at most: {pressure} is more than film and seam bear with a margin of {margin}. Mind your eyes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Llene como mucho hasta {safe}: {pressure} es más de lo que película y costura aguantan con un margen de {margin}. Proteja sus ojos.</translation>
     </message>
     <message>
         <source>Fill to {safe} at most: {pressure} is more than film and weld bear with a margin of {margin}. Mind your eyes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Llene como mucho hasta {safe}: {pressure} es más de lo que película y soldadura aguantan con un margen de {margin}. Proteja sus ojos.</translation>
     </message>
     <message>
         <source>Fill with air a little and brush soapy water along the weld: bubbles show leaks. Weld once more there.</source>
@@ -1336,7 +1348,7 @@
     </message>
     <message>
         <source>Film needed: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Película necesaria: {0}</translation>
     </message>
     <message>
         <source>Film of your own</source>
@@ -1348,11 +1360,11 @@
     </message>
     <message>
         <source>Film {0} large is too much: write 500mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una película de {0} es demasiado: escriba 500mm.</translation>
     </message>
     <message>
         <source>Film: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Película: {0}</translation>
     </message>
     <message>
         <source>Films</source>
@@ -1384,7 +1396,7 @@
     </message>
     <message>
         <source>For {0} the drawing would be {1} large: choose a volume that makes it {2} to {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Para {0} el dibujo mediría {1}: elija un volumen que le dé de {2} a {3}.</translation>
     </message>
     <message>
         <source>Forced</source>
@@ -1395,16 +1407,20 @@
         <translation>Los fotogramas son regulares en movimiento, no en tiempo. Solo la película tiene masa, el gas no.</translation>
     </message>
     <message>
-        <source>FreeCAD cannot make it ({0}). {1}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>FreeCAD ended ({0}). {1}</source>
-        <translation type="unfinished"></translation>
+        <source>FreeCAD cannot make the document ({0}). {1}</source>
+        <translation>FreeCAD no puede crearlo ({0}). {1}</translation>
     </message>
     <message>
         <source>FreeCAD has no material card "{0}": choose one of its material editor.</source>
         <translation>FreeCAD no tiene la ficha de material «{0}»: elija una de su editor de materiales.</translation>
+    </message>
+    <message>
+        <source>FreeCAD needs a home folder and a temporary folder that it can write to, and enough memory.</source>
+        <translation>Necesita una carpeta personal y una temporal en las que pueda escribir, y memoria.</translation>
+    </message>
+    <message>
+        <source>FreeCAD stopped before the document was done ({0}). {1}</source>
+        <translation>FreeCAD se cerró ({0}). {1}</translation>
     </message>
     <message>
         <source>From the flat film to the balloon at rest</source>
@@ -1420,7 +1436,7 @@
     </message>
     <message>
         <source>Gaps of up to {0} between lines were closed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se cerraron huecos de hasta {0} entre líneas.</translation>
     </message>
     <message>
         <source>Gas</source>
@@ -1428,11 +1444,11 @@
     </message>
     <message>
         <source>Give --artwork for the front too.</source>
-        <translation type="unfinished"></translation>
+        <translation>Indique también --artwork para el frente.</translation>
     </message>
     <message>
         <source>Give either --material, or all of --young, --poisson and --thickness.</source>
-        <translation type="unfinished"></translation>
+        <translation>Indique --material, o bien --young, --poisson y --thickness, los tres.</translation>
     </message>
     <message>
         <source>Give either a volume or a lift as the goal.</source>
@@ -1452,11 +1468,11 @@
     </message>
     <message>
         <source>Glue a strip of {seal} along the dashed line. Let it dry under a weight.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pegue una franja de {seal} a lo largo de la línea discontinua. Deje secar bajo un peso.</translation>
     </message>
     <message>
         <source>Glue a strip of {seal} along the dashed line; leave the mouth of the neck open. Let it dry under a weight.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pegue una franja de {seal} a lo largo de la línea discontinua; deje abierta la boca del cuello. Deje secar bajo un peso.</translation>
     </message>
     <message>
         <source>Glue the lines inside the balloon.</source>
@@ -1580,7 +1596,7 @@
     </message>
     <message>
         <source>It holds {} of the air that a round balloon of as much film would.</source>
-        <translation type="unfinished"></translation>
+        <translation>Contiene {} del aire que tendría un globo redondo con igual película.</translation>
     </message>
     <message>
         <source>It is not inflated yet: choose Inflate now in its context menu, or switch Live on.</source>
@@ -1591,16 +1607,12 @@
         <translation>Ahora es más ancho. Ctrl+Z lo deshace.</translation>
     </message>
     <message>
-        <source>It needs a home folder and a temporary folder that it can write to, and memory.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Join the panels along the dashed line, {seal} wide, all the way round.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una los paneles a lo largo de la línea discontinua, con {seal} de ancho, todo alrededor.</translation>
     </message>
     <message>
         <source>Join the panels along the dashed line, {seal} wide; leave the mouth of the neck open.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una los paneles a lo largo de la línea discontinua, con {seal} de ancho; deje abierta la boca del cuello.</translation>
     </message>
     <message>
         <source>Join the panels along the lines inside the balloon.</source>
@@ -1684,7 +1696,7 @@
     </message>
     <message>
         <source>Left out: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Omitido: {0}</translation>
     </message>
     <message>
         <source>Length</source>
@@ -1744,7 +1756,7 @@
     </message>
     <message>
         <source>Loose ends of lines were joined to the drawing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se unieron al dibujo extremos sueltos de líneas.</translation>
     </message>
     <message>
         <source>Low</source>
@@ -1768,7 +1780,7 @@
     </message>
     <message>
         <source>Make the balloon smaller and inflate it again, until its pattern fits the bed. Weld and allowance keep their widths; one undo takes it back</source>
-        <translation type="unfinished"></translation>
+        <translation>Reducir el globo e inflarlo de nuevo hasta que su patrón quepa en la cama. Soldadura y margen conservan su anchura; se revierte con un solo «Deshacer»</translation>
     </message>
     <message>
         <source>Marks</source>
@@ -1835,8 +1847,8 @@
         <translation>Nativo</translation>
     </message>
     <message>
-        <source>Near {0} the inflated outline stays up to {1} from the drawing, along {2}: film cannot follow it there. Round it off or widen it.</source>
-        <translation type="unfinished"></translation>
+        <source>Near {0} the inflated outline stays up to {1} from the drawing, over a length of {2}: film cannot follow it there. Round it off or widen it.</source>
+        <translation>Cerca de {0} el contorno inflado queda hasta a {1} del dibujo, a lo largo de {2}: la película no puede seguirlo ahí. Redondéelo o ensánchelo.</translation>
     </message>
     <message>
         <source>Neck that chokes the air path</source>
@@ -1880,7 +1892,7 @@
     </message>
     <message>
         <source>No file could be made.</source>
-        <translation type="unfinished"></translation>
+        <translation>No se pudo crear ningún archivo.</translation>
     </message>
     <message>
         <source>No file for {0}: {1}</source>
@@ -1888,7 +1900,7 @@
     </message>
     <message>
         <source>No limit</source>
-        <translation type="unfinished"></translation>
+        <translation>Sin límite</translation>
     </message>
     <message>
         <source>No pattern can be drawn anew without it; documents keep theirs.</source>
@@ -1903,8 +1915,8 @@
         <translation>Ninguna forma destaca en la imagen. Use colores más vivos o un fondo más liso.</translation>
     </message>
     <message>
-        <source>No size of the balloon fits a bed of {0}: weld, allowance, intake and bar keep theirs. Choose another machine.</source>
-        <translation type="unfinished"></translation>
+        <source>No size of the balloon fits a bed of {0}: weld, allowance, intake and control bar keep their sizes. Choose another machine.</source>
+        <translation>Ningún tamaño del globo cabe en una cama de {0}: soldadura, margen, boca y barra conservan el suyo. Elija otra máquina.</translation>
     </message>
     <message>
         <source>No solver works here.</source>
@@ -1912,7 +1924,7 @@
     </message>
     <message>
         <source>No solver works here: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Aquí no funciona ningún solucionador: {0}</translation>
     </message>
     <message>
         <source>No solver works here: {0} Build it or install the package scipy.</source>
@@ -1920,7 +1932,7 @@
     </message>
     <message>
         <source>No, use NumPy</source>
-        <translation type="unfinished"></translation>
+        <translation>No, usar NumPy</translation>
     </message>
     <message>
         <source>None</source>
@@ -1944,7 +1956,7 @@
     </message>
     <message>
         <source>Note: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Nota: {0}</translation>
     </message>
     <message>
         <source>Nothing can be computed without it; documents open and keep their shapes.</source>
@@ -1964,11 +1976,11 @@
     </message>
     <message>
         <source>NumPy computes the same, 20 to 30 times slower.</source>
-        <translation type="unfinished"></translation>
+        <translation>NumPy calcula lo mismo, de 20 a 30 veces más despacio.</translation>
     </message>
     <message>
         <source>NumPy took 20 to 30 times longer than the native solver, which fetch-solver fetches.</source>
-        <translation type="unfinished"></translation>
+        <translation>NumPy tardó de 20 a 30 veces más que el solucionador nativo, que se descarga con fetch-solver.</translation>
     </message>
     <message>
         <source>Numbers</source>
@@ -1988,11 +2000,11 @@
     </message>
     <message>
         <source>Off the drawing: {0} on average, at most {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>Desvío del dibujo: {0} de media, como mucho {1}</translation>
     </message>
     <message>
         <source>Offer the native solver where it is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>Ofrecer el solucionador nativo cuando falte</translation>
     </message>
     <message>
         <source>On the way of the valve the balloon narrows to {0} at {1}; its channel takes {2} with its welds there. Make the neck wider or put it elsewhere, else the weld closes the valve.</source>
@@ -2012,7 +2024,7 @@
     </message>
     <message>
         <source>Only a film with another stiffness across has a grain: give --young-across too.</source>
-        <translation type="unfinished"></translation>
+        <translation>Solo una película con otra rigidez transversal tiene fibra: indique también --young-across.</translation>
     </message>
     <message>
         <source>Only grades of this film with a sealing layer weld: try scraps before you cut.</source>
@@ -2044,11 +2056,11 @@
     </message>
     <message>
         <source>Outline {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Contorno {}</translation>
     </message>
     <message>
         <source>Outline {}, holes: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Contorno {}, agujeros: {}</translation>
     </message>
     <message>
         <source>PDF files need it; DXF, SVG and HPGL can be written.</source>
@@ -2116,7 +2128,7 @@
     </message>
     <message>
         <source>Pattern {0} ({1} x {2} in), pages: {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Patrón {0} ({1} x {2} pulgadas), páginas: {3}.</translation>
     </message>
     <message>
         <source>Pattern, cut two (one mirrored)</source>
@@ -2160,7 +2172,7 @@
     </message>
     <message>
         <source>Pieces: {}, on {}, {} used</source>
-        <translation type="unfinished"></translation>
+        <translation>Piezas: {}, en {}, {} usado</translation>
     </message>
     <message>
         <source>Place</source>
@@ -2228,7 +2240,7 @@
     </message>
     <message>
         <source>Pressure: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Presión: {0}</translation>
     </message>
     <message>
         <source>Previews and labels need it; everything else works.</source>
@@ -2240,7 +2252,7 @@
     </message>
     <message>
         <source>Print {0} at {1} dpi, front and back</source>
-        <translation type="unfinished"></translation>
+        <translation>Impresión de {0} a {1} puntos por pulgada, frente y dorso</translation>
     </message>
     <message>
         <source>Pull a line; then move the pointer to bend it, and click. A right click keeps it straight.</source>
@@ -2276,7 +2288,7 @@
     </message>
     <message>
         <source>Ready to make. Paint on, or press Make it!</source>
-        <translation type="unfinished"></translation>
+        <translation>Listo para hacer. Siga pintando o pulse «¡Hazlo!».</translation>
     </message>
     <message>
         <source>Real size, to cut out by hand. Print at 100 % and measure the control bar.</source>
@@ -2300,7 +2312,7 @@
     </message>
     <message>
         <source>Replace the file</source>
-        <translation type="unfinished"></translation>
+        <translation>Reemplazar el archivo</translation>
     </message>
     <message>
         <source>Result</source>
@@ -2332,7 +2344,7 @@
     </message>
     <message>
         <source>Round this hole the balloon will not lie quite flat: a closed tube wants to curve more and twists out of its plane, here by about {length}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alrededor de este agujero el globo no quedará del todo plano: un tubo cerrado quiere curvarse más y se tuerce fuera de su plano, aquí unos {length}.</translation>
     </message>
     <message>
         <source>Round with a radius of</source>
@@ -2352,11 +2364,11 @@
     </message>
     <message>
         <source>Safe pressure: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Presión segura: {0}</translation>
     </message>
     <message>
         <source>Safe pressure: {0}, less than its {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>Presión segura: {0}, menos que sus {1}</translation>
     </message>
     <message>
         <source>Safe to</source>
@@ -2372,11 +2384,15 @@
     </message>
     <message>
         <source>Scale to fit</source>
-        <translation type="unfinished"></translation>
+        <translation>Reducir para que quepa</translation>
+    </message>
+    <message>
+        <source>Scaled to fit: the drawing is {0} wide instead of {1}.</source>
+        <translation>Reducido para que quepa: el dibujo tiene {0} de ancho en vez de {1}.</translation>
     </message>
     <message>
         <source>Scaled to fit: {} wide instead of {}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Reducido para que quepa: {} de ancho en vez de {}.</translation>
     </message>
     <message>
         <source>SciPy triangulates instead, a little slower.</source>
@@ -2400,7 +2416,7 @@
     </message>
     <message>
         <source>Seam length: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Longitud de costura: {0}</translation>
     </message>
     <message>
         <source>Second panel, mirrored</source>
@@ -2464,7 +2480,7 @@
     </message>
     <message>
         <source>Simulations use NumPy. "What works here" in the menu fetches the native solver later.</source>
-        <translation type="unfinished"></translation>
+        <translation>Las simulaciones usan NumPy. «Qué funciona aquí», en el menú, descarga más tarde el solucionador nativo.</translation>
     </message>
     <message>
         <source>Size</source>
@@ -2576,11 +2592,11 @@
     </message>
     <message>
         <source>Tape along the dashed line, {seal} wide, all the way round.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pegue cinta a lo largo de la línea discontinua, con {seal} de ancho, todo alrededor.</translation>
     </message>
     <message>
         <source>Tape along the dashed line, {seal} wide; leave the mouth of the neck open.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pegue cinta a lo largo de la línea discontinua, con {seal} de ancho; deje abierta la boca del cuello.</translation>
     </message>
     <message>
         <source>Taped seam</source>
@@ -2676,7 +2692,7 @@
     </message>
     <message>
         <source>The Young's modulus across the grain {0} is too large for one along it of {1}: turn the grain by 90 degrees and exchange the two.</source>
-        <translation type="unfinished"></translation>
+        <translation>El módulo de Young transversal {0} es demasiado grande para el longitudinal de {1}: gire la fibra 90 grados e intercambie los dos.</translation>
     </message>
     <message>
         <source>The altitude {0} m is out of range: give one up to 11000 m.</source>
@@ -2704,7 +2720,7 @@
     </message>
     <message>
         <source>The connection to {0} ended before the whole native solver had come. Try again. {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>La conexión con {0} terminó antes de que llegara el solucionador nativo entero. Inténtelo de nuevo. {1}</translation>
     </message>
     <message>
         <source>The drawing cannot be reached everywhere: the silhouette is up to {} off it.</source>
@@ -2771,10 +2787,6 @@
         <translation>El dibujo; una copia viaja en el documento</translation>
     </message>
     <message>
-        <source>The end of this tip stays flat, over {length}. A radius of {wanted} makes it rounder.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The file is XML but no SVG drawing. Choose a drawing.</source>
         <translation>El archivo es XML pero no un dibujo SVG. Elija un dibujo.</translation>
     </message>
@@ -2789,6 +2801,10 @@
     <message>
         <source>The file of rules {0} is of no use: {1}. Install it anew.</source>
         <translation>El archivo de reglas {0} no sirve: {1}. Instálelo de nuevo.</translation>
+    </message>
+    <message>
+        <source>The file of the pattern</source>
+        <translation>Los archivos de los patrones</translation>
     </message>
     <message>
         <source>The file {0} is of no use: {1}. Install it anew.</source>
@@ -2836,11 +2852,11 @@
     </message>
     <message>
         <source>The hole at {0} is too small for a {1} seal, and its weld reaches {2} into the balloon: make the hole at least {3} wide, or the seal narrower.</source>
-        <translation type="unfinished"></translation>
+        <translation>El agujero en {0} es demasiado pequeño para una soldadura de {1}, que entra {2} en el globo: hágalo de al menos {3} de ancho o estreche la soldadura.</translation>
     </message>
     <message>
         <source>The hole at {0} is welded but not cut out: for that, make it wider than two seals with their allowances, {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>El agujero en {0} se suelda pero no se recorta: para ello hágalo más ancho que dos soldaduras con sus márgenes, {1}.</translation>
     </message>
     <message>
         <source>The hole at {0} lies in another hole; remove one of them.</source>
@@ -2911,6 +2927,10 @@
         <translation>La etiqueta «{0}» mide {1} y la película solo {2} de ancho: tome un texto más corto o letras más bajas.</translation>
     </message>
     <message>
+        <source>The last {length} of this tip stay flat. A radius of {wanted} makes it rounder.</source>
+        <translation>El extremo de esta punta queda plano a lo largo de {length}. Un radio de {wanted} lo hace más redondo.</translation>
+    </message>
+    <message>
         <source>The layer MARK of the machine file {0}.json takes notches only. Rename it NOTCH, and where your machine can draw, add the layers FOLD and PEN.</source>
         <translation>La capa MARK del archivo de máquina {0}.json solo recibe muescas. Cámbiele el nombre a NOTCH y, si su máquina puede dibujar, añada las capas FOLD y PEN.</translation>
     </message>
@@ -2924,7 +2944,7 @@
     </message>
     <message>
         <source>The layout on film</source>
-        <translation type="unfinished"></translation>
+        <translation>La colocación en la película</translation>
     </message>
     <message>
         <source>The layout was stopped; nothing was changed.</source>
@@ -2952,27 +2972,23 @@
     </message>
     <message>
         <source>The mesh size is {0}: give one above 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>El tamaño de malla es {0}: indique uno mayor que 0.</translation>
     </message>
     <message>
-        <source>The native solver cannot be kept. {0} {1}</source>
-        <translation type="unfinished"></translation>
+        <source>The native solver cannot be saved. {0}</source>
+        <translation>El solucionador nativo no se puede guardar. {0}</translation>
     </message>
     <message>
         <source>The native solver could not be fetched from {0} ({1}). Try again when the network is there. {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>El solucionador nativo no se pudo descargar de {0} ({1}). Inténtelo de nuevo cuando haya red. {2}</translation>
     </message>
     <message>
         <source>The native solver is here already.</source>
-        <translation type="unfinished"></translation>
+        <translation>El solucionador nativo ya está aquí.</translation>
     </message>
     <message>
         <source>The native solver is in use now.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The native solver is in use.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ahora se usa el solucionador nativo.</translation>
     </message>
     <message>
         <source>The native solver is not available: {0} Use the NumPy solver.</source>
@@ -2980,15 +2996,15 @@
     </message>
     <message>
         <source>The native solver is not installed. Everything works without it, but simulations take 20 to 30 times longer. Fetch it now?</source>
-        <translation type="unfinished"></translation>
+        <translation>El solucionador nativo no está instalado. Todo funciona sin él, pero las simulaciones tardan de 20 a 30 veces más. ¿Descargarlo ahora?</translation>
     </message>
     <message>
-        <source>The native solver was fetched, but does not run here: {0} {1}</source>
-        <translation type="unfinished"></translation>
+        <source>The native solver was fetched, but does not run here: {0}</source>
+        <translation>El solucionador nativo se descargó, pero no funciona aquí: {0}</translation>
     </message>
     <message>
         <source>The native solver was not fetched: stopped.</source>
-        <translation type="unfinished"></translation>
+        <translation>El solucionador nativo no se descargó: se detuvo.</translation>
     </message>
     <message>
         <source>The native solver, which is faster, is not available: {0}</source>
@@ -3000,7 +3016,7 @@
     </message>
     <message>
         <source>The options cannot be used ({0}). See --help.</source>
-        <translation type="unfinished"></translation>
+        <translation>Las opciones no sirven ({0}). Vea --help.</translation>
     </message>
     <message>
         <source>The outline cannot be mirrored about its axis: draw it symmetric, or leave that.</source>
@@ -3008,7 +3024,7 @@
     </message>
     <message>
         <source>The outline crosses or nearly touches itself near {0}: separate the parts that meet there.</source>
-        <translation type="unfinished"></translation>
+        <translation>El contorno se cruza o casi se toca cerca de {0}: separe ahí las partes.</translation>
     </message>
     <message>
         <source>The outline crosses or touches itself and cannot be meshed: separate the parts that meet.</source>
@@ -3028,7 +3044,7 @@
     </message>
     <message>
         <source>The outline's {0} of {1} cannot be made; bring it to a size between 1 mm and 100 m.</source>
-        <translation type="unfinished"></translation>
+        <translation>La {0} del contorno, {1}, no es posible; dele un tamaño entre 1 mm y 100 m.</translation>
     </message>
     <message>
         <source>The page will be in English, as no font here has the letters of your language: install IPAexGothic or Noto Sans CJK JP, and open this panel again.</source>
@@ -3048,11 +3064,11 @@
     </message>
     <message>
         <source>The pattern crosses itself near {0}: simplify the drawing there.</source>
-        <translation type="unfinished"></translation>
+        <translation>El patrón se cruza cerca de {0}: simplifique ahí el dibujo.</translation>
     </message>
     <message>
         <source>The pattern has no lines for {0}, which takes {1}: choose another machine.</source>
-        <translation type="unfinished"></translation>
+        <translation>El patrón no tiene líneas para {0}, que toma {1}: elija otra máquina.</translation>
     </message>
     <message>
         <source>The pattern is being fitted to the painting ...</source>
@@ -3065,10 +3081,6 @@
     <message>
         <source>The pattern measures {0}, the bed of {1} {2}</source>
         <translation>El patrón mide {0}, la cama de {1} {2}</translation>
-    </message>
-    <message>
-        <source>The patterns' files</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The picture has a single colour. Choose one that shows a shape on a background.</source>
@@ -3104,7 +3116,11 @@
     </message>
     <message>
         <source>The pressure must be positive and at most {0}, not {1}. A party balloon has about 2 kPa.</source>
-        <translation type="unfinished"></translation>
+        <translation>La presión debe ser positiva y como mucho {0}, no {1}. Un globo de fiesta tiene unos 2 kPa.</translation>
+    </message>
+    <message>
+        <source>The print on film</source>
+        <translation>La impresión en la película</translation>
     </message>
     <message>
         <source>The radius of the corner relief must be 0 or above.</source>
@@ -3113,6 +3129,10 @@
     <message>
         <source>The repair at {0} no longer fits, {1}: take it back or draw that part anew.</source>
         <translation>La reparación en {0} ya no encaja, {1}: deshágala o dibuje esa parte de nuevo.</translation>
+    </message>
+    <message>
+        <source>The rest of the job</source>
+        <translation>Los demás archivos</translation>
     </message>
     <message>
         <source>The seal width must be between 0.01 mm and 1 m, the allowance between 0 and 1 m.</source>
@@ -3124,7 +3144,7 @@
     </message>
     <message>
         <source>The shape is only {0} thick near {1}, too thin for a mesh of {2}: make it thicker there, or use a mesh size of at most {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>La forma solo tiene {0} de grueso cerca de {1}, demasiado fina para una malla de {2}: engrósela ahí o use como mucho {3}.</translation>
     </message>
     <message>
         <source>The shape touches the {0} border of the picture; if it was cut off there, leave more margin.</source>
@@ -3152,15 +3172,19 @@
     </message>
     <message>
         <source>The size comes from {0}: make it smaller there.</source>
-        <translation type="unfinished"></translation>
+        <translation>El tamaño viene de {0}: redúzcalo allí.</translation>
     </message>
     <message>
-        <source>The size of {0} follows an expression: change what that refers to.</source>
-        <translation type="unfinished"></translation>
+        <source>The size follows from a volume or a lift: choose a smaller one.</source>
+        <translation>Un volumen o una sustentación decide el tamaño: elija un valor menor.</translation>
+    </message>
+    <message>
+        <source>The size of {0} is set by an expression: change the value that it uses.</source>
+        <translation>El tamaño de {0} sigue una expresión: cambie aquello a lo que se refiere.</translation>
     </message>
     <message>
         <source>The smallest radius is {0}, near {1}; {2} follows {3}. It will come out rounder there.</source>
-        <translation type="unfinished"></translation>
+        <translation>El radio menor es {0}, cerca de {1}; {2} sigue {3}. Ahí saldrá más redondo.</translation>
     </message>
     <message>
         <source>The solver '{0}' needs the Python package scipy. Install it or use the native solver.</source>
@@ -3172,7 +3196,7 @@
     </message>
     <message>
         <source>The summary cannot be shown ({0}); {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>El resumen no se puede mostrar ({0}); {1}.</translation>
     </message>
     <message>
         <source>The temperature of the {0}, {1} degrees Celsius, is out of range: give one such as 20C.</source>
@@ -3188,7 +3212,7 @@
     </message>
     <message>
         <source>The volume must be positive, not {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>El volumen debe ser positivo, no {0}.</translation>
     </message>
     <message>
         <source>The way from the intake into the balloon narrows to {0}, and the intake is {1} wide: put it where the balloon is wider, else air enters slowly.</source>
@@ -3215,10 +3239,6 @@
         <translation>La medida ({0}) es {1} mm: indique una mayor que 0, por ejemplo 300 mm.</translation>
     </message>
     <message>
-        <source>The {0} is {1} off what was wanted: correct the goal by as much.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The {0} line crosses itself near {1}: simplify the drawing there.</source>
         <translation>La línea {0} se cruza cerca de {1}: simplifique ahí el dibujo.</translation>
     </message>
@@ -3229,6 +3249,10 @@
     <message>
         <source>The {0} line that begins at {1} is open: programs fill, offset and cut closed lines only. Close it.</source>
         <translation>La línea {0} que empieza en {1} está abierta: los programas solo rellenan, desplazan y cortan líneas cerradas. Ciérrela.</translation>
+    </message>
+    <message>
+        <source>The {0} misses the goal by {1}: change the goal by as much.</source>
+        <translation>El objetivo ({0}) se desvió un {1}: corríjalo en la misma medida.</translation>
     </message>
     <message>
         <source>The {0} {1} is not between {2} and {3} {4}: give one such as {5}.</source>
@@ -3248,7 +3272,7 @@
     </message>
     <message>
         <source>There is no "{0}" to repair in {1}: see its advice.</source>
-        <translation type="unfinished"></translation>
+        <translation>No hay «{0}» que reparar en {1}: vea sus consejos.</translation>
     </message>
     <message>
         <source>There is no backend "{0}": choose {1}, or leave it out.</source>
@@ -3284,7 +3308,7 @@
     </message>
     <message>
         <source>There is no language "{0}": choose one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>No hay idioma «{0}»: elija uno de {1}.</translation>
     </message>
     <message>
         <source>There is no look "{0}": choose one of {1}.</source>
@@ -3296,11 +3320,11 @@
     </message>
     <message>
         <source>There is no native solver for {0}. {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>No hay solucionador nativo para {0}. {1}</translation>
     </message>
     <message>
         <source>There is no native solver to be fetched for this version yet. {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Todavía no hay solucionador nativo que descargar para esta versión. {0}</translation>
     </message>
     <message>
         <source>There is no outline at {0} degrees from the centre: choose another intake angle.</source>
@@ -3335,10 +3359,6 @@
         <translation>No hay simetría «{0}»: elija una de {1}.</translation>
     </message>
     <message>
-        <source>There is no way "{0}" with a large pattern: choose {1}.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>There is too little memory for this: take a coarser mesh, or close other programs.</source>
         <translation>Hay muy poca memoria para esto: tome una malla más gruesa o cierre otros programas.</translation>
     </message>
@@ -3360,7 +3380,7 @@
     </message>
     <message>
         <source>This Python has no working ctypes module, which SciPy and the native solver need: patterns can be changed and written, but no balloon can be inflated anew. Take another build of FreeCAD or of Python.</source>
-        <translation type="unfinished"></translation>
+        <translation>Este Python no tiene un módulo ctypes que funcione, y SciPy y el solucionador nativo lo necesitan: los patrones se pueden cambiar y escribir, pero no se puede inflar ningún globo de nuevo. Use otra compilación de FreeCAD o de Python.</translation>
     </message>
     <message>
         <source>This arm is too thin to fill: drawn {width} wide, it becomes {measured} thick. Make it {wanted} wide.</source>
@@ -3372,15 +3392,19 @@
     </message>
     <message>
         <source>This arm stays much thinner than the rest: drawn {width} wide, it becomes {measured} thick. For a rounder one make it {wanted} wide.</source>
-        <translation type="unfinished"></translation>
+        <translation>Este brazo queda mucho más fino que el resto: dibujado con {width} de ancho, queda con {measured} de grueso. Para que sea más redondo, hágalo de {wanted} de ancho.</translation>
     </message>
     <message>
-        <source>This balloon holds {0} {1} at any pressure that suits its film: {2} at {3}. Change the size of the balloon or the volume.</source>
-        <translation type="unfinished"></translation>
+        <source>This balloon holds less than {0} at any pressure that suits its film: {1} at {2}. Change the size of the balloon or the volume.</source>
+        <translation>Este globo contiene menos de {0} a cualquier presión que admita su película: {1} a {2}. Cambie el tamaño del globo o el volumen.</translation>
+    </message>
+    <message>
+        <source>This balloon holds more than {0} at any pressure that suits its film: {1} at {2}. Change the size of the balloon or the volume.</source>
+        <translation>Este globo contiene más de {0} a cualquier presión que admita su película: {1} a {2}. Cambie el tamaño del globo o el volumen.</translation>
     </message>
     <message>
         <source>This cannot be shown ({0}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Esto no se puede mostrar ({0}).</translation>
     </message>
     <message>
         <source>This gas is not lighter than the air around, so the balloon never floats: choose another gas or a higher temperature of the gas.</source>
@@ -3412,11 +3436,11 @@
     </message>
     <message>
         <source>This neck slows the filling: inside it is as wide as a tube of {measured} of film, the intake is {intake}. {behind} of the balloon fill through it. For quicker filling make it {wanted} wide.</source>
-        <translation type="unfinished"></translation>
+        <translation>Este cuello hace más lento el llenado: por dentro equivale a un tubo de {measured} de película, la boca mide {intake}. {behind} del globo se llena por él. Para llenar más deprisa, hágalo de {wanted} de ancho.</translation>
     </message>
     <message>
         <source>This notch pulls the film {measured} as tight as elsewhere, so that it wrinkles there. A radius of {wanted} eases that.</source>
-        <translation type="unfinished"></translation>
+        <translation>Esta entalla tensa la película {measured} más que en otras partes, y ahí se arruga. Un radio de {wanted} lo alivia.</translation>
     </message>
     <message>
         <source>This notch pulls the film {measured} as tight as elsewhere; it wrinkles there and is where it would tear. Round it with a radius of {wanted}.</source>
@@ -3424,11 +3448,11 @@
     </message>
     <message>
         <source>This shape stays flat: it holds {percent} of the air that a round balloon of as much film would. Fewer and wider parts make it rounder.</source>
-        <translation type="unfinished"></translation>
+        <translation>Esta forma queda plana: contiene {percent} del aire que tendría un globo redondo con igual película. Partes menos numerosas y más anchas la redondean.</translation>
     </message>
     <message>
         <source>This shape stays rather flat: it holds {percent} of the air that a round balloon of as much film would. Fewer and wider parts make it rounder.</source>
-        <translation type="unfinished"></translation>
+        <translation>Esta forma queda bastante plana: contiene {percent} del aire que tendría un globo redondo con igual película. Partes menos numerosas y más anchas la redondean.</translation>
     </message>
     <message>
         <source>This tip stays flat over {length}: it is too pointed. Round it with a radius of {wanted}.</source>
@@ -3508,11 +3532,11 @@
     </message>
     <message>
         <source>Weakest place: {0} at {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>Lugar más débil: {0} en {1}</translation>
     </message>
     <message>
         <source>Weakest place: {0} at {1}, estimated: the film did not come to rest</source>
-        <translation type="unfinished"></translation>
+        <translation>Lugar más débil: {0} en {1}, estimado: la película no llegó al reposo</translation>
     </message>
     <message>
         <source>Weighing {0}</source>
@@ -3536,11 +3560,11 @@
     </message>
     <message>
         <source>Weld along the dashed line, {seal} wide, all the way round.</source>
-        <translation type="unfinished"></translation>
+        <translation>Suelde a lo largo de la línea discontinua, con {seal} de ancho, todo alrededor.</translation>
     </message>
     <message>
         <source>Weld along the dashed line, {seal} wide. Leave the mouth of the neck open.</source>
-        <translation type="unfinished"></translation>
+        <translation>Suelde a lo largo de la línea discontinua, con {seal} de ancho. Deje abierta la boca del cuello.</translation>
     </message>
     <message>
         <source>Weld and cut</source>
@@ -3556,11 +3580,11 @@
     </message>
     <message>
         <source>Weld with high frequency along the dashed line, {seal} wide, all the way round.</source>
-        <translation type="unfinished"></translation>
+        <translation>Suelde por alta frecuencia a lo largo de la línea discontinua, con {seal} de ancho, todo alrededor.</translation>
     </message>
     <message>
         <source>Weld with high frequency along the dashed line, {seal} wide; leave the mouth of the neck open.</source>
-        <translation type="unfinished"></translation>
+        <translation>Suelde por alta frecuencia a lo largo de la línea discontinua, con {seal} de ancho; deje abierta la boca del cuello.</translation>
     </message>
     <message>
         <source>Welded across, last</source>
@@ -3569,10 +3593,6 @@
     <message>
         <source>Welds easily with an impulse sealer or an iron. Yields at about 9 MPa, half its tensile strength, and creeps: keep the pressure low.</source>
         <translation>Se suelda fácilmente con selladora de impulso o plancha. Cede a unos 9 MPa, la mitad de su resistencia, y fluye: mantenga baja la presión.</translation>
-    </message>
-    <message>
-        <source>What else is made</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>What it takes to make it</source>
@@ -3584,7 +3604,7 @@
     </message>
     <message>
         <source>What this machine can work on, such as 600 x 400 mm, or 600 mm for a roll; empty where there is no limit. It is kept for this machine</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que esta máquina puede trabajar, por ejemplo 600 x 400 mm, o 600 mm para un rollo; vacío si no hay límite. Se guarda para esta máquina</translation>
     </message>
     <message>
         <source>What works here</source>
@@ -3592,11 +3612,11 @@
     </message>
     <message>
         <source>What {0} sent is not the native solver of this release: its SHA-256 is another one. It was not kept. {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo que envió {0} no es el solucionador nativo de esta versión: su SHA-256 es otro. No se guardó. {1}</translation>
     </message>
     <message>
         <source>Where the film wrinkles</source>
-        <translation type="unfinished"></translation>
+        <translation>Dónde se arruga la película</translation>
     </message>
     <message>
         <source>Whether the {0} of the intake's pieces welds to {1} is not known: try it on a scrap first.</source>
@@ -3632,7 +3652,7 @@
     </message>
     <message>
         <source>Will it float? {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>¿Flotará? {0}</translation>
     </message>
     <message>
         <source>With the fonts of this computer {0} cannot be drawn, letter by letter from left to right: leave that out of the label, or install a font that has it and start again.</source>
@@ -3644,7 +3664,7 @@
     </message>
     <message>
         <source>Write anyway</source>
-        <translation type="unfinished"></translation>
+        <translation>Escribir de todos modos</translation>
     </message>
     <message>
         <source>Write files…</source>
@@ -3652,7 +3672,7 @@
     </message>
     <message>
         <source>Write the file although it is larger than the bed</source>
-        <translation type="unfinished"></translation>
+        <translation>Escribir el archivo aunque sea más grande que la cama</translation>
     </message>
     <message>
         <source>Write {"unit": "mm", "outer": [[0, 0], [300, 0], [150, 200]]}.</source>
@@ -3672,7 +3692,7 @@
     </message>
     <message>
         <source>Wrote {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Escrito: {0}</translation>
     </message>
     <message>
         <source>Yellow</source>
@@ -3704,11 +3724,11 @@
     </message>
     <message>
         <source>about {}</source>
-        <translation type="unfinished"></translation>
+        <translation>unos {}</translation>
     </message>
     <message>
         <source>about {} x {}, {} thick, {}</source>
-        <translation type="unfinished"></translation>
+        <translation>unos {} x {}, {} de grueso, {}</translation>
     </message>
     <message>
         <source>air</source>
@@ -3716,7 +3736,7 @@
     </message>
     <message>
         <source>all files were written before to {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>todos los archivos se escribieron antes en {0}</translation>
     </message>
     <message>
         <source>another run has been writing there for a minute</source>
@@ -3736,11 +3756,11 @@
     </message>
     <message>
         <source>at most {} {}</source>
-        <translation type="unfinished"></translation>
+        <translation>como mucho {} {}</translation>
     </message>
     <message>
         <source>back</source>
-        <translation type="unfinished"></translation>
+        <translation>dorso</translation>
     </message>
     <message>
         <source>balloon {0} of {1}, {2}</source>
@@ -3760,7 +3780,7 @@
     </message>
     <message>
         <source>connecting</source>
-        <translation type="unfinished"></translation>
+        <translation>conectando</translation>
     </message>
     <message>
         <source>cut</source>
@@ -3772,7 +3792,7 @@
     </message>
     <message>
         <source>designing a balloon</source>
-        <translation type="unfinished"></translation>
+        <translation>diseñar un globo</translation>
     </message>
     <message>
         <source>does not name its unit</source>
@@ -3792,11 +3812,11 @@
     </message>
     <message>
         <source>fetch the native solver from the network, where the workbench came without it</source>
-        <translation type="unfinished"></translation>
+        <translation>descargar de la red el solucionador nativo, si el banco de trabajo vino sin él</translation>
     </message>
     <message>
         <source>fetching</source>
-        <translation type="unfinished"></translation>
+        <translation>descargando</translation>
     </message>
     <message>
         <source>film</source>
@@ -3804,7 +3824,7 @@
     </message>
     <message>
         <source>film and valve weigh {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>película y válvula pesan {0}</translation>
     </message>
     <message>
         <source>fold</source>
@@ -3812,7 +3832,7 @@
     </message>
     <message>
         <source>front</source>
-        <translation type="unfinished"></translation>
+        <translation>frente</translation>
     </message>
     <message>
         <source>gas</source>
@@ -3852,7 +3872,7 @@
     </message>
     <message>
         <source>in {}</source>
-        <translation type="unfinished"></translation>
+        <translation>en {}</translation>
     </message>
     <message>
         <source>inflated</source>
@@ -3860,7 +3880,7 @@
     </message>
     <message>
         <source>inflated {0}, {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>inflado {0}, {1}</translation>
     </message>
     <message>
         <source>inflating</source>
@@ -3888,7 +3908,7 @@
     </message>
     <message>
         <source>laying out, {0} so far</source>
-        <translation type="unfinished"></translation>
+        <translation>colocando, {0} hasta ahora</translation>
     </message>
     <message>
         <source>left</source>
@@ -3904,7 +3924,7 @@
     </message>
     <message>
         <source>less than its {} with a margin of {} ({})</source>
-        <translation type="unfinished"></translation>
+        <translation>menos que sus {} con margen {} ({})</translation>
     </message>
     <message>
         <source>lift</source>
@@ -3912,7 +3932,7 @@
     </message>
     <message>
         <source>loose: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>flojo: {}</translation>
     </message>
     <message>
         <source>lower</source>
@@ -3936,7 +3956,7 @@
     </message>
     <message>
         <source>no file was written</source>
-        <translation type="unfinished"></translation>
+        <translation>no se escribió ningún archivo</translation>
     </message>
     <message>
         <source>no layer is written: name at least CUT.</source>
@@ -3976,7 +3996,7 @@
     </message>
     <message>
         <source>printing</source>
-        <translation type="unfinished"></translation>
+        <translation>imprimiendo</translation>
     </message>
     <message>
         <source>right</source>
@@ -3984,7 +4004,7 @@
     </message>
     <message>
         <source>safe to {}, margin {}</source>
-        <translation type="unfinished"></translation>
+        <translation>seguro hasta {}, margen {}</translation>
     </message>
     <message>
         <source>seal width</source>
@@ -4016,7 +4036,7 @@
     </message>
     <message>
         <source>stopped; {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>detenido; {0}.</translation>
     </message>
     <message>
         <source>strength</source>
@@ -4040,7 +4060,7 @@
     </message>
     <message>
         <source>the answer is not HTTP</source>
-        <translation type="unfinished"></translation>
+        <translation>la respuesta no es HTTP</translation>
     </message>
     <message>
         <source>the colour "{0}" is not written like #ff0000.</source>
@@ -4048,7 +4068,11 @@
     </message>
     <message>
         <source>the connection ended too soon</source>
-        <translation type="unfinished"></translation>
+        <translation>la conexión terminó demasiado pronto</translation>
+    </message>
+    <message>
+        <source>the connection timed out</source>
+        <translation>no hubo respuesta a tiempo</translation>
     </message>
     <message>
         <source>the file name "{0}" may have letters, digits, spaces, _, - and . only.</source>
@@ -4056,7 +4080,7 @@
     </message>
     <message>
         <source>the film weighs {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>la película pesa {0}</translation>
     </message>
     <message>
         <source>the last line of each piece is its CUT.</source>
@@ -4092,7 +4116,7 @@
     </message>
     <message>
         <source>tight: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>tenso: {}</translation>
     </message>
     <message>
         <source>trial {0}, {1}</source>
@@ -4140,11 +4164,11 @@
     </message>
     <message>
         <source>wrinkled: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>arrugado: {}</translation>
     </message>
     <message>
         <source>writing files</source>
-        <translation type="unfinished"></translation>
+        <translation>escribiendo archivos</translation>
     </message>
     <message>
         <source>{0} "{1}" is none of {2}.</source>
@@ -4152,7 +4176,7 @@
     </message>
     <message>
         <source>{0} ({1}, margin {2})</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ({1}, margen {2})</translation>
     </message>
     <message>
         <source>{0} It is left out.</source>
@@ -4184,7 +4208,7 @@
     </message>
     <message>
         <source>{0} does not have the native solver (answer {1}). Try again later. {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} no tiene el solucionador nativo (respuesta {1}). Inténtelo más tarde. {2}</translation>
     </message>
     <message>
         <source>{0} dots per inch cannot be printed well: give {1} to {2}.</source>
@@ -4192,11 +4216,11 @@
     </message>
     <message>
         <source>{0} gap between the lines closed, the widest {1} of the drawing's width.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} hueco cerrado entre las líneas, el mayor del {1} de la anchura del dibujo.</translation>
     </message>
     <message>
         <source>{0} gaps between the lines closed, the widest {1} of the drawing's width.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} huecos cerrados entre las líneas, el mayor del {1} de la anchura del dibujo.</translation>
     </message>
     <message>
         <source>{0} has interface {1}, but {2} is needed.</source>
@@ -4252,7 +4276,7 @@
     </message>
     <message>
         <source>{0} is damaged: install the workbench anew, or go on without the native solver.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} está dañado: instale de nuevo el banco de trabajo o siga sin el solucionador nativo.</translation>
     </message>
     <message>
         <source>{0} is empty: draw a closed line in it.</source>
@@ -4308,19 +4332,19 @@
     </message>
     <message>
         <source>{0} lifts {1}, {2}: no, at no size.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} levanta {1}, {2}: no, con ningún tamaño.</translation>
     </message>
     <message>
         <source>{0} lifts {1}, {2}: no. From {3} width on it would.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} levanta {1}, {2}: no. Desde {3} de anchura sí.</translation>
     </message>
     <message>
         <source>{0} lifts {1}, {2}: yes, and it carries {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} levanta {1}, {2}: sí, y aún levanta {3}.</translation>
     </message>
     <message>
         <source>{0} mm on paper = {1} of film</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} mm en papel = {1} de película</translation>
     </message>
     <message>
         <source>{0} must never be cut with a laser: choose a machine with a knife.</source>
@@ -4332,11 +4356,11 @@
     </message>
     <message>
         <source>{0} of a roll {1} wide</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} de un rollo de {1} de ancho</translation>
     </message>
     <message>
         <source>{0} of its size</source>
-        <translation type="unfinished"></translation>
+        <translation>un {0} de su tamaño</translation>
     </message>
     <message>
         <source>{0} open line was left out.</source>
@@ -4380,7 +4404,7 @@
     </message>
     <message>
         <source>{0} was left out. {1}</source>
-        <translation>Se omitió {0}. {1}</translation>
+        <translation>{0} (omitido). {1}</translation>
     </message>
     <message>
         <source>{0} weld outside the shapes left out.</source>
@@ -4392,27 +4416,27 @@
     </message>
     <message>
         <source>{0} wide, {1} long</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} de ancho, {1} de largo</translation>
     </message>
     <message>
         <source>{0} with valve {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} con válvula de {1}</translation>
     </message>
     <message>
-        <source>{0}: it is written all the same.</source>
-        <translation type="unfinished"></translation>
+        <source>{0}: lay its pieces out on sheets of that size, make the balloon smaller, or write the file anyway.</source>
+        <translation>{0}: coloque sus piezas en láminas de ese tamaño, reduzca el globo o haga escribir el archivo de todos modos.</translation>
     </message>
     <message>
-        <source>{0}: lay its pieces out on sheets of that size, make the balloon smaller, or have the file written all the same.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0}: make the balloon smaller, choose another machine or paper, or have the file written all the same.</source>
-        <translation type="unfinished"></translation>
+        <source>{0}: make the balloon smaller, choose another machine or paper, or write the file anyway.</source>
+        <translation>{0}: reduzca el globo, elija otra máquina u otro papel, o haga escribir el archivo de todos modos.</translation>
     </message>
     <message>
         <source>{0}: pieces {1}, on {2}, {3} used</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: piezas {1}, en {2}, {3} usado</translation>
+    </message>
+    <message>
+        <source>{0}: the file is written anyway.</source>
+        <translation>{0}: se escribe de todos modos.</translation>
     </message>
     <message>
         <source>{0}: turn the pattern by 90 degrees there.</source>
@@ -4420,7 +4444,7 @@
     </message>
     <message>
         <source>{0}; wider than the usual roll</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}; más ancha que el rollo habitual</translation>
     </message>
     <message>
         <source>{0}what is shown is the last good state. Lower the pressure or change the mesh size.</source>
@@ -4428,7 +4452,7 @@
     </message>
     <message>
         <source>{} MB from {}; the file is checked before it is used, and nothing is sent.</source>
-        <translation type="unfinished"></translation>
+        <translation>{} MB de {}; el archivo se comprueba antes de usarlo y no se envía nada.</translation>
     </message>
     <message>
         <source>{} at ({})</source>
@@ -4440,19 +4464,19 @@
     </message>
     <message>
         <source>{} is there already: give another name.</source>
-        <translation type="unfinished"></translation>
+        <translation>{} ya existe: indique otro nombre.</translation>
     </message>
     <message>
         <source>{} is there already: tick "Replace the file", or give another name.</source>
-        <translation type="unfinished"></translation>
+        <translation>{} ya existe: marque «Reemplazar el archivo» o indique otro nombre.</translation>
     </message>
     <message>
         <source>{} ms, {}, frame {} of {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} ms, {}, fotograma {} de {}</translation>
     </message>
     <message>
         <source>{} of it wrinkles, {} is loose</source>
-        <translation type="unfinished"></translation>
+        <translation>{} se arruga, {} está flojo</translation>
     </message>
     <message>
         <source>{} of {}</source>
@@ -4468,15 +4492,15 @@
     </message>
     <message>
         <source>{}, carries {} with {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}, levanta {} con {}</translation>
     </message>
     <message>
         <source>{}, floats from {} width on with {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}, flota desde {} de anchura con {}</translation>
     </message>
     <message>
         <source>{}, never floats with {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}, nunca flota con {}</translation>
     </message>
     <message>
         <source>{}, seam {}</source>
@@ -4484,11 +4508,11 @@
     </message>
     <message>
         <source>{}: film {}, seam and neck {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: película {}, costura y cuello {}</translation>
     </message>
     <message>
         <source>{}: film {}, seam and neck {}, valve {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}: película {}, costura y cuello {}, válvula {}</translation>
     </message>
     <message>
         <source>{}: {}</source>

@@ -17,7 +17,7 @@
     </message>
     <message>
         <source>Air that it holds, as a share of what a round balloon of as much film would</source>
-        <translation type="unfinished"></translation>
+        <translation>Air qu'il contient, en part de ce que contiendrait un ballon rond d'autant de film</translation>
     </message>
     <message>
         <source>Another picture for the back; empty takes that of the front</source>
@@ -196,10 +196,6 @@
         <translation>Il se porte lui-même</translation>
     </message>
     <message>
-        <source>It has a place; a new object is given one</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Label of the values the mesh belongs to</source>
         <translation>Repère des valeurs auxquelles appartient le maillage</translation>
     </message>
@@ -313,7 +309,7 @@
     </message>
     <message>
         <source>Part of the film's area that hangs loose</source>
-        <translation type="unfinished"></translation>
+        <translation>Part de la surface du film qui est détendue</translation>
     </message>
     <message>
         <source>Part of the film's area that is wrinkled</source>
@@ -365,7 +361,7 @@
     </message>
     <message>
         <source>Repairs that were made in the drawing, one each; delete an entry to take it back</source>
-        <translation type="unfinished"></translation>
+        <translation>Réparations faites dans le dessin, une par entrée ; effacer une entrée l'annule</translation>
     </message>
     <message>
         <source>Result that is shown as colours, with a legend</source>
@@ -409,7 +405,7 @@
     </message>
     <message>
         <source>The balloon shown has come to rest</source>
-        <translation type="unfinished"></translation>
+        <translation>Le ballon montré est arrivé au repos</translation>
     </message>
     <message>
         <source>The balloon that is cut from this pattern</source>
@@ -450,6 +446,10 @@
     <message>
         <source>The whole report as JSON</source>
         <translation>Le rapport entier en JSON</translation>
+    </message>
+    <message>
+        <source>The workbench has given it a place</source>
+        <translation>Il a une place ; un nouvel objet en reçoit une</translation>
     </message>
     <message>
         <source>Thickness of the film</source>
@@ -556,8 +556,8 @@
         <translation>Où elle est cherchée : au plus loin du centre, ou en bas, où un ballon attaché pend droit</translation>
     </message>
     <message>
-        <source>Where it was put, unless by the user</source>
-        <translation type="unfinished"></translation>
+        <source>Where the workbench put it</source>
+        <translation>Où il a été placé, sauf par l'utilisateur</translation>
     </message>
     <message>
         <source>Whether a laser may cut this film</source>
@@ -627,6 +627,10 @@
         <translation> n'est pas prêt : </translation>
     </message>
     <message>
+        <source>"{0}" is no choice for a pattern larger than the bed: choose {1}.</source>
+        <translation>« {0} » n'est pas possible avec un patron trop grand : choisissez {1}.</translation>
+    </message>
+    <message>
         <source>"{0}" is no colour: give one such as "#cc294d".</source>
         <translation>« {0} » n'est pas une couleur : donnez par exemple « #cc294d ».</translation>
     </message>
@@ -648,7 +652,7 @@
     </message>
     <message>
         <source>'{0}' is a pipe or a device: save what comes from it, and name that file.</source>
-        <translation type="unfinished"></translation>
+        <translation>« {0} » est un tube ou un périphérique : enregistrez ce qui en vient, et donnez ce fichier.</translation>
     </message>
     <message>
         <source>'{0}' is colder than anything; write a temperature as 20C, 68F or 293K.</source>
@@ -684,7 +688,7 @@
     </message>
     <message>
         <source>'{0}' is no size: write 500mm for a width, 500mmx700mm for width and height.</source>
-        <translation type="unfinished"></translation>
+        <translation>« {0} » n'est pas une taille : écrivez 500mm pour une largeur, 500mmx700mm pour largeur et hauteur.</translation>
     </message>
     <message>
         <source>'{0}' is not a drawing that can be read. Use PNG, JPEG, BMP, SVG, DXF or JSON.</source>
@@ -704,7 +708,7 @@
     </message>
     <message>
         <source>'{0}' is not a {1}; write it like {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>« {0} » ne convient pas ({1}) ; écrivez par exemple {2}.</translation>
     </message>
     <message>
         <source>'{}' is not a picture. Save it as PNG, JPEG or BMP once more.</source>
@@ -712,11 +716,19 @@
     </message>
     <message>
         <source>, about {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>, environ {0}</translation>
     </message>
     <message>
         <source>, estimated: the film did not come to rest</source>
         <translation>, estimé : le film n'est pas arrivé au repos</translation>
+    </message>
+    <message>
+        <source>--oversize scale makes the balloon smaller until it fits, --oversize write writes the file anyway, --bed tells how large the bed is.</source>
+        <translation>--oversize scale réduit le ballon jusqu'à ce qu'il tienne, --oversize write écrit le fichier quand même, --bed dit la taille du plateau.</translation>
+    </message>
+    <message>
+        <source>--target-volume and --target-lift decide the size: leave out --width and --height.</source>
+        <translation>--target-volume et --target-lift décident de la taille : omettez --width et --height.</translation>
     </message>
     <message>
         <source>1 to {0} pieces can be laid out, not {1}.</source>
@@ -727,8 +739,12 @@
         <translation>Un ballon n'a pas de « {0} » : il a {1}.</translation>
     </message>
     <message>
+        <source>A bed is that of a machine: give --machine too.</source>
+        <translation>Un plateau est celui d'une machine : donnez aussi --machine.</translation>
+    </message>
+    <message>
         <source>A bed is {0} mm to {1} mm wide and high: write 600mmx400mm, 600mm for a roll, or {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un plateau fait de {0} mm à {1} mm de large et de haut : écrivez 600mmx400mm, 600mm pour un rouleau, ou {2}.</translation>
     </message>
     <message>
         <source>A corner relief of {0} would cut into the weld: choose a smaller radius or a wider allowance.</source>
@@ -740,7 +756,7 @@
     </message>
     <message>
         <source>A file of this name is there already</source>
-        <translation type="unfinished"></translation>
+        <translation>Un fichier de ce nom existe déjà</translation>
     </message>
     <message>
         <source>A hole meets the outline or another hole at {0}; keep some film between them.</source>
@@ -756,19 +772,19 @@
     </message>
     <message>
         <source>A layout is as large as its film: give the film the size of the bed there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une disposition est aussi grande que son film : donnez-y au film la taille du plateau.</translation>
     </message>
     <message>
         <source>A lift of {0} cannot be made: give one such as 5g.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une portance de {0} est impossible : donnez par exemple 5g.</translation>
     </message>
     <message>
         <source>A lift of {0} is out of reach: {1} large, this balloon would carry {2}. Choose a lighter film or gas, a smaller lift, or a rounder shape.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une portance de {0} est hors d'atteinte : grand de {1}, ce ballon porterait {2}. Choisissez un film ou un gaz plus léger, moins de portance ou une forme plus ronde.</translation>
     </message>
     <message>
         <source>A lift of {0} is out of reach: {1} large, this balloon would lack {2}. Choose a lighter film or gas, a smaller lift, or a rounder shape.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une portance de {0} est hors d'atteinte : grand de {1}, il manquerait {2} à ce ballon. Choisissez un film ou un gaz plus léger, moins de portance ou une forme plus ronde.</translation>
     </message>
     <message>
         <source>A mesh of {0} is too coarse for a shape of {1}: use at most {2}.</source>
@@ -815,16 +831,12 @@
         <translation>Un lecteur strict qui veut des polylignes simples. Les calques se distinguent par la couleur : coupez le rouge, le bleu et l'orange, mettez la sortie de tous les autres sur non.</translation>
     </message>
     <message>
-        <source>A target decides the size: leave out --width and --height.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>A volume of {0} cannot be made: give one such as 10l.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un volume de {0} est impossible : donnez par exemple 10l.</translation>
     </message>
     <message>
-        <source>A volume or a lift decides the size: choose less of it.</source>
-        <translation type="unfinished"></translation>
+        <source>A volume or a lift decides the size, so the balloon cannot be scaled to fit: leave out --oversize scale, or what you give of --target-volume, --target-lift and --gas-volume.</source>
+        <translation>Un volume ou une portance décide de la taille, le ballon ne peut donc pas être réduit au plateau : omettez --oversize scale, ou ce que vous donnez de --target-volume, --target-lift et --gas-volume.</translation>
     </message>
     <message>
         <source>A volume to inflate to and a goal for the size exclude each other: leave one out.</source>
@@ -832,7 +844,7 @@
     </message>
     <message>
         <source>A web page came instead of the native solver, as some networks send before one has signed in. Open {0} in a browser, then try again. {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>Une page web est arrivée au lieu du solveur natif, comme certains réseaux en envoient avant la connexion. Ouvrez {0} dans un navigateur, puis réessayez. {1}</translation>
     </message>
     <message>
         <source>A weld has no length; draw a line, or a circle for a spot.</source>
@@ -848,11 +860,11 @@
     </message>
     <message>
         <source>A weld runs too near to another one or to the outline at {0} for this mesh: move it away, or use a smaller mesh size.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une soudure passe trop près d'une autre ou du contour en {0} pour ce maillage : écartez-la, ou prenez une taille de maille plus petite.</translation>
     </message>
     <message>
         <source>A {0} of {1} cannot be made; choose one between 1 mm and 100 m.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une {0} de {1} est impossible ; choisissez-en une entre 1 mm et 100 m.</translation>
     </message>
     <message>
         <source>Across</source>
@@ -864,7 +876,7 @@
     </message>
     <message>
         <source>Advice ({0}), at {1}: {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>Conseil ({0}), en {1} : {2}</translation>
     </message>
     <message>
         <source>Air intake</source>
@@ -984,7 +996,7 @@
     </message>
     <message>
         <source>Balloon: {0}, {1}, solver {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>Ballon : {0}, {1}, solveur {2}</translation>
     </message>
     <message>
         <source>Balloons</source>
@@ -996,7 +1008,7 @@
     </message>
     <message>
         <source>Bed</source>
-        <translation type="unfinished"></translation>
+        <translation>Plateau</translation>
     </message>
     <message>
         <source>Bending stiffness</source>
@@ -1044,15 +1056,15 @@
     </message>
     <message>
         <source>Check, {0}: {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>Vérification, {0} : {1}</translation>
     </message>
     <message>
         <source>Check: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Vérification : {0}</translation>
     </message>
     <message>
         <source>Checked: ready to make.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vérifié : prêt à fabriquer.</translation>
     </message>
     <message>
         <source>Checking the pattern</source>
@@ -1260,23 +1272,23 @@
     </message>
     <message>
         <source>Fetch</source>
-        <translation type="unfinished"></translation>
+        <translation>Télécharger</translation>
     </message>
     <message>
         <source>Fetch the native solver ...</source>
-        <translation type="unfinished"></translation>
+        <translation>Télécharger le solveur natif ...</translation>
     </message>
     <message>
         <source>Fetches the native solver of this version, checks its SHA-256 and puts it in its place.</source>
-        <translation type="unfinished"></translation>
+        <translation>Télécharge le solveur natif de cette version, vérifie son SHA-256 et le met à sa place.</translation>
     </message>
     <message>
         <source>Fetching the native solver</source>
-        <translation type="unfinished"></translation>
+        <translation>Téléchargement du solveur natif</translation>
     </message>
     <message>
         <source>Fetching {0} ({1} MB) into {2}; only the file with SHA-256 {3} is kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>Téléchargement de {0} ({1} MB) dans {2} ; seul le fichier de SHA-256 {3} est gardé.</translation>
     </message>
     <message>
         <source>File</source>
@@ -1284,7 +1296,7 @@
     </message>
     <message>
         <source>Files written to {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Fichiers écrits dans {}</translation>
     </message>
     <message>
         <source>Fill</source>
@@ -1300,19 +1312,19 @@
     </message>
     <message>
         <source>Fill to {pressure}, never above {safe}: film and seam then keep a margin of {margin}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gonflez à {pressure}, jamais au-dessus de {safe} : le film et la couture gardent alors une marge de {margin}.</translation>
     </message>
     <message>
         <source>Fill to {pressure}, never above {safe}: film and weld then keep a margin of {margin}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gonflez à {pressure}, jamais au-dessus de {safe} : le film et la soudure gardent alors une marge de {margin}.</translation>
     </message>
     <message>
         <source>Fill to {safe} at most: {pressure} is more than film and seam bear with a margin of {margin}. Mind your eyes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gonflez à {safe} au plus : {pressure}, c'est plus que ce que film et couture supportent avec une marge de {margin}. Protégez vos yeux.</translation>
     </message>
     <message>
         <source>Fill to {safe} at most: {pressure} is more than film and weld bear with a margin of {margin}. Mind your eyes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gonflez à {safe} au plus : {pressure}, c'est plus que ce que film et soudure supportent avec une marge de {margin}. Protégez vos yeux.</translation>
     </message>
     <message>
         <source>Fill with air a little and brush soapy water along the weld: bubbles show leaks. Weld once more there.</source>
@@ -1336,7 +1348,7 @@
     </message>
     <message>
         <source>Film needed: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Film nécessaire : {0}</translation>
     </message>
     <message>
         <source>Film of your own</source>
@@ -1348,11 +1360,11 @@
     </message>
     <message>
         <source>Film {0} large is too much: write 500mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un film de {0}, c'est trop : écrivez 500mm.</translation>
     </message>
     <message>
         <source>Film: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Film : {0}</translation>
     </message>
     <message>
         <source>Films</source>
@@ -1384,7 +1396,7 @@
     </message>
     <message>
         <source>For {0} the drawing would be {1} large: choose a volume that makes it {2} to {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pour {0}, le dessin aurait {1} : choisissez un volume qui lui donne de {2} à {3}.</translation>
     </message>
     <message>
         <source>Forced</source>
@@ -1395,16 +1407,20 @@
         <translation>Les images sont régulières en mouvement, non en temps. Seul le film a une masse, le gaz n'en a pas.</translation>
     </message>
     <message>
-        <source>FreeCAD cannot make it ({0}). {1}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>FreeCAD ended ({0}). {1}</source>
-        <translation type="unfinished"></translation>
+        <source>FreeCAD cannot make the document ({0}). {1}</source>
+        <translation>FreeCAD ne peut pas créer le document ({0}). {1}</translation>
     </message>
     <message>
         <source>FreeCAD has no material card "{0}": choose one of its material editor.</source>
         <translation>FreeCAD n'a pas de fiche de matériau « {0} » : choisissez-en une de son éditeur de matériaux.</translation>
+    </message>
+    <message>
+        <source>FreeCAD needs a home folder and a temporary folder that it can write to, and enough memory.</source>
+        <translation>Il lui faut un dossier personnel et un dossier temporaire où il peut écrire, et de la mémoire.</translation>
+    </message>
+    <message>
+        <source>FreeCAD stopped before the document was done ({0}). {1}</source>
+        <translation>FreeCAD s'est arrêté ({0}). {1}</translation>
     </message>
     <message>
         <source>From the flat film to the balloon at rest</source>
@@ -1420,7 +1436,7 @@
     </message>
     <message>
         <source>Gaps of up to {0} between lines were closed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Des écarts jusqu'à {0} entre lignes ont été fermés.</translation>
     </message>
     <message>
         <source>Gas</source>
@@ -1428,11 +1444,11 @@
     </message>
     <message>
         <source>Give --artwork for the front too.</source>
-        <translation type="unfinished"></translation>
+        <translation>Donnez aussi --artwork pour le devant.</translation>
     </message>
     <message>
         <source>Give either --material, or all of --young, --poisson and --thickness.</source>
-        <translation type="unfinished"></translation>
+        <translation>Donnez soit --material, soit à la fois --young, --poisson et --thickness.</translation>
     </message>
     <message>
         <source>Give either a volume or a lift as the goal.</source>
@@ -1452,11 +1468,11 @@
     </message>
     <message>
         <source>Glue a strip of {seal} along the dashed line. Let it dry under a weight.</source>
-        <translation type="unfinished"></translation>
+        <translation>Collez une bande de {seal} le long de la ligne en tirets. Laissez sécher sous un poids.</translation>
     </message>
     <message>
         <source>Glue a strip of {seal} along the dashed line; leave the mouth of the neck open. Let it dry under a weight.</source>
-        <translation type="unfinished"></translation>
+        <translation>Collez une bande de {seal} le long de la ligne en tirets ; laissez l'embouchure du col ouverte. Laissez sécher sous un poids.</translation>
     </message>
     <message>
         <source>Glue the lines inside the balloon.</source>
@@ -1580,7 +1596,7 @@
     </message>
     <message>
         <source>It holds {} of the air that a round balloon of as much film would.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il contient {} de l'air que contiendrait un ballon rond d'autant de film.</translation>
     </message>
     <message>
         <source>It is not inflated yet: choose Inflate now in its context menu, or switch Live on.</source>
@@ -1591,16 +1607,12 @@
         <translation>Il est plus large maintenant. Ctrl+Z annule.</translation>
     </message>
     <message>
-        <source>It needs a home folder and a temporary folder that it can write to, and memory.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Join the panels along the dashed line, {seal} wide, all the way round.</source>
-        <translation type="unfinished"></translation>
+        <translation>Assemblez les panneaux le long de la ligne en tirets, sur {seal} de large, tout autour.</translation>
     </message>
     <message>
         <source>Join the panels along the dashed line, {seal} wide; leave the mouth of the neck open.</source>
-        <translation type="unfinished"></translation>
+        <translation>Assemblez les panneaux le long de la ligne en tirets, sur {seal} de large ; laissez l'embouchure du col ouverte.</translation>
     </message>
     <message>
         <source>Join the panels along the lines inside the balloon.</source>
@@ -1684,7 +1696,7 @@
     </message>
     <message>
         <source>Left out: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Omis : {0}</translation>
     </message>
     <message>
         <source>Length</source>
@@ -1744,7 +1756,7 @@
     </message>
     <message>
         <source>Loose ends of lines were joined to the drawing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Des bouts de lignes libres ont été joints au dessin.</translation>
     </message>
     <message>
         <source>Low</source>
@@ -1768,7 +1780,7 @@
     </message>
     <message>
         <source>Make the balloon smaller and inflate it again, until its pattern fits the bed. Weld and allowance keep their widths; one undo takes it back</source>
-        <translation type="unfinished"></translation>
+        <translation>Réduire le ballon et le gonfler à nouveau, jusqu'à ce que son patron tienne sur le plateau. La soudure et la marge gardent leur largeur ; une seule annulation suffit pour revenir en arrière</translation>
     </message>
     <message>
         <source>Marks</source>
@@ -1835,8 +1847,8 @@
         <translation>Natif</translation>
     </message>
     <message>
-        <source>Near {0} the inflated outline stays up to {1} from the drawing, along {2}: film cannot follow it there. Round it off or widen it.</source>
-        <translation type="unfinished"></translation>
+        <source>Near {0} the inflated outline stays up to {1} from the drawing, over a length of {2}: film cannot follow it there. Round it off or widen it.</source>
+        <translation>Près de {0}, le contour gonflé reste jusqu'à {1} du dessin, sur {2} : le film ne peut pas le suivre là. Arrondissez ou élargissez cet endroit.</translation>
     </message>
     <message>
         <source>Neck that chokes the air path</source>
@@ -1880,7 +1892,7 @@
     </message>
     <message>
         <source>No file could be made.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aucun fichier n'a pu être créé.</translation>
     </message>
     <message>
         <source>No file for {0}: {1}</source>
@@ -1888,7 +1900,7 @@
     </message>
     <message>
         <source>No limit</source>
-        <translation type="unfinished"></translation>
+        <translation>Sans limite</translation>
     </message>
     <message>
         <source>No pattern can be drawn anew without it; documents keep theirs.</source>
@@ -1903,8 +1915,8 @@
         <translation>Aucune forme ne ressort de l'image. Prenez des couleurs plus vives ou un fond plus uni.</translation>
     </message>
     <message>
-        <source>No size of the balloon fits a bed of {0}: weld, allowance, intake and bar keep theirs. Choose another machine.</source>
-        <translation type="unfinished"></translation>
+        <source>No size of the balloon fits a bed of {0}: weld, allowance, intake and control bar keep their sizes. Choose another machine.</source>
+        <translation>Aucune taille du ballon ne tient sur un plateau de {0} : soudure, marge, embout et barre de contrôle gardent les leurs. Choisissez une autre machine.</translation>
     </message>
     <message>
         <source>No solver works here.</source>
@@ -1912,7 +1924,7 @@
     </message>
     <message>
         <source>No solver works here: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Aucun solveur ne marche ici : {0}</translation>
     </message>
     <message>
         <source>No solver works here: {0} Build it or install the package scipy.</source>
@@ -1920,7 +1932,7 @@
     </message>
     <message>
         <source>No, use NumPy</source>
-        <translation type="unfinished"></translation>
+        <translation>Non, prendre NumPy</translation>
     </message>
     <message>
         <source>None</source>
@@ -1944,7 +1956,7 @@
     </message>
     <message>
         <source>Note: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Remarque : {0}</translation>
     </message>
     <message>
         <source>Nothing can be computed without it; documents open and keep their shapes.</source>
@@ -1964,11 +1976,11 @@
     </message>
     <message>
         <source>NumPy computes the same, 20 to 30 times slower.</source>
-        <translation type="unfinished"></translation>
+        <translation>NumPy calcule la même chose, 20 à 30 fois plus lentement.</translation>
     </message>
     <message>
         <source>NumPy took 20 to 30 times longer than the native solver, which fetch-solver fetches.</source>
-        <translation type="unfinished"></translation>
+        <translation>NumPy a mis 20 à 30 fois plus de temps que le solveur natif, que fetch-solver télécharge.</translation>
     </message>
     <message>
         <source>Numbers</source>
@@ -1988,11 +2000,11 @@
     </message>
     <message>
         <source>Off the drawing: {0} on average, at most {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>Écart au dessin : {0} en moyenne, {1} au plus</translation>
     </message>
     <message>
         <source>Offer the native solver where it is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>Proposer le solveur natif là où il manque</translation>
     </message>
     <message>
         <source>On the way of the valve the balloon narrows to {0} at {1}; its channel takes {2} with its welds there. Make the neck wider or put it elsewhere, else the weld closes the valve.</source>
@@ -2012,7 +2024,7 @@
     </message>
     <message>
         <source>Only a film with another stiffness across has a grain: give --young-across too.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seul un film d'une autre raideur en travers a un sens privilégié : donnez aussi --young-across.</translation>
     </message>
     <message>
         <source>Only grades of this film with a sealing layer weld: try scraps before you cut.</source>
@@ -2044,11 +2056,11 @@
     </message>
     <message>
         <source>Outline {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Contour {}</translation>
     </message>
     <message>
         <source>Outline {}, holes: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>Contour {}, trous : {}</translation>
     </message>
     <message>
         <source>PDF files need it; DXF, SVG and HPGL can be written.</source>
@@ -2116,7 +2128,7 @@
     </message>
     <message>
         <source>Pattern {0} ({1} x {2} in), pages: {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Patron {0} ({1} x {2} pouces), pages : {3}.</translation>
     </message>
     <message>
         <source>Pattern, cut two (one mirrored)</source>
@@ -2160,7 +2172,7 @@
     </message>
     <message>
         <source>Pieces: {}, on {}, {} used</source>
-        <translation type="unfinished"></translation>
+        <translation>Pièces : {}, sur {}, {} utilisés</translation>
     </message>
     <message>
         <source>Place</source>
@@ -2228,7 +2240,7 @@
     </message>
     <message>
         <source>Pressure: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Pression : {0}</translation>
     </message>
     <message>
         <source>Previews and labels need it; everything else works.</source>
@@ -2240,7 +2252,7 @@
     </message>
     <message>
         <source>Print {0} at {1} dpi, front and back</source>
-        <translation type="unfinished"></translation>
+        <translation>Impression : {0} à {1} dpi, devant et dos</translation>
     </message>
     <message>
         <source>Pull a line; then move the pointer to bend it, and click. A right click keeps it straight.</source>
@@ -2276,7 +2288,7 @@
     </message>
     <message>
         <source>Ready to make. Paint on, or press Make it!</source>
-        <translation type="unfinished"></translation>
+        <translation>Prêt à fabriquer. Continuez à peindre, ou pressez « Fabriquer ! ».</translation>
     </message>
     <message>
         <source>Real size, to cut out by hand. Print at 100 % and measure the control bar.</source>
@@ -2300,7 +2312,7 @@
     </message>
     <message>
         <source>Replace the file</source>
-        <translation type="unfinished"></translation>
+        <translation>Remplacer le fichier</translation>
     </message>
     <message>
         <source>Result</source>
@@ -2332,7 +2344,7 @@
     </message>
     <message>
         <source>Round this hole the balloon will not lie quite flat: a closed tube wants to curve more and twists out of its plane, here by about {length}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Autour de ce trou, le ballon ne restera pas tout à fait à plat : un tube fermé veut se courber davantage et se tord hors de son plan, ici d'environ {length}.</translation>
     </message>
     <message>
         <source>Round with a radius of</source>
@@ -2352,11 +2364,11 @@
     </message>
     <message>
         <source>Safe pressure: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Pression sûre : {0}</translation>
     </message>
     <message>
         <source>Safe pressure: {0}, less than its {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>Pression sûre : {0}, moins que ses {1}</translation>
     </message>
     <message>
         <source>Safe to</source>
@@ -2372,11 +2384,15 @@
     </message>
     <message>
         <source>Scale to fit</source>
-        <translation type="unfinished"></translation>
+        <translation>Réduire au plateau</translation>
+    </message>
+    <message>
+        <source>Scaled to fit: the drawing is {0} wide instead of {1}.</source>
+        <translation>Réduit au plateau : le dessin a {0} de large au lieu de {1}.</translation>
     </message>
     <message>
         <source>Scaled to fit: {} wide instead of {}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Réduit au plateau : {} de large au lieu de {}.</translation>
     </message>
     <message>
         <source>SciPy triangulates instead, a little slower.</source>
@@ -2400,7 +2416,7 @@
     </message>
     <message>
         <source>Seam length: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Longueur de couture : {0}</translation>
     </message>
     <message>
         <source>Second panel, mirrored</source>
@@ -2464,7 +2480,7 @@
     </message>
     <message>
         <source>Simulations use NumPy. "What works here" in the menu fetches the native solver later.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les simulations utilisent NumPy. « Ce qui marche ici », dans le menu, télécharge le solveur natif plus tard.</translation>
     </message>
     <message>
         <source>Size</source>
@@ -2576,11 +2592,11 @@
     </message>
     <message>
         <source>Tape along the dashed line, {seal} wide, all the way round.</source>
-        <translation type="unfinished"></translation>
+        <translation>Collez au ruban adhésif le long de la ligne en tirets, sur {seal} de large, tout autour.</translation>
     </message>
     <message>
         <source>Tape along the dashed line, {seal} wide; leave the mouth of the neck open.</source>
-        <translation type="unfinished"></translation>
+        <translation>Collez au ruban adhésif le long de la ligne en tirets, sur {seal} de large ; laissez l'embouchure du col ouverte.</translation>
     </message>
     <message>
         <source>Taped seam</source>
@@ -2676,7 +2692,7 @@
     </message>
     <message>
         <source>The Young's modulus across the grain {0} is too large for one along it of {1}: turn the grain by 90 degrees and exchange the two.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le module d'Young en travers, {0}, est trop grand pour celui en long de {1} : tournez le sens du film de 90 degrés et échangez les deux.</translation>
     </message>
     <message>
         <source>The altitude {0} m is out of range: give one up to 11000 m.</source>
@@ -2704,7 +2720,7 @@
     </message>
     <message>
         <source>The connection to {0} ended before the whole native solver had come. Try again. {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>La connexion à {0} s'est terminée avant que tout le solveur natif soit arrivé. Réessayez. {1}</translation>
     </message>
     <message>
         <source>The drawing cannot be reached everywhere: the silhouette is up to {} off it.</source>
@@ -2771,10 +2787,6 @@
         <translation>Le dessin ; une copie en reste dans le document</translation>
     </message>
     <message>
-        <source>The end of this tip stays flat, over {length}. A radius of {wanted} makes it rounder.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The file is XML but no SVG drawing. Choose a drawing.</source>
         <translation>Le fichier est du XML mais pas un dessin SVG. Choisissez un dessin.</translation>
     </message>
@@ -2789,6 +2801,10 @@
     <message>
         <source>The file of rules {0} is of no use: {1}. Install it anew.</source>
         <translation>Le fichier des règles {0} est inutilisable : {1}. Réinstallez-le.</translation>
+    </message>
+    <message>
+        <source>The file of the pattern</source>
+        <translation>L'export des patrons</translation>
     </message>
     <message>
         <source>The file {0} is of no use: {1}. Install it anew.</source>
@@ -2836,11 +2852,11 @@
     </message>
     <message>
         <source>The hole at {0} is too small for a {1} seal, and its weld reaches {2} into the balloon: make the hole at least {3} wide, or the seal narrower.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le trou en {0} est trop petit pour une soudure de {1}, et elle empiète de {2} sur le ballon : donnez au trou au moins {3} de large, ou rétrécissez la soudure.</translation>
     </message>
     <message>
         <source>The hole at {0} is welded but not cut out: for that, make it wider than two seals with their allowances, {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le trou en {0} est soudé mais pas découpé : pour cela, faites-le plus large que deux soudures avec leurs marges, {1}.</translation>
     </message>
     <message>
         <source>The hole at {0} lies in another hole; remove one of them.</source>
@@ -2911,6 +2927,10 @@
         <translation>L'inscription « {0} » fait {1} de long, et le film n'a que {2} de large : prenez un texte plus court ou des lettres plus basses.</translation>
     </message>
     <message>
+        <source>The last {length} of this tip stay flat. A radius of {wanted} makes it rounder.</source>
+        <translation>Le bout de cette pointe reste plat, sur {length}. Un rayon de {wanted} l'arrondit.</translation>
+    </message>
+    <message>
         <source>The layer MARK of the machine file {0}.json takes notches only. Rename it NOTCH, and where your machine can draw, add the layers FOLD and PEN.</source>
         <translation>Le calque MARK du fichier de machine {0}.json ne prend que les encoches. Renommez-le NOTCH, et si votre machine peut tracer, ajoutez les calques FOLD et PEN.</translation>
     </message>
@@ -2924,7 +2944,7 @@
     </message>
     <message>
         <source>The layout on film</source>
-        <translation type="unfinished"></translation>
+        <translation>Le fichier de disposition sur film</translation>
     </message>
     <message>
         <source>The layout was stopped; nothing was changed.</source>
@@ -2952,27 +2972,23 @@
     </message>
     <message>
         <source>The mesh size is {0}: give one above 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>La taille de maille est {0} : donnez-en une au-dessus de 0.</translation>
     </message>
     <message>
-        <source>The native solver cannot be kept. {0} {1}</source>
-        <translation type="unfinished"></translation>
+        <source>The native solver cannot be saved. {0}</source>
+        <translation>Le solveur natif ne peut pas être enregistré. {0}</translation>
     </message>
     <message>
         <source>The native solver could not be fetched from {0} ({1}). Try again when the network is there. {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>Le solveur natif n'a pas pu être téléchargé de {0} ({1}). Réessayez quand le réseau sera là. {2}</translation>
     </message>
     <message>
         <source>The native solver is here already.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le solveur natif est déjà là.</translation>
     </message>
     <message>
         <source>The native solver is in use now.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The native solver is in use.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le solveur natif est maintenant utilisé.</translation>
     </message>
     <message>
         <source>The native solver is not available: {0} Use the NumPy solver.</source>
@@ -2980,15 +2996,15 @@
     </message>
     <message>
         <source>The native solver is not installed. Everything works without it, but simulations take 20 to 30 times longer. Fetch it now?</source>
-        <translation type="unfinished"></translation>
+        <translation>Le solveur natif n'est pas installé. Tout marche sans lui, mais les simulations prennent 20 à 30 fois plus de temps. Le télécharger maintenant ?</translation>
     </message>
     <message>
-        <source>The native solver was fetched, but does not run here: {0} {1}</source>
-        <translation type="unfinished"></translation>
+        <source>The native solver was fetched, but does not run here: {0}</source>
+        <translation>Le solveur natif a été téléchargé, mais ne marche pas ici : {0}</translation>
     </message>
     <message>
         <source>The native solver was not fetched: stopped.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le solveur natif n'a pas été téléchargé : arrêté.</translation>
     </message>
     <message>
         <source>The native solver, which is faster, is not available: {0}</source>
@@ -3000,7 +3016,7 @@
     </message>
     <message>
         <source>The options cannot be used ({0}). See --help.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les options sont inutilisables ({0}). Voyez --help.</translation>
     </message>
     <message>
         <source>The outline cannot be mirrored about its axis: draw it symmetric, or leave that.</source>
@@ -3008,7 +3024,7 @@
     </message>
     <message>
         <source>The outline crosses or nearly touches itself near {0}: separate the parts that meet there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le contour se croise ou se touche presque près de {0} : séparez les parties qui s'y rencontrent.</translation>
     </message>
     <message>
         <source>The outline crosses or touches itself and cannot be meshed: separate the parts that meet.</source>
@@ -3028,7 +3044,7 @@
     </message>
     <message>
         <source>The outline's {0} of {1} cannot be made; bring it to a size between 1 mm and 100 m.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le contour ne peut pas avoir une {0} de {1} ; amenez-le à une taille entre 1 mm et 100 m.</translation>
     </message>
     <message>
         <source>The page will be in English, as no font here has the letters of your language: install IPAexGothic or Noto Sans CJK JP, and open this panel again.</source>
@@ -3048,11 +3064,11 @@
     </message>
     <message>
         <source>The pattern crosses itself near {0}: simplify the drawing there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le patron se croise près de {0} : simplifiez-y le dessin.</translation>
     </message>
     <message>
         <source>The pattern has no lines for {0}, which takes {1}: choose another machine.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le patron n'a pas de lignes pour {0}, qui prend {1} : choisissez une autre machine.</translation>
     </message>
     <message>
         <source>The pattern is being fitted to the painting ...</source>
@@ -3065,10 +3081,6 @@
     <message>
         <source>The pattern measures {0}, the bed of {1} {2}</source>
         <translation>Le patron mesure {0}, le plateau de {1} {2}</translation>
-    </message>
-    <message>
-        <source>The patterns' files</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The picture has a single colour. Choose one that shows a shape on a background.</source>
@@ -3104,7 +3116,11 @@
     </message>
     <message>
         <source>The pressure must be positive and at most {0}, not {1}. A party balloon has about 2 kPa.</source>
-        <translation type="unfinished"></translation>
+        <translation>La pression doit être positive et d'au plus {0}, pas {1}. Un ballon de fête a environ 2 kPa.</translation>
+    </message>
+    <message>
+        <source>The print on film</source>
+        <translation>L'impression sur film</translation>
     </message>
     <message>
         <source>The radius of the corner relief must be 0 or above.</source>
@@ -3113,6 +3129,10 @@
     <message>
         <source>The repair at {0} no longer fits, {1}: take it back or draw that part anew.</source>
         <translation>La réparation en {0} ne convient plus, {1} : annulez-la ou redessinez cette partie.</translation>
+    </message>
+    <message>
+        <source>The rest of the job</source>
+        <translation>Le reste</translation>
     </message>
     <message>
         <source>The seal width must be between 0.01 mm and 1 m, the allowance between 0 and 1 m.</source>
@@ -3124,7 +3144,7 @@
     </message>
     <message>
         <source>The shape is only {0} thick near {1}, too thin for a mesh of {2}: make it thicker there, or use a mesh size of at most {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>La forme n'a que {0} d'épaisseur près de {1}, trop mince pour un maillage de {2} : épaississez-la là, ou prenez une taille de maille d'au plus {3}.</translation>
     </message>
     <message>
         <source>The shape touches the {0} border of the picture; if it was cut off there, leave more margin.</source>
@@ -3152,15 +3172,19 @@
     </message>
     <message>
         <source>The size comes from {0}: make it smaller there.</source>
-        <translation type="unfinished"></translation>
+        <translation>La taille vient de {0} : réduisez-la là.</translation>
     </message>
     <message>
-        <source>The size of {0} follows an expression: change what that refers to.</source>
-        <translation type="unfinished"></translation>
+        <source>The size follows from a volume or a lift: choose a smaller one.</source>
+        <translation>Un volume ou une portance décide de la taille : choisissez-en moins.</translation>
+    </message>
+    <message>
+        <source>The size of {0} is set by an expression: change the value that it uses.</source>
+        <translation>La taille de {0} suit une expression : changez ce à quoi elle se réfère.</translation>
     </message>
     <message>
         <source>The smallest radius is {0}, near {1}; {2} follows {3}. It will come out rounder there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le plus petit rayon est {0}, près de {1} ; {2} suit {3}. Cela sortira plus rond à cet endroit.</translation>
     </message>
     <message>
         <source>The solver '{0}' needs the Python package scipy. Install it or use the native solver.</source>
@@ -3172,7 +3196,7 @@
     </message>
     <message>
         <source>The summary cannot be shown ({0}); {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le résumé ne peut pas être affiché ({0}) ; {1}.</translation>
     </message>
     <message>
         <source>The temperature of the {0}, {1} degrees Celsius, is out of range: give one such as 20C.</source>
@@ -3188,7 +3212,7 @@
     </message>
     <message>
         <source>The volume must be positive, not {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le volume doit être positif, pas {0}.</translation>
     </message>
     <message>
         <source>The way from the intake into the balloon narrows to {0}, and the intake is {1} wide: put it where the balloon is wider, else air enters slowly.</source>
@@ -3215,10 +3239,6 @@
         <translation>La dimension ({0}) est de {1} mm : donnez-en une au-dessus de 0, par exemple 300 mm.</translation>
     </message>
     <message>
-        <source>The {0} is {1} off what was wanted: correct the goal by as much.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The {0} line crosses itself near {1}: simplify the drawing there.</source>
         <translation>La ligne {0} se croise près de {1} : simplifiez-y le dessin.</translation>
     </message>
@@ -3229,6 +3249,10 @@
     <message>
         <source>The {0} line that begins at {1} is open: programs fill, offset and cut closed lines only. Close it.</source>
         <translation>La ligne {0} qui commence en {1} est ouverte : les programmes ne remplissent, décalent et coupent que des lignes fermées. Fermez-la.</translation>
+    </message>
+    <message>
+        <source>The {0} misses the goal by {1}: change the goal by as much.</source>
+        <translation>Le but ({0}) est manqué de {1} : corrigez-le d'autant.</translation>
     </message>
     <message>
         <source>The {0} {1} is not between {2} and {3} {4}: give one such as {5}.</source>
@@ -3248,7 +3272,7 @@
     </message>
     <message>
         <source>There is no "{0}" to repair in {1}: see its advice.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il n'y a pas de « {0} » à réparer dans {1} : voyez ses conseils.</translation>
     </message>
     <message>
         <source>There is no backend "{0}": choose {1}, or leave it out.</source>
@@ -3284,7 +3308,7 @@
     </message>
     <message>
         <source>There is no language "{0}": choose one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il n'y a pas de langue « {0} » : choisissez parmi {1}.</translation>
     </message>
     <message>
         <source>There is no look "{0}": choose one of {1}.</source>
@@ -3296,11 +3320,11 @@
     </message>
     <message>
         <source>There is no native solver for {0}. {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>Il n'y a pas de solveur natif pour {0}. {1}</translation>
     </message>
     <message>
         <source>There is no native solver to be fetched for this version yet. {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Il n'y a pas encore de solveur natif à télécharger pour cette version. {0}</translation>
     </message>
     <message>
         <source>There is no outline at {0} degrees from the centre: choose another intake angle.</source>
@@ -3335,10 +3359,6 @@
         <translation>Il n'y a pas de symétrie « {0} » : choisissez parmi {1}.</translation>
     </message>
     <message>
-        <source>There is no way "{0}" with a large pattern: choose {1}.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>There is too little memory for this: take a coarser mesh, or close other programs.</source>
         <translation>Il n'y a pas assez de mémoire pour cela : prenez un maillage plus grossier, ou fermez d'autres programmes.</translation>
     </message>
@@ -3360,7 +3380,7 @@
     </message>
     <message>
         <source>This Python has no working ctypes module, which SciPy and the native solver need: patterns can be changed and written, but no balloon can be inflated anew. Take another build of FreeCAD or of Python.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce Python n'a pas de module ctypes qui marche, dont SciPy et le solveur natif ont besoin : les patrons peuvent être modifiés et écrits, mais aucun ballon ne peut être gonflé de nouveau. Prenez une autre version compilée de FreeCAD ou de Python.</translation>
     </message>
     <message>
         <source>This arm is too thin to fill: drawn {width} wide, it becomes {measured} thick. Make it {wanted} wide.</source>
@@ -3372,15 +3392,19 @@
     </message>
     <message>
         <source>This arm stays much thinner than the rest: drawn {width} wide, it becomes {measured} thick. For a rounder one make it {wanted} wide.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce bras reste bien plus mince que le reste : dessiné large de {width}, il devient épais de {measured}. Pour l'arrondir, faites-le large de {wanted}.</translation>
     </message>
     <message>
-        <source>This balloon holds {0} {1} at any pressure that suits its film: {2} at {3}. Change the size of the balloon or the volume.</source>
-        <translation type="unfinished"></translation>
+        <source>This balloon holds less than {0} at any pressure that suits its film: {1} at {2}. Change the size of the balloon or the volume.</source>
+        <translation>Ce ballon contient moins de {0} à toute pression qui convient à son film : {1} à {2}. Changez la taille du ballon ou le volume.</translation>
+    </message>
+    <message>
+        <source>This balloon holds more than {0} at any pressure that suits its film: {1} at {2}. Change the size of the balloon or the volume.</source>
+        <translation>Ce ballon contient plus de {0} à toute pression qui convient à son film : {1} à {2}. Changez la taille du ballon ou le volume.</translation>
     </message>
     <message>
         <source>This cannot be shown ({0}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Cela ne peut pas être affiché ({0}).</translation>
     </message>
     <message>
         <source>This gas is not lighter than the air around, so the balloon never floats: choose another gas or a higher temperature of the gas.</source>
@@ -3412,11 +3436,11 @@
     </message>
     <message>
         <source>This neck slows the filling: inside it is as wide as a tube of {measured} of film, the intake is {intake}. {behind} of the balloon fill through it. For quicker filling make it {wanted} wide.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce col ralentit le gonflage : l'intérieur vaut un tube de {measured} de film, l'embout fait {intake}. {behind} du ballon se remplissent par lui. Pour un gonflage plus rapide, faites-le large de {wanted}.</translation>
     </message>
     <message>
         <source>This notch pulls the film {measured} as tight as elsewhere, so that it wrinkles there. A radius of {wanted} eases that.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cette entaille tend le film {measured} plus qu'ailleurs, si bien qu'il s'y plisse. Un rayon de {wanted} atténue cela.</translation>
     </message>
     <message>
         <source>This notch pulls the film {measured} as tight as elsewhere; it wrinkles there and is where it would tear. Round it with a radius of {wanted}.</source>
@@ -3424,11 +3448,11 @@
     </message>
     <message>
         <source>This shape stays flat: it holds {percent} of the air that a round balloon of as much film would. Fewer and wider parts make it rounder.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cette forme reste plate : elle contient {percent} de l'air que contiendrait un ballon rond d'autant de film. Des parties moins nombreuses et plus larges l'arrondissent.</translation>
     </message>
     <message>
         <source>This shape stays rather flat: it holds {percent} of the air that a round balloon of as much film would. Fewer and wider parts make it rounder.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cette forme reste assez plate : elle contient {percent} de l'air que contiendrait un ballon rond d'autant de film. Des parties moins nombreuses et plus larges l'arrondissent.</translation>
     </message>
     <message>
         <source>This tip stays flat over {length}: it is too pointed. Round it with a radius of {wanted}.</source>
@@ -3508,11 +3532,11 @@
     </message>
     <message>
         <source>Weakest place: {0} at {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>Point le plus faible : {0} en {1}</translation>
     </message>
     <message>
         <source>Weakest place: {0} at {1}, estimated: the film did not come to rest</source>
-        <translation type="unfinished"></translation>
+        <translation>Point le plus faible : {0} en {1}, estimé : le film n'est pas arrivé au repos</translation>
     </message>
     <message>
         <source>Weighing {0}</source>
@@ -3536,11 +3560,11 @@
     </message>
     <message>
         <source>Weld along the dashed line, {seal} wide, all the way round.</source>
-        <translation type="unfinished"></translation>
+        <translation>Soudez le long de la ligne en tirets, sur {seal} de large, tout autour.</translation>
     </message>
     <message>
         <source>Weld along the dashed line, {seal} wide. Leave the mouth of the neck open.</source>
-        <translation type="unfinished"></translation>
+        <translation>Soudez le long de la ligne en tirets, sur {seal} de large. Laissez l'embouchure du col ouverte.</translation>
     </message>
     <message>
         <source>Weld and cut</source>
@@ -3556,11 +3580,11 @@
     </message>
     <message>
         <source>Weld with high frequency along the dashed line, {seal} wide, all the way round.</source>
-        <translation type="unfinished"></translation>
+        <translation>Soudez par haute fréquence le long de la ligne en tirets, sur {seal} de large, tout autour.</translation>
     </message>
     <message>
         <source>Weld with high frequency along the dashed line, {seal} wide; leave the mouth of the neck open.</source>
-        <translation type="unfinished"></translation>
+        <translation>Soudez par haute fréquence le long de la ligne en tirets, sur {seal} de large ; laissez l'embouchure du col ouverte.</translation>
     </message>
     <message>
         <source>Welded across, last</source>
@@ -3569,10 +3593,6 @@
     <message>
         <source>Welds easily with an impulse sealer or an iron. Yields at about 9 MPa, half its tensile strength, and creeps: keep the pressure low.</source>
         <translation>Se soude facilement à la soudeuse à impulsion ou au fer. Cède vers 9 MPa, la moitié de sa résistance, et flue : gardez la pression basse.</translation>
-    </message>
-    <message>
-        <source>What else is made</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>What it takes to make it</source>
@@ -3584,7 +3604,7 @@
     </message>
     <message>
         <source>What this machine can work on, such as 600 x 400 mm, or 600 mm for a roll; empty where there is no limit. It is kept for this machine</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce que cette machine peut travailler, par exemple 600 x 400 mm, ou 600 mm pour un rouleau ; vide s'il n'y a pas de limite. C'est gardé pour cette machine</translation>
     </message>
     <message>
         <source>What works here</source>
@@ -3592,11 +3612,11 @@
     </message>
     <message>
         <source>What {0} sent is not the native solver of this release: its SHA-256 is another one. It was not kept. {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce que {0} a envoyé n'est pas le solveur natif de cette version : son SHA-256 est différent. Il n'a pas été gardé. {1}</translation>
     </message>
     <message>
         <source>Where the film wrinkles</source>
-        <translation type="unfinished"></translation>
+        <translation>Où le film se plisse</translation>
     </message>
     <message>
         <source>Whether the {0} of the intake's pieces welds to {1} is not known: try it on a scrap first.</source>
@@ -3632,7 +3652,7 @@
     </message>
     <message>
         <source>Will it float? {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Flottera-t-il ? {0}</translation>
     </message>
     <message>
         <source>With the fonts of this computer {0} cannot be drawn, letter by letter from left to right: leave that out of the label, or install a font that has it and start again.</source>
@@ -3644,7 +3664,7 @@
     </message>
     <message>
         <source>Write anyway</source>
-        <translation type="unfinished"></translation>
+        <translation>Écrire quand même</translation>
     </message>
     <message>
         <source>Write files…</source>
@@ -3652,7 +3672,7 @@
     </message>
     <message>
         <source>Write the file although it is larger than the bed</source>
-        <translation type="unfinished"></translation>
+        <translation>Écrire le fichier bien qu'il soit plus grand que le plateau</translation>
     </message>
     <message>
         <source>Write {"unit": "mm", "outer": [[0, 0], [300, 0], [150, 200]]}.</source>
@@ -3672,7 +3692,7 @@
     </message>
     <message>
         <source>Wrote {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} écrit</translation>
     </message>
     <message>
         <source>Yellow</source>
@@ -3704,11 +3724,11 @@
     </message>
     <message>
         <source>about {}</source>
-        <translation type="unfinished"></translation>
+        <translation>environ {}</translation>
     </message>
     <message>
         <source>about {} x {}, {} thick, {}</source>
-        <translation type="unfinished"></translation>
+        <translation>environ {} x {}, épais de {}, {}</translation>
     </message>
     <message>
         <source>air</source>
@@ -3716,7 +3736,7 @@
     </message>
     <message>
         <source>all files were written before to {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>tous les fichiers étaient déjà écrits dans {0}</translation>
     </message>
     <message>
         <source>another run has been writing there for a minute</source>
@@ -3736,11 +3756,11 @@
     </message>
     <message>
         <source>at most {} {}</source>
-        <translation type="unfinished"></translation>
+        <translation>au plus {} {}</translation>
     </message>
     <message>
         <source>back</source>
-        <translation type="unfinished"></translation>
+        <translation>dos</translation>
     </message>
     <message>
         <source>balloon {0} of {1}, {2}</source>
@@ -3760,7 +3780,7 @@
     </message>
     <message>
         <source>connecting</source>
-        <translation type="unfinished"></translation>
+        <translation>connexion</translation>
     </message>
     <message>
         <source>cut</source>
@@ -3772,7 +3792,7 @@
     </message>
     <message>
         <source>designing a balloon</source>
-        <translation type="unfinished"></translation>
+        <translation>conception d'un ballon</translation>
     </message>
     <message>
         <source>does not name its unit</source>
@@ -3792,11 +3812,11 @@
     </message>
     <message>
         <source>fetch the native solver from the network, where the workbench came without it</source>
-        <translation type="unfinished"></translation>
+        <translation>télécharger le solveur natif par le réseau, là où l'atelier est arrivé sans lui</translation>
     </message>
     <message>
         <source>fetching</source>
-        <translation type="unfinished"></translation>
+        <translation>téléchargement</translation>
     </message>
     <message>
         <source>film</source>
@@ -3804,7 +3824,7 @@
     </message>
     <message>
         <source>film and valve weigh {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>film et valve pèsent {0}</translation>
     </message>
     <message>
         <source>fold</source>
@@ -3812,7 +3832,7 @@
     </message>
     <message>
         <source>front</source>
-        <translation type="unfinished"></translation>
+        <translation>devant</translation>
     </message>
     <message>
         <source>gas</source>
@@ -3852,7 +3872,7 @@
     </message>
     <message>
         <source>in {}</source>
-        <translation type="unfinished"></translation>
+        <translation>dans {}</translation>
     </message>
     <message>
         <source>inflated</source>
@@ -3860,7 +3880,7 @@
     </message>
     <message>
         <source>inflated {0}, {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>gonflé {0}, {1}</translation>
     </message>
     <message>
         <source>inflating</source>
@@ -3888,7 +3908,7 @@
     </message>
     <message>
         <source>laying out, {0} so far</source>
-        <translation type="unfinished"></translation>
+        <translation>disposition, {0} jusqu'ici</translation>
     </message>
     <message>
         <source>left</source>
@@ -3904,7 +3924,7 @@
     </message>
     <message>
         <source>less than its {} with a margin of {} ({})</source>
-        <translation type="unfinished"></translation>
+        <translation>moins que ses {} avec une marge de {} ({})</translation>
     </message>
     <message>
         <source>lift</source>
@@ -3912,7 +3932,7 @@
     </message>
     <message>
         <source>loose: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>détendu : {}</translation>
     </message>
     <message>
         <source>lower</source>
@@ -3936,7 +3956,7 @@
     </message>
     <message>
         <source>no file was written</source>
-        <translation type="unfinished"></translation>
+        <translation>aucun fichier n'a été écrit</translation>
     </message>
     <message>
         <source>no layer is written: name at least CUT.</source>
@@ -3976,7 +3996,7 @@
     </message>
     <message>
         <source>printing</source>
-        <translation type="unfinished"></translation>
+        <translation>impression</translation>
     </message>
     <message>
         <source>right</source>
@@ -3984,7 +4004,7 @@
     </message>
     <message>
         <source>safe to {}, margin {}</source>
-        <translation type="unfinished"></translation>
+        <translation>sûr jusqu'à {}, marge {}</translation>
     </message>
     <message>
         <source>seal width</source>
@@ -4016,7 +4036,7 @@
     </message>
     <message>
         <source>stopped; {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>arrêté ; {0}.</translation>
     </message>
     <message>
         <source>strength</source>
@@ -4040,7 +4060,7 @@
     </message>
     <message>
         <source>the answer is not HTTP</source>
-        <translation type="unfinished"></translation>
+        <translation>la réponse n'est pas du HTTP</translation>
     </message>
     <message>
         <source>the colour "{0}" is not written like #ff0000.</source>
@@ -4048,7 +4068,11 @@
     </message>
     <message>
         <source>the connection ended too soon</source>
-        <translation type="unfinished"></translation>
+        <translation>la connexion s'est terminée trop tôt</translation>
+    </message>
+    <message>
+        <source>the connection timed out</source>
+        <translation>pas de réponse dans le délai</translation>
     </message>
     <message>
         <source>the file name "{0}" may have letters, digits, spaces, _, - and . only.</source>
@@ -4056,7 +4080,7 @@
     </message>
     <message>
         <source>the film weighs {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>le film pèse {0}</translation>
     </message>
     <message>
         <source>the last line of each piece is its CUT.</source>
@@ -4092,7 +4116,7 @@
     </message>
     <message>
         <source>tight: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>tendu : {}</translation>
     </message>
     <message>
         <source>trial {0}, {1}</source>
@@ -4140,11 +4164,11 @@
     </message>
     <message>
         <source>wrinkled: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>plissé : {}</translation>
     </message>
     <message>
         <source>writing files</source>
-        <translation type="unfinished"></translation>
+        <translation>écriture des fichiers</translation>
     </message>
     <message>
         <source>{0} "{1}" is none of {2}.</source>
@@ -4152,7 +4176,7 @@
     </message>
     <message>
         <source>{0} ({1}, margin {2})</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ({1}, marge {2})</translation>
     </message>
     <message>
         <source>{0} It is left out.</source>
@@ -4184,7 +4208,7 @@
     </message>
     <message>
         <source>{0} does not have the native solver (answer {1}). Try again later. {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} n'a pas le solveur natif (réponse {1}). Réessayez plus tard. {2}</translation>
     </message>
     <message>
         <source>{0} dots per inch cannot be printed well: give {1} to {2}.</source>
@@ -4192,11 +4216,11 @@
     </message>
     <message>
         <source>{0} gap between the lines closed, the widest {1} of the drawing's width.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} écart entre les lignes fermé, large de {1} de la largeur du dessin.</translation>
     </message>
     <message>
         <source>{0} gaps between the lines closed, the widest {1} of the drawing's width.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} écarts entre les lignes fermés, le plus large {1} de la largeur du dessin.</translation>
     </message>
     <message>
         <source>{0} has interface {1}, but {2} is needed.</source>
@@ -4252,7 +4276,7 @@
     </message>
     <message>
         <source>{0} is damaged: install the workbench anew, or go on without the native solver.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} est abîmé : réinstallez l'atelier, ou continuez sans le solveur natif.</translation>
     </message>
     <message>
         <source>{0} is empty: draw a closed line in it.</source>
@@ -4308,19 +4332,19 @@
     </message>
     <message>
         <source>{0} lifts {1}, {2}: no, at no size.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} : porte {1}, {2} ; non, à aucune taille.</translation>
     </message>
     <message>
         <source>{0} lifts {1}, {2}: no. From {3} width on it would.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} : porte {1}, {2} ; non. À partir de {3} de large, si.</translation>
     </message>
     <message>
         <source>{0} lifts {1}, {2}: yes, and it carries {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} : porte {1}, {2} ; oui, et le ballon porte encore {3}.</translation>
     </message>
     <message>
         <source>{0} mm on paper = {1} of film</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} mm sur le papier = {1} de film</translation>
     </message>
     <message>
         <source>{0} must never be cut with a laser: choose a machine with a knife.</source>
@@ -4332,11 +4356,11 @@
     </message>
     <message>
         <source>{0} of a roll {1} wide</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} d'un rouleau de {1} de large</translation>
     </message>
     <message>
         <source>{0} of its size</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} de sa taille</translation>
     </message>
     <message>
         <source>{0} open line was left out.</source>
@@ -4392,27 +4416,27 @@
     </message>
     <message>
         <source>{0} wide, {1} long</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} de large, {1} de long</translation>
     </message>
     <message>
         <source>{0} with valve {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} avec une valve de {1}</translation>
     </message>
     <message>
-        <source>{0}: it is written all the same.</source>
-        <translation type="unfinished"></translation>
+        <source>{0}: lay its pieces out on sheets of that size, make the balloon smaller, or write the file anyway.</source>
+        <translation>{0} : disposez ses pièces sur des feuilles de cette taille, réduisez le ballon, ou faites écrire le fichier quand même.</translation>
     </message>
     <message>
-        <source>{0}: lay its pieces out on sheets of that size, make the balloon smaller, or have the file written all the same.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0}: make the balloon smaller, choose another machine or paper, or have the file written all the same.</source>
-        <translation type="unfinished"></translation>
+        <source>{0}: make the balloon smaller, choose another machine or paper, or write the file anyway.</source>
+        <translation>{0} : réduisez le ballon, choisissez une autre machine ou un autre papier, ou faites écrire le fichier quand même.</translation>
     </message>
     <message>
         <source>{0}: pieces {1}, on {2}, {3} used</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} : pièces {1}, sur {2}, {3} utilisés</translation>
+    </message>
+    <message>
+        <source>{0}: the file is written anyway.</source>
+        <translation>{0} : le fichier est écrit quand même.</translation>
     </message>
     <message>
         <source>{0}: turn the pattern by 90 degrees there.</source>
@@ -4420,7 +4444,7 @@
     </message>
     <message>
         <source>{0}; wider than the usual roll</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ; plus large que le rouleau habituel</translation>
     </message>
     <message>
         <source>{0}what is shown is the last good state. Lower the pressure or change the mesh size.</source>
@@ -4428,7 +4452,7 @@
     </message>
     <message>
         <source>{} MB from {}; the file is checked before it is used, and nothing is sent.</source>
-        <translation type="unfinished"></translation>
+        <translation>{} MB de {} ; le fichier est vérifié avant d'être utilisé, et rien n'est envoyé.</translation>
     </message>
     <message>
         <source>{} at ({})</source>
@@ -4440,19 +4464,19 @@
     </message>
     <message>
         <source>{} is there already: give another name.</source>
-        <translation type="unfinished"></translation>
+        <translation>{} existe déjà : donnez un autre nom.</translation>
     </message>
     <message>
         <source>{} is there already: tick "Replace the file", or give another name.</source>
-        <translation type="unfinished"></translation>
+        <translation>{} existe déjà : cochez « Remplacer le fichier », ou donnez un autre nom.</translation>
     </message>
     <message>
         <source>{} ms, {}, frame {} of {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} ms, {}, image {} sur {}</translation>
     </message>
     <message>
         <source>{} of it wrinkles, {} is loose</source>
-        <translation type="unfinished"></translation>
+        <translation>{} plissé, {} détendu</translation>
     </message>
     <message>
         <source>{} of {}</source>
@@ -4468,15 +4492,15 @@
     </message>
     <message>
         <source>{}, carries {} with {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}, porte {} avec {}</translation>
     </message>
     <message>
         <source>{}, floats from {} width on with {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}, flotte dès {} de large avec {}</translation>
     </message>
     <message>
         <source>{}, never floats with {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}, ne flotte jamais avec {}</translation>
     </message>
     <message>
         <source>{}, seam {}</source>
@@ -4484,11 +4508,11 @@
     </message>
     <message>
         <source>{}: film {}, seam and neck {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} : film {}, couture et col {}</translation>
     </message>
     <message>
         <source>{}: film {}, seam and neck {}, valve {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} : film {}, couture et col {}, valve {}</translation>
     </message>
     <message>
         <source>{}: {}</source>

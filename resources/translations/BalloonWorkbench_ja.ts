@@ -17,7 +17,7 @@
     </message>
     <message>
         <source>Air that it holds, as a share of what a round balloon of as much film would</source>
-        <translation type="unfinished"></translation>
+        <translation>入る空気の量（同じ量のフィルムで作る丸い風船に対する割合）</translation>
     </message>
     <message>
         <source>Another picture for the back; empty takes that of the front</source>
@@ -196,10 +196,6 @@
         <translation>自分の重さを支えて浮く</translation>
     </message>
     <message>
-        <source>It has a place; a new object is given one</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Label of the values the mesh belongs to</source>
         <translation>このメッシュが対応する値の識別子</translation>
     </message>
@@ -313,7 +309,7 @@
     </message>
     <message>
         <source>Part of the film's area that hangs loose</source>
-        <translation type="unfinished"></translation>
+        <translation>たるんでいるフィルム面積の割合</translation>
     </message>
     <message>
         <source>Part of the film's area that is wrinkled</source>
@@ -365,7 +361,7 @@
     </message>
     <message>
         <source>Repairs that were made in the drawing, one each; delete an entry to take it back</source>
-        <translation type="unfinished"></translation>
+        <translation>図に加えた修正（1 行に 1 つ）。行を消すと元に戻る</translation>
     </message>
     <message>
         <source>Result that is shown as colours, with a legend</source>
@@ -409,7 +405,7 @@
     </message>
     <message>
         <source>The balloon shown has come to rest</source>
-        <translation type="unfinished"></translation>
+        <translation>表示している風船が静止している</translation>
     </message>
     <message>
         <source>The balloon that is cut from this pattern</source>
@@ -450,6 +446,10 @@
     <message>
         <source>The whole report as JSON</source>
         <translation>レポート全体（JSON）</translation>
+    </message>
+    <message>
+        <source>The workbench has given it a place</source>
+        <translation>位置が決まっている（新しいオブジェクトには自動で位置が決まる）</translation>
     </message>
     <message>
         <source>Thickness of the film</source>
@@ -556,8 +556,8 @@
         <translation>自動で決める位置：中心から最も遠い所、または結んだ風船が真っすぐ下がる低い所</translation>
     </message>
     <message>
-        <source>Where it was put, unless by the user</source>
-        <translation type="unfinished"></translation>
+        <source>Where the workbench put it</source>
+        <translation>自動で置かれた位置（ユーザーが動かした場合を除く）</translation>
     </message>
     <message>
         <source>Whether a laser may cut this film</source>
@@ -627,6 +627,10 @@
         <translation> の準備ができていません：</translation>
     </message>
     <message>
+        <source>"{0}" is no choice for a pattern larger than the bed: choose {1}.</source>
+        <translation>大きすぎる型紙の扱い方「{0}」はありません。{1} から選んでください。</translation>
+    </message>
+    <message>
         <source>"{0}" is no colour: give one such as "#cc294d".</source>
         <translation>「{0}」は色ではありません。「#cc294d」のように入力してください。</translation>
     </message>
@@ -648,7 +652,7 @@
     </message>
     <message>
         <source>'{0}' is a pipe or a device: save what comes from it, and name that file.</source>
-        <translation type="unfinished"></translation>
+        <translation>「{0}」はパイプかデバイスです。そこから来る内容をファイルに保存し、そのファイルを指定してください。</translation>
     </message>
     <message>
         <source>'{0}' is colder than anything; write a temperature as 20C, 68F or 293K.</source>
@@ -684,7 +688,7 @@
     </message>
     <message>
         <source>'{0}' is no size: write 500mm for a width, 500mmx700mm for width and height.</source>
-        <translation type="unfinished"></translation>
+        <translation>「{0}」は大きさではありません。幅だけなら 500mm、幅と高さなら 500mmx700mm のように書いてください。</translation>
     </message>
     <message>
         <source>'{0}' is not a drawing that can be read. Use PNG, JPEG, BMP, SVG, DXF or JSON.</source>
@@ -704,7 +708,7 @@
     </message>
     <message>
         <source>'{0}' is not a {1}; write it like {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>「{0}」は使えません（{1}）。{2} のように書いてください。</translation>
     </message>
     <message>
         <source>'{}' is not a picture. Save it as PNG, JPEG or BMP once more.</source>
@@ -712,11 +716,19 @@
     </message>
     <message>
         <source>, about {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>、約 {0}</translation>
     </message>
     <message>
         <source>, estimated: the film did not come to rest</source>
         <translation>、推定値：フィルムが静止しませんでした</translation>
+    </message>
+    <message>
+        <source>--oversize scale makes the balloon smaller until it fits, --oversize write writes the file anyway, --bed tells how large the bed is.</source>
+        <translation>--oversize scale は収まるまで風船を小さくし、--oversize write はそのままファイルを書き出し、--bed は加工台の大きさを指定します。</translation>
+    </message>
+    <message>
+        <source>--target-volume and --target-lift decide the size: leave out --width and --height.</source>
+        <translation>大きさは --target-volume と --target-lift で決まります。--width と --height を省いてください。</translation>
     </message>
     <message>
         <source>1 to {0} pieces can be laid out, not {1}.</source>
@@ -727,8 +739,12 @@
         <translation>風船に「{0}」という値はありません。使えるもの：{1}。</translation>
     </message>
     <message>
+        <source>A bed is that of a machine: give --machine too.</source>
+        <translation>加工台は機械のものです。--machine も指定してください。</translation>
+    </message>
+    <message>
         <source>A bed is {0} mm to {1} mm wide and high: write 600mmx400mm, 600mm for a roll, or {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>加工台の幅と高さは {0} mm～{1} mm です。600mmx400mm、ロールなら 600mm、または {2} と書いてください。</translation>
     </message>
     <message>
         <source>A corner relief of {0} would cut into the weld: choose a smaller radius or a wider allowance.</source>
@@ -740,7 +756,7 @@
     </message>
     <message>
         <source>A file of this name is there already</source>
-        <translation type="unfinished"></translation>
+        <translation>この名前のファイルはすでにあります</translation>
     </message>
     <message>
         <source>A hole meets the outline or another hole at {0}; keep some film between them.</source>
@@ -756,19 +772,19 @@
     </message>
     <message>
         <source>A layout is as large as its film: give the film the size of the bed there.</source>
-        <translation type="unfinished"></translation>
+        <translation>配置の大きさはフィルムの大きさと同じです。フィルムの大きさを加工台に合わせてください。</translation>
     </message>
     <message>
         <source>A lift of {0} cannot be made: give one such as 5g.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} の浮力は作れません。5g のように指定してください。</translation>
     </message>
     <message>
         <source>A lift of {0} is out of reach: {1} large, this balloon would carry {2}. Choose a lighter film or gas, a smaller lift, or a rounder shape.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} の浮力は得られません。{1} の大きさでも持ち上げられるのは {2} です。軽いフィルムや気体、小さな浮力、丸い形を選んでください。</translation>
     </message>
     <message>
         <source>A lift of {0} is out of reach: {1} large, this balloon would lack {2}. Choose a lighter film or gas, a smaller lift, or a rounder shape.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} の浮力は得られません。{1} の大きさでも {2} 足りません。軽いフィルムや気体、小さな浮力、丸い形を選んでください。</translation>
     </message>
     <message>
         <source>A mesh of {0} is too coarse for a shape of {1}: use at most {2}.</source>
@@ -815,16 +831,12 @@
         <translation>単純なポリラインだけを読む厳格なプログラムです。レイヤーは色で区別されます。赤、青、オレンジを切り、ほかの色はすべて出力を「なし」にしてください。</translation>
     </message>
     <message>
-        <source>A target decides the size: leave out --width and --height.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>A volume of {0} cannot be made: give one such as 10l.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} の体積は作れません。10l のように指定してください。</translation>
     </message>
     <message>
-        <source>A volume or a lift decides the size: choose less of it.</source>
-        <translation type="unfinished"></translation>
+        <source>A volume or a lift decides the size, so the balloon cannot be scaled to fit: leave out --oversize scale, or what you give of --target-volume, --target-lift and --gas-volume.</source>
+        <translation>大きさは体積か浮力で決まるため、風船を収まるように縮められません。--oversize scale か、指定した --target-volume、--target-lift、--gas-volume を省いてください。</translation>
     </message>
     <message>
         <source>A volume to inflate to and a goal for the size exclude each other: leave one out.</source>
@@ -832,7 +844,7 @@
     </message>
     <message>
         <source>A web page came instead of the native solver, as some networks send before one has signed in. Open {0} in a browser, then try again. {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>ネイティブソルバーではなく Web ページが届きました。サインインするまでこうなるネットワークがあります。ブラウザーで {0} を開いてから、もう一度試してください。{1}</translation>
     </message>
     <message>
         <source>A weld has no length; draw a line, or a circle for a spot.</source>
@@ -848,11 +860,11 @@
     </message>
     <message>
         <source>A weld runs too near to another one or to the outline at {0} for this mesh: move it away, or use a smaller mesh size.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} で溶着線が別の溶着線か輪郭に近すぎて、このメッシュでは扱えません。離すか、メッシュを細かくしてください。</translation>
     </message>
     <message>
         <source>A {0} of {1} cannot be made; choose one between 1 mm and 100 m.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} {1} は作れません。1 mm～100 m にしてください。</translation>
     </message>
     <message>
         <source>Across</source>
@@ -864,7 +876,7 @@
     </message>
     <message>
         <source>Advice ({0}), at {1}: {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>助言（{0}）、{1}：{2}</translation>
     </message>
     <message>
         <source>Air intake</source>
@@ -984,7 +996,7 @@
     </message>
     <message>
         <source>Balloon: {0}, {1}, solver {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>風船：{0}、{1}、ソルバー {2}</translation>
     </message>
     <message>
         <source>Balloons</source>
@@ -996,7 +1008,7 @@
     </message>
     <message>
         <source>Bed</source>
-        <translation type="unfinished"></translation>
+        <translation>加工台</translation>
     </message>
     <message>
         <source>Bending stiffness</source>
@@ -1044,15 +1056,15 @@
     </message>
     <message>
         <source>Check, {0}: {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>確認（{0}）：{1}</translation>
     </message>
     <message>
         <source>Check: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>確認：{0}</translation>
     </message>
     <message>
         <source>Checked: ready to make.</source>
-        <translation type="unfinished"></translation>
+        <translation>確認済み：作れます。</translation>
     </message>
     <message>
         <source>Checking the pattern</source>
@@ -1260,23 +1272,23 @@
     </message>
     <message>
         <source>Fetch</source>
-        <translation type="unfinished"></translation>
+        <translation>取得する</translation>
     </message>
     <message>
         <source>Fetch the native solver ...</source>
-        <translation type="unfinished"></translation>
+        <translation>ネイティブソルバーを取得…</translation>
     </message>
     <message>
         <source>Fetches the native solver of this version, checks its SHA-256 and puts it in its place.</source>
-        <translation type="unfinished"></translation>
+        <translation>この版のネイティブソルバーを取得し、SHA-256 を確かめて所定の場所に置きます。</translation>
     </message>
     <message>
         <source>Fetching the native solver</source>
-        <translation type="unfinished"></translation>
+        <translation>ネイティブソルバーを取得しています</translation>
     </message>
     <message>
         <source>Fetching {0} ({1} MB) into {2}; only the file with SHA-256 {3} is kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}（{1} MB）を {2} に取得します。残すのは SHA-256 が {3} のファイルだけです。</translation>
     </message>
     <message>
         <source>File</source>
@@ -1284,7 +1296,7 @@
     </message>
     <message>
         <source>Files written to {}</source>
-        <translation type="unfinished"></translation>
+        <translation>ファイルを {} に書き出しました</translation>
     </message>
     <message>
         <source>Fill</source>
@@ -1300,19 +1312,19 @@
     </message>
     <message>
         <source>Fill to {pressure}, never above {safe}: film and seam then keep a margin of {margin}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{pressure} までふくらませ、{safe} を超えないようにします。フィルムと継ぎ目に {margin} 倍の余裕が残ります。</translation>
     </message>
     <message>
         <source>Fill to {pressure}, never above {safe}: film and weld then keep a margin of {margin}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{pressure} までふくらませ、{safe} を超えないようにします。フィルムと溶着線に {margin} 倍の余裕が残ります。</translation>
     </message>
     <message>
         <source>Fill to {safe} at most: {pressure} is more than film and seam bear with a margin of {margin}. Mind your eyes.</source>
-        <translation type="unfinished"></translation>
+        <translation>ふくらませるのは {safe} までにします。{pressure} は、フィルムと継ぎ目が {margin} 倍の余裕で耐えられる圧力を超えています。目を守ってください。</translation>
     </message>
     <message>
         <source>Fill to {safe} at most: {pressure} is more than film and weld bear with a margin of {margin}. Mind your eyes.</source>
-        <translation type="unfinished"></translation>
+        <translation>ふくらませるのは {safe} までにします。{pressure} は、フィルムと溶着線が {margin} 倍の余裕で耐えられる圧力を超えています。目を守ってください。</translation>
     </message>
     <message>
         <source>Fill with air a little and brush soapy water along the weld: bubbles show leaks. Weld once more there.</source>
@@ -1336,7 +1348,7 @@
     </message>
     <message>
         <source>Film needed: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>必要なフィルム：{0}</translation>
     </message>
     <message>
         <source>Film of your own</source>
@@ -1348,11 +1360,11 @@
     </message>
     <message>
         <source>Film {0} large is too much: write 500mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} のフィルムは大きすぎます。500mm のように書いてください。</translation>
     </message>
     <message>
         <source>Film: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>フィルム：{0}</translation>
     </message>
     <message>
         <source>Films</source>
@@ -1384,7 +1396,7 @@
     </message>
     <message>
         <source>For {0} the drawing would be {1} large: choose a volume that makes it {2} to {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} にすると図の大きさは {1} になります。{2}～{3} になる体積を選んでください。</translation>
     </message>
     <message>
         <source>Forced</source>
@@ -1395,16 +1407,20 @@
         <translation>コマは時間ではなく動きに対して等間隔です。質量はフィルムだけにあり、気体にはありません。</translation>
     </message>
     <message>
-        <source>FreeCAD cannot make it ({0}). {1}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>FreeCAD ended ({0}). {1}</source>
-        <translation type="unfinished"></translation>
+        <source>FreeCAD cannot make the document ({0}). {1}</source>
+        <translation>FreeCAD で作れません（{0}）。{1}</translation>
     </message>
     <message>
         <source>FreeCAD has no material card "{0}": choose one of its material editor.</source>
         <translation>FreeCAD に材料カード「{0}」はありません。材料エディターのカードから選んでください。</translation>
+    </message>
+    <message>
+        <source>FreeCAD needs a home folder and a temporary folder that it can write to, and enough memory.</source>
+        <translation>書き込めるホームフォルダーと一時フォルダー、それにメモリーが必要です。</translation>
+    </message>
+    <message>
+        <source>FreeCAD stopped before the document was done ({0}). {1}</source>
+        <translation>FreeCAD が途中で終了しました（{0}）。{1}</translation>
     </message>
     <message>
         <source>From the flat film to the balloon at rest</source>
@@ -1420,7 +1436,7 @@
     </message>
     <message>
         <source>Gaps of up to {0} between lines were closed.</source>
-        <translation type="unfinished"></translation>
+        <translation>線の間の {0} までのすき間を閉じました。</translation>
     </message>
     <message>
         <source>Gas</source>
@@ -1428,11 +1444,11 @@
     </message>
     <message>
         <source>Give --artwork for the front too.</source>
-        <translation type="unfinished"></translation>
+        <translation>表の --artwork も指定してください。</translation>
     </message>
     <message>
         <source>Give either --material, or all of --young, --poisson and --thickness.</source>
-        <translation type="unfinished"></translation>
+        <translation>--material か、--young、--poisson、--thickness の三つすべてを指定してください。</translation>
     </message>
     <message>
         <source>Give either a volume or a lift as the goal.</source>
@@ -1452,11 +1468,11 @@
     </message>
     <message>
         <source>Glue a strip of {seal} along the dashed line. Let it dry under a weight.</source>
-        <translation type="unfinished"></translation>
+        <translation>破線に沿って幅 {seal} で接着します。重しをのせて乾かします。</translation>
     </message>
     <message>
         <source>Glue a strip of {seal} along the dashed line; leave the mouth of the neck open. Let it dry under a weight.</source>
-        <translation type="unfinished"></translation>
+        <translation>破線に沿って幅 {seal} で接着します。首の口は開けておきます。重しをのせて乾かします。</translation>
     </message>
     <message>
         <source>Glue the lines inside the balloon.</source>
@@ -1580,7 +1596,7 @@
     </message>
     <message>
         <source>It holds {} of the air that a round balloon of as much film would.</source>
-        <translation type="unfinished"></translation>
+        <translation>入る空気は、同じ量のフィルムで作る丸い風船の {} です。</translation>
     </message>
     <message>
         <source>It is not inflated yet: choose Inflate now in its context menu, or switch Live on.</source>
@@ -1591,16 +1607,12 @@
         <translation>広くしました。Ctrl+Z で元に戻せます。</translation>
     </message>
     <message>
-        <source>It needs a home folder and a temporary folder that it can write to, and memory.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Join the panels along the dashed line, {seal} wide, all the way round.</source>
-        <translation type="unfinished"></translation>
+        <translation>破線に沿って幅 {seal} で、ぐるりと 1 周接合します。</translation>
     </message>
     <message>
         <source>Join the panels along the dashed line, {seal} wide; leave the mouth of the neck open.</source>
-        <translation type="unfinished"></translation>
+        <translation>破線に沿って幅 {seal} で接合します。首の口は開けておきます。</translation>
     </message>
     <message>
         <source>Join the panels along the lines inside the balloon.</source>
@@ -1684,7 +1696,7 @@
     </message>
     <message>
         <source>Left out: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>省きました：{0}</translation>
     </message>
     <message>
         <source>Length</source>
@@ -1744,7 +1756,7 @@
     </message>
     <message>
         <source>Loose ends of lines were joined to the drawing.</source>
-        <translation type="unfinished"></translation>
+        <translation>線の端を図につなぎました。</translation>
     </message>
     <message>
         <source>Low</source>
@@ -1768,7 +1780,7 @@
     </message>
     <message>
         <source>Make the balloon smaller and inflate it again, until its pattern fits the bed. Weld and allowance keep their widths; one undo takes it back</source>
-        <translation type="unfinished"></translation>
+        <translation>型紙が加工台に収まるまで、風船を小さくしてふくらませ直します。溶着と余白の幅は変わりません。「元に戻す」1 回で戻ります</translation>
     </message>
     <message>
         <source>Marks</source>
@@ -1835,8 +1847,8 @@
         <translation>ネイティブ</translation>
     </message>
     <message>
-        <source>Near {0} the inflated outline stays up to {1} from the drawing, along {2}: film cannot follow it there. Round it off or widen it.</source>
-        <translation type="unfinished"></translation>
+        <source>Near {0} the inflated outline stays up to {1} from the drawing, over a length of {2}: film cannot follow it there. Round it off or widen it.</source>
+        <translation>{0} 付近で、ふくらんだ輪郭が {2} にわたって図から最大 {1} 離れます。フィルムはそこに追従できません。丸めるか広げてください。</translation>
     </message>
     <message>
         <source>Neck that chokes the air path</source>
@@ -1880,7 +1892,7 @@
     </message>
     <message>
         <source>No file could be made.</source>
-        <translation type="unfinished"></translation>
+        <translation>ファイルを 1 つも作れませんでした。</translation>
     </message>
     <message>
         <source>No file for {0}: {1}</source>
@@ -1888,7 +1900,7 @@
     </message>
     <message>
         <source>No limit</source>
-        <translation type="unfinished"></translation>
+        <translation>制限なし</translation>
     </message>
     <message>
         <source>No pattern can be drawn anew without it; documents keep theirs.</source>
@@ -1903,8 +1915,8 @@
         <translation>画像の中に形が見つかりません。はっきりした色か、無地に近い背景にしてください。</translation>
     </message>
     <message>
-        <source>No size of the balloon fits a bed of {0}: weld, allowance, intake and bar keep theirs. Choose another machine.</source>
-        <translation type="unfinished"></translation>
+        <source>No size of the balloon fits a bed of {0}: weld, allowance, intake and control bar keep their sizes. Choose another machine.</source>
+        <translation>風船をどの大きさにしても {0} の加工台に収まりません。溶着、余白、注入口、確認用の棒の大きさは変わらないためです。別の機械を選んでください。</translation>
     </message>
     <message>
         <source>No solver works here.</source>
@@ -1912,7 +1924,7 @@
     </message>
     <message>
         <source>No solver works here: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>使えるソルバーがありません：{0}</translation>
     </message>
     <message>
         <source>No solver works here: {0} Build it or install the package scipy.</source>
@@ -1920,7 +1932,7 @@
     </message>
     <message>
         <source>No, use NumPy</source>
-        <translation type="unfinished"></translation>
+        <translation>いいえ、NumPy を使う</translation>
     </message>
     <message>
         <source>None</source>
@@ -1944,7 +1956,7 @@
     </message>
     <message>
         <source>Note: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>注意：{0}</translation>
     </message>
     <message>
         <source>Nothing can be computed without it; documents open and keep their shapes.</source>
@@ -1964,11 +1976,11 @@
     </message>
     <message>
         <source>NumPy computes the same, 20 to 30 times slower.</source>
-        <translation type="unfinished"></translation>
+        <translation>NumPy でも同じ計算ができますが、20～30 倍の時間がかかります。</translation>
     </message>
     <message>
         <source>NumPy took 20 to 30 times longer than the native solver, which fetch-solver fetches.</source>
-        <translation type="unfinished"></translation>
+        <translation>NumPy での計算には、ネイティブソルバーの 20～30 倍の時間がかかりました。ネイティブソルバーは fetch-solver で取得できます。</translation>
     </message>
     <message>
         <source>Numbers</source>
@@ -1988,11 +2000,11 @@
     </message>
     <message>
         <source>Off the drawing: {0} on average, at most {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>図からのずれ：平均 {0}、最大 {1}</translation>
     </message>
     <message>
         <source>Offer the native solver where it is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>ネイティブソルバーがないときに取得するか尋ねる</translation>
     </message>
     <message>
         <source>On the way of the valve the balloon narrows to {0} at {1}; its channel takes {2} with its welds there. Make the neck wider or put it elsewhere, else the weld closes the valve.</source>
@@ -2012,7 +2024,7 @@
     </message>
     <message>
         <source>Only a film with another stiffness across has a grain: give --young-across too.</source>
-        <translation type="unfinished"></translation>
+        <translation>流れ方向があるのは、直角方向の硬さが違うフィルムだけです。--young-across も指定してください。</translation>
     </message>
     <message>
         <source>Only grades of this film with a sealing layer weld: try scraps before you cut.</source>
@@ -2044,11 +2056,11 @@
     </message>
     <message>
         <source>Outline {}</source>
-        <translation type="unfinished"></translation>
+        <translation>輪郭 {}</translation>
     </message>
     <message>
         <source>Outline {}, holes: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>輪郭 {}、穴：{} 個</translation>
     </message>
     <message>
         <source>PDF files need it; DXF, SVG and HPGL can be written.</source>
@@ -2116,7 +2128,7 @@
     </message>
     <message>
         <source>Pattern {0} ({1} x {2} in), pages: {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>型紙 {0}（{1} x {2} インチ）、{3} ページ。</translation>
     </message>
     <message>
         <source>Pattern, cut two (one mirrored)</source>
@@ -2160,7 +2172,7 @@
     </message>
     <message>
         <source>Pieces: {}, on {}, {} used</source>
-        <translation type="unfinished"></translation>
+        <translation>部品：{} 個、フィルム {}、使用率 {}</translation>
     </message>
     <message>
         <source>Place</source>
@@ -2228,7 +2240,7 @@
     </message>
     <message>
         <source>Pressure: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>圧力：{0}</translation>
     </message>
     <message>
         <source>Previews and labels need it; everything else works.</source>
@@ -2240,7 +2252,7 @@
     </message>
     <message>
         <source>Print {0} at {1} dpi, front and back</source>
-        <translation type="unfinished"></translation>
+        <translation>印刷 {0}、{1} dpi、表と裏</translation>
     </message>
     <message>
         <source>Pull a line; then move the pointer to bend it, and click. A right click keeps it straight.</source>
@@ -2276,7 +2288,7 @@
     </message>
     <message>
         <source>Ready to make. Paint on, or press Make it!</source>
-        <translation type="unfinished"></translation>
+        <translation>作れます。続けて描くか「作る！」を押してください。</translation>
     </message>
     <message>
         <source>Real size, to cut out by hand. Print at 100 % and measure the control bar.</source>
@@ -2300,7 +2312,7 @@
     </message>
     <message>
         <source>Replace the file</source>
-        <translation type="unfinished"></translation>
+        <translation>ファイルを置き換える</translation>
     </message>
     <message>
         <source>Result</source>
@@ -2332,7 +2344,7 @@
     </message>
     <message>
         <source>Round this hole the balloon will not lie quite flat: a closed tube wants to curve more and twists out of its plane, here by about {length}.</source>
-        <translation type="unfinished"></translation>
+        <translation>この穴のまわりで風船は完全には平らになりません。閉じた管は余計に曲がろうとして面から {length} ほどねじれ出ます。</translation>
     </message>
     <message>
         <source>Round with a radius of</source>
@@ -2352,11 +2364,11 @@
     </message>
     <message>
         <source>Safe pressure: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>安全な圧力：{0}</translation>
     </message>
     <message>
         <source>Safe pressure: {0}, less than its {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>安全な圧力：{0}、現在の {1} 未満</translation>
     </message>
     <message>
         <source>Safe to</source>
@@ -2372,11 +2384,15 @@
     </message>
     <message>
         <source>Scale to fit</source>
-        <translation type="unfinished"></translation>
+        <translation>収まるように縮める</translation>
+    </message>
+    <message>
+        <source>Scaled to fit: the drawing is {0} wide instead of {1}.</source>
+        <translation>収まるように縮めました：図の幅は {1} から {0} になりました。</translation>
     </message>
     <message>
         <source>Scaled to fit: {} wide instead of {}.</source>
-        <translation type="unfinished"></translation>
+        <translation>収まるように縮めました：幅は {1} から {0} になりました。</translation>
     </message>
     <message>
         <source>SciPy triangulates instead, a little slower.</source>
@@ -2400,7 +2416,7 @@
     </message>
     <message>
         <source>Seam length: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>継ぎ目の長さ：{0}</translation>
     </message>
     <message>
         <source>Second panel, mirrored</source>
@@ -2464,7 +2480,7 @@
     </message>
     <message>
         <source>Simulations use NumPy. "What works here" in the menu fetches the native solver later.</source>
-        <translation type="unfinished"></translation>
+        <translation>シミュレーションには NumPy を使います。ネイティブソルバーは、後でメニューの「この環境で使えるもの」から取得できます。</translation>
     </message>
     <message>
         <source>Size</source>
@@ -2576,11 +2592,11 @@
     </message>
     <message>
         <source>Tape along the dashed line, {seal} wide, all the way round.</source>
-        <translation type="unfinished"></translation>
+        <translation>破線に沿って幅 {seal} で、ぐるりと 1 周テープで留めます。</translation>
     </message>
     <message>
         <source>Tape along the dashed line, {seal} wide; leave the mouth of the neck open.</source>
-        <translation type="unfinished"></translation>
+        <translation>破線に沿って幅 {seal} でテープで留めます。首の口は開けておきます。</translation>
     </message>
     <message>
         <source>Taped seam</source>
@@ -2676,7 +2692,7 @@
     </message>
     <message>
         <source>The Young's modulus across the grain {0} is too large for one along it of {1}: turn the grain by 90 degrees and exchange the two.</source>
-        <translation type="unfinished"></translation>
+        <translation>流れに直角のヤング率 {0} は、流れ方向の {1} に対して大きすぎます。流れ方向を 90 度回し、二つを入れ替えてください。</translation>
     </message>
     <message>
         <source>The altitude {0} m is out of range: give one up to 11000 m.</source>
@@ -2704,7 +2720,7 @@
     </message>
     <message>
         <source>The connection to {0} ended before the whole native solver had come. Try again. {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>ネイティブソルバーをすべて受け取る前に {0} との接続が切れました。もう一度試してください。{1}</translation>
     </message>
     <message>
         <source>The drawing cannot be reached everywhere: the silhouette is up to {} off it.</source>
@@ -2771,10 +2787,6 @@
         <translation>図（コピーが文書に入ります）</translation>
     </message>
     <message>
-        <source>The end of this tip stays flat, over {length}. A radius of {wanted} makes it rounder.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The file is XML but no SVG drawing. Choose a drawing.</source>
         <translation>このファイルは XML ですが SVG の図ではありません。図を選んでください。</translation>
     </message>
@@ -2789,6 +2801,10 @@
     <message>
         <source>The file of rules {0} is of no use: {1}. Install it anew.</source>
         <translation>規則のファイル {0} が使えません：{1}。入れ直してください。</translation>
+    </message>
+    <message>
+        <source>The file of the pattern</source>
+        <translation>型紙のファイル</translation>
     </message>
     <message>
         <source>The file {0} is of no use: {1}. Install it anew.</source>
@@ -2836,11 +2852,11 @@
     </message>
     <message>
         <source>The hole at {0} is too small for a {1} seal, and its weld reaches {2} into the balloon: make the hole at least {3} wide, or the seal narrower.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} の穴は {1} の溶着には小さすぎ、溶着が風船の中へ {2} 入り込みます。穴を幅 {3} 以上にするか、溶着を細くしてください。</translation>
     </message>
     <message>
         <source>The hole at {0} is welded but not cut out: for that, make it wider than two seals with their allowances, {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} の穴は溶着しますが切り抜きません。切り抜くには、余白込みの溶着 2 本分（{1}）より広くしてください。</translation>
     </message>
     <message>
         <source>The hole at {0} lies in another hole; remove one of them.</source>
@@ -2911,6 +2927,10 @@
         <translation>文字「{0}」の長さは {1} ですが、フィルムの幅は {2} しかありません。短くするか文字を小さくしてください。</translation>
     </message>
     <message>
+        <source>The last {length} of this tip stay flat. A radius of {wanted} makes it rounder.</source>
+        <translation>この先端の端は {length} にわたって平らなままです。半径を {wanted} にするともっとふくらみます。</translation>
+    </message>
+    <message>
         <source>The layer MARK of the machine file {0}.json takes notches only. Rename it NOTCH, and where your machine can draw, add the layers FOLD and PEN.</source>
         <translation>機械のファイル {0}.json のレイヤー MARK には合印しか入りません。名前を NOTCH に変え、機械で描けるならレイヤー FOLD と PEN を加えてください。</translation>
     </message>
@@ -2924,7 +2944,7 @@
     </message>
     <message>
         <source>The layout on film</source>
-        <translation type="unfinished"></translation>
+        <translation>フィルムへの配置</translation>
     </message>
     <message>
         <source>The layout was stopped; nothing was changed.</source>
@@ -2952,27 +2972,23 @@
     </message>
     <message>
         <source>The mesh size is {0}: give one above 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>メッシュの大きさが {0} です。0 より大きくしてください。</translation>
     </message>
     <message>
-        <source>The native solver cannot be kept. {0} {1}</source>
-        <translation type="unfinished"></translation>
+        <source>The native solver cannot be saved. {0}</source>
+        <translation>ネイティブソルバーを保存できません。{0}</translation>
     </message>
     <message>
         <source>The native solver could not be fetched from {0} ({1}). Try again when the network is there. {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>ネイティブソルバーを {0} から取得できませんでした（{1}）。ネットワークにつながるときにもう一度試してください。{2}</translation>
     </message>
     <message>
         <source>The native solver is here already.</source>
-        <translation type="unfinished"></translation>
+        <translation>ネイティブソルバーはすでにあります。</translation>
     </message>
     <message>
         <source>The native solver is in use now.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The native solver is in use.</source>
-        <translation type="unfinished"></translation>
+        <translation>これからはネイティブソルバーを使います。</translation>
     </message>
     <message>
         <source>The native solver is not available: {0} Use the NumPy solver.</source>
@@ -2980,15 +2996,15 @@
     </message>
     <message>
         <source>The native solver is not installed. Everything works without it, but simulations take 20 to 30 times longer. Fetch it now?</source>
-        <translation type="unfinished"></translation>
+        <translation>ネイティブソルバーが入っていません。なくてもすべて動きますが、シミュレーションに 20～30 倍の時間がかかります。今すぐ取得しますか？</translation>
     </message>
     <message>
-        <source>The native solver was fetched, but does not run here: {0} {1}</source>
-        <translation type="unfinished"></translation>
+        <source>The native solver was fetched, but does not run here: {0}</source>
+        <translation>ネイティブソルバーを取得しましたが、この環境では動きません：{0}</translation>
     </message>
     <message>
         <source>The native solver was not fetched: stopped.</source>
-        <translation type="unfinished"></translation>
+        <translation>ネイティブソルバーの取得を停止しました。</translation>
     </message>
     <message>
         <source>The native solver, which is faster, is not available: {0}</source>
@@ -3000,7 +3016,7 @@
     </message>
     <message>
         <source>The options cannot be used ({0}). See --help.</source>
-        <translation type="unfinished"></translation>
+        <translation>オプションが使えません（{0}）。--help を見てください。</translation>
     </message>
     <message>
         <source>The outline cannot be mirrored about its axis: draw it symmetric, or leave that.</source>
@@ -3008,7 +3024,7 @@
     </message>
     <message>
         <source>The outline crosses or nearly touches itself near {0}: separate the parts that meet there.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} 付近で輪郭が交わるか、ほとんど触れています。離してください。</translation>
     </message>
     <message>
         <source>The outline crosses or touches itself and cannot be meshed: separate the parts that meet.</source>
@@ -3028,7 +3044,7 @@
     </message>
     <message>
         <source>The outline's {0} of {1} cannot be made; bring it to a size between 1 mm and 100 m.</source>
-        <translation type="unfinished"></translation>
+        <translation>輪郭の{0} {1} は作れません。1 mm～100 m の大きさにしてください。</translation>
     </message>
     <message>
         <source>The page will be in English, as no font here has the letters of your language: install IPAexGothic or Noto Sans CJK JP, and open this panel again.</source>
@@ -3048,11 +3064,11 @@
     </message>
     <message>
         <source>The pattern crosses itself near {0}: simplify the drawing there.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} 付近で型紙が交わります。そこの図を簡単にしてください。</translation>
     </message>
     <message>
         <source>The pattern has no lines for {0}, which takes {1}: choose another machine.</source>
-        <translation type="unfinished"></translation>
+        <translation>型紙に {0} 用の線がありません（必要：{1}）。別の機械を選んでください。</translation>
     </message>
     <message>
         <source>The pattern is being fitted to the painting ...</source>
@@ -3065,10 +3081,6 @@
     <message>
         <source>The pattern measures {0}, the bed of {1} {2}</source>
         <translation>型紙は {0}、{1} の加工台は {2} です</translation>
-    </message>
-    <message>
-        <source>The patterns' files</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The picture has a single colour. Choose one that shows a shape on a background.</source>
@@ -3104,7 +3116,11 @@
     </message>
     <message>
         <source>The pressure must be positive and at most {0}, not {1}. A party balloon has about 2 kPa.</source>
-        <translation type="unfinished"></translation>
+        <translation>圧力は 0 より大きく {0} 以下にしてください（指定は {1}）。パーティー用の風船は約 2 kPa です。</translation>
+    </message>
+    <message>
+        <source>The print on film</source>
+        <translation>フィルムへの印刷</translation>
     </message>
     <message>
         <source>The radius of the corner relief must be 0 or above.</source>
@@ -3113,6 +3129,10 @@
     <message>
         <source>The repair at {0} no longer fits, {1}: take it back or draw that part anew.</source>
         <translation>{0} の修正は合わなくなりました（{1}）。取り消すか、その部分を描き直してください。</translation>
+    </message>
+    <message>
+        <source>The rest of the job</source>
+        <translation>そのほかのファイル</translation>
     </message>
     <message>
         <source>The seal width must be between 0.01 mm and 1 m, the allowance between 0 and 1 m.</source>
@@ -3124,7 +3144,7 @@
     </message>
     <message>
         <source>The shape is only {0} thick near {1}, too thin for a mesh of {2}: make it thicker there, or use a mesh size of at most {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{1} 付近の太さは {0} しかなく、{2} のメッシュには細すぎます。太くするか、メッシュを {3} 以下にしてください。</translation>
     </message>
     <message>
         <source>The shape touches the {0} border of the picture; if it was cut off there, leave more margin.</source>
@@ -3152,15 +3172,19 @@
     </message>
     <message>
         <source>The size comes from {0}: make it smaller there.</source>
-        <translation type="unfinished"></translation>
+        <translation>大きさは {0} で決まります。そちらで小さくしてください。</translation>
     </message>
     <message>
-        <source>The size of {0} follows an expression: change what that refers to.</source>
-        <translation type="unfinished"></translation>
+        <source>The size follows from a volume or a lift: choose a smaller one.</source>
+        <translation>大きさは体積か浮力で決まります。その値を小さくしてください。</translation>
+    </message>
+    <message>
+        <source>The size of {0} is set by an expression: change the value that it uses.</source>
+        <translation>{0} の大きさは式で決まります。式が参照する値を変えてください。</translation>
     </message>
     <message>
         <source>The smallest radius is {0}, near {1}; {2} follows {3}. It will come out rounder there.</source>
-        <translation type="unfinished"></translation>
+        <translation>最小の半径は {1} 付近の {0} で、{2} が追えるのは {3} までです。そこは丸くなります。</translation>
     </message>
     <message>
         <source>The solver '{0}' needs the Python package scipy. Install it or use the native solver.</source>
@@ -3172,7 +3196,7 @@
     </message>
     <message>
         <source>The summary cannot be shown ({0}); {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>要約を表示できません（{0}）。{1}。</translation>
     </message>
     <message>
         <source>The temperature of the {0}, {1} degrees Celsius, is out of range: give one such as 20C.</source>
@@ -3188,7 +3212,7 @@
     </message>
     <message>
         <source>The volume must be positive, not {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>体積は 0 より大きくしてください（指定は {0}）。</translation>
     </message>
     <message>
         <source>The way from the intake into the balloon narrows to {0}, and the intake is {1} wide: put it where the balloon is wider, else air enters slowly.</source>
@@ -3215,10 +3239,6 @@
         <translation>寸法（{0}）が {1} mm です。300 mm のように 0 より大きくしてください。</translation>
     </message>
     <message>
-        <source>The {0} is {1} off what was wanted: correct the goal by as much.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The {0} line crosses itself near {1}: simplify the drawing there.</source>
         <translation>{0} の線が {1} 付近で交わります。そこの図を簡単にしてください。</translation>
     </message>
@@ -3229,6 +3249,10 @@
     <message>
         <source>The {0} line that begins at {1} is open: programs fill, offset and cut closed lines only. Close it.</source>
         <translation>{1} で始まる {0} の線が閉じていません。塗り、オフセット、切断には閉じた線が必要です。閉じてください。</translation>
+    </message>
+    <message>
+        <source>The {0} misses the goal by {1}: change the goal by as much.</source>
+        <translation>目標（{0}）から {1} ずれました。その分だけ目標を直してください。</translation>
     </message>
     <message>
         <source>The {0} {1} is not between {2} and {3} {4}: give one such as {5}.</source>
@@ -3248,7 +3272,7 @@
     </message>
     <message>
         <source>There is no "{0}" to repair in {1}: see its advice.</source>
-        <translation type="unfinished"></translation>
+        <translation>{1} には直すべき「{0}」がありません。助言を確かめてください。</translation>
     </message>
     <message>
         <source>There is no backend "{0}": choose {1}, or leave it out.</source>
@@ -3284,7 +3308,7 @@
     </message>
     <message>
         <source>There is no language "{0}": choose one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>言語「{0}」はありません。{1} から選んでください。</translation>
     </message>
     <message>
         <source>There is no look "{0}": choose one of {1}.</source>
@@ -3296,11 +3320,11 @@
     </message>
     <message>
         <source>There is no native solver for {0}. {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} 用のネイティブソルバーはありません。{1}</translation>
     </message>
     <message>
         <source>There is no native solver to be fetched for this version yet. {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>この版のネイティブソルバーはまだ取得できません。{0}</translation>
     </message>
     <message>
         <source>There is no outline at {0} degrees from the centre: choose another intake angle.</source>
@@ -3335,10 +3359,6 @@
         <translation>対称「{0}」はありません。{1} から選んでください。</translation>
     </message>
     <message>
-        <source>There is no way "{0}" with a large pattern: choose {1}.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>There is too little memory for this: take a coarser mesh, or close other programs.</source>
         <translation>メモリーが足りません。メッシュを粗くするか、ほかのプログラムを閉じてください。</translation>
     </message>
@@ -3360,7 +3380,7 @@
     </message>
     <message>
         <source>This Python has no working ctypes module, which SciPy and the native solver need: patterns can be changed and written, but no balloon can be inflated anew. Take another build of FreeCAD or of Python.</source>
-        <translation type="unfinished"></translation>
+        <translation>この Python では、SciPy とネイティブソルバーに必要な ctypes モジュールが動きません。型紙の変更と書き出しはできますが、風船を新たにふくらませることはできません。別のビルドの FreeCAD か Python を使ってください。</translation>
     </message>
     <message>
         <source>This arm is too thin to fill: drawn {width} wide, it becomes {measured} thick. Make it {wanted} wide.</source>
@@ -3372,15 +3392,19 @@
     </message>
     <message>
         <source>This arm stays much thinner than the rest: drawn {width} wide, it becomes {measured} thick. For a rounder one make it {wanted} wide.</source>
-        <translation type="unfinished"></translation>
+        <translation>この腕はほかよりずっと細いままです。描いた幅は {width}、ふくらむ厚みは {measured} です。もっと丸くするには幅を {wanted} にしてください。</translation>
     </message>
     <message>
-        <source>This balloon holds {0} {1} at any pressure that suits its film: {2} at {3}. Change the size of the balloon or the volume.</source>
-        <translation type="unfinished"></translation>
+        <source>This balloon holds less than {0} at any pressure that suits its film: {1} at {2}. Change the size of the balloon or the volume.</source>
+        <translation>この風船に入るのは、フィルムに合うどの圧力でも {0} より少ない量です（{2} で {1}）。風船の大きさか体積を変えてください。</translation>
+    </message>
+    <message>
+        <source>This balloon holds more than {0} at any pressure that suits its film: {1} at {2}. Change the size of the balloon or the volume.</source>
+        <translation>この風船に入るのは、フィルムに合うどの圧力でも {0} より多い量です（{2} で {1}）。風船の大きさか体積を変えてください。</translation>
     </message>
     <message>
         <source>This cannot be shown ({0}).</source>
-        <translation type="unfinished"></translation>
+        <translation>これは表示できません（{0}）。</translation>
     </message>
     <message>
         <source>This gas is not lighter than the air around, so the balloon never floats: choose another gas or a higher temperature of the gas.</source>
@@ -3412,11 +3436,11 @@
     </message>
     <message>
         <source>This neck slows the filling: inside it is as wide as a tube of {measured} of film, the intake is {intake}. {behind} of the balloon fill through it. For quicker filling make it {wanted} wide.</source>
-        <translation type="unfinished"></translation>
+        <translation>このくびれのためにふくらむのが遅くなります。中の広さは幅 {measured} のフィルムの管と同じで、注入口は {intake} です。風船の {behind} がここを通ってふくらみます。早くふくらませるには幅を {wanted} にしてください。</translation>
     </message>
     <message>
         <source>This notch pulls the film {measured} as tight as elsewhere, so that it wrinkles there. A radius of {wanted} eases that.</source>
-        <translation type="unfinished"></translation>
+        <translation>この切れ込みではフィルムの張りがほかの {measured} になり、しわが寄ります。半径を {wanted} にすると軽くなります。</translation>
     </message>
     <message>
         <source>This notch pulls the film {measured} as tight as elsewhere; it wrinkles there and is where it would tear. Round it with a radius of {wanted}.</source>
@@ -3424,11 +3448,11 @@
     </message>
     <message>
         <source>This shape stays flat: it holds {percent} of the air that a round balloon of as much film would. Fewer and wider parts make it rounder.</source>
-        <translation type="unfinished"></translation>
+        <translation>この形は平らなままです。同じ量のフィルムで作る丸い風船に比べ、空気は {percent} しか入りません。部分を減らし、広くすると丸くなります。</translation>
     </message>
     <message>
         <source>This shape stays rather flat: it holds {percent} of the air that a round balloon of as much film would. Fewer and wider parts make it rounder.</source>
-        <translation type="unfinished"></translation>
+        <translation>この形はやや平らなままです。入る空気は、同じ量のフィルムで作る丸い風船の {percent} です。部分を減らし、広くすると丸くなります。</translation>
     </message>
     <message>
         <source>This tip stays flat over {length}: it is too pointed. Round it with a radius of {wanted}.</source>
@@ -3508,11 +3532,11 @@
     </message>
     <message>
         <source>Weakest place: {0} at {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>最も弱い所：{0}（位置 {1}）</translation>
     </message>
     <message>
         <source>Weakest place: {0} at {1}, estimated: the film did not come to rest</source>
-        <translation type="unfinished"></translation>
+        <translation>最も弱い所：{0}（位置 {1}）、推定値：フィルムが静止しませんでした</translation>
     </message>
     <message>
         <source>Weighing {0}</source>
@@ -3536,11 +3560,11 @@
     </message>
     <message>
         <source>Weld along the dashed line, {seal} wide, all the way round.</source>
-        <translation type="unfinished"></translation>
+        <translation>破線に沿って幅 {seal} で、ぐるりと 1 周溶着します。</translation>
     </message>
     <message>
         <source>Weld along the dashed line, {seal} wide. Leave the mouth of the neck open.</source>
-        <translation type="unfinished"></translation>
+        <translation>破線に沿って幅 {seal} で溶着します。首の口は開けておきます。</translation>
     </message>
     <message>
         <source>Weld and cut</source>
@@ -3556,11 +3580,11 @@
     </message>
     <message>
         <source>Weld with high frequency along the dashed line, {seal} wide, all the way round.</source>
-        <translation type="unfinished"></translation>
+        <translation>高周波で、破線に沿って幅 {seal} で、ぐるりと 1 周溶着します。</translation>
     </message>
     <message>
         <source>Weld with high frequency along the dashed line, {seal} wide; leave the mouth of the neck open.</source>
-        <translation type="unfinished"></translation>
+        <translation>高周波で、破線に沿って幅 {seal} で溶着します。首の口は開けておきます。</translation>
     </message>
     <message>
         <source>Welded across, last</source>
@@ -3569,10 +3593,6 @@
     <message>
         <source>Welds easily with an impulse sealer or an iron. Yields at about 9 MPa, half its tensile strength, and creeps: keep the pressure low.</source>
         <translation>インパルスシーラーかアイロンで簡単に溶着できます。引張強さの半分の約 9 MPa で降伏し、クリープするので、圧力は低くしてください。</translation>
-    </message>
-    <message>
-        <source>What else is made</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>What it takes to make it</source>
@@ -3584,7 +3604,7 @@
     </message>
     <message>
         <source>What this machine can work on, such as 600 x 400 mm, or 600 mm for a roll; empty where there is no limit. It is kept for this machine</source>
-        <translation type="unfinished"></translation>
+        <translation>この機械で加工できる大きさです。600 x 400 mm、ロールなら 600 mm のように書き、制限がなければ空にします。この機械の値として保存されます</translation>
     </message>
     <message>
         <source>What works here</source>
@@ -3592,11 +3612,11 @@
     </message>
     <message>
         <source>What {0} sent is not the native solver of this release: its SHA-256 is another one. It was not kept. {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} から届いたものは、SHA-256 が違うので、この版のネイティブソルバーではありません。保存しませんでした。{1}</translation>
     </message>
     <message>
         <source>Where the film wrinkles</source>
-        <translation type="unfinished"></translation>
+        <translation>しわが寄る所</translation>
     </message>
     <message>
         <source>Whether the {0} of the intake's pieces welds to {1} is not known: try it on a scrap first.</source>
@@ -3632,7 +3652,7 @@
     </message>
     <message>
         <source>Will it float? {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>浮く？{0}</translation>
     </message>
     <message>
         <source>With the fonts of this computer {0} cannot be drawn, letter by letter from left to right: leave that out of the label, or install a font that has it and start again.</source>
@@ -3644,7 +3664,7 @@
     </message>
     <message>
         <source>Write anyway</source>
-        <translation type="unfinished"></translation>
+        <translation>それでも書き出す</translation>
     </message>
     <message>
         <source>Write files…</source>
@@ -3652,7 +3672,7 @@
     </message>
     <message>
         <source>Write the file although it is larger than the bed</source>
-        <translation type="unfinished"></translation>
+        <translation>加工台より大きくてもファイルを書き出します</translation>
     </message>
     <message>
         <source>Write {"unit": "mm", "outer": [[0, 0], [300, 0], [150, 200]]}.</source>
@@ -3672,7 +3692,7 @@
     </message>
     <message>
         <source>Wrote {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} を書き出しました</translation>
     </message>
     <message>
         <source>Yellow</source>
@@ -3704,11 +3724,11 @@
     </message>
     <message>
         <source>about {}</source>
-        <translation type="unfinished"></translation>
+        <translation>約 {}</translation>
     </message>
     <message>
         <source>about {} x {}, {} thick, {}</source>
-        <translation type="unfinished"></translation>
+        <translation>約 {} x {}、厚み {}、{}</translation>
     </message>
     <message>
         <source>air</source>
@@ -3716,7 +3736,7 @@
     </message>
     <message>
         <source>all files were written before to {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>ファイルはその前にすべて {0} に書き出しました</translation>
     </message>
     <message>
         <source>another run has been writing there for a minute</source>
@@ -3736,11 +3756,11 @@
     </message>
     <message>
         <source>at most {} {}</source>
-        <translation type="unfinished"></translation>
+        <translation>最大 {} {}</translation>
     </message>
     <message>
         <source>back</source>
-        <translation type="unfinished"></translation>
+        <translation>裏</translation>
     </message>
     <message>
         <source>balloon {0} of {1}, {2}</source>
@@ -3760,7 +3780,7 @@
     </message>
     <message>
         <source>connecting</source>
-        <translation type="unfinished"></translation>
+        <translation>接続中</translation>
     </message>
     <message>
         <source>cut</source>
@@ -3772,7 +3792,7 @@
     </message>
     <message>
         <source>designing a balloon</source>
-        <translation type="unfinished"></translation>
+        <translation>風船の設計</translation>
     </message>
     <message>
         <source>does not name its unit</source>
@@ -3792,11 +3812,11 @@
     </message>
     <message>
         <source>fetch the native solver from the network, where the workbench came without it</source>
-        <translation type="unfinished"></translation>
+        <translation>ワークベンチにネイティブソルバーが付いていない場合に、ネットワークから取得する</translation>
     </message>
     <message>
         <source>fetching</source>
-        <translation type="unfinished"></translation>
+        <translation>取得中</translation>
     </message>
     <message>
         <source>film</source>
@@ -3804,7 +3824,7 @@
     </message>
     <message>
         <source>film and valve weigh {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>フィルムと弁の重さは {0}</translation>
     </message>
     <message>
         <source>fold</source>
@@ -3812,7 +3832,7 @@
     </message>
     <message>
         <source>front</source>
-        <translation type="unfinished"></translation>
+        <translation>表</translation>
     </message>
     <message>
         <source>gas</source>
@@ -3852,7 +3872,7 @@
     </message>
     <message>
         <source>in {}</source>
-        <translation type="unfinished"></translation>
+        <translation>保存先：{}</translation>
     </message>
     <message>
         <source>inflated</source>
@@ -3860,7 +3880,7 @@
     </message>
     <message>
         <source>inflated {0}, {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>ふくらんだ大きさ {0}、{1}</translation>
     </message>
     <message>
         <source>inflating</source>
@@ -3888,7 +3908,7 @@
     </message>
     <message>
         <source>laying out, {0} so far</source>
-        <translation type="unfinished"></translation>
+        <translation>配置中、これまで {0}</translation>
     </message>
     <message>
         <source>left</source>
@@ -3904,7 +3924,7 @@
     </message>
     <message>
         <source>less than its {} with a margin of {} ({})</source>
-        <translation type="unfinished"></translation>
+        <translation>現在の {} 未満（余裕 {} 倍、{}）</translation>
     </message>
     <message>
         <source>lift</source>
@@ -3912,7 +3932,7 @@
     </message>
     <message>
         <source>loose: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>たるみ：{}</translation>
     </message>
     <message>
         <source>lower</source>
@@ -3936,7 +3956,7 @@
     </message>
     <message>
         <source>no file was written</source>
-        <translation type="unfinished"></translation>
+        <translation>ファイルは書き出していません</translation>
     </message>
     <message>
         <source>no layer is written: name at least CUT.</source>
@@ -3976,7 +3996,7 @@
     </message>
     <message>
         <source>printing</source>
-        <translation type="unfinished"></translation>
+        <translation>印刷用データを作成中</translation>
     </message>
     <message>
         <source>right</source>
@@ -3984,7 +4004,7 @@
     </message>
     <message>
         <source>safe to {}, margin {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} まで安全、余裕 {} 倍</translation>
     </message>
     <message>
         <source>seal width</source>
@@ -4016,7 +4036,7 @@
     </message>
     <message>
         <source>stopped; {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>停止しました。{0}。</translation>
     </message>
     <message>
         <source>strength</source>
@@ -4040,7 +4060,7 @@
     </message>
     <message>
         <source>the answer is not HTTP</source>
-        <translation type="unfinished"></translation>
+        <translation>応答が HTTP ではありません</translation>
     </message>
     <message>
         <source>the colour "{0}" is not written like #ff0000.</source>
@@ -4048,7 +4068,11 @@
     </message>
     <message>
         <source>the connection ended too soon</source>
-        <translation type="unfinished"></translation>
+        <translation>接続が途中で切れました</translation>
+    </message>
+    <message>
+        <source>the connection timed out</source>
+        <translation>時間内に応答がありませんでした</translation>
     </message>
     <message>
         <source>the file name "{0}" may have letters, digits, spaces, _, - and . only.</source>
@@ -4056,7 +4080,7 @@
     </message>
     <message>
         <source>the film weighs {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>フィルムの重さは {0}</translation>
     </message>
     <message>
         <source>the last line of each piece is its CUT.</source>
@@ -4092,7 +4116,7 @@
     </message>
     <message>
         <source>tight: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>張り：{}</translation>
     </message>
     <message>
         <source>trial {0}, {1}</source>
@@ -4140,11 +4164,11 @@
     </message>
     <message>
         <source>wrinkled: {}</source>
-        <translation type="unfinished"></translation>
+        <translation>しわ：{}</translation>
     </message>
     <message>
         <source>writing files</source>
-        <translation type="unfinished"></translation>
+        <translation>ファイルを書き出しています</translation>
     </message>
     <message>
         <source>{0} "{1}" is none of {2}.</source>
@@ -4152,7 +4176,7 @@
     </message>
     <message>
         <source>{0} ({1}, margin {2})</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}（{1}、余裕 {2} 倍）</translation>
     </message>
     <message>
         <source>{0} It is left out.</source>
@@ -4184,7 +4208,7 @@
     </message>
     <message>
         <source>{0} does not have the native solver (answer {1}). Try again later. {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} にネイティブソルバーがありません（応答 {1}）。後でもう一度試してください。{2}</translation>
     </message>
     <message>
         <source>{0} dots per inch cannot be printed well: give {1} to {2}.</source>
@@ -4192,11 +4216,11 @@
     </message>
     <message>
         <source>{0} gap between the lines closed, the widest {1} of the drawing's width.</source>
-        <translation type="unfinished"></translation>
+        <translation>線の間のすき間を {0} か所閉じました。最大で図の幅の {1} です。</translation>
     </message>
     <message>
         <source>{0} gaps between the lines closed, the widest {1} of the drawing's width.</source>
-        <translation type="unfinished"></translation>
+        <translation>線の間のすき間を {0} か所閉じました。最大で図の幅の {1} です。</translation>
     </message>
     <message>
         <source>{0} has interface {1}, but {2} is needed.</source>
@@ -4252,7 +4276,7 @@
     </message>
     <message>
         <source>{0} is damaged: install the workbench anew, or go on without the native solver.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} は壊れています。ワークベンチを入れ直すか、ネイティブソルバーなしで続けてください。</translation>
     </message>
     <message>
         <source>{0} is empty: draw a closed line in it.</source>
@@ -4308,19 +4332,19 @@
     </message>
     <message>
         <source>{0} lifts {1}, {2}: no, at no size.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}の浮力は {1}、{2}。どの大きさでも浮きません。</translation>
     </message>
     <message>
         <source>{0} lifts {1}, {2}: no. From {3} width on it would.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}の浮力は {1}、{2}。浮きません。幅 {3} 以上なら浮きます。</translation>
     </message>
     <message>
         <source>{0} lifts {1}, {2}: yes, and it carries {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}の浮力は {1}、{2}。浮きます。さらに {3} を持ち上げられます。</translation>
     </message>
     <message>
         <source>{0} mm on paper = {1} of film</source>
-        <translation type="unfinished"></translation>
+        <translation>紙の上の {0} mm = フィルムの {1}</translation>
     </message>
     <message>
         <source>{0} must never be cut with a laser: choose a machine with a knife.</source>
@@ -4332,11 +4356,11 @@
     </message>
     <message>
         <source>{0} of a roll {1} wide</source>
-        <translation type="unfinished"></translation>
+        <translation>幅 {1} のロールを {0}</translation>
     </message>
     <message>
         <source>{0} of its size</source>
-        <translation type="unfinished"></translation>
+        <translation>大きさの {0}</translation>
     </message>
     <message>
         <source>{0} open line was left out.</source>
@@ -4392,27 +4416,27 @@
     </message>
     <message>
         <source>{0} wide, {1} long</source>
-        <translation type="unfinished"></translation>
+        <translation>幅 {0}、長さ {1}</translation>
     </message>
     <message>
         <source>{0} with valve {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}（弁 {1} を含む）</translation>
     </message>
     <message>
-        <source>{0}: it is written all the same.</source>
-        <translation type="unfinished"></translation>
+        <source>{0}: lay its pieces out on sheets of that size, make the balloon smaller, or write the file anyway.</source>
+        <translation>{0}。部品をその大きさのシートに並べるか、風船を小さくするか、そのまま書き出してください。</translation>
     </message>
     <message>
-        <source>{0}: lay its pieces out on sheets of that size, make the balloon smaller, or have the file written all the same.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0}: make the balloon smaller, choose another machine or paper, or have the file written all the same.</source>
-        <translation type="unfinished"></translation>
+        <source>{0}: make the balloon smaller, choose another machine or paper, or write the file anyway.</source>
+        <translation>{0}。風船を小さくするか、別の機械か用紙を選ぶか、そのまま書き出してください。</translation>
     </message>
     <message>
         <source>{0}: pieces {1}, on {2}, {3} used</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}：部品 {1} 個、フィルム {2}、使用率 {3}</translation>
+    </message>
+    <message>
+        <source>{0}: the file is written anyway.</source>
+        <translation>{0}。そのまま書き出します。</translation>
     </message>
     <message>
         <source>{0}: turn the pattern by 90 degrees there.</source>
@@ -4420,7 +4444,7 @@
     </message>
     <message>
         <source>{0}; wider than the usual roll</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}、通常のロールより広い</translation>
     </message>
     <message>
         <source>{0}what is shown is the last good state. Lower the pressure or change the mesh size.</source>
@@ -4428,7 +4452,7 @@
     </message>
     <message>
         <source>{} MB from {}; the file is checked before it is used, and nothing is sent.</source>
-        <translation type="unfinished"></translation>
+        <translation>{1} から {0} MB を取得します。ファイルは使う前に確かめます。こちらから送るデータはありません。</translation>
     </message>
     <message>
         <source>{} at ({})</source>
@@ -4440,19 +4464,19 @@
     </message>
     <message>
         <source>{} is there already: give another name.</source>
-        <translation type="unfinished"></translation>
+        <translation>{} はすでにあります。別の名前にしてください。</translation>
     </message>
     <message>
         <source>{} is there already: tick "Replace the file", or give another name.</source>
-        <translation type="unfinished"></translation>
+        <translation>{} はすでにあります。「ファイルを置き換える」にチェックを入れるか、別の名前にしてください。</translation>
     </message>
     <message>
         <source>{} ms, {}, frame {} of {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{} ms、{}、コマ {}/{}</translation>
     </message>
     <message>
         <source>{} of it wrinkles, {} is loose</source>
-        <translation type="unfinished"></translation>
+        <translation>しわ {}、たるみ {}</translation>
     </message>
     <message>
         <source>{} of {}</source>
@@ -4468,15 +4492,15 @@
     </message>
     <message>
         <source>{}, carries {} with {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}、{2}で {1} を持ち上げる</translation>
     </message>
     <message>
         <source>{}, floats from {} width on with {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}、{2}なら幅 {1} 以上で浮く</translation>
     </message>
     <message>
         <source>{}, never floats with {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}、{}では浮かない</translation>
     </message>
     <message>
         <source>{}, seam {}</source>
@@ -4484,11 +4508,11 @@
     </message>
     <message>
         <source>{}: film {}, seam and neck {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}：フィルム {}、継ぎ目と首 {}</translation>
     </message>
     <message>
         <source>{}: film {}, seam and neck {}, valve {}</source>
-        <translation type="unfinished"></translation>
+        <translation>{}：フィルム {}、継ぎ目と首 {}、弁 {}</translation>
     </message>
     <message>
         <source>{}: {}</source>

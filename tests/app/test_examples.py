@@ -26,10 +26,17 @@ def parts(doc):
     return doc.Outline, doc.Balloon, doc.Pattern
 
 
+def lies(pattern):
+    """Where a pattern lies [mm], and its neck [degrees]."""
+    box = pattern.Shape.BoundBox
+    return [box.XMin, box.YMin, box.XMax, box.YMax, pattern.IntakeAngle.Value]
+
+
 def test_it_opens_as_a_copy_and_recomputes(opened):
     assert opened.FileName == ""
     assert [obj.Status for obj in parts(opened)] == [status.READY] * 3
     volume, label = opened.Balloon.Volume.Value, opened.Balloon.SolvedFor
+    cut = lies(opened.Pattern)
     assert opened.Balloon.Mesh.isSolid()
     assert opened.Balloon.ResidualMean.Value < 0.01 * opened.Balloon.InflatedWidth.Value
     assert not opened.Balloon.Warnings
@@ -40,6 +47,8 @@ def test_it_opens_as_a_copy_and_recomputes(opened):
     assert [obj.Status for obj in parts(opened)] == [status.READY] * 3
     assert opened.Balloon.Volume.Value == volume
     assert opened.Balloon.SolvedFor == label  # what is stored belongs to what is drawn: nothing was solved
+    # nor does the pattern change as soon as anything is touched: else `make examples`
+    assert lies(opened.Pattern) == pytest.approx(cut, abs=0.5)
 
 
 def test_the_heart_follows_its_spreadsheet():

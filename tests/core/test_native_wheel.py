@@ -285,7 +285,7 @@ def test_on_the_command_line(
     assert before.startswith(f"Fetching {address}/{NAME} (")
     assert native_wheel.wheel().sha256 in before
     assert str(clone) in before
-    assert after == "The native solver is in use."
+    assert after == "The native solver is in use now."
     assert main(["fetch-solver"]) == 0
     assert capsys.readouterr().out == "The native solver is here already.\n"
     assert native_wheel.slow_notes() == []

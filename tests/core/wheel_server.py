@@ -113,8 +113,8 @@ FAULTS: dict[str, tuple[Callable[[Answer, bytes], None], str]] = {
     "in a circle": (_loop, "(answer 302)"),
     "no HTTP": (_something, "the answer is not HTTP"),
     "torn in a part": (_torn, "ended"),
-    "silence": (_silence, "timed out"),
-    "stuck": (_drip, "timed out"),
+    "silence": (_silence, "the connection timed out"),
+    "stuck": (_drip, "the connection timed out"),
 }
 
 

@@ -111,7 +111,7 @@ def test_bed_is_a_field_kept_for_the_machine(made, tmp_path, monkeypatch):
     hands.type_into(hands.find("Bed"), "nonsense")
     assert "length" in remarks()[0]
     hands.type_into(hands.find("Bed"), "90 x 60 cm")
-    assert remarks() == ["Checked: nothing is in the way."]
+    assert remarks() == ["Checked: ready to make."]
     assert not hands.find("WriteAnyway").isVisible()
     hands.press("Cancel")
     hands.wait_until(hands.panel_is_closed)

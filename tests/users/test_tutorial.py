@@ -24,6 +24,7 @@ from user import on_paper
 from BalloonWorkbench.app import status
 from BalloonWorkbench.app.painting import is_painting
 from BalloonWorkbench.app.qt_picture import pixels
+from BalloonWorkbench.gui.fit import is_whole
 
 HEART = Path("resources/examples/pictures/heart.png").resolve()
 
@@ -122,10 +123,10 @@ def test_tutorial_fish(user, story, says, tmp_path):
     says(
         "When the pen rests for a moment, the workbench works out the pattern with care, so that the "
         "inflated fish is as large as the drawn one: the foil gets its real folds, and the line under the "
-        "canvas says whether anything is in the way.",
+        "canvas says when it is ready to make, or what to change.",
         live.latest.solved is not None
         and live.latest.size[0] == pytest.approx(250, rel=0.01)
-        and form.hint.text(),
+        and "Ready to make" in form.hint.text(),
     )
     user.button("PaintMake")
     hands.wait_until(is_closed, 60)
@@ -150,8 +151,9 @@ def test_tutorial_fish(user, story, says, tmp_path):
         "To paint on, double-click Outline in the tree: your strokes are all still there.",
         len(window.painting.steps) == 9 and is_painting(doc.Outline.Drawing),
     )
-    window.finish()
+    window.close()
     hands.wait(0.5)
+    story.expect(is_whole(Gui.ActiveDocument), "the view does not show all when the paper is closed")
     user.open_in_tree(doc.Balloon)
     hands.wait_until(hands.panel_is_seen)
     says("Double-click Balloon in the tree.", hands.panel_is_open())

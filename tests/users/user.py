@@ -144,7 +144,7 @@ class User:
         for _ in range(_TRIES):
             self.double_click(self._in_tree(obj))
             hands.wait(1.0)
-            if hands.panel_is_open() or paint_window._open:
+            if hands.panel_is_open() or any(window.isVisible() for window in paint_window._open):
                 return
         raise AssertionError(f"{obj.Label} cannot be opened from the tree")
 

@@ -48,8 +48,6 @@ def verdict(target: Outline, best: Pass, passes: int, meshes: int, seconds: floa
 def _sentence(stretch: Stretch) -> str:
     return (
         f"Near {place_text(stretch.middle)} the inflated outline stays up to {length_text(stretch.max, 3)}"
-        " from the"
-        f" drawing, along {length_text(stretch.end - stretch.start, 3)}: film cannot follow it there. Round"
-        " it off"
-        " or widen it."
+        f" from the drawing, over a length of {length_text(stretch.end - stretch.start, 3)}: film cannot"
+        " follow it there. Round it off or widen it."
     )

@@ -80,8 +80,8 @@ def scale_to_fit(sheet: Pattern, machines: Sequence[Machine], make: Callable[[fl
         sheet = make(scale)
     beds = ", ".join(dict.fromkeys(bed_text(machine.bed) for machine in machines))
     raise ExportError(
-        f"No size of the balloon fits a bed of {beds}: weld, allowance, intake and bar keep theirs. Choose"
-        " another machine."
+        f"No size of the balloon fits a bed of {beds}: weld, allowance, intake and control bar keep their"
+        " sizes. Choose another machine."
     )
 
 

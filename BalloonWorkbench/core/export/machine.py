@@ -166,8 +166,8 @@ def parse_bed(text: str, plain: str = "m") -> tuple[float, float] | None:
     for length in (width, height):
         if length is not None and not _LEAST_BED <= to_mm(length) <= _MOST:
             raise InputError(
-                f"A bed is {_LEAST_BED:g} mm to {_MOST:g} mm wide and high: write 600mmx400mm, 600mm for a"
-                f" roll, or {NO_LIMIT}."
+                f"A bed is {number_text(_LEAST_BED)} mm to {number_text(_MOST)} mm wide and high: write"
+                f" 600mmx400mm, 600mm for a roll, or {NO_LIMIT}."
             )
     return width, math.inf if height is None else height
 
@@ -176,7 +176,7 @@ def bed_text(bed: tuple[float, float] | None) -> str:
     """A bed as parse_bed reads it."""
     if bed is None:
         return NO_LIMIT
-    return " x ".join(f"{to_mm(length):g} mm" for length in bed if math.isfinite(length))
+    return " x ".join(f"{number_text(to_mm(length), 6)} mm" for length in bed if math.isfinite(length))
 
 
 def _known_machine(name: str) -> Machine:

@@ -220,13 +220,12 @@ def _size(pattern: Pattern, machine: Machine, oversize: str) -> list[Finding]:
     if fits_turned(pattern, machine):
         return [Finding(WARNING, f"{sizes}: turn the pattern by 90 degrees there.")]
     if oversize == WRITE:
-        return [Finding(WARNING, f"{sizes}: it is written all the same.", oversize=True)]
+        return [Finding(WARNING, f"{sizes}: the file is written anyway.", oversize=True)]
     text = (
-        f"{sizes}: lay its pieces out on sheets of that size, make the balloon smaller, or have the file"
-        " written all the same."
+        f"{sizes}: lay its pieces out on sheets of that size, make the balloon smaller, or write the file"
+        " anyway."
         if pieces_fit(pattern, machine)
-        else f"{sizes}: make the balloon smaller, choose another machine or paper, or have the file written"
-        " all the same."
+        else f"{sizes}: make the balloon smaller, choose another machine or paper, or write the file anyway."
     )
     return [Finding(ERROR, text, oversize=True)]
 

@@ -60,9 +60,9 @@ def search_pressure(
             high, miss_high = at, miss
         before = miss
         if at in (lowest, highest) and (math.isnan(miss_low) or math.isnan(miss_high)):
-            bound = "less than" if miss < 0.0 else "more than"
             raise InputError(
-                f"This balloon holds {bound} {volume_text(volume)} at any pressure that suits its film: "
+                f"This balloon holds {'less than' if miss < 0.0 else 'more than'} {volume_text(volume)} at"
+                " any pressure that suits its film: "
                 f"{volume_text(volume_of(found))} at {pressure_text(unit * math.exp(at))}. "
                 "Change the size of the balloon or the volume."
             )

@@ -12,6 +12,7 @@ from BalloonWorkbench.gui.qt import QtCore, QtWidgets, drawn_icon
 
 _SHARE = 0.5  # of the main window
 _NARROW = 150  # px, of a panel beside it
+_LOOKS = 300  # ms between looks at what FreeCAD has laid over its 3D view
 
 
 class PaintDock(QtWidgets.QDockWidget):
@@ -26,6 +27,9 @@ class PaintDock(QtWidgets.QDockWidget):
         self.setWindowIcon(drawn_icon("paint"))
         self._neighbours: list = []
         self._laid_aside: list = []
+        self._watch = QtCore.QTimer(self)
+        self._watch.setInterval(_LOOKS)
+        self._watch.timeout.connect(self._mind_overlays)
 
     def fill(self, above, left, canvas, below) -> None:
         """Put the widgets in their places."""
@@ -54,23 +58,37 @@ class PaintDock(QtWidgets.QDockWidget):
             ]
         self.show()
         self.raise_()
-        self._lay_aside(main)
+        self._mind_overlays()
+        self._watch.start()
         narrow = {dock: min(width, _NARROW) for dock, width in self._neighbours}
         width = min(int(_SHARE * main.width()), self._free_room(main))
         main.resizeDocks([*narrow, self], [*narrow.values(), width], QtCore.Qt.Horizontal)
 
-    def _lay_aside(self, main) -> None:
+    def _mind_overlays(self) -> None:
         """FreeCAD 1.1 lays its task panel over the 3D view: an empty one is a strip over the balloon.
 
-        FreeCAD shows again at once what is hidden, so it has no size for a while.
+        It comes with the first 3D view, a moment after this window.
         """
+        if Gui.Control.activeDialog():
+            self._put_back()
+        else:
+            self._lay_aside(Gui.getMainWindow())
+
+    def _lay_aside(self, main) -> None:
+        """FreeCAD shows again at once what is hidden, so an empty task panel has no size for a while."""
         for overlay in map(partial(main.findChild, QtWidgets.QWidget), OVERLAYS):
             if overlay is None or not overlay.isVisible() or overlay.size().isEmpty():
                 continue
             names = [dock.objectName() for dock in overlay.findChildren(QtWidgets.QDockWidget)]
-            if names == ["Tasks"] and not Gui.Control.activeDialog():
+            if names == ["Tasks"]:
                 self._laid_aside.append((overlay, overlay.geometry(), overlay.maximumSize()))
                 overlay.setMaximumSize(0, 0)
+
+    def _put_back(self) -> None:
+        for overlay, place, most in self._laid_aside:
+            overlay.setMaximumSize(most)
+            overlay.setGeometry(place)
+        self._laid_aside.clear()
 
     def _free_room(self, main) -> int:
         """The width up to the panels that FreeCAD 1.1 lays over its 3D view: they would take the mouse."""
@@ -98,10 +116,8 @@ class PaintDock(QtWidgets.QDockWidget):
 
     def give_back(self) -> None:
         """The panels beside it are as wide as before, and the 3D view has the room."""
-        for overlay, place, most in self._laid_aside:
-            overlay.setMaximumSize(most)
-            overlay.setGeometry(place)
-        self._laid_aside.clear()
+        self._watch.stop()
+        self._put_back()
         docks = [(dock, width) for dock, width in self._neighbours if dock.isVisible()]
         if docks:
             Gui.getMainWindow().resizeDocks(*map(list, zip(*docks)), QtCore.Qt.Horizontal)

@@ -9,9 +9,12 @@ import FreeCAD as App
 
 from BalloonWorkbench.app.outline import DRAWN_AS
 from BalloonWorkbench.app.quantities import cubic_millimetres
+from BalloonWorkbench.core.units import number_text
 from BalloonWorkbench.gui import sentences
 from BalloonWorkbench.gui.panels.fields import new_quantity_box
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, drawn_icon, translate
+
+_AROUND = 60  # px of a number's arrows, its sign for expressions and its frame
 
 
 class Form(QtWidgets.QWidget):
@@ -42,9 +45,11 @@ class Form(QtWidgets.QWidget):
             translate("The holes of a filled shape stay, the lines of a pen drawing are filled inside")
         )
         self.drawn_as.activated.connect(lambda index: self.read_as.emit(self.drawn_as.itemData(index)))
+        # the numbers take what is left, in two lines at need: they leave the fields and the paper as they are
+        self.width_field.setMaximumWidth(self.fontMetrics().horizontalAdvance("12345.67 mm") + _AROUND)
         self.numbers = _label("PaintNumbers")
         self.numbers.setWordWrap(True)
-        self.numbers.setSizePolicy(QtWidgets.QSizePolicy.Ignored, QtWidgets.QSizePolicy.Preferred)
+        self.numbers.setSizePolicy(QtWidgets.QSizePolicy.Ignored, QtWidgets.QSizePolicy.Ignored)
         self.hint = _label("PaintHint")
         self.hint.setWordWrap(True)
         self.hint.setSizePolicy(QtWidgets.QSizePolicy.Ignored, QtWidgets.QSizePolicy.Preferred)
@@ -118,9 +123,10 @@ def _said(value: float, unit, fitted: bool) -> str:
     """Three digits of a value in the user's unit, all of a large one; two where it is not fitted yet."""
     _, factor, symbol = App.Units.Quantity(value, unit).getUserPreferred()
     number = value / factor
+    if fitted:
+        return f"{number_text(number)} {symbol}"
     size = math.floor(math.log10(number)) if number > 0.0 else 0
-    number = round(number, max(2 - size, 0) if fitted else 1 - size)
-    return f"{number:.6f}".rstrip("0").rstrip(".") + f" {symbol}"
+    return f"{number_text(round(number, 1 - size), 2)} {symbol}"
 
 
 def _label(name: str):

@@ -6,6 +6,11 @@ The document is untouched until "Make it!"; that is one undo step.
 
 from __future__ import annotations
 
+from functools import partial
+
+import FreeCAD as App
+import FreeCADGui as Gui
+
 from BalloonWorkbench.core import faults
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.outline.segment import KEEP_HOLES
@@ -54,6 +59,12 @@ def open_for(doc, parts=None) -> PaintWindow:
     _open.insert(0, window)
     window.reveal()
     return window
+
+
+def _fit(document_name: str) -> None:
+    """Show what is in a document, which may be closed by now."""
+    if document_name in App.listDocuments():
+        fit_all(Gui.getDocument(document_name))
 
 
 class PaintWindow(PaintDock):
@@ -115,6 +126,8 @@ class PaintWindow(PaintDock):
         """Closed, now or for good."""
         self._not_making()
         self.live.stop()
+        if self.scene.is_shown():  # the camera has followed it
+            QtCore.QTimer.singleShot(_SETTLED, partial(_fit, self.scene.document_name))
         self.scene.clear()
         show(self.scene.document(), self._hidden, True)
 
@@ -245,7 +258,6 @@ class PaintWindow(PaintDock):
             return
         self.doc.commitTransaction()
         self.finish()
-        QtCore.QTimer.singleShot(_SETTLED, lambda: fit_all(self.scene.document()))
         if is_new:
             print_out.offer(parts)
 

@@ -77,20 +77,24 @@ class ElidedLabel(QtWidgets.QLabel):
 
 
 class WrappedLabel(QtWidgets.QLabel):
-    """A text in as many lines as it takes: in a form, Qt 6 gives some rows less than their heights."""
+    """A text in as many lines as it takes: in a form, Qt gives some rows less than their heights."""
 
     def __init__(self, text: str = ""):
         super().__init__(text)
         self.setWordWrap(True)
 
-    def setText(self, text):
+    def setText(self, text: str) -> None:
+        """Another text in as many lines."""
         super().setText(text)
-        self.setMinimumHeight(self.heightForWidth(self.width()))
+        self._fit()
 
     def resizeEvent(self, event):
         super().resizeEvent(event)
         if event.size().width() != event.oldSize().width():
-            self.setMinimumHeight(self.heightForWidth(event.size().width()))
+            self._fit()
+
+    def _fit(self) -> None:
+        self.setMinimumHeight(max(self.heightForWidth(self.width()), 0))
 
 
 class FullList(QtWidgets.QListWidget):
