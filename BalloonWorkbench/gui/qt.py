@@ -17,10 +17,6 @@ _ROOT = Path(BalloonWorkbench.__file__).resolve().parent.parent
 ICONS = str(_ROOT / "resources" / "icons")
 TRANSLATIONS = _ROOT / "resources" / "translations"
 HELP = _ROOT / "docs" / "help"
-#: A button that is chosen is seen in every theme: some have no look for it.
-CHOSEN = """
-QToolButton:checked { background: rgba(127, 140, 160, 90); border: 2px solid #1f9ade; border-radius: 5px; }
-"""
 
 
 def translate(text: str, context: str = "BalloonWorkbench") -> str:

@@ -5,9 +5,12 @@ import re
 
 import hands
 
+from BalloonWorkbench.gui.panels.narrow import ElidedCombo
+
 QtCore, QtGui, QtWidgets = hands.QtCore, hands.QtGui, hands.QtWidgets
 
 _SLACK = 2  # px
+_READ = 0.8  # of the entry of a choice that shows an ellipsis in place of its end
 _QTS_OWN = ("qt_dockwidget_floatbutton", "qt_dockwidget_closebutton", "ScrollLeftButton", "ScrollRightButton")
 
 
@@ -49,6 +52,8 @@ def _narrow(widget):
             yield f"{_name(widget)} is cut off: {widget.width()} px of {needed}"
     elif isinstance(widget, QtWidgets.QComboBox):
         needed = widget.fontMetrics().boundingRect(widget.currentText()).width() + 24
+        if isinstance(widget, ElidedCombo):
+            needed *= _READ
         if needed > room:
             yield f"{_name(widget)} {widget.currentText()!r} is cut off: {widget.width()} px of {needed}"
     elif isinstance(widget, QtWidgets.QListWidget) and widget.count():

@@ -121,6 +121,19 @@ def test_what_leaves_the_outline_alone_leaves_the_balloon_alone(window, change):
     assert (pixels(kept) == pixels(window.painting.image)).all()
 
 
+def test_an_inner_line_that_touches_the_rim_shows_no_draft(window):
+    oval(window)
+    shown, before = window.live.latest, view_picture(window)
+    watch = Watch(window)
+    draw(window.canvas, [(0.6, 0.45), (0.7, 0.5), (0.836, 0.45)])
+    watch.until_settled()
+    assert not window.live.latest.is_of(shown.traced, shown.width), "the outline is another one"
+    assert all(look.skins is shown.skins for look in watch.looks if not look.fitted)
+    assert not watch.looks[0].fitted
+    assert window.live.latest.skins is not shown.skins
+    assert silhouette_jump(before, view_picture(window)) < 0.01
+
+
 def test_the_document_gets_the_new_painting(doc, window):
     oval(window)
     fill(window)

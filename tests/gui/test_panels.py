@@ -229,7 +229,7 @@ def test_cancel_restores_the_looks(made):
 
 @pytest.mark.parametrize(
     ("command", "widget"),
-    [("ColourMap", "ColourMapPanel"), ("Advice", "Findings"), ("ExportPattern", "Machine")],
+    [("ColourMap", "ColourMapPanel"), ("Advice", "AdviceSource"), ("ExportPattern", "Machine")],
 )
 def test_buttons_lead_on(made, command, widget):
     open_panel(made.pattern)

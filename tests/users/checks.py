@@ -316,7 +316,7 @@ def faint(image, widgets):
         if isinstance(widget, QtWidgets.QAbstractButton) and widget.underMouse():
             continue  # as the theme lights it up
         seen = widget.visibleRegion().boundingRect()
-        if seen.width() < 8 or seen.height() < 8:
+        if seen.width() < 8 or seen.height() < 0.7 * widget.height():
             continue
         at = widget.mapToGlobal(seen.topLeft())
         box = QtCore.QRect(at * ratio, seen.size() * ratio).adjusted(1, 1, -1, -1) & image.rect()

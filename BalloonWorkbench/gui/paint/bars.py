@@ -5,10 +5,14 @@ from __future__ import annotations
 
 from BalloonWorkbench.app.properties import QT_TRANSLATE_NOOP
 from BalloonWorkbench.gui.paint.tools import COLOURS, THICKEST, THINNEST, TOOLS, USUAL
-from BalloonWorkbench.gui.qt import CHOSEN, QtCore, QtGui, QtWidgets, drawn_icon, translate
+from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, drawn_icon, translate
 
 _TOOL, _ACTION, _COLOUR = 40, 26, 24  # px
 _THICKER = 3  # px, for one press of a key
+#: What is chosen is seen in every theme: some have no look for it.
+_CHOSEN = """
+QToolButton:checked { background: rgba(127, 140, 160, 90); border: 2px solid #1f9ade; border-radius: 5px; }
+"""
 
 
 class Buttons(QtWidgets.QWidget):
@@ -21,7 +25,7 @@ class Buttons(QtWidgets.QWidget):
         )
         self.room.setContentsMargins(2, 2, 2, 2)
         self.room.setSpacing(2)
-        self.setStyleSheet(CHOSEN)
+        self.setStyleSheet(_CHOSEN)
 
     def add(self, name: str, picture, tooltip: str, size: int, checkable: bool = False):
         """A button; name: of the widget."""

@@ -27,6 +27,7 @@ from BalloonWorkbench.gui.paint.remarks import Remark
 from BalloonWorkbench.gui.qt import QtCore
 
 _SAME = 0.5 / 256  # parts of the picture; outlines that differ by less are one
+NEARLY = 3.0 / 256  # parts of the picture; finer than what a glance can show
 TRACED = 256  # px along the side of the picture in which a glance looks for the shape
 
 
@@ -91,12 +92,18 @@ class Look:
         """Of the outlines (k, 2), in parts of the picture, y up."""
         return loops_in(self.drawing, self.frame)
 
-    def is_of(self, traced: tuple[np.ndarray, ...], width: float) -> bool:
-        """Whether it is the look of a painting with these loops, seen at a glance, at a width in mm."""
+    def is_of(self, traced: tuple[np.ndarray, ...], width: float, within: float = _SAME) -> bool:
+        """Whether it is the look of a painting with these loops, seen at a glance, at a width in mm.
+
+        within  parts of the picture that the loops may differ by
+        """
         return (
             self.width == width
             and len(self.traced) == len(traced)
-            and all(_near(mine, its) and _near(its, mine) for mine, its in zip(self.traced, traced))
+            and all(
+                _near(mine, its, within) and _near(its, mine, within)
+                for mine, its in zip(self.traced, traced)
+            )
         )
 
 
@@ -105,9 +112,9 @@ def loops_in(drawing: Drawing, frame: Frame) -> tuple[np.ndarray, ...]:
     return tuple(frame.places(loop) for part in drawing.parts for loop in part.loops)
 
 
-def _near(loop: np.ndarray, other: np.ndarray) -> bool:
-    """Whether all points of a loop lie on another one, as far as can be seen."""
-    return bool((from_polyline(loop, np.concatenate([other, other[:1]])) < _SAME).all())
+def _near(loop: np.ndarray, other: np.ndarray, within: float) -> bool:
+    """Whether all points of a loop lie on another one, within parts of the picture."""
+    return bool((from_polyline(loop, np.concatenate([other, other[:1]])) < within).all())
 
 
 def seen(image, width: float, drawn_as: str) -> tuple[Drawing, Frame]:

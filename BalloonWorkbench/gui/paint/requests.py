@@ -19,7 +19,7 @@ from BalloonWorkbench.core.design.draft import VERTICES, check_area, draft
 from BalloonWorkbench.core.errors import BalloonError, ExportError
 from BalloonWorkbench.core.job import Settings
 from BalloonWorkbench.core.outline.drawing import Drawing
-from BalloonWorkbench.gui.paint.look import Frame, Look, contours, drawn, loops_in, seen, size, skin
+from BalloonWorkbench.gui.paint.look import NEARLY, Frame, Look, contours, drawn, loops_in, seen, size, skin
 from BalloonWorkbench.gui.paint.painting import SIDE
 from BalloonWorkbench.gui.paint.remarks import remarks
 from BalloonWorkbench.gui.qt import QtCore, QtGui, translate
@@ -34,7 +34,8 @@ _LOOK = 0.05  # s each
 class Glance:
     """The quick look at an image; width in mm.
 
-    known  fitted looks, the newest first: one of the same outline is kept, whatever else has been painted
+    known  fitted looks, the newest first: one of the same outline is kept, whatever else has been painted;
+           the newest stands for an outline that is nearly the same until that is fitted
     """
 
     image: object
@@ -54,6 +55,19 @@ class Glance:
         for look in self.known:
             if look.is_of(traced, self.width):
                 return replace(look, revision=self.revision, solved=None, file=None)
+        for look in self.known[:1]:
+            if look.is_of(traced, self.width, NEARLY):
+                # as where an inner line touches the rim: the balloon that was fitted is nearer than a draft
+                return replace(
+                    look,
+                    revision=self.revision,
+                    drawing=drawing,
+                    frame=frame,
+                    fitted=False,
+                    remarks=(),
+                    solved=None,
+                    file=None,
+                )
         checkpoint()
         drafts = []
         for number, part in enumerate(drawing.parts[:_MOST_SHAPES]):

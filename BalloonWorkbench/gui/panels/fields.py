@@ -196,6 +196,7 @@ class Fields(QtCore.QObject):
 
 def _give_room(widget) -> None:
     """Let what a field says be seen whole: fonts differ, and themes give fields least widths of their own."""
+    widget.ensurePolished()  # a theme gives it a font and a least width only then
     if isinstance(widget, QtWidgets.QAbstractSpinBox):
         width = widget.fontMetrics().horizontalAdvance(widget.text()) + _BESIDE
     elif isinstance(widget, QtWidgets.QComboBox):

@@ -11,7 +11,7 @@ from BalloonWorkbench.app.outline import DRAWN_AS, read_all, set_drawing
 from BalloonWorkbench.core.units import to_mm
 from BalloonWorkbench.gui import choose, record
 from BalloonWorkbench.gui.panels.fields import Fields, ReturnKey
-from BalloonWorkbench.gui.panels.narrow import NarrowForm, WrappedLabel
+from BalloonWorkbench.gui.panels.narrow import NarrowForm
 from BalloonWorkbench.gui.panels.preview import Preview, notes_of
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 
@@ -40,7 +40,8 @@ class FileBox(QtWidgets.QWidget):
         row.addWidget(browse)
         self.fields = Fields(outline, self)
         self.preview = Preview()
-        self.notes = WrappedLabel()
+        self.notes = QtWidgets.QLabel()
+        self.notes.setWordWrap(True)
         form = NarrowForm(self)
         form.addRow(QtWidgets.QLabel(translate("File")))
         form.addRow(row)

@@ -11,7 +11,7 @@ from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.pattern.panels import MOST_COPIES
 from BalloonWorkbench.gui.intake_handle import IntakeHandle
 from BalloonWorkbench.gui.panels.fields import Fields
-from BalloonWorkbench.gui.panels.narrow import NarrowForm, WrappedLabel
+from BalloonWorkbench.gui.panels.narrow import NarrowForm
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.sentences import tell
 
@@ -37,8 +37,9 @@ class PatternBox(QtWidgets.QWidget):
         self._heading(translate("Intake"))
         self._row("Intake", "", fields.check("Intake", translate("Air intake")))
         self._row("IntakeKind", translate("Kind"), fields.choice("IntakeKind"))
-        self.note = WrappedLabel()
+        self.note = QtWidgets.QLabel()
         self.note.setObjectName("HowToFill")
+        self.note.setWordWrap(True)
         self.form.addRow(self.note)
         self._row("IntakeWidth", translate("Width"), fields.quantity("IntakeWidth", "mm"))
         self._row("IntakeLength", translate("Length"), fields.quantity("IntakeLength", "mm"))
@@ -52,8 +53,9 @@ class PatternBox(QtWidgets.QWidget):
         self.drag.setCheckable(True)
         self.drag.setToolTip(translate("While this is pressed, the ring in the 3D view moves the intake"))
         self.form.addRow(self.drag)
-        self.advice = WrappedLabel()
+        self.advice = QtWidgets.QLabel()
         self.advice.setObjectName("PatternAdvice")
+        self.advice.setWordWrap(True)
         self.form.addRow(self.advice)
         self._heading(translate("Marks"))
         self._row("Notches", translate("Notches"), fields.whole("Notches", 0, 1000))

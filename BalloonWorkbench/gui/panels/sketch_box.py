@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from BalloonWorkbench.gui.panels.fields import Fields
-from BalloonWorkbench.gui.panels.narrow import NarrowForm, WrappedLabel
+from BalloonWorkbench.gui.panels.narrow import NarrowForm
 from BalloonWorkbench.gui.panels.preview import Preview, notes_of
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.selection import SelectionWatch, selected_source
@@ -19,8 +19,9 @@ class SketchBox(QtWidgets.QWidget):
     def __init__(self, outline):
         super().__init__()
         self.outline = outline
-        self.source = WrappedLabel()
+        self.source = QtWidgets.QLabel()
         self.source.setObjectName("Source")
+        self.source.setWordWrap(True)
         self.pick = QtWidgets.QPushButton(translate("Select another"))
         self.pick.setObjectName("Pick")
         self.pick.setCheckable(True)
@@ -30,7 +31,8 @@ class SketchBox(QtWidgets.QWidget):
         symmetry = NarrowForm()
         symmetry.addRow(translate("Symmetry"), self.fields.choice("Symmetry"))
         self.preview = Preview()
-        self.notes = WrappedLabel()
+        self.notes = QtWidgets.QLabel()
+        self.notes.setWordWrap(True)
         column = QtWidgets.QVBoxLayout(self)
         for widget in (self.source, self.pick, self.preview, self.notes):
             column.addWidget(widget)
