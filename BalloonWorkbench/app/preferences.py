@@ -14,6 +14,7 @@ import FreeCAD as App
 PATH = "User parameter:BaseApp/Preferences/Mod/BalloonWorkbench"
 _BEDS = f"{PATH}/Beds"  # by the name of the machine, as text
 _RECENT = "RecentExportFolder"
+_GENERAL, _OPENED = "User parameter:BaseApp/Preferences/General", "FileOpenSavePath"  # FreeCAD's own
 _folders: dict[str, str] = {}  # where files went, by the document
 
 
@@ -119,6 +120,16 @@ def put_export_folder(doc, folder) -> None:
     """Remember where a document's file went."""
     _folders[doc.FileName or doc.Name] = str(folder)
     App.ParamGet(PATH).SetString(_RECENT, str(folder))
+
+
+def open_folder() -> str:
+    """Where FreeCAD has opened or saved a file last; empty where it has not."""
+    return App.ParamGet(_GENERAL).GetString(_OPENED, "")
+
+
+def put_open_folder(folder: str) -> None:
+    """Let FreeCAD and the workbench ask for the next file there."""
+    App.ParamGet(_GENERAL).SetString(_OPENED, folder)
 
 
 def choices(key: str) -> list[str]:

@@ -5,14 +5,11 @@ from __future__ import annotations
 
 import os
 
-import FreeCAD as App
-
+from BalloonWorkbench.app import preferences
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 
 _PICTURES = ("png", "jpg", "jpeg", "bmp")
 _LINES = ("svg", "dxf", "json")
-_GENERAL = "User parameter:BaseApp/Preferences/General"
-_FOLDER = "FileOpenSavePath"
 
 
 def ask_for_drawing(parent) -> str | None:
@@ -27,12 +24,12 @@ def ask_for_picture(parent, *more: str) -> str | None:
 
 
 def _ask(parent, title: str, kinds: str) -> str | None:
-    general = App.ParamGet(_GENERAL)
     usual = QtCore.QStandardPaths.writableLocation(QtCore.QStandardPaths.PicturesLocation)
-    path, _ = QtWidgets.QFileDialog.getOpenFileName(parent, title, general.GetString(_FOLDER) or usual, kinds)
+    folder = preferences.open_folder() or usual
+    path, _ = QtWidgets.QFileDialog.getOpenFileName(parent, title, folder, kinds)
     if not path:
         return None
-    general.SetString(_FOLDER, os.path.dirname(path))
+    preferences.put_open_folder(os.path.dirname(path))
     return path
 
 

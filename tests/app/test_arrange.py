@@ -23,7 +23,7 @@ from BalloonWorkbench.core.nesting import nest as nesting
 HEART = Path("resources/examples/pictures/heart.png").resolve()
 OLDER = Path("tests/resources/documents/0.1.0-freecad-0.20.FCStd").resolve()
 STORIES = int(os.environ.get("BALLOON_ARRANGE_STORIES", "3"))
-QUICK = {"correct": False, "mesh_size": 14}
+QUICK = {"correct": False, "mesh_size": 14, "intake": False}
 
 
 @pytest.fixture(autouse=True)
@@ -76,14 +76,34 @@ def grid(doc):
     return create.balloon_from_sketch(doc, sketch, **QUICK), sheet
 
 
-def everything(doc):
+@pytest.fixture(scope="module")
+def made_once():
     """Two balloons, a print of the second and a sheet with both; the first follows a spreadsheet."""
-    first, sheet = grid(doc)
-    second = heart(doc)
-    made = artwork.make(second.pattern), film_sheet.make(doc, [first.pattern, second.pattern])
-    doc.recompute()
+    doc = App.newDocument("Everything")
+    doc.UndoMode = 1
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(nesting, "PACKAGE", "no_such_package")
+        first, sheet = grid(doc)
+        second = heart(doc)
+        made = artwork.make(second.pattern), film_sheet.make(doc, [first.pattern, second.pattern])
+        doc.recompute()
     assert [obj.Status for obj in (*first, *second, *made)] == [status.READY] * 8
-    return first, second, sheet
+    yield first, second, sheet
+    App.closeDocument(doc.Name)
+
+
+@pytest.fixture
+def everything(made_once):
+    """The document with all of them, as it was after each test."""
+    doc = made_once[-1].Document
+    before = places(doc)
+    yield made_once
+    while doc.UndoCount:
+        doc.undo()
+    doc.clearUndos()
+    doc.recompute()
+    assert same(before, places(doc))
+    assert not meetings(doc)
 
 
 def places(doc, *names):
@@ -100,8 +120,8 @@ def same(before, after):
     return all((before[name].Base - after[name].Base).Length < 1e-6 for name in before)
 
 
-def test_all_lie_beside_each_other_and_stay(doc):
-    everything(doc)
+def test_all_lie_beside_each_other_and_stay(everything):
+    doc = everything[-1].Document
     assert not meetings(doc)
     assert not [obj.Name for obj in doc.Objects if "Touched" in obj.State]
     before = places(doc)
@@ -112,8 +132,10 @@ def test_all_lie_beside_each_other_and_stay(doc):
 
 
 @pytest.mark.parametrize("times", [3, 0.4])
-def test_what_grows_moves_the_others_aside(doc, times):
-    first, second, sheet = everything(doc)
+def test_what_grows_moves_the_others_aside(everything, times):
+    first, second, sheet = everything
+    doc = sheet.Document
+    doc.openTransaction("Grow")
     before = places(doc)
     sheet.set("A1", f"={60 * times} mm")
     doc.recompute()
@@ -128,8 +150,10 @@ def test_what_grows_moves_the_others_aside(doc, times):
     assert same(before, places(doc))
 
 
-def test_what_the_user_has_moved_stays(doc):
-    _, second, sheet = everything(doc)
+def test_what_the_user_has_moved_stays(everything):
+    _, second, sheet = everything
+    doc = sheet.Document
+    doc.openTransaction("Move")
     far, turned = App.Vector(40, -900, 5), App.Rotation(App.Vector(0, 0, 1), 30)
     second.outline.Placement.Base = far
     second.pattern.Placement = App.Placement(second.pattern.Placement.Base, turned)
@@ -229,8 +253,9 @@ def test_in_a_leaning_plane(doc):
             doc.removeObject(obj.Name)
 
 
-def test_undone_and_done_again(doc):
-    _, _, sheet = everything(doc)
+def test_undone_and_done_again(everything):
+    sheet = everything[-1]
+    doc = sheet.Document
     before = places(doc)
     doc.openTransaction("Grow")
     sheet.set("A1", "=200 mm")
@@ -248,12 +273,14 @@ def test_undone_and_done_again(doc):
     assert not meetings(doc)
 
 
-def test_saved_and_opened(doc, tmp_path):
-    _, second, _ = everything(doc)
+def test_saved_and_opened(everything, tmp_path):
+    _, second, sheet = everything
+    doc = sheet.Document
+    doc.openTransaction("Move")
     second.pattern.Placement.Base += App.Vector(0, 700, 0)
     before = places(doc)
-    doc.saveAs(str(tmp_path / "all.FCStd"))
-    App.closeDocument(doc.Name)
+    doc.commitTransaction()
+    doc.saveCopy(str(tmp_path / "all.FCStd"))
     again = App.openDocument(str(tmp_path / "all.FCStd"))
     assert same(before, places(again))
     again.Sizes.set("A1", "=300 mm")

@@ -29,7 +29,9 @@ def test_freecad_reads_it(manifest):
         "CC-BY-SA-4.0": "LICENSE-ARTWORK",
     }
     assert manifest.Maintainer[0]["name"]
-    assert "example" not in Path("package.xml").read_text(encoding="utf-8")
+    addresses = {item["type"]: item for item in manifest.Urls}
+    assert addresses["repository"]["branch"] == "release"
+    assert addresses["readme"]["location"].startswith(addresses["repository"]["location"])
 
 
 def test_this_freecad_is_supported(manifest):

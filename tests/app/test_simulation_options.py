@@ -104,7 +104,7 @@ def test_volume_as_the_load(balloon):
     balloon.TargetVolume = 20 * volume
     balloon.Document.recompute()
     assert balloon.Status.startswith(status.STALE)
-    assert "litres" in balloon.Status
+    assert "holds less than" in balloon.Status
 
 
 def test_undo_shows_the_pressure_again(solved):

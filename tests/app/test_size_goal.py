@@ -107,7 +107,7 @@ def test_only_what_has_an_effect_is_offered(parts):
 @pytest.mark.parametrize(
     ("values", "word"),
     [
-        ({"SizeGoal": "Volume", "GoalVolume": 0}, "litres"),
+        ({"SizeGoal": "Volume", "GoalVolume": 0}, "A volume of 0 ml"),
         ({"SizeGoal": "Lift", "GoalLift": -5.0}, "lift"),
         ({"SizeGoal": "Lift", "Gas": "Warm air", "GasTemperature": 10.0}, "never floats"),
         ({"SizeGoal": "Lift", "GoalLift": 1e12}, "lighter film"),

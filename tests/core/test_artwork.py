@@ -14,6 +14,7 @@ import ezdxf
 import numpy as np
 import pytest
 from drawn_shapes import NAMED
+from ezdxf import bbox
 from inflated import designed
 from matplotlib.image import imread
 from printed import COLOURS, DPI, FILM, MM, VIEW, box_of, dots_of, dotted, exactly, inflated_view, printed
@@ -237,7 +238,7 @@ def test_marks_are_the_same_in_the_cut_file(heart: tuple) -> None:
             for line in lines
             if line.dxf.layer == layer
         ]
-        for layer in ("CUT", "REGISTRATION")
+        for layer in ("REGISTRATION",)
     }
     crosses = [
         mark
@@ -247,7 +248,8 @@ def test_marks_are_the_same_in_the_cut_file(heart: tuple) -> None:
     assert len(crosses) == 6
     middles = {tuple(np.round(cross.mean(axis=0), 2)) for cross in crosses}
     assert len(middles) == 3
-    corner = of["CUT"][0].min(axis=0)
+    cut = next(line for line in lines if line.dxf.layer == "CUT")
+    corner = np.array(bbox.extents([cut]).extmin)[:2]  # arcs reach further than their ends
     dark = (sheet.pixels[..., :3].max(axis=2) < 20) & (sheet.pixels[..., 3] == 255)
     pixel = 25.4 / DPI
     for middle in middles:

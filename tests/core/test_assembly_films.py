@@ -33,6 +33,7 @@ from BalloonWorkbench.core.pattern.extras import with_tie_tab
 from BalloonWorkbench.core.pattern.intake_kinds import intake_kind, intake_kinds
 from BalloonWorkbench.core.pattern.make import Wanted, pieces_remarks
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
+from BalloonWorkbench.core.types import in_english
 
 ROOT = Path(__file__).resolve().parents[2]
 DATA = {path.stem: json.loads(path.read_text(encoding="utf-8")) for path in sorted(FOLDER.glob("*.json"))}
@@ -219,7 +220,7 @@ def test_command_line_and_preview_say_nothing_against_the_film(
     name: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     one, data = about(name)
-    line = cli_summary._making_line(told(one.numbers), one.film.seam)
+    line = "\n".join(cli_summary._making(told(one.numbers), one.film, 2000.0, in_english))
     assert not contradictions(line, {**data, "laser": None}), line
     assert one.film.seam in line
     said: list[str] = []

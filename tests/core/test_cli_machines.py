@@ -45,7 +45,7 @@ def test_too_large_for_the_bed(square: Path, capsys: pytest.CaptureFixture[str])
     assert run(square, "--machine", str(own)) == 2
     text = capsys.readouterr().err
     assert "bed" in text
-    assert "(5.91 x 5.91 in)" in text
+    assert "(5.906 x 5.906 in)" in text
     assert not (square.parent / "out").exists()
 
 

@@ -86,7 +86,7 @@ def test_lines_and_spots_inside_leave_no_mark():
 def test_a_loose_part_is_joined():
     found = outline(any_of(arc(250, 200, 150, 0, 360, 12), stroke(250, 366, 250, 480, 12)))
     assert found.size[1] == pytest.approx(150 + 6 + 280 + 6, abs=2)
-    assert any("1 loose" in note for note in found.notes)
+    assert any("were joined to the drawing" in note for note in found.notes)
 
 
 def test_shapes_of_a_pen_drawing_are_kept_apart_from_loose_lines():

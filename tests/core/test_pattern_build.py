@@ -234,7 +234,7 @@ def test_small_holes(radius: float, seals: int, cuts: int, said: str | None) -> 
     assert len(pattern.warnings) == (said is not None)
     if said:
         assert said in pattern.warnings[0]
-        assert "(50.0, 20.0) mm" in pattern.warnings[0]
+        assert "(50, 20) mm" in pattern.warnings[0]
 
 
 def test_balloon_thinner_than_its_intake() -> None:

@@ -123,8 +123,8 @@ def test_the_command_line_refuses_and_parts(
     assert {"pattern-silhouette_mm-valve.dxf", "nested-pattern-silhouette_mm-valve.dxf"} <= names
     told = capsys.readouterr().out
     assert "thin PE film" in told
-    assert "\nFilm 1: 2 pieces" in told
-    assert "\nValve film 1: 2 pieces" in told
+    assert "\nFilm 1: pieces 2," in told
+    assert "\nValve film 1: pieces 2," in told
     report = json.loads((tmp_path / "out" / "report.json").read_text())
     drawn = (tmp_path / "out" / "pattern.svg").read_text().split('width="')[1].split("mm")[0]
     assert (

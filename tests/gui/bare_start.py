@@ -4,6 +4,7 @@
 Writes what it saw as JSON to the file in BALLOON_SEEN, and ends FreeCAD.
 """
 
+import ctypes
 import json
 import os
 import sys
@@ -103,7 +104,7 @@ def run():
         if sys.exc_info()[0] is not None:
             seen["failed"] = traceback.format_exc()
         Path(os.environ["BALLOON_SEEN"]).write_text(json.dumps(seen), encoding="utf-8")
-        sys.stdout.flush()
+        ctypes.CDLL(None).fflush(None)  # what FreeCAD itself has printed
         os._exit(0)
 
 

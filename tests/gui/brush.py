@@ -116,7 +116,7 @@ def draw_for_real(pointer, canvas, places):
     for number, place in enumerate(places):
         at = canvas.paper.to_screen(hands.QtCore.QPointF(place[0] * SIDE, place[1] * SIDE))
         pointer.move(*on_screen(canvas, place))
-        end = time.monotonic() + 5.0
+        end = hands.at_latest(5.0)
         while canvas._pointer is None or (canvas._pointer - at).manhattanLength() > 4:
             assert time.monotonic() < end, "the pointer never came"
             hands.wait(0.004)

@@ -25,9 +25,15 @@ def wait(seconds=0.1):
         time.sleep(0.005)
 
 
+def at_latest(seconds):
+    """When so many seconds of a machine without other work have passed, by time.monotonic()."""
+    others = os.getloadavg()[0] / (os.cpu_count() or 1)  # programs for each core
+    return time.monotonic() + seconds * max(others, 1.0)
+
+
 def wait_until(condition, seconds=60.0):
     """Let the window live until something is so."""
-    end = time.monotonic() + seconds
+    end = at_latest(seconds)
     while not condition():
         assert time.monotonic() < end, "it never happened"
         wait(0.02)

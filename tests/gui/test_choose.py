@@ -12,7 +12,7 @@ import pytest
 from hands import QtCore, QtWidgets
 from pictures import framed
 
-from BalloonWorkbench.app import status
+from BalloonWorkbench.app import preferences, status
 from BalloonWorkbench.core.design import draft as core_draft
 from BalloonWorkbench.gui import choose
 
@@ -29,10 +29,9 @@ def no_dialog():
 def chooser(no_file_chosen, monkeypatch):
     """FreeCAD's own chooser, and the folder of the last file as it was afterwards."""
     monkeypatch.setattr(choose, "ask_for_drawing", ASK)
-    general = App.ParamGet(choose._GENERAL)
-    before = general.GetString(choose._FOLDER)
-    yield general
-    general.SetString(choose._FOLDER, before)
+    before = preferences.open_folder()
+    yield
+    preferences.put_open_folder(before)
 
 
 def command(answer):
@@ -62,13 +61,13 @@ def type_name(name):
     return answer
 
 
-def test_the_chooser_comes_at_once_and_the_folder_is_remembered(doc, chooser, tmp_path):
+def test_the_chooser_comes_at_once_and_the_folder_is_remembered(doc, tmp_path):
     photo = shutil.copy(HEART, tmp_path / "HEART.PNG")
     command(type_name(photo))
     hands.wait_until(hands.panel_is_seen)
     assert doc.Outline.Status == status.READY
     assert hands.find("Drawing").text() == "HEART.PNG"
-    assert chooser.GetString(choose._FOLDER) == str(tmp_path)
+    assert preferences.open_folder() == str(tmp_path)
     hands.press("Cancel")
     hands.wait_until(hands.panel_is_closed)
     names = []

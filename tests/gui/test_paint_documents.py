@@ -8,13 +8,15 @@ import pytest
 from brush import close_window, draw, ellipse, fish_body, is_closed, open_window, press
 from hands import QtCore, QtGui, QtWidgets
 
-from BalloonWorkbench.app import status
+from BalloonWorkbench.app import preferences, status
 from BalloonWorkbench.core.job import Settings
 from BalloonWorkbench.gui.paint import window as paint_window
 
 
 @pytest.fixture(autouse=True)
-def nothing_left():
+def nothing_left(monkeypatch):
+    """Every balloon is made in a moment: whose it is does not depend on its mesh."""
+    monkeypatch.setattr(preferences, "settings", lambda: Settings(correct=False, mesh_size=0.02))
     yield
     while paint_window._open:
         close_window()
@@ -83,7 +85,6 @@ def test_a_new_document_while_painting(doc):
     hands.wait_until(lambda: in_front() is first, 10)
     assert paint_window._open == [first]
     press("PaintSizeDone") if first.card.isVisible() else None
-    first.live.settings = Settings(correct=False, mesh_size=0.02)
     press("PaintMake")
     hands.wait_until(is_closed, 60)
     assert [doc.getObject(name).Status for name in ("Outline", "Balloon", "Pattern")] == [status.READY] * 3
@@ -105,7 +106,7 @@ def test_one_that_was_closed_by_hand_stays_closed(doc):
 
 def test_a_new_document_while_the_balloon_is_being_made(doc):
     window = open_window()
-    window.live.settings = Settings(mesh_size=0.004)
+    window.live.settings = Settings(mesh_size=0.008)  # takes longer than a new document
     fish_body(window)
     press("PaintMake")
     assert window.making
@@ -120,7 +121,6 @@ def test_a_new_document_while_the_balloon_is_being_made(doc):
 
 def test_another_painting_in_the_same_document_is_kept_too(doc):
     window = open_window()
-    window.live.settings = Settings(correct=False, mesh_size=0.02)
     fish_body(window)
     hands.wait_until(window.live.is_settled, 60)
     if window.card.isVisible():

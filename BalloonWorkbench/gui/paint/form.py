@@ -14,6 +14,8 @@ from BalloonWorkbench.gui import sentences
 from BalloonWorkbench.gui.panels.fields import new_quantity_box
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, drawn_icon, translate
 
+_AROUND = 60  # px of a number's arrows, its sign for expressions and its frame
+
 
 class Form(QtWidgets.QWidget):
     """`widened` carries the width in mm that was typed, `read_as` how it is read, `made` the wish for
@@ -43,9 +45,11 @@ class Form(QtWidgets.QWidget):
             translate("The holes of a filled shape stay, the lines of a pen drawing are filled inside")
         )
         self.drawn_as.activated.connect(lambda index: self.read_as.emit(self.drawn_as.itemData(index)))
+        # the numbers take what is left, in two lines at need: they leave the fields and the paper as they are
+        self.width_field.setMaximumWidth(self.fontMetrics().horizontalAdvance("12345.67 mm") + _AROUND)
         self.numbers = _label("PaintNumbers")
         self.numbers.setWordWrap(True)
-        self.numbers.setSizePolicy(QtWidgets.QSizePolicy.Ignored, QtWidgets.QSizePolicy.Preferred)
+        self.numbers.setSizePolicy(QtWidgets.QSizePolicy.Ignored, QtWidgets.QSizePolicy.Ignored)
         self.hint = _label("PaintHint")
         self.hint.setWordWrap(True)
         self.hint.setSizePolicy(QtWidgets.QSizePolicy.Ignored, QtWidgets.QSizePolicy.Preferred)

@@ -77,13 +77,14 @@ class ElidedLabel(QtWidgets.QLabel):
 
 
 class WrappedLabel(QtWidgets.QLabel):
-    """A text in as many lines as it takes: in a form, Qt 6 gives some rows less than their heights."""
+    """A text in as many lines as it takes: in a form, Qt gives some rows less than their heights."""
 
     def __init__(self, text: str = ""):
         super().__init__(text)
         self.setWordWrap(True)
 
-    def setText(self, text):
+    def setText(self, text: str) -> None:
+        """Another text in as many lines."""
         super().setText(text)
         self._fit()
 
@@ -93,7 +94,7 @@ class WrappedLabel(QtWidgets.QLabel):
             self._fit()
 
     def _fit(self) -> None:
-        self.setMinimumHeight(max(self.heightForWidth(self.width()), 0))  # -1 without a text
+        self.setMinimumHeight(max(self.heightForWidth(self.width()), 0))
 
 
 class FullList(QtWidgets.QListWidget):
