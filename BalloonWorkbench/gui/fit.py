@@ -92,7 +92,7 @@ def free_part(view) -> tuple[float, float, float, float]:
     window = view.graphicsView()
     width, height = max(window.width(), 1), max(window.height(), 1)
     whole = QtCore.QRect(window.mapToGlobal(QtCore.QPoint(0, 0)), window.size())
-    left, right, bottom, top = 0.0, 1.0, 0.0, 1.0
+    left, right, bottom, top = _legends(view) / width, 1.0, 0.0, 1.0
     for name in OVERLAYS:
         panel = Gui.getMainWindow().findChild(QtWidgets.QWidget, name)
         if panel is None or not panel.isVisible():
@@ -111,6 +111,16 @@ def free_part(view) -> tuple[float, float, float, float]:
     if right - left < _LEAST or top - bottom < _LEAST:
         return 0.0, 1.0, 0.0, 1.0
     return left, right, bottom, top
+
+
+def _legends(view) -> float:
+    """The width in Qt's pixels that legends take at the left of a view."""
+    from BalloonWorkbench.gui.legend_row import width_of_row
+
+    shown = Gui.ActiveDocument
+    if shown is None or view_of(shown) != view:
+        return 0.0
+    return width_of_row(shown.Document.Name) / view.graphicsView().devicePixelRatioF()
 
 
 def _corners(view, document) -> np.ndarray:

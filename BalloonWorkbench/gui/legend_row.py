@@ -41,6 +41,17 @@ def arrange(document_name: str) -> None:
             before += picture.width() + _GAP
 
 
+def width_of_row(document_name: str) -> int:
+    """The width in pixels of the longer row of legends that a document shows."""
+    document = App.listDocuments().get(document_name)
+    widths = [
+        sum(picture.width() + _GAP for name, (_, picture) in row.items() if _is_shown(document, name, place))
+        for (owner, place), row in _rows.items()
+        if owner == document_name
+    ]
+    return max(widths, default=0)
+
+
 def _is_shown(document, name: str, place: float) -> bool:
     from BalloonWorkbench.gui.film_map import OFF
 

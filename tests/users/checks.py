@@ -316,8 +316,8 @@ def faint(image, widgets):
         if isinstance(widget, QtWidgets.QAbstractButton) and widget.underMouse():
             continue  # as the theme lights it up
         seen = widget.visibleRegion().boundingRect()
-        if seen.width() < 8 or seen.height() < 0.7 * widget.height():
-            continue
+        if seen.width() < 8 or seen.height() < max(8, 0.6 * widget.height()):
+            continue  # scrolled out of sight, with the letters perhaps
         at = widget.mapToGlobal(seen.topLeft())
         box = QtCore.QRect(at * ratio, seen.size() * ratio).adjusted(1, 1, -1, -1) & image.rect()
         ratio_here = contrast(pixels(image.copy(box))[..., :3])
