@@ -904,7 +904,7 @@
     </message>
     <message>
         <source>Aluminised PET ("Mylar"), 25 µm</source>
-        <translation>Aluminisiertes PET („Mylar“), 25 µm</translation>
+        <translation>Alu-PET („Mylar“), 25 µm</translation>
     </message>
     <message>
         <source>Aluminised nylon/PE foil (party balloon), 30 µm</source>
@@ -3239,6 +3239,10 @@
         <translation>Das Maß ({0}) ist {1} mm: einen Wert über 0 angeben, zum Beispiel 300 mm.</translation>
     </message>
     <message>
+        <source>The {0} is {1} off its goal: change the goal by as much.</source>
+        <translation>Das Ziel ({0}) wurde um {1} verfehlt: es um ebenso viel berichtigen.</translation>
+    </message>
+    <message>
         <source>The {0} line crosses itself near {1}: simplify the drawing there.</source>
         <translation>Die Linie {0} kreuzt sich nahe {1}: die Zeichnung dort vereinfachen.</translation>
     </message>
@@ -3249,10 +3253,6 @@
     <message>
         <source>The {0} line that begins at {1} is open: programs fill, offset and cut closed lines only. Close it.</source>
         <translation>Die Linie {0}, die bei {1} beginnt, ist offen: Programme füllen, versetzen und schneiden nur geschlossene. Sie schließen.</translation>
-    </message>
-    <message>
-        <source>The {0} misses the goal by {1}: change the goal by as much.</source>
-        <translation>Das Ziel ({0}) wurde um {1} verfehlt: es um ebenso viel berichtigen.</translation>
     </message>
     <message>
         <source>The {0} {1} is not between {2} and {3} {4}: give one such as {5}.</source>

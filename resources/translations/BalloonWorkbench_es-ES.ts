@@ -3239,6 +3239,10 @@
         <translation>La medida ({0}) es {1} mm: indique una mayor que 0, por ejemplo 300 mm.</translation>
     </message>
     <message>
+        <source>The {0} is {1} off its goal: change the goal by as much.</source>
+        <translation>El objetivo ({0}) se desvió un {1}: corríjalo en la misma medida.</translation>
+    </message>
+    <message>
         <source>The {0} line crosses itself near {1}: simplify the drawing there.</source>
         <translation>La línea {0} se cruza cerca de {1}: simplifique ahí el dibujo.</translation>
     </message>
@@ -3249,10 +3253,6 @@
     <message>
         <source>The {0} line that begins at {1} is open: programs fill, offset and cut closed lines only. Close it.</source>
         <translation>La línea {0} que empieza en {1} está abierta: los programas solo rellenan, desplazan y cortan líneas cerradas. Ciérrela.</translation>
-    </message>
-    <message>
-        <source>The {0} misses the goal by {1}: change the goal by as much.</source>
-        <translation>El objetivo ({0}) se desvió un {1}: corríjalo en la misma medida.</translation>
     </message>
     <message>
         <source>The {0} {1} is not between {2} and {3} {4}: give one such as {5}.</source>

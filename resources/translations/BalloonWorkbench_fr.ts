@@ -3239,6 +3239,10 @@
         <translation>La dimension ({0}) est de {1} mm : donnez-en une au-dessus de 0, par exemple 300 mm.</translation>
     </message>
     <message>
+        <source>The {0} is {1} off its goal: change the goal by as much.</source>
+        <translation>Le but ({0}) est manqué de {1} : corrigez-le d'autant.</translation>
+    </message>
+    <message>
         <source>The {0} line crosses itself near {1}: simplify the drawing there.</source>
         <translation>La ligne {0} se croise près de {1} : simplifiez-y le dessin.</translation>
     </message>
@@ -3249,10 +3253,6 @@
     <message>
         <source>The {0} line that begins at {1} is open: programs fill, offset and cut closed lines only. Close it.</source>
         <translation>La ligne {0} qui commence en {1} est ouverte : les programmes ne remplissent, décalent et coupent que des lignes fermées. Fermez-la.</translation>
-    </message>
-    <message>
-        <source>The {0} misses the goal by {1}: change the goal by as much.</source>
-        <translation>Le but ({0}) est manqué de {1} : corrigez-le d'autant.</translation>
     </message>
     <message>
         <source>The {0} {1} is not between {2} and {3} {4}: give one such as {5}.</source>

@@ -3239,6 +3239,10 @@
         <translation>寸法（{0}）が {1} mm です。300 mm のように 0 より大きくしてください。</translation>
     </message>
     <message>
+        <source>The {0} is {1} off its goal: change the goal by as much.</source>
+        <translation>目標（{0}）から {1} ずれました。その分だけ目標を直してください。</translation>
+    </message>
+    <message>
         <source>The {0} line crosses itself near {1}: simplify the drawing there.</source>
         <translation>{0} の線が {1} 付近で交わります。そこの図を簡単にしてください。</translation>
     </message>
@@ -3249,10 +3253,6 @@
     <message>
         <source>The {0} line that begins at {1} is open: programs fill, offset and cut closed lines only. Close it.</source>
         <translation>{1} で始まる {0} の線が閉じていません。塗り、オフセット、切断には閉じた線が必要です。閉じてください。</translation>
-    </message>
-    <message>
-        <source>The {0} misses the goal by {1}: change the goal by as much.</source>
-        <translation>目標（{0}）から {1} ずれました。その分だけ目標を直してください。</translation>
     </message>
     <message>
         <source>The {0} {1} is not between {2} and {3} {4}: give one such as {5}.</source>

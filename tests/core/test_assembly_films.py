@@ -29,6 +29,7 @@ from BalloonWorkbench.core.export.preview import preview_png
 from BalloonWorkbench.core.film.film import JOININGS
 from BalloonWorkbench.core.film.library import FOLDER, custom_film, film, films, read_film
 from BalloonWorkbench.core.maker.numbers import told
+from BalloonWorkbench.core.maker.safety import WELD
 from BalloonWorkbench.core.pattern.extras import with_tie_tab
 from BalloonWorkbench.core.pattern.intake_kinds import intake_kind, intake_kinds
 from BalloonWorkbench.core.pattern.make import Wanted, pieces_remarks
@@ -220,9 +221,10 @@ def test_command_line_and_preview_say_nothing_against_the_film(
     name: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     one, data = about(name)
-    line = "\n".join(cli_summary._making(told(one.numbers), one.film, 2000.0, in_english))
+    numbers = told(one.numbers)
+    line = "\n".join(cli_summary._making(numbers, one.film, 2000.0, in_english))
     assert not contradictions(line, {**data, "laser": None}), line
-    assert one.film.seam in line
+    assert (one.film.seam in line) == (numbers["strength"]["weakest"] == WELD)
     said: list[str] = []
     write = Axes.text
 

@@ -171,7 +171,7 @@ def test_where_nothing_can_be_written(clone: Path, tmp_path: Path, released: Any
     clone.write_text("in the way")
     (tmp_path / "home" / ".film-balloon").write_text("in the way")
     text = refused(tmp_path)
-    assert text.startswith("The native solver cannot be kept. Cannot write to ")
+    assert text.startswith("The native solver cannot be saved. Cannot write to ")
 
 
 def test_a_full_disk(tmp_path: Path, released: Any, wheel: bytes, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -214,7 +214,7 @@ def test_a_missed_goal_is_told() -> None:
         return replace(design, target=outline, inflation=replace(design.inflation, volume=volume))
 
     told = design_to_size(work, NAMED["disc"], SizeGoal(volume=0.02), HELIUM).warnings
-    assert any("misses the goal by" in text for text in told)
+    assert any("off its goal" in text for text in told)
 
 
 def test_a_volume_to_inflate_to_and_a_goal_exclude_each_other() -> None:

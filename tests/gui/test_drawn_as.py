@@ -42,7 +42,7 @@ def test_the_panel_tells_of_the_hole_and_has_it_back(parts):
     assert heard == ["Filled shape"]
     parts.outline.Document.recompute([parts.outline])
     box.refresh()
-    assert "1 hole" in box.notes.text()
+    assert "holes: 1" in box.notes.text()
     assert "filled shape" not in box.notes.text()
     box.release()
 

@@ -108,9 +108,8 @@ def test_cancelled_edit_changes_nothing(made):
     volume = made.balloon.Volume.Value
     made.balloon.ViewObject.Proxy.doubleClicked(made.balloon.ViewObject)
     hands.wait_until(hands.panel_is_open)
-    hands.choose(hands.find("Mode"), "Inflate as drawn")
-    hands.click(hands.find("Apply"))
-    hands.wait_until(lambda: solved() and made.balloon.Volume.Value < volume)
+    hands.choose(hands.find("Mode"), "Inflate as drawn")  # it is live: the balloon follows by itself
+    hands.wait_until(lambda: made.balloon.Volume.Value < volume and solved())
     hands.press("Cancel")
     hands.wait_until(done)
     assert made.balloon.Mode == "Fit to drawing"

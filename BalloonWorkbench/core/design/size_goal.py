@@ -214,7 +214,7 @@ def _remarks(known: Scaling, goal: SizeGoal, buoyancy: Buoyancy) -> tuple[str, .
     if miss <= TOLERANCE:
         return ()
     what = "volume" if goal.volume is not None else "lift"
-    return (f"The {what} misses the goal by {percent_text(miss)}: change the goal by as much.",)
+    return (f"The {what} is {percent_text(miss)} off its goal: change the goal by as much.",)
 
 
 def _part(progress: Progress, number: int) -> Progress:

@@ -9,7 +9,7 @@ from BalloonWorkbench.app import status
 from BalloonWorkbench.core.export.colour_map import TENSION
 from BalloonWorkbench.gui.borders import Panel
 from BalloonWorkbench.gui.film_map import CHOICES, OFF, choice_title
-from BalloonWorkbench.gui.panels.narrow import WrappedLabel
+from BalloonWorkbench.gui.panels.narrow import ElidedCombo, WrappedLabel
 from BalloonWorkbench.gui.panels.results_file import save_results
 from BalloonWorkbench.gui.panels.watch import Watch
 from BalloonWorkbench.gui.qt import QtWidgets, drawn_icon, translate
@@ -29,7 +29,10 @@ class ColourMapPanel(Panel):
         self.form.setObjectName("ColourMapPanel")
         self.form.setWindowTitle(translate("Colour map"))
         self.form.setWindowIcon(drawn_icon("colour_map"))
-        self.choice = QtWidgets.QComboBox()
+        self.choice = ElidedCombo()
+        # as wide as the panel, not as its longest entry
+        self.choice.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
+        self.choice.setMinimumContentsLength(8)
         self.choice.setObjectName("ColourMap")
         self.choice.setToolTip(translate("Result that is shown as colours, with a legend"))
         for entry in CHOICES:
