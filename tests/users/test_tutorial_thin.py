@@ -42,6 +42,7 @@ def test_tutorial_lone_stroke(user, story, says):
         "A lone thin line is no balloon yet: close it, or go over it with the brush.",
         was_line and window.scene.is_shown(),
     )
+    user.replace(window.card.field, "25", confirm=False)  # at 300 mm it is as thin as just may be
     user.button("PaintSizeDone")
     hands.wait_until(window.live.is_settled, 60)
     ask(user, story, says, window, "stroke")
