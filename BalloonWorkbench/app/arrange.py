@@ -3,8 +3,8 @@
 
 A new object is placed once, as soon as it has a shape, beside all that is there. It stays; only where what
 was made before it, or the balloon of a sketch, has come into its place does it go aside again. What the user
-has moved stays for good, and so does what follows a sketch. All of it happens after a recompute: no `execute`
-knows its neighbours.
+has moved stays for good. What follows a sketch lies on it, and goes aside only for what follows another one.
+All of it happens after a recompute: no `execute` knows its neighbours.
 """
 
 from __future__ import annotations
@@ -20,6 +20,8 @@ PROPERTIES = (
     Property("Bool", "Placed", "Base", "The workbench has given it a place", True, True, True),
     Property("PlacementList", "PlacedAt", "Base", "Where the workbench put it", None, True, True),
 )
+#: Of what follows a sketch, besides.
+FROM_SKETCH = Property("Placement", "FromSketch", "Base", "Its place, seen from its sketch", None, True, True)
 
 _RIGHT, _DOWN = App.Vector(1.0, 0.0, 0.0), App.Vector(0.0, -1.0, 0.0)
 _GAP = 0.1  # between two of them, of the mean of width and height of the one that is placed
@@ -58,17 +60,22 @@ def place_when_ready(obj) -> None:
 
 def arrange(doc) -> None:
     """Place what is new, and move aside what something has grown into."""
-    units = _units(doc)
-    settled = [unit for unit in units if unit.follows_sketch]
+    units = sorted(_units(doc), key=lambda unit: not unit.follows_sketch)
+    settled: list[_Unit] = []
     for unit in units:
         if unit.state == _AUTOMATIC:
             _make_way(unit, settled)
-        if unit.state != _NEW and unit not in settled:
+        if unit.state != _NEW:
             settled.append(unit)
     new = [unit for unit in units if unit.state == _NEW]
     waiting = [obj for unit in new for obj in unit.everything]
     for unit in new:
-        _place(unit, [obj for obj in doc.Objects if obj not in waiting and (_is_ours(obj) or obj.Visibility)])
+        there = [obj for obj in doc.Objects if obj not in waiting and (_is_ours(obj) or obj.Visibility)]
+        if unit.follows_sketch:
+            others = [obj for each in settled if each.follows_sketch for obj in each.everything]
+            there = [obj for obj in there if _is_ours(obj)] if _meets(unit, others) else []
+            settled.append(unit)
+        _place(unit, there)
         waiting = [obj for obj in waiting if obj not in unit.everything]
 
 
@@ -196,15 +203,15 @@ def _has_shape(obj) -> bool:
 
 def _state(obj) -> str:
     """Whether the object waits for a place, lies where it was put, or stays where it is."""
-    if _follows_sketch(obj):
-        return _FIXED
     if not obj.Placed:
         return _NEW
+    if _follows_sketch(obj):
+        return _AUTOMATIC if obj.PlacedAt else _FIXED
     return _AUTOMATIC if obj.PlacedAt and _is_same(obj.PlacedAt[0], obj.Placement) else _FIXED
 
 
 def _follows_sketch(obj) -> bool:
-    """Its place is that of the sketch."""
+    """It lies on a sketch, or as far from it as it was put aside."""
     return "KeepAspect" in obj.PropertiesList and bool((obj.Leader or obj).Source)
 
 
@@ -220,28 +227,43 @@ def _make_way(unit: _Unit, settled: list[_Unit]) -> None:
     left_behind = any(each.moved and set(each.everything) & set(unit.owners) for each in settled)
     there = [obj for each in settled for obj in each.everything]
     there += [obj for obj in unit.owners if obj not in there]
-    box = unit.box()
-    in_the_way = any(_overlap(box, other) for other in boxes(there, unit.frame()))
-    if left_behind or in_the_way or not _is_apart(unit):
+    if left_behind or _meets(unit, there) or not _is_apart(unit):
         _place(unit, there)
         unit.moved = True
 
 
 def _place(unit: _Unit, there: list) -> None:
     """Lay a unit beside its owners, and beside all that is there, unless the user has moved it."""
-    by_user = any(not obj.Placed and not obj.Placement.isIdentity() for obj in unit.objects)
+    by_user = not unit.follows_sketch and any(
+        not obj.Placed and not obj.Placement.isIdentity() for obj in unit.objects
+    )
     if not by_user:
         frame = unit.frame()
         for obj, start in zip(unit.objects, _starts(unit), strict=True):
             if start is not None:
                 _put(obj, frame * start)
-        shift = frame.Rotation.multVec(_clearance(unit.box(), boxes(there, frame), unit.way))
+        shift = frame.Rotation.multVec(_clearance(unit.box(), _around(unit, there), unit.way))
         for obj in unit.everything:
             place = obj.getGlobalPlacement()
             _put(obj, App.Placement(place.Base + shift, place.Rotation))
     for obj in unit.objects:
         obj.PlacedAt = [] if by_user else [obj.Placement]
         obj.Placed = True
+
+
+def _meets(unit: _Unit, objects) -> bool:
+    """Something lies on the unit, or under it."""
+    own = unit.box()
+    return any(_overlap(own, box) for box in _around(unit, objects))
+
+
+def _around(unit: _Unit, objects) -> list:
+    """Boxes of objects in the unit's plane: sketches may lie above each other."""
+    others = list(boxes(objects, unit.frame()))
+    if not unit.follows_sketch:
+        return others
+    own = unit.box()
+    return [box for box in others if own.ZMin < box.ZMax and box.ZMin < own.ZMax]
 
 
 def _starts(unit: _Unit) -> list:
@@ -304,7 +326,9 @@ def _put(obj, place: App.Placement) -> None:
     """Move an object; what it shows is not older than before."""
     touched = "Touched" in obj.State
     beyond = obj.getGlobalPlacement() * obj.Placement.inverse()
-    obj.Placement = beyond.inverse() * place
+    before, obj.Placement = obj.Placement, beyond.inverse() * place
+    if FROM_SKETCH.name in obj.PropertiesList and _follows_sketch(obj):
+        obj.FromSketch = obj.FromSketch * before.inverse() * obj.Placement
     if not touched and all(
         _is_ours(user) or user.isDerivedFrom("App::DocumentObjectGroup") for user in obj.InList
     ):

@@ -50,6 +50,7 @@ PROPERTIES = (
     ),
     *advice.OUTLINE_PROPERTIES,
     *arrange.PROPERTIES,
+    arrange.FROM_SKETCH,
     Property("String", "Kind", "Outline", "What the outline was read from", result=True),
     Property("Length", "SizeX", "Outline", "Width of the outline", result=True),
     Property("Length", "SizeY", "Outline", "Height of the outline", result=True),
@@ -108,7 +109,7 @@ class OutlineProxy(DocumentProxy):
             outline = advice.repair_outline(obj, outline, scales=not leader(obj).Source)
             show(obj, outline, kind)
             if placement is not None:
-                obj.Placement = placement
+                obj.Placement = placement * obj.FromSketch
             status.set_status(obj, status.READY)
         obj.positionBySupport()
 

@@ -196,6 +196,10 @@
         <translation>Er trägt sich selbst</translation>
     </message>
     <message>
+        <source>Its place, seen from its sketch</source>
+        <translation>Seine Lage, von seiner Skizze aus gesehen</translation>
+    </message>
+    <message>
         <source>Label of the values the mesh belongs to</source>
         <translation>Kennzeichen der Werte, zu denen das Netz gehört</translation>
     </message>

@@ -196,6 +196,10 @@
         <translation>Se sostiene por sí mismo</translation>
     </message>
     <message>
+        <source>Its place, seen from its sketch</source>
+        <translation>Su posición respecto a su croquis</translation>
+    </message>
+    <message>
         <source>Label of the values the mesh belongs to</source>
         <translation>Marca de los valores a los que pertenece la malla</translation>
     </message>

@@ -196,6 +196,10 @@
         <translation>Il se porte lui-même</translation>
     </message>
     <message>
+        <source>Its place, seen from its sketch</source>
+        <translation>Sa position, vue depuis son esquisse</translation>
+    </message>
+    <message>
         <source>Label of the values the mesh belongs to</source>
         <translation>Repère des valeurs auxquelles appartient le maillage</translation>
     </message>

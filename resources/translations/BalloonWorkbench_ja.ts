@@ -196,6 +196,10 @@
         <translation>自分の重さを支えて浮く</translation>
     </message>
     <message>
+        <source>Its place, seen from its sketch</source>
+        <translation>スケッチから見た位置</translation>
+    </message>
+    <message>
         <source>Label of the values the mesh belongs to</source>
         <translation>このメッシュが対応する値の識別子</translation>
     </message>

@@ -91,7 +91,7 @@ def test_engineer(user, story, tmp_path):
     assert (tmp_path / "bracket.dxf").exists()
     story.step("exported")
 
-    second = sketches.sketch(doc, *sketches.polygon((0, -90), (70, -90), (35, -30)), name="Triangle")
+    second = sketches.sketch(doc, *sketches.polygon((0, 0), (70, 0), (35, 60)), name="Triangle")
     user.select(second)
     user.command("BalloonWorkbench_FromSketch")
     hands.wait_until(hands.panel_is_seen)
