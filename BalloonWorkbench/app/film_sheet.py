@@ -99,6 +99,7 @@ def make(doc, patterns):
     from BalloonWorkbench.app import hooks
 
     obj = doc.addObject("Part::Part2DObjectPython", "FilmSheet")
+    obj.Label = "Film sheet"
     FilmSheetProxy(obj)
     hooks.dress(obj)
     obj.Patterns = list(patterns)

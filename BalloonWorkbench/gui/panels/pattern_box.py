@@ -29,7 +29,8 @@ class PatternBox(QtWidgets.QWidget):
         self.form = NarrowForm(self)
         self._labels: dict[str, QtWidgets.QWidget] = {}
         self._heading(translate("Weld and cut"))
-        self._row("SealWidth", translate("Seal width"), fields.quantity("SealWidth", "mm"))
+        seal = fields.quantity("SealWidth", "mm", free=lambda: pattern.Balloon.SealWidth.Value)
+        self._row("SealWidth", translate("Seal width"), seal)
         self._row("Allowance", translate("Allowance"), fields.quantity("Allowance", "mm"))
         self._row("CornerRadius", translate("Corner relief"), fields.quantity("CornerRadius", "mm"))
         self._row("Mirror", "", fields.check("Mirror", translate("Second panel, mirrored")))
