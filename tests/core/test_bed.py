@@ -71,7 +71,7 @@ def test_what_is_said_of_a_bed() -> None:
     assert "90 degrees" in size_findings(disc(wide=1.5), "inkscape", "226mm x 400mm")[0].text
     (finding,) = size_findings(disc(), "inkscape", "150 x 300 mm")
     assert (finding.severity, finding.oversize) == (ERROR, True)
-    assert "written" in finding.text
+    assert "anyway" in finding.text
     (finding,) = size_findings(disc(), "inkscape", "150 x 300 mm", bed.WRITE)
     assert finding.severity == WARNING
     two = on_one_sheet([disc(), disc()])
@@ -195,7 +195,7 @@ def test_command_line_writes_when_asked(square: Path, capsys: pytest.CaptureFixt
     code, out = run(square, "--bed", "150x150mm", "--oversize", "write")
     assert code == 0
     assert (out / "pattern-inkscape.svg").exists()
-    assert "all the same" in capsys.readouterr().out
+    assert "written anyway" in capsys.readouterr().out
     assert json.loads((out / "report.json").read_text())["input"]["width_mm"] == pytest.approx(200.0)
 
 
