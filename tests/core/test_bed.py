@@ -50,7 +50,9 @@ def test_beds_as_people_write_them(text: str, size: tuple[float, float] | None) 
     assert machine("lightburn", text).bed == parse_bed(text)
 
 
-@pytest.mark.parametrize("text", ["", "large", "600x400", "0mm", "-5mm x 3mm", "1x2x3mm", "nan mm", "1e9 mm"])
+@pytest.mark.parametrize(
+    "text", ["", "large", "600x400", "100x100", "20", "0mm", "-5mm x 3mm", "1x2x3mm", "nan mm", "1e9 mm"]
+)
 def test_senseless_beds(text: str) -> None:
     """Also numbers without a unit, which would be metres."""
     with pytest.raises(InputError):

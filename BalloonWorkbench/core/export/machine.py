@@ -155,16 +155,17 @@ def machine(name: str, bed: str | None = None) -> Machine:
     return chosen if bed is None else replace(chosen, bed=parse_bed(bed))
 
 
-def parse_bed(text: str, plain: str = "m") -> tuple[float, float] | None:
+def parse_bed(text: str, plain: str = "") -> tuple[float, float] | None:
     """'600mmx400mm', '600mm' for a roll so wide, 'none' where there is no limit -> width and height [m].
 
-    Numbers alone are in the plain unit. InputError for what is no bed.
+    Numbers alone are in the plain unit; without one they are refused. InputError for what is no bed.
     """
     if text.strip().lower() == NO_LIMIT:
         return None
+    has_unit = plain or set(text.lower()) & set('mcinft"')
     width, height = parse_size(text, plain)
     for length in (width, height):
-        if length is not None and not _LEAST_BED <= to_mm(length) <= _MOST:
+        if not has_unit or (length is not None and not _LEAST_BED <= to_mm(length) <= _MOST):
             raise InputError(
                 f"A bed is {number_text(_LEAST_BED)} mm to {number_text(_MOST)} mm wide and high: write"
                 f" 600mmx400mm, 600mm for a roll, or {NO_LIMIT}."
