@@ -92,9 +92,9 @@ def free_shift(doc, low, high, but=()) -> float:
 def boxes(objects, frame: App.Placement):
     """Boxes of objects along the axes of a frame; none of those without a shape of a size."""
     for obj in objects:
-        mesh, shape = getattr(obj, "Mesh", None), getattr(obj, "Shape", None)
         if not obj.isDerivedFrom("App::GeoFeature"):
-            continue
+            continue  # asked for its shape, a group of FreeCAD 1.0 keeps one in the document
+        mesh, shape = getattr(obj, "Mesh", None), getattr(obj, "Shape", None)
         place = frame.inverse() * obj.getGlobalPlacement()
         if getattr(mesh, "CountPoints", 0):
             own = mesh.copy()
