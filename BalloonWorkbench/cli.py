@@ -27,11 +27,8 @@ from BalloonWorkbench.core.errors import (
     MissingPackageError,
     ProgramFault,
 )
-from BalloonWorkbench.core.export.bed import SCALE
-from BalloonWorkbench.core.export.fabricate import checked_files, machines_for
-from BalloonWorkbench.core.export.files import check_folder, write_files
-from BalloonWorkbench.core.export.machine import Machine, left_out
 from BalloonWorkbench.core.faults import UNFORESEEN, report_fault
+from BalloonWorkbench.core.files.write import check_folder, write_files
 from BalloonWorkbench.core.film.filling import Filling, gas
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.film.library import DEFAULT_FILM, custom_film, film, with_grain
@@ -44,10 +41,13 @@ from BalloonWorkbench.core.job import (
     makers,
     report_bytes,
 )
-from BalloonWorkbench.core.language import speech
-from BalloonWorkbench.core.outline.raster import opencv
+from BalloonWorkbench.core.language.speech import speech
+from BalloonWorkbench.core.machines.bed import SCALE
+from BalloonWorkbench.core.machines.machine import Machine, left_out
+from BalloonWorkbench.core.machines.machine_file import checked_files, machines_for
 from BalloonWorkbench.core.solver import native
 from BalloonWorkbench.core.solver.model import Model
+from BalloonWorkbench.core.tracing.raster import opencv
 from BalloonWorkbench.core.types import Made, Progress, Say, in_english
 from BalloonWorkbench.core.units import (
     number_text,

@@ -7,9 +7,9 @@ import argparse
 from collections.abc import Callable, Sequence
 
 from BalloonWorkbench.core.errors import InputError
-from BalloonWorkbench.core.export.bed import OVERSIZE, REFUSE, SCALE, fits, scale_to_fit
-from BalloonWorkbench.core.export.machine import NO_LIMIT, Machine, machine
 from BalloonWorkbench.core.job import Balloon
+from BalloonWorkbench.core.machines.bed import OVERSIZE, REFUSE, SCALE, fits, scale_to_fit
+from BalloonWorkbench.core.machines.machine import NO_LIMIT, Machine, machine
 from BalloonWorkbench.core.pattern.pattern import Pattern
 from BalloonWorkbench.core.units import length_text
 

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from BalloonWorkbench.core.export import machine
+from BalloonWorkbench.core.machines import machine
 
 
 @contextmanager

@@ -11,14 +11,14 @@ from typing import Any
 from BalloonWorkbench.cli_console import readable
 from BalloonWorkbench.core.artwork.marks import BLEED
 from BalloonWorkbench.core.artwork.sheet import DPI
-from BalloonWorkbench.core.assembly.page import PAGES
+from BalloonWorkbench.core.assembly_sheet.page import PAGES
 from BalloonWorkbench.core.errors import ExportError, InputError
-from BalloonWorkbench.core.export.fabricate import checked_files
-from BalloonWorkbench.core.export.machine import ANY, Machine, machines
 from BalloonWorkbench.core.job import Balloon
-from BalloonWorkbench.core.making import Artwork, assembly_files, nested, print_files
+from BalloonWorkbench.core.machines.machine import ANY, Machine, machines
+from BalloonWorkbench.core.machines.machine_file import checked_files
 from BalloonWorkbench.core.nesting.layout import SPACING, Grain, Stock
-from BalloonWorkbench.core.outline.decode import decode, picture_size
+from BalloonWorkbench.core.products import Artwork, assembly_files, nested, print_files
+from BalloonWorkbench.core.tracing.picture_file import decode, picture_size
 from BalloonWorkbench.core.types import Attempt, Progress, Say
 from BalloonWorkbench.core.units import (
     length_text,

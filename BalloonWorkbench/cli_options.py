@@ -12,17 +12,17 @@ from BalloonWorkbench import __version__, cli_making, cli_pattern
 from BalloonWorkbench.cli_bed import add_bed
 from BalloonWorkbench.cli_console import UNSHOWN, complain, show
 from BalloonWorkbench.core.errors import InputError
-from BalloonWorkbench.core.export.machine import machines
-from BalloonWorkbench.core.export.machine_pdf import TILES
-from BalloonWorkbench.core.export.results import FORMATS
 from BalloonWorkbench.core.film.filling import DEFAULT_GAS, gases
 from BalloonWorkbench.core.film.library import DEFAULT_FILM, films
 from BalloonWorkbench.core.job import DEFAULT_PRESSURE
-from BalloonWorkbench.core.language import language_named, short_names, users_language
-from BalloonWorkbench.core.outline.segment import DRAWN_AS
+from BalloonWorkbench.core.language.speech import language_named, short_names, users_language
+from BalloonWorkbench.core.machines.machine import machines
+from BalloonWorkbench.core.machines.writers.pdf import TILES
 from BalloonWorkbench.core.outline.symmetry import AUTO, CHOICES
+from BalloonWorkbench.core.results.result_files import FORMATS
 from BalloonWorkbench.core.solver.backend import SOLVERS
 from BalloonWorkbench.core.solver.model import BENDING_FLOOR
+from BalloonWorkbench.core.tracing.segment import DRAWN_AS
 
 #: The command that designs nothing.
 FETCH = "fetch-solver"

@@ -6,9 +6,9 @@ from __future__ import annotations
 import argparse
 import math
 
-from BalloonWorkbench.core.outline.passages import PASSAGE
-from BalloonWorkbench.core.pattern.intake_kinds import STRAW, intake_kinds
-from BalloonWorkbench.core.pattern.intake_places import FARTHEST, PLACES
+from BalloonWorkbench.core.outline.chambers import PASSAGE
+from BalloonWorkbench.core.pattern.intake.kinds import STRAW, intake_kinds
+from BalloonWorkbench.core.pattern.intake.places import FARTHEST, PLACES
 from BalloonWorkbench.core.pattern.make import Wanted
 from BalloonWorkbench.core.units import length_text, parse_length
 

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from BalloonWorkbench.core.film.film import Film
-from BalloonWorkbench.core.maker.safety import WELD
+from BalloonWorkbench.core.making.safety import WELD
 from BalloonWorkbench.core.types import Say
 from BalloonWorkbench.core.units import (
     area_text,

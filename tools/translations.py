@@ -27,9 +27,9 @@ LANGUAGES = {"de": "German", "ja": "Japanese", "fr": "French", "es-ES": "Spanish
 
 OURS, PROPERTY = "BalloonWorkbench", "App::Property"
 #: Files whose texts go into pictures and files, or to developers.
-_SILENT = ("export/preview.py", "export/vtu.py", "export/machine_svg.py", "export/render.py")
-_SILENT += ("export/machine_hpgl.py", "core/report.py", "app/host.py")
-_SILENT += ("core/fonts.py",)
+_SILENT = ("pictures/preview.py", "results/vtu.py", "machines/writers/svg.py", "pictures/render.py")
+_SILENT += ("machines/writers/hpgl.py", "core/report.py", "app/host.py")
+_SILENT += ("core/language/fonts.py",)
 #: Of the window and the command line, but in plain sentences like the engine.
 _SPOKEN = (
     "equipment.py",

@@ -65,7 +65,7 @@ def findings(parts) -> list:
 def _of_intake(balloon, wanted) -> list:
     """The findings about the intake of a balloon that has a result, on the outline."""
     from BalloonWorkbench.app import film_result, shapes
-    from BalloonWorkbench.core.coach.coach import intake_findings
+    from BalloonWorkbench.core.advice.advise import intake_findings
 
     key = balloon.Document.Name, balloon.Name, balloon.SolvedFor, balloon.SolvedWith, wanted
     if key not in _intakes:
@@ -84,7 +84,7 @@ def is_solved(balloon) -> bool:
 
 def stored(balloon) -> list:
     """The findings kept with a result, on the outline; a goal may have made the balloon larger."""
-    from BalloonWorkbench.core.advice import finding_from
+    from BalloonWorkbench.core.advice.as_data import finding_from
 
     report = json.loads(balloon.Report)
     return _on_outline(balloon, [finding_from(data) for data in report.get("advice", [])])
@@ -92,7 +92,7 @@ def stored(balloon) -> list:
 
 def _on_outline(balloon, found: list) -> list:
     """Findings in the frame of the drawing, in that of the outline."""
-    from BalloonWorkbench.core.coach.repairs import finding_scaled
+    from BalloonWorkbench.core.advice.repairs import finding_scaled
 
     outline = balloon.Outline
     if not found or not outline.SizeX:
@@ -130,7 +130,7 @@ class _Key:
 
 @lru_cache(maxsize=8)
 def _predicted(key: _Key, wanted):
-    from BalloonWorkbench.core.coach.coach import advise
+    from BalloonWorkbench.core.advice.advise import advise
 
     settings = key.wanted.settings
     return advise(key.wanted.source.outline, settings.film, fitted=settings.correct, wanted=wanted)
@@ -138,8 +138,8 @@ def _predicted(key: _Key, wanted):
 
 def told(design, film, wanted) -> dict:
     """The advice on a design as plain data, for a report."""
-    from BalloonWorkbench.core.advice import advice_report
-    from BalloonWorkbench.core.coach.coach import advise_design
+    from BalloonWorkbench.core.advice.advise import advise_design
+    from BalloonWorkbench.core.advice.as_data import advice_report
 
     return advice_report(advise_design(design, film, wanted=wanted))
 
@@ -153,8 +153,8 @@ def take(parts, repair) -> None:
     """Make a repair: a moved intake in the pattern, anything else in the outline; nothing is computed yet."""
     import math
 
-    from BalloonWorkbench.core.advice import repair_data
-    from BalloonWorkbench.core.coach.findings import RepairKind
+    from BalloonWorkbench.core.advice.as_data import repair_data
+    from BalloonWorkbench.core.advice.findings import RepairKind
 
     if repair.kind is RepairKind.MOVE_INTAKE:
         parts.pattern.IntakeAuto = False
@@ -174,8 +174,8 @@ def repair_outline(obj, outline, scales: bool):
 
     scales  the drawing follows Width and Height, and its repairs with it; a sketch has its own size
     """
-    from BalloonWorkbench.core.advice import repair_from
-    from BalloonWorkbench.core.coach.repairs import repaired, scaled
+    from BalloonWorkbench.core.advice.as_data import repair_from
+    from BalloonWorkbench.core.advice.repairs import repaired, scaled
     from BalloonWorkbench.core.units import to_mm
 
     obj.DrawnSize = size = to_mm(max(outline.size))

@@ -60,7 +60,7 @@ class ArtworkProxy(DocumentProxy):
 
     def cut_pattern(self, obj):
         """What a cutter gets for the side that is shown: the panel, the print's border and the marks."""
-        from BalloonWorkbench.core.pattern.motion import back_of
+        from BalloonWorkbench.core.pattern.placement import back_of
 
         front = _marked(obj)
         return back_of(front) if obj.Side == BACK else front
@@ -156,9 +156,9 @@ def write(obj, folder, machine_names=("any-dxf", "any-svg")) -> list[Path]:
 
     from BalloonWorkbench.app import hooks
     from BalloonWorkbench.core.artwork.files import artwork_files
-    from BalloonWorkbench.core.export.fabricate import checked_files
-    from BalloonWorkbench.core.export.files import write_files
-    from BalloonWorkbench.core.export.machine import machine
+    from BalloonWorkbench.core.files.write import write_files
+    from BalloonWorkbench.core.machines.machine import machine
+    from BalloonWorkbench.core.machines.machine_file import checked_files
 
     printing = _printing(obj, obj.Resolution)
 
@@ -257,8 +257,8 @@ def _pixels(path: str):
 
 @lru_cache(maxsize=4)
 def _decoded(path: str, _changed: int):
-    from BalloonWorkbench.core.outline.decode import decode, picture_size
-    from BalloonWorkbench.core.outline.raster import opencv
+    from BalloonWorkbench.core.tracing.picture_file import decode, picture_size
+    from BalloonWorkbench.core.tracing.raster import opencv
 
     picture_size(Path(path))
     if opencv() is not None:

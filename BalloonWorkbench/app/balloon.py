@@ -251,7 +251,7 @@ def show(obj, wanted, design, told: dict | None = None) -> None:
 
     from BalloonWorkbench.app import shapes
     from BalloonWorkbench.app.host import mesh_from_arrays
-    from BalloonWorkbench.core.export.stl import balloon_mesh
+    from BalloonWorkbench.core.results.stl import balloon_mesh
     from BalloonWorkbench.core.units import to_mm
 
     told = told or describe(wanted, design)

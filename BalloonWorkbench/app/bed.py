@@ -40,8 +40,8 @@ def scale_to_bed(pattern_obj, machine_name: str, bed: str | None = None) -> floa
     """
     from BalloonWorkbench.app.export import patterns_in, sheet
     from BalloonWorkbench.app.outline import leader, read_all
-    from BalloonWorkbench.core.export.bed import scale_to_fit
-    from BalloonWorkbench.core.export.machine import machine
+    from BalloonWorkbench.core.machines.bed import scale_to_fit
+    from BalloonWorkbench.core.machines.machine import machine
     from BalloonWorkbench.core.units import to_mm
 
     made_for, first = machine(machine_name, bed), sheet(pattern_obj)

@@ -11,7 +11,7 @@ import FreeCAD as App
 from BalloonWorkbench.app import balloon, create, pattern, size_goal
 from BalloonWorkbench.app.outline import DRAWN_AS, SYMMETRY, in_letters, set_drawing
 from BalloonWorkbench.app.quantities import cubic_millimetres, kilopascals
-from BalloonWorkbench.core.export.files import write_files
+from BalloonWorkbench.core.files.write import write_files
 from BalloonWorkbench.core.units import to_mm
 
 

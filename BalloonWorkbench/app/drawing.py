@@ -8,8 +8,8 @@ from dataclasses import replace
 from pathlib import Path
 
 from BalloonWorkbench.app.quantities import metres
-from BalloonWorkbench.core.outline.segment import AS_PEN, AUTO
 from BalloonWorkbench.core.recent import Recent
+from BalloonWorkbench.core.tracing.segment import AS_PEN, AUTO
 
 _LONGEST_SIDE = 1600  # px; as fine as the engine looks
 #: Name of the text in a PNG file that holds the strokes of a painting.
@@ -60,9 +60,9 @@ def _key(path: Path, *choices):
 
 def shapes_in(path: str, wanted, symmetry: str, drawn_as: str):
     """The shapes in a file at their size [m] and its kind; a picture read lately is not traced again."""
-    from BalloonWorkbench.core.outline import read
-    from BalloonWorkbench.core.outline.loops import scale_to
     from BalloonWorkbench.core.outline.symmetry import evened
+    from BalloonWorkbench.core.outline.validity import scale_to
+    from BalloonWorkbench.core.readers import read
 
     key = _key(Path(path), wanted, symmetry, drawn_as)
     if key in _read:
@@ -80,7 +80,7 @@ def shapes_in(path: str, wanted, symmetry: str, drawn_as: str):
 
 def _decoder():
     """None for OpenCV, which the engine prefers; FreeCAD's own Qt where that does not work."""
-    from BalloonWorkbench.core.outline.raster import opencv
+    from BalloonWorkbench.core.tracing.raster import opencv
 
     if opencv() is not None:
         return None
@@ -104,9 +104,9 @@ def place_in_picture(path: str, drawn_as: str = AUTO) -> tuple[float, float, flo
 
 def _found_in(path: str, drawn_as: str) -> tuple[float, float, float, float] | None:
     from BalloonWorkbench.core.errors import BalloonError
-    from BalloonWorkbench.core.outline.contour import contours
-    from BalloonWorkbench.core.outline.decode import decode, picture_size
-    from BalloonWorkbench.core.outline.segment import segment
+    from BalloonWorkbench.core.tracing.contour import contours
+    from BalloonWorkbench.core.tracing.picture_file import decode, picture_size
+    from BalloonWorkbench.core.tracing.segment import segment
 
     try:
         step = -(-max(picture_size(Path(path))) // _LONGEST_SIDE)

@@ -15,7 +15,7 @@ def export_pattern(pattern_obj, target) -> Path:
     Given the group of a drawing, all its patterns go on one sheet, none over another.
     Raises ExportError for another ending, a pattern that is not up to date, a place that cannot be written.
     """
-    from BalloonWorkbench.core.export.machine import ANY
+    from BalloonWorkbench.core.machines.machine import ANY
 
     path = Path(target)
     if path.is_dir():
@@ -61,8 +61,8 @@ def check_for(pattern_obj, machine_name: str, bed: str | None = None, oversize: 
     bed and oversize as for `export_for`. Raises what `sheet` and `machine` raise.
     """
     from BalloonWorkbench.app import hooks
-    from BalloonWorkbench.core.export.machine import machine
-    from BalloonWorkbench.core.export.preflight import ERROR, preflight
+    from BalloonWorkbench.core.machines.machine import machine
+    from BalloonWorkbench.core.machines.preflight import ERROR, preflight
 
     made_for, pattern = machine(machine_name, bed), sheet(pattern_obj)
 
@@ -79,7 +79,7 @@ def check_for(pattern_obj, machine_name: str, bed: str | None = None, oversize: 
 def _film_findings(pattern_obj, made_for) -> tuple:
     """What the machine does that the films of the patterns do not take: the core's findings."""
     from BalloonWorkbench.app import film
-    from BalloonWorkbench.core.export.preflight import film_preflight
+    from BalloonWorkbench.core.machines.preflight import film_preflight
 
     films = dict.fromkeys(film.read(obj.Balloon) for obj in patterns_in(pattern_obj))
     return tuple(finding for each in films for finding in film_preflight(each, made_for))
@@ -90,7 +90,7 @@ def files_of(pattern_obj, path) -> list[Path]:
 
     Raises what `sheet` raises.
     """
-    from BalloonWorkbench.core.export.fabricate import file_of_stock
+    from BalloonWorkbench.core.machines.machine_file import file_of_stock
 
     path, (_, *others) = Path(path), sheet(pattern_obj).stocks
     return [path, *(path.with_name(file_of_stock(path.name, stock)) for stock in others)]
@@ -114,11 +114,11 @@ def export_for(
     """
     from BalloonWorkbench.app import hooks
     from BalloonWorkbench.app.bed import scale_to_bed
-    from BalloonWorkbench.core.export.bed import OVERSIZE, SCALE
-    from BalloonWorkbench.core.export.fabricate import file_of_stock, machine_file
-    from BalloonWorkbench.core.export.files import write_files
-    from BalloonWorkbench.core.export.machine import machine
-    from BalloonWorkbench.core.export.preflight import ERROR, preflight
+    from BalloonWorkbench.core.files.write import write_files
+    from BalloonWorkbench.core.machines.bed import OVERSIZE, SCALE
+    from BalloonWorkbench.core.machines.machine import machine
+    from BalloonWorkbench.core.machines.machine_file import file_of_stock, machine_file
+    from BalloonWorkbench.core.machines.preflight import ERROR, preflight
 
     if oversize not in OVERSIZE:
         raise InputError(
@@ -154,10 +154,10 @@ def export_results(balloon_obj, target) -> Path:
     Raises ExportError for another ending, a balloon that is not up to date, a place that cannot be written.
     """
     from BalloonWorkbench.app import film_result
-    from BalloonWorkbench.core.export.files import write_files
-    from BalloonWorkbench.core.export.results import FORMATS as KINDS
-    from BalloonWorkbench.core.export.results import results_bytes
-    from BalloonWorkbench.core.export.stl import stl_bytes
+    from BalloonWorkbench.core.files.write import write_files
+    from BalloonWorkbench.core.results.result_files import FORMATS as KINDS
+    from BalloonWorkbench.core.results.result_files import results_bytes
+    from BalloonWorkbench.core.results.stl import stl_bytes
 
     path = Path(target)
     kind = path.suffix.lower().lstrip(".")

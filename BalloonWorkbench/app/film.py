@@ -82,8 +82,8 @@ def own_folder():
 
 def _own_films() -> dict:
     from BalloonWorkbench.app import hooks
-    from BalloonWorkbench.core.data_file import data_files
     from BalloonWorkbench.core.errors import InputError
+    from BalloonWorkbench.core.files.data_file import data_files
     from BalloonWorkbench.core.film.library import read_film
 
     found = {}

@@ -149,8 +149,8 @@ def _by_film(obj) -> dict:
     from dataclasses import replace
 
     from BalloonWorkbench.app import film, pattern
-    from BalloonWorkbench.core.making import by_stock, pieces_of
     from BalloonWorkbench.core.pattern.make import sheet_of
+    from BalloonWorkbench.core.products import by_stock, pieces_of
 
     if obj.Balloons < 1:
         raise InputError(f"{obj.Balloons} balloons cannot be laid out: give 1 or more.")

@@ -47,7 +47,7 @@ def safety_of(balloon):
 
     Raises InputError where there is no result.
     """
-    from BalloonWorkbench.core.maker.safety import safety
+    from BalloonWorkbench.core.making.safety import safety
 
     key = balloon.Document.Name, balloon.Name, balloon.SolvedWith
     if key not in _safe:
@@ -66,7 +66,7 @@ def panel_key(pattern) -> bytes:
 
 
 def _count(key, inflation, own, seam, panel, wanted, width: float, filling, exact: bool):
-    from BalloonWorkbench.core.maker.numbers import maker_numbers
+    from BalloonWorkbench.core.making.numbers import maker_numbers
     from BalloonWorkbench.core.pattern.make import sheet_of
 
     found = maker_numbers(
@@ -90,8 +90,8 @@ def write_assembly(parts, target, paper: str = "A4") -> Path:
     """
     from BalloonWorkbench.app import film, hooks
     from BalloonWorkbench.app.pattern import build
-    from BalloonWorkbench.core.assembly.page import Subject, assembly_pdf
-    from BalloonWorkbench.core.export.files import write_files
+    from BalloonWorkbench.core.assembly_sheet.page import Subject, assembly_pdf
+    from BalloonWorkbench.core.files.write import write_files
 
     for obj in parts:
         if not status.is_ready(obj):

@@ -96,7 +96,7 @@ class OutlineProxy(DocumentProxy):
 
     def compute(self, obj):
         from BalloonWorkbench.app.quantities import metres
-        from BalloonWorkbench.core.outline.passages import linked
+        from BalloonWorkbench.core.outline.chambers import linked
 
         has_result = bool(obj.LoopCounts)
         if not has_drawing(obj):

@@ -19,8 +19,8 @@ from BalloonWorkbench.app.solve import Request
 from BalloonWorkbench.core.checkpoint import checkpoint, stoppable
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.job import Settings
-from BalloonWorkbench.core.outline.passages import linked
-from BalloonWorkbench.core.outline.segment import AUTO
+from BalloonWorkbench.core.outline.chambers import linked
+from BalloonWorkbench.core.tracing.segment import AUTO
 from BalloonWorkbench.core.types import Progress, no_progress
 
 _FITTING = 0.6  # of the work of `solve`
@@ -87,7 +87,7 @@ def _placed(content: bytes, drawn_as: str):
     """Pixels of a painting, where its drawing begins in them (2,), y up, and how large it is (2,) [px]."""
     from BalloonWorkbench.app.qt_picture import decode_bytes
     from BalloonWorkbench.core.errors import BalloonError
-    from BalloonWorkbench.core.outline.picture import placed_drawing
+    from BalloonWorkbench.core.tracing.picture import placed_drawing
 
     rgba = decode_bytes(content)
     try:
@@ -147,7 +147,7 @@ def _share(progress: Progress, number: int, count: int) -> Progress:
 def _prepare(seam, settings: Settings) -> None:
     """Work out what the Pattern object will ask for, to the last digit: it keeps its seam in mm."""
     from BalloonWorkbench.core.errors import InputError
-    from BalloonWorkbench.core.pattern.intake_kinds import intake_kind
+    from BalloonWorkbench.core.pattern.intake.kinds import intake_kind
     from BalloonWorkbench.core.units import from_mm, to_mm
 
     wanted = settings.wanted

@@ -146,7 +146,7 @@ def is_pattern(obj) -> bool:
 
 
 def _choices() -> dict[str, list[str]]:
-    from BalloonWorkbench.core.pattern.intake_kinds import intake_kinds
+    from BalloonWorkbench.core.pattern.intake.kinds import intake_kinds
 
     return {
         "IntakeKind": [kind.title for kind in intake_kinds().values()],
@@ -162,7 +162,7 @@ def _mode(obj, by: str) -> str:
 
 def kind_of(obj):
     """The kind of the intake, from the core."""
-    from BalloonWorkbench.core.pattern.intake_kinds import intake_kinds
+    from BalloonWorkbench.core.pattern.intake.kinds import intake_kinds
 
     return next(kind for kind in intake_kinds().values() if kind.title == obj.IntakeKind)
 
@@ -210,7 +210,7 @@ def set_values(obj, wanted) -> None:
     """Give the object the values of a core `Wanted`."""
     from math import degrees
 
-    from BalloonWorkbench.core.pattern.intake_kinds import intake_kind
+    from BalloonWorkbench.core.pattern.intake.kinds import intake_kind
     from BalloonWorkbench.core.units import to_mm
 
     kind = intake_kind(wanted.intake_kind)
@@ -268,7 +268,7 @@ def _work_out(obj) -> None:
 
 def work_out(seam, seal_width: float, wanted, arcs: bool = True):
     """All that is cut, and its arcs; touches no document. Raises what `make_pattern` raises."""
-    from BalloonWorkbench.core.pattern.arcs import fit_curve
+    from BalloonWorkbench.core.arcs.fit_arcs import fit_curve
     from BalloonWorkbench.core.pattern.make import sheet_of
 
     pattern = sheet_of(made(seam, seal_width, wanted), wanted)

@@ -36,8 +36,8 @@ def show(obj, pattern, how_to_fill: str) -> None:
 
 def _wire(obj, contour):
     from BalloonWorkbench.app import shapes
-    from BalloonWorkbench.core.pattern.arcs import fit_curve
-    from BalloonWorkbench.core.pattern.curves import polyline
+    from BalloonWorkbench.core.arcs.curves import polyline
+    from BalloonWorkbench.core.arcs.fit_arcs import fit_curve
 
     if not obj.Arcs:
         return shapes.curve_wire(polyline(contour.points, contour.closed))

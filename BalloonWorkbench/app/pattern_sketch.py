@@ -16,9 +16,9 @@ import Part
 import Sketcher
 
 from BalloonWorkbench.app import pattern, status
+from BalloonWorkbench.core.arcs.curves import Curve
+from BalloonWorkbench.core.arcs.fit_arcs import fit_curve
 from BalloonWorkbench.core.errors import InputError
-from BalloonWorkbench.core.pattern.arcs import fit_curve
-from BalloonWorkbench.core.pattern.curves import Curve
 from BalloonWorkbench.core.pattern.pattern import Role
 from BalloonWorkbench.core.units import MILLIMETRE
 

@@ -86,7 +86,7 @@ def put(key: str, value) -> None:
 def bed(machine) -> tuple[float, float] | None:
     """The bed that the user has given a machine [m], else that of its file; None where there is no limit."""
     from BalloonWorkbench.core.errors import InputError
-    from BalloonWorkbench.core.export.machine import parse_bed
+    from BalloonWorkbench.core.machines.machine import parse_bed
 
     try:
         return parse_bed(App.ParamGet(_BEDS).GetString(machine.name, ""))
@@ -96,7 +96,7 @@ def bed(machine) -> tuple[float, float] | None:
 
 def put_bed(machine, size: tuple[float, float] | None) -> None:
     """Keep the bed of a machine [m]; that of its file is not kept."""
-    from BalloonWorkbench.core.export.machine import bed_text
+    from BalloonWorkbench.core.machines.machine import bed_text
 
     group = App.ParamGet(_BEDS)
     if size == machine.bed:
@@ -135,7 +135,7 @@ def put_open_folder(folder: str) -> None:
 def choices(key: str) -> list[str]:
     """What a preference may be; empty where it is a number, a switch or free text."""
     from BalloonWorkbench.app import balloon, film
-    from BalloonWorkbench.core.export.machine import machines
+    from BalloonWorkbench.core.machines.machine import machines
 
     if key == "Film":
         return [name for name in film.names() if name != film.CUSTOM]

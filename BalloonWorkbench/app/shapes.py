@@ -9,10 +9,10 @@ import FreeCAD as App
 import numpy as np
 import Part
 
+from BalloonWorkbench.core.arcs.curves import Curve
+from BalloonWorkbench.core.arcs.fit_arcs import from_polyline
 from BalloonWorkbench.core.outline.drawing import sealed
 from BalloonWorkbench.core.outline.outline import Outline
-from BalloonWorkbench.core.pattern.arcs import from_polyline
-from BalloonWorkbench.core.pattern.curves import Curve
 from BalloonWorkbench.core.units import from_mm, to_mm
 
 #: How far a spline may be from the arcs [m], how far it turns [rad], and how often it gets more points.

@@ -114,7 +114,7 @@ def wanted_of(obj):
 
 def film_and_valve(seam, film, wanted) -> tuple[float, float]:
     """As the core's; those of the last seams are remembered."""
-    from BalloonWorkbench.core.maker import weight
+    from BalloonWorkbench.core.making import weight
 
     key = _weight_key(seam, film, wanted)
     if key not in _weights:
@@ -124,13 +124,13 @@ def film_and_valve(seam, film, wanted) -> tuple[float, float]:
 
 def weighs_anew(obj, wanted) -> bool:
     """Whether a balloon was weighed with a pattern that weighs something else, or not at all."""
-    from BalloonWorkbench.core.maker.weight import weighing
+    from BalloonWorkbench.core.making.weight import weighing
 
     return _weighed.get((obj.Document.Name, obj.Name)) != weighing(wanted)
 
 
 def _weight_key(seam, film, wanted) -> tuple:
-    from BalloonWorkbench.core.maker.weight import weighing
+    from BalloonWorkbench.core.making.weight import weighing
 
     lines = tuple(line.tobytes() for line in (*seam.loops, *seam.welds))
     return lines, len(seam.spots), film.seal_width, weighing(wanted)
@@ -153,7 +153,7 @@ def show_lift(obj) -> None:
     from BalloonWorkbench.app.film import read
     from BalloonWorkbench.app.quantities import cubic_metres, metres, pascals
     from BalloonWorkbench.core.design.size_goal import Buoyancy, Scaling
-    from BalloonWorkbench.core.maker.weight import weighing
+    from BalloonWorkbench.core.making.weight import weighing
     from BalloonWorkbench.core.units import to_grams, to_mm
 
     own, seam, wanted = read(obj), shapes.stored(obj, "Seam"), wanted_of(obj)

@@ -8,8 +8,8 @@ import numpy as np
 
 from BalloonWorkbench.core.errors import OutlineError
 from BalloonWorkbench.core.outline.budget import Budget
-from BalloonWorkbench.core.outline.chains import drawing_from
 from BalloonWorkbench.core.outline.drawing import Drawing, checked
+from BalloonWorkbench.core.readers.chains import drawing_from
 from BalloonWorkbench.core.units import from_mm
 
 _DEFLECTION = 2e-5  # of a polyline from its curve, relative to the size of the shape: 6 um on 300 mm

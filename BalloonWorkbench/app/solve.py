@@ -11,7 +11,7 @@ import numpy as np
 
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.job import Settings, design_outline
-from BalloonWorkbench.core.maker.weight import weighing
+from BalloonWorkbench.core.making.weight import weighing
 from BalloonWorkbench.core.pattern.make import Wanted
 from BalloonWorkbench.core.report import Source
 from BalloonWorkbench.core.solver.model import Model

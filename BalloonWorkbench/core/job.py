@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The main job: a drawing in, its balloons and their cutter-ready patterns out.
 
-1. read the drawing as outlines, and for each of them   outline/read.py
+1. read the drawing as outlines, and for each of them   readers/read.py
 2. mesh a first pattern                                 mesh/triangulate.py
 3. inflate it: film, sealed seam, pressure              solver/inflate.py
 4. correct the pattern until its silhouette is          design/fit.py
    the drawing, and repeat 3
 5. weld, cut and intake around the corrected seam       pattern/build.py
-6. say what would inflate badly                         coach/coach.py
-7. say what it takes to make it                         maker/numbers.py
+6. say what would inflate badly                         advice/advise.py
+7. say what it takes to make it                         making/numbers.py
 8. files                                                export/
 """
 
@@ -22,37 +22,37 @@ from pathlib import Path
 from typing import Any
 
 from BalloonWorkbench.core import report
-from BalloonWorkbench.core.advice import advice_report
-from BalloonWorkbench.core.coach.coach import advise_design
+from BalloonWorkbench.core.advice.advise import advise_design
+from BalloonWorkbench.core.advice.as_data import advice_report
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.design.fit import fit, inflate_outline
 from BalloonWorkbench.core.design.size_goal import START_WIDTH, Buoyancy, SizeGoal, design_to_size
 from BalloonWorkbench.core.design.to_volume import design_to_volume
 from BalloonWorkbench.core.errors import BalloonError, InputError, MissingPackageError
-from BalloonWorkbench.core.export.fabricate import file_of_stock, machine_file
-from BalloonWorkbench.core.export.machine import ANY, machines
-from BalloonWorkbench.core.export.preview import preview_png
-from BalloonWorkbench.core.export.results import frame_files, results_bytes
-from BalloonWorkbench.core.export.stl import stl_bytes
 from BalloonWorkbench.core.film.filling import Filling
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.film.library import DEFAULT_FILM, film
-from BalloonWorkbench.core.maker.numbers import Numbers, maker_numbers
-from BalloonWorkbench.core.maker.numbers import told as told_numbers
-from BalloonWorkbench.core.maker.weight import film_and_valve
+from BalloonWorkbench.core.machines.machine import ANY, machines
+from BalloonWorkbench.core.machines.machine_file import file_of_stock, machine_file
+from BalloonWorkbench.core.making.numbers import Numbers, maker_numbers
+from BalloonWorkbench.core.making.numbers import told as told_numbers
+from BalloonWorkbench.core.making.weight import film_and_valve
+from BalloonWorkbench.core.outline.chambers import PASSAGE, linked
 from BalloonWorkbench.core.outline.drawing import Drawing
-from BalloonWorkbench.core.outline.loops import scale_to
 from BalloonWorkbench.core.outline.outline import Outline
-from BalloonWorkbench.core.outline.passages import PASSAGE, linked
-from BalloonWorkbench.core.outline.picture import Decode
-from BalloonWorkbench.core.outline.read import read_drawing
 from BalloonWorkbench.core.outline.symmetry import AUTO, evened
+from BalloonWorkbench.core.outline.validity import scale_to
 from BalloonWorkbench.core.pattern.layout import on_one_sheet
 from BalloonWorkbench.core.pattern.make import Wanted, make_pattern, pieces_remarks, sheet_of
 from BalloonWorkbench.core.pattern.pattern import Pattern
+from BalloonWorkbench.core.pictures.preview import preview_png
+from BalloonWorkbench.core.readers.read import read_drawing
+from BalloonWorkbench.core.results.result_files import frame_files, results_bytes
+from BalloonWorkbench.core.results.stl import stl_bytes
 from BalloonWorkbench.core.rounded import rounded, rounded_outline
 from BalloonWorkbench.core.solver.animation import inflate_in_time
 from BalloonWorkbench.core.solver.model import Model
+from BalloonWorkbench.core.tracing.picture import Decode
 from BalloonWorkbench.core.types import Attempt, Progress, insist, no_progress
 
 DEFAULT_PRESSURE = 2000.0  # Pa
@@ -64,7 +64,7 @@ class Settings:
 
     pressure [Pa]; mesh_size [m] and backend None where the engine chooses; correct False keeps the outline
     itself as the pattern; a volume [m3] takes the place of the pressure; model: what is simulated.
-    symmetry: AUTO, OFF or FORCE of outline/symmetry.py; drawn_as: AUTO, SHAPE or PEN of outline/segment.py;
+    symmetry: AUTO, OFF or FORCE of outline/symmetry.py; drawn_as: AUTO, SHAPE or PEN of tracing/segment.py;
     goal: what the size has to give; filling: what lifts. passage [m] is left open in welds that would cut off
     a part, 0 for none; wanted: how the pattern is made.
     """

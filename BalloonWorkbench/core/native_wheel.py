@@ -24,9 +24,9 @@ from urllib.parse import urlsplit
 
 from BalloonWorkbench import __version__
 from BalloonWorkbench.core import packages
-from BalloonWorkbench.core.data_file import UNUSABLE, read_data
 from BalloonWorkbench.core.errors import Cancelled, ExportError, FetchError
-from BalloonWorkbench.core.export.files import check_folder, write_files
+from BalloonWorkbench.core.files.data_file import UNUSABLE, read_data
+from BalloonWorkbench.core.files.write import check_folder, write_files
 from BalloonWorkbench.core.solver import backend, native
 from BalloonWorkbench.core.solver.library import (
     PACKAGE,

@@ -16,7 +16,7 @@ from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.mesh.quality import min_angles, signed_areas
 from BalloonWorkbench.core.outline.drawing import Drawing
 from BalloonWorkbench.core.outline.outline import Outline
-from BalloonWorkbench.core.pattern.intake_kinds import intake_kind
+from BalloonWorkbench.core.pattern.intake.kinds import intake_kind
 from BalloonWorkbench.core.pattern.pattern import Intake, Pattern
 from BalloonWorkbench.core.solver.film_state import film_state, thickness
 from BalloonWorkbench.core.solver.model import Model

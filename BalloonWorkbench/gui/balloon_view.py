@@ -14,7 +14,7 @@ from BalloonWorkbench.app import hooks
 from BalloonWorkbench.app.host import COLOUR_PROPERTIES, is_replaying
 from BalloonWorkbench.app.properties import QT_TRANSLATE_NOOP
 from BalloonWorkbench.core.errors import BalloonError
-from BalloonWorkbench.core.export.colour_map import TENSION
+from BalloonWorkbench.core.results.colour_map import TENSION
 from BalloonWorkbench.gui.borders import undo_step
 from BalloonWorkbench.gui.curves import curve_nodes
 from BalloonWorkbench.gui.film_display import FILM, MAP, FilmDisplay, look_of

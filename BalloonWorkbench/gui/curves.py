@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 
 from BalloonWorkbench.app import film_result
-from BalloonWorkbench.core.export.colour_map import distances
+from BalloonWorkbench.core.results.colour_map import distances
 from BalloonWorkbench.core.units import to_mm
 from BalloonWorkbench.gui.film_map import warnings_of
 from BalloonWorkbench.gui.legend import BOTTOM, Legend, label_node

@@ -9,8 +9,8 @@ import numpy as np
 
 from BalloonWorkbench.app import film_result, maker, status
 from BalloonWorkbench.app.properties import QT_TRANSLATE_NOOP
-from BalloonWorkbench.core.export import colour_map
-from BalloonWorkbench.core.export.results import results
+from BalloonWorkbench.core.results import colour_map
+from BalloonWorkbench.core.results.result_files import results
 from BalloonWorkbench.core.solver.film_state import FilmState, State, film_state
 from BalloonWorkbench.core.units import number_text, percent_text, to_mm
 from BalloonWorkbench.gui.legend import TOP, Legend, label_node

@@ -10,7 +10,7 @@ import FreeCADGui as Gui
 
 from BalloonWorkbench.app import shapes
 from BalloonWorkbench.core.pattern.fairing import faired
-from BalloonWorkbench.core.pattern.rim import Rim
+from BalloonWorkbench.core.pattern.intake.rim import Rim
 from BalloonWorkbench.core.units import from_mm, to_mm
 from BalloonWorkbench.gui.qt import QtCore, position
 

@@ -12,7 +12,7 @@ import FreeCADGui as Gui
 import numpy as np
 
 from BalloonWorkbench.app.qt_picture import pixels
-from BalloonWorkbench.core.export.colour_map import colours
+from BalloonWorkbench.core.results.colour_map import colours
 from BalloonWorkbench.gui.qt import QtCore, QtGui
 
 TOP, BOTTOM = 0.96, -0.94  # of the view's height, where a legend may be

@@ -124,7 +124,7 @@ class PreferencesPage(Guarded):
 def _title(key: str, choice: str) -> str:
     """What people read for a choice."""
     from BalloonWorkbench.app.film import known_films
-    from BalloonWorkbench.core.export.machine import machines
+    from BalloonWorkbench.core.machines.machine import machines
 
     if key == "Film":
         return tell(known_films()[choice].title)

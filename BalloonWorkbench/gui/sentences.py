@@ -7,8 +7,8 @@ in; here they are recognised by their form, translated, and filled again.
 
 from __future__ import annotations
 
-from BalloonWorkbench.core import forms
-from BalloonWorkbench.core.language import listed
+from BalloonWorkbench.core.language import sentence_forms as forms
+from BalloonWorkbench.core.language.speech import listed
 from BalloonWorkbench.gui.qt import translate
 
 

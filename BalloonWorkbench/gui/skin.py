@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from BalloonWorkbench.app import film_result
-from BalloonWorkbench.core.export.results import results
+from BalloonWorkbench.core.results.result_files import results
 
 _CREASE = 0.7  # rad between facets that are shaded as one surface, where normals are not known
 

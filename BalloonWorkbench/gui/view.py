@@ -149,7 +149,7 @@ class PatternView(_View):
 
 def _layer_colour(role: str) -> tuple[float, ...]:
     """The colour of the layer in the files, from 0 to 1; black for what another release has written."""
-    from BalloonWorkbench.core.export.layers import LAYERS
+    from BalloonWorkbench.core.machines.layers import LAYERS
 
     rgb = next((layer.rgb for known, layer in LAYERS.items() if known.value == role), "#000000")
     return tuple(int(rgb[i : i + 2], 16) / 255 for i in (1, 3, 5))

@@ -14,12 +14,12 @@ from validation import figures
 from validation.correction import PICTURES
 from validation.report import Section, paragraphs, table
 
-from BalloonWorkbench.core.coach.coach import advise
-from BalloonWorkbench.core.coach.findings import Advice, Finding
-from BalloonWorkbench.core.coach.repairs import repaired
+from BalloonWorkbench.core.advice.advise import advise
+from BalloonWorkbench.core.advice.findings import Advice, Finding
+from BalloonWorkbench.core.advice.repairs import repaired
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.outline.outline import Outline
-from BalloonWorkbench.core.outline.picture import read_picture
+from BalloonWorkbench.core.tracing.picture import read_picture
 
 FIRST, SHAPES = 2000, 240  # seeds; the constants in core/coach come from those below
 FITTED = 200  # of these once more, with the pattern corrected

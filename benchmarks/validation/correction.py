@@ -23,8 +23,8 @@ from BalloonWorkbench.core.film.library import film
 from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.mesh.triangulate import triangulate
 from BalloonWorkbench.core.outline.outline import Outline
-from BalloonWorkbench.core.outline.picture import read_picture
 from BalloonWorkbench.core.solver.inflate import inflate
+from BalloonWorkbench.core.tracing.picture import read_picture
 
 PICTURES = Path(__file__).resolve().parents[2] / "resources" / "examples" / "pictures"
 PRESSURE = 2000.0

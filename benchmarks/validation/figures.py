@@ -10,7 +10,7 @@ from typing import Any
 import matplotlib as mpl
 import numpy as np
 
-from BalloonWorkbench.core.coach.findings import Advice
+from BalloonWorkbench.core.advice.findings import Advice
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.types import Floats

@@ -13,14 +13,14 @@ from validation.report import Row, Section, paragraphs, table
 
 from BalloonWorkbench.core.film.library import film
 from BalloonWorkbench.core.job import DEFAULT_PRESSURE
-from BalloonWorkbench.core.maker.data import FILE
-from BalloonWorkbench.core.maker.safety import safety
+from BalloonWorkbench.core.making.safety import safety
+from BalloonWorkbench.core.making.trade_figures import FILE
 from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.mesh.triangulate import triangulate
 from BalloonWorkbench.core.outline.outline import Outline
-from BalloonWorkbench.core.outline.picture import read_picture
 from BalloonWorkbench.core.packages import matplotlib_text
 from BalloonWorkbench.core.solver.inflate import inflate
+from BalloonWorkbench.core.tracing.picture import read_picture
 
 SIZES = (1500, 4000, 12000)
 #: The safe pressure may change by this part from the coarsest to the finest mesh.

@@ -16,8 +16,8 @@ from BalloonWorkbench.core.design.fit import fit
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.film.library import custom_film, film
 from BalloonWorkbench.core.outline.outline import Outline, signed_area
-from BalloonWorkbench.core.outline.picture import read_picture
 from BalloonWorkbench.core.solver.inflate import inflate
+from BalloonWorkbench.core.tracing.picture import read_picture
 
 INCH, FOOT = 0.0254, 0.3048
 #: Air less helium, kg/m3, at 20 degrees and one atmosphere.

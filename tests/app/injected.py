@@ -13,7 +13,14 @@ import BalloonWorkbench.core
 
 ERRORS = (ZeroDivisionError, MemoryError, IndexError, RuntimeError, AssertionError)
 #: What tells of faults, and what only stands for a constant.
-_LEFT_OUT = ("core.faults", "core.errors", "core.types", "core.packages", "core.recent", "core.fonts")
+_LEFT_OUT = (
+    "core.faults",
+    "core.errors",
+    "core.types",
+    "core.packages",
+    "core.recent",
+    "core.language.fonts",
+)
 
 
 class Engine:

@@ -10,7 +10,7 @@ import shapely
 import sketches
 
 from BalloonWorkbench.app import advice, create, shapes, status
-from BalloonWorkbench.core.coach.findings import Repair, RepairKind
+from BalloonWorkbench.core.advice.findings import Repair, RepairKind
 
 ARM = 8.0  # mm
 #: A body of 60 x 60 mm with an arm to the right.

@@ -11,7 +11,7 @@ sys.path.append(str(Path(__file__).parents[1] / "core"))
 from drawn_pictures import coloured, drawn, png, ring
 
 from BalloonWorkbench.app.drawing import KEY, is_painting, read_drawing
-from BalloonWorkbench.core.outline.segment import AS_PEN
+from BalloonWorkbench.core.tracing.segment import AS_PEN
 
 
 def with_strokes(content):

@@ -11,8 +11,8 @@ import sketches
 from BalloonWorkbench.app import create
 from BalloonWorkbench.app.pattern import build
 from BalloonWorkbench.app.pattern_sketch import make_sketch
+from BalloonWorkbench.core.arcs.fit_arcs import fit_curve
 from BalloonWorkbench.core.errors import InputError
-from BalloonWorkbench.core.pattern.arcs import fit_curve
 from BalloonWorkbench.core.pattern.pattern import Role
 
 NEAR = 0.02  # mm

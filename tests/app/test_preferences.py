@@ -8,7 +8,7 @@ import FreeCAD as App
 import pytest
 
 from BalloonWorkbench.app import create, preferences
-from BalloonWorkbench.core.export.machine import machines
+from BalloonWorkbench.core.machines.machine import machines
 
 
 @pytest.fixture(autouse=True)

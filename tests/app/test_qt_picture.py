@@ -41,7 +41,7 @@ def test_pixels_come_as_they_are(width, tmp_path):
 @pytest.mark.parametrize("path", PICTURES, ids=lambda path: path.stem)
 def test_the_examples_are_the_same_as_through_opencv(path):
     pytest.importorskip("cv2")
-    from BalloonWorkbench.core.outline.decode import decode as decode_with_opencv
+    from BalloonWorkbench.core.tracing.picture_file import decode as decode_with_opencv
 
     expected, found = decode_with_opencv(path), decode(path)
     seen = expected[..., 3] > 0

@@ -7,7 +7,7 @@ import sketches
 
 from BalloonWorkbench.app import create, film, pattern, shapes, size_goal
 from BalloonWorkbench.core.design.size_goal import Buoyancy, Scaling
-from BalloonWorkbench.core.maker.weight import film_and_valve
+from BalloonWorkbench.core.making.weight import film_and_valve
 from BalloonWorkbench.core.units import to_grams
 
 EDITABLE = [item for item in pattern.PROPERTIES if not item.result]

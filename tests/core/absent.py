@@ -11,8 +11,8 @@ from pathlib import Path
 import pytest
 
 from BalloonWorkbench.core.mesh import delaunay
-from BalloonWorkbench.core.outline import raster
 from BalloonWorkbench.core.solver import backend, native
+from BalloonWorkbench.core.tracing import raster
 
 
 @contextmanager

@@ -25,8 +25,8 @@ from drawn_flaws import Flawed
 from scipy.interpolate import LinearNDInterpolator
 from scipy.spatial import cKDTree
 
-from BalloonWorkbench.core.coach.coach import advise
-from BalloonWorkbench.core.coach.findings import Advice, Finding
+from BalloonWorkbench.core.advice.advise import advise
+from BalloonWorkbench.core.advice.findings import Advice, Finding
 from BalloonWorkbench.core.design.fit import fit
 from BalloonWorkbench.core.film.library import film
 from BalloonWorkbench.core.mesh.quality import signed_areas

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import pytest
 
-from BalloonWorkbench.core.export import render
+from BalloonWorkbench.core.pictures import render
 
 _LOOKED_AT = {"test_export_preview", "test_assembly", "test_house"}
 

@@ -20,11 +20,11 @@ from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.nesting import nest as nesting
 from BalloonWorkbench.core.nesting.layout import Grain, Piece, Stock
 from BalloonWorkbench.core.outline.outline import Outline
-from BalloonWorkbench.core.outline.read import read_drawing
-from BalloonWorkbench.core.pattern.intake_kinds import intake_kinds
+from BalloonWorkbench.core.pattern.intake.kinds import intake_kinds
 from BalloonWorkbench.core.pattern.layout import on_one_sheet
 from BalloonWorkbench.core.pattern.make import Wanted, make_pattern, sheet_of
 from BalloonWorkbench.core.pattern.pattern import Pattern
+from BalloonWorkbench.core.readers.read import read_drawing
 from BalloonWorkbench.core.types import Floats
 
 PICTURES = Path(__file__).resolve().parents[2] / "resources" / "examples" / "pictures"

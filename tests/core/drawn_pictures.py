@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from BalloonWorkbench.core.outline.picture import drawing_of
+from BalloonWorkbench.core.tracing.picture import drawing_of
 
 EXAMPLES = sorted(Path("resources/examples/pictures").glob("*.png"))
 

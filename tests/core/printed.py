@@ -8,10 +8,10 @@ import numpy as np
 from BalloonWorkbench.core.artwork.marks import bordered, marked
 from BalloonWorkbench.core.artwork.picture import Picture, carried_on
 from BalloonWorkbench.core.artwork.sheet import Print, Sheet, artwork_sheets
-from BalloonWorkbench.core.export.render import _rasterised
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.pattern.build import build_pattern
 from BalloonWorkbench.core.pattern.pattern import Pattern
+from BalloonWorkbench.core.pictures.render import _rasterised
 from BalloonWorkbench.core.solver.inflation import Inflation
 
 WHITE, FILM = (255, 255, 255, 255), (240, 200, 40, 255)

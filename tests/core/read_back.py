@@ -15,8 +15,8 @@ import pytest
 import shapely
 import shapely.ops
 
-from BalloonWorkbench.core.export.drawing import BAR
-from BalloonWorkbench.core.export.machine import Machine
+from BalloonWorkbench.core.machines.machine import Machine
+from BalloonWorkbench.core.machines.toolpaths import BAR
 from BalloonWorkbench.core.pattern.pattern import Pattern, Role
 
 NEAR = 0.05  # mm

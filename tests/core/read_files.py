@@ -53,7 +53,7 @@ def _read(name: str, path: Path) -> dict[str, Any]:
     import numpy as np
 
     from BalloonWorkbench.core.errors import BalloonError
-    from BalloonWorkbench.core.outline.read import read_drawing
+    from BalloonWorkbench.core.readers.read import read_drawing
 
     _say({"begin": name})
     used = resource.getrusage(resource.RUSAGE_SELF)

@@ -12,14 +12,14 @@ from absent import without
 from BalloonWorkbench.cli import main
 from BalloonWorkbench.core import packages
 from BalloonWorkbench.core.errors import MissingPackageError
-from BalloonWorkbench.core.export.fabricate import machine_file
-from BalloonWorkbench.core.export.machine import machine
 from BalloonWorkbench.core.job import Balloon, Settings, files, make_balloon
-from BalloonWorkbench.core.outline import raster
-from BalloonWorkbench.core.outline.read import read_drawing
+from BalloonWorkbench.core.machines.machine import machine
+from BalloonWorkbench.core.machines.machine_file import machine_file
 from BalloonWorkbench.core.pattern.label import with_label
+from BalloonWorkbench.core.readers.read import read_drawing
 from BalloonWorkbench.core.solver import backend
 from BalloonWorkbench.core.solver.inflate import inflate
+from BalloonWorkbench.core.tracing import raster
 
 PICTURES = Path("resources/examples/pictures")
 OUTLINE = {"unit": "mm", "outer": [[0, 0], [120, 0], [120, 70], [0, 70]]}

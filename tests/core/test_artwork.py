@@ -30,9 +30,9 @@ from BalloonWorkbench.core.artwork.picture import covering, of_drawing
 from BalloonWorkbench.core.artwork.sheet import Print, artwork_sheets
 from BalloonWorkbench.core.design.fit import fit
 from BalloonWorkbench.core.errors import InputError
-from BalloonWorkbench.core.export.fabricate import machine_file
-from BalloonWorkbench.core.export.machine import machine
 from BalloonWorkbench.core.film.library import custom_film, film
+from BalloonWorkbench.core.machines.machine import machine
+from BalloonWorkbench.core.machines.machine_file import machine_file
 from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.mesh.triangulate import triangulate
 from BalloonWorkbench.core.outline.outline import Outline

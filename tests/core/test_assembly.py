@@ -14,13 +14,13 @@ from drawn_shapes import NAMED
 from inflated import designed
 from matplotlib.image import imread
 
-from BalloonWorkbench.core.assembly.page import PAGES, Subject, assembly_pdf
-from BalloonWorkbench.core.assembly.steps import steps
+from BalloonWorkbench.core.assembly_sheet.page import PAGES, Subject, assembly_pdf
+from BalloonWorkbench.core.assembly_sheet.steps import steps
 from BalloonWorkbench.core.errors import ExportError
 from BalloonWorkbench.core.film.filling import Filling
 from BalloonWorkbench.core.film.library import film
-from BalloonWorkbench.core.maker.numbers import maker_numbers
-from BalloonWorkbench.core.pattern.intake_kinds import intake_kind, intake_kinds
+from BalloonWorkbench.core.making.numbers import maker_numbers
+from BalloonWorkbench.core.pattern.intake.kinds import intake_kind, intake_kinds
 from BalloonWorkbench.core.pattern.make import Wanted, make_pattern
 
 DPI = 150

@@ -19,21 +19,21 @@ from matplotlib.axes import Axes
 from test_assembly import POPPLER, subject, told_by
 
 from BalloonWorkbench import cli, cli_summary
-from BalloonWorkbench.core.assembly.page import Subject, assembly_pdf
-from BalloonWorkbench.core.assembly.steps import steps
-from BalloonWorkbench.core.assembly.texts import figures, material
+from BalloonWorkbench.core.assembly_sheet.page import Subject, assembly_pdf
+from BalloonWorkbench.core.assembly_sheet.steps import steps
+from BalloonWorkbench.core.assembly_sheet.texts import figures, material
 from BalloonWorkbench.core.errors import ExportError, InputError
-from BalloonWorkbench.core.export.fabricate import machines_for
-from BalloonWorkbench.core.export.machine import machines
-from BalloonWorkbench.core.export.preview import preview_png
 from BalloonWorkbench.core.film.film import JOININGS
 from BalloonWorkbench.core.film.library import FOLDER, custom_film, film, films, read_film
-from BalloonWorkbench.core.maker.numbers import told
-from BalloonWorkbench.core.maker.safety import WELD
-from BalloonWorkbench.core.pattern.extras import with_tie_tab
-from BalloonWorkbench.core.pattern.intake_kinds import intake_kind, intake_kinds
+from BalloonWorkbench.core.machines.machine import machines
+from BalloonWorkbench.core.machines.machine_file import machines_for
+from BalloonWorkbench.core.making.numbers import told
+from BalloonWorkbench.core.making.safety import WELD
+from BalloonWorkbench.core.pattern.intake.kinds import intake_kind, intake_kinds
 from BalloonWorkbench.core.pattern.make import Wanted, pieces_remarks
+from BalloonWorkbench.core.pattern.marks import with_tie_tab
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
+from BalloonWorkbench.core.pictures.preview import preview_png
 from BalloonWorkbench.core.types import in_english
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -233,7 +233,7 @@ def test_command_line_and_preview_say_nothing_against_the_film(
         return write(axes, x, y, text, **look)
 
     monkeypatch.setattr(Axes, "text", heard)
-    monkeypatch.setattr("BalloonWorkbench.core.export.preview._balloon", lambda *given: None)
+    monkeypatch.setattr("BalloonWorkbench.core.pictures.preview._balloon", lambda *given: None)
     from drawn_shapes import NAMED
 
     preview_png([designed(NAMED["disc"], 300)], [one.pattern], one.film.seam)

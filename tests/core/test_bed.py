@@ -15,9 +15,9 @@ import pytest
 import BalloonWorkbench
 from BalloonWorkbench import cli
 from BalloonWorkbench.core.errors import ExportError, InputError
-from BalloonWorkbench.core.export import bed
-from BalloonWorkbench.core.export.machine import FOLDER, bed_text, machine, parse_bed
-from BalloonWorkbench.core.export.preflight import ERROR, WARNING, Finding, preflight
+from BalloonWorkbench.core.machines import bed
+from BalloonWorkbench.core.machines.machine import FOLDER, bed_text, machine, parse_bed
+from BalloonWorkbench.core.machines.preflight import ERROR, WARNING, Finding, preflight
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.pattern.build import build_pattern
 from BalloonWorkbench.core.pattern.layout import on_one_sheet

@@ -26,7 +26,7 @@ from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.mesh.triangulate import triangulate
 from BalloonWorkbench.core.outline.drawing import Drawing
-from BalloonWorkbench.core.outline.read import read_drawing
+from BalloonWorkbench.core.readers.read import read_drawing
 
 COUNT = int(os.environ.get("BALLOON_FILES", "500"))
 SECONDS = 6.0  # of processor time

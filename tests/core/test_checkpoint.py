@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 from drawn_shapes import NAMED
 
+from BalloonWorkbench.core.advice.advise import advise
+from BalloonWorkbench.core.arcs.fit_arcs import fit_curve
 from BalloonWorkbench.core.checkpoint import checkpoint, stoppable
-from BalloonWorkbench.core.coach.coach import advise
 from BalloonWorkbench.core.errors import Cancelled
 from BalloonWorkbench.core.film.library import DEFAULT_FILM, film
-from BalloonWorkbench.core.pattern.arcs import fit_curve
 
 
 class Asked:

@@ -14,7 +14,7 @@ import pytest
 from drawn_pictures import any_of, coloured, disc, drawn, png, ring
 
 from BalloonWorkbench import cli
-from BalloonWorkbench.core.outline.read import read_outline
+from BalloonWorkbench.core.readers.read import read_outline
 
 ROOT = Path(__file__).parents[2]
 PICTURES = ROOT / "resources" / "examples" / "pictures"

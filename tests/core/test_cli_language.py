@@ -14,9 +14,9 @@ from test_cli import BAD, bad_inputs
 from test_translations import tool
 
 from BalloonWorkbench import cli
-from BalloonWorkbench.core import forms
 from BalloonWorkbench.core.film.library import films
-from BalloonWorkbench.core.language import languages, speech, users_language
+from BalloonWorkbench.core.language import sentence_forms as forms
+from BalloonWorkbench.core.language.speech import languages, speech, users_language
 
 PICTURES = Path(__file__).parents[2] / "resources" / "examples" / "pictures"
 _PLACE = re.compile(r"({\w+})")

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from BalloonWorkbench import cli
-from BalloonWorkbench.core.export.machine import FOLDER, machine
+from BalloonWorkbench.core.machines.machine import FOLDER, machine
 
 
 @pytest.fixture

@@ -8,10 +8,16 @@ import pytest
 import shapely
 from drawn_shapes import NAMED, TURN, corners_of, hole, oriented, polar
 
-from BalloonWorkbench.core.advice import finding_data, finding_from, repair_data, repair_from, repair_text
-from BalloonWorkbench.core.coach.coach import advise, advise_design
-from BalloonWorkbench.core.coach.findings import Finding, RepairKind, Severity
-from BalloonWorkbench.core.coach.rules import rules
+from BalloonWorkbench.core.advice.advise import advise, advise_design
+from BalloonWorkbench.core.advice.as_data import (
+    finding_data,
+    finding_from,
+    repair_data,
+    repair_from,
+    repair_text,
+)
+from BalloonWorkbench.core.advice.findings import Finding, RepairKind, Severity
+from BalloonWorkbench.core.advice.rules import rules
 from BalloonWorkbench.core.design.fit import inflate_outline
 from BalloonWorkbench.core.film.library import film
 from BalloonWorkbench.core.outline.outline import Outline

@@ -8,9 +8,9 @@ import pytest
 import shapely
 from drawn_shapes import corners_of, hole, polar
 
-from BalloonWorkbench.core.coach.findings import Repair, RepairKind
-from BalloonWorkbench.core.coach.places import whole
-from BalloonWorkbench.core.coach.repairs import repaired, scaled
+from BalloonWorkbench.core.advice.findings import Repair, RepairKind
+from BalloonWorkbench.core.advice.places import whole
+from BalloonWorkbench.core.advice.repairs import repaired, scaled
 from BalloonWorkbench.core.errors import OutlineError
 from BalloonWorkbench.core.outline.outline import Outline
 

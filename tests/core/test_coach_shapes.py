@@ -17,17 +17,17 @@ import pytest
 import shapely
 from drawn_shapes import corners_of, generated, oriented, polar
 
-from BalloonWorkbench.core.advice import finding_data, finding_from, repair_text
-from BalloonWorkbench.core.coach.coach import advise, advise_design
-from BalloonWorkbench.core.coach.findings import Advice
-from BalloonWorkbench.core.coach.places import rim_near, whole
-from BalloonWorkbench.core.coach.repairs import repaired
+from BalloonWorkbench.core.advice.advise import advise, advise_design
+from BalloonWorkbench.core.advice.as_data import finding_data, finding_from, repair_text
+from BalloonWorkbench.core.advice.findings import Advice
+from BalloonWorkbench.core.advice.places import rim_near, whole
+from BalloonWorkbench.core.advice.repairs import repaired
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.design.fit import fit, inflate_outline
 from BalloonWorkbench.core.errors import MeshError, OutlineError
 from BalloonWorkbench.core.film.library import film
-from BalloonWorkbench.core.outline.loops import check
 from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.outline.validity import check
 
 FILM = film("mylar")
 COUNT = int(os.environ.get("BALLOON_COACHED", "1"))

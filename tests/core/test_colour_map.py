@@ -7,11 +7,11 @@ import pytest
 from BalloonWorkbench.core.design.compare import residual
 from BalloonWorkbench.core.design.seen import trimmed
 from BalloonWorkbench.core.design.silhouette import silhouette
-from BalloonWorkbench.core.export import colour_map
-from BalloonWorkbench.core.export.results import results
 from BalloonWorkbench.core.film.library import film
 from BalloonWorkbench.core.mesh.triangulate import triangulate
 from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.results import colour_map
+from BalloonWorkbench.core.results.result_files import results
 from BalloonWorkbench.core.solver.film_state import film_state, thickness
 from BalloonWorkbench.core.solver.inflate import inflate
 

@@ -14,13 +14,13 @@ from typing import Any
 import pytest
 
 from BalloonWorkbench import cli
-from BalloonWorkbench.core.assembly import steps
-from BalloonWorkbench.core.coach import rules
+from BalloonWorkbench.core.advice import rules
+from BalloonWorkbench.core.assembly_sheet import steps
 from BalloonWorkbench.core.errors import InputError
-from BalloonWorkbench.core.export import machine
 from BalloonWorkbench.core.film import filling, library
-from BalloonWorkbench.core.maker import data as making
-from BalloonWorkbench.core.pattern import intake_kinds
+from BalloonWorkbench.core.machines import machine
+from BalloonWorkbench.core.making import trade_figures as making
+from BalloonWorkbench.core.pattern.intake import kinds as intake_kinds
 
 ROOT = Path(__file__).parents[2]
 RESOURCES = ROOT / "resources"

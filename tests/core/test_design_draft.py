@@ -17,8 +17,8 @@ from BalloonWorkbench.core.errors import Cancelled, MeshError
 from BalloonWorkbench.core.film.library import DEFAULT_FILM, film
 from BalloonWorkbench.core.job import Settings, design_outline
 from BalloonWorkbench.core.outline.outline import Outline
-from BalloonWorkbench.core.outline.read import read_outline
 from BalloonWorkbench.core.pattern.build import usual_pattern
+from BalloonWorkbench.core.readers.read import read_outline
 
 FILM = film(DEFAULT_FILM)
 PRESSURE = 2000.0

@@ -18,8 +18,8 @@ from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.film.library import custom_film, film
 from BalloonWorkbench.core.outline.crossings import first_crossing
 from BalloonWorkbench.core.outline.outline import Outline, signed_area
-from BalloonWorkbench.core.outline.picture import read_picture
 from BalloonWorkbench.core.solver.backend import available
+from BalloonWorkbench.core.tracing.picture import read_picture
 
 PICTURES = Path(__file__).parents[2] / "resources" / "examples" / "pictures"
 NAMES = sorted(path.stem for path in PICTURES.glob("*.png"))

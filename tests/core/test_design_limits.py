@@ -16,15 +16,15 @@ from BalloonWorkbench.core.design.fit import fit
 from BalloonWorkbench.core.design.growth import grown
 from BalloonWorkbench.core.design.reach import stretches
 from BalloonWorkbench.core.design.room import parted
-from BalloonWorkbench.core.export.preview import preview_png
 from BalloonWorkbench.core.film.library import film
 from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.mesh.triangulate import triangulate
 from BalloonWorkbench.core.outline.crossings import first_crossing
 from BalloonWorkbench.core.outline.outline import Outline, signed_area
-from BalloonWorkbench.core.outline.picture import read_picture
 from BalloonWorkbench.core.outline.sampling import arc_lengths, point_at
 from BalloonWorkbench.core.pattern.build import build_pattern
+from BalloonWorkbench.core.pictures.preview import preview_png
+from BalloonWorkbench.core.tracing.picture import read_picture
 
 PICTURES = Path(__file__).parents[2] / "resources" / "examples" / "pictures"
 

@@ -19,9 +19,9 @@ from BalloonWorkbench.core.film.library import custom_film, film
 from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.mesh.triangulate import triangulate
 from BalloonWorkbench.core.outline.outline import Outline, signed_area
-from BalloonWorkbench.core.outline.picture import read_picture
 from BalloonWorkbench.core.outline.sampling import resample
 from BalloonWorkbench.core.solver.inflate import inflate
+from BalloonWorkbench.core.tracing.picture import read_picture
 
 PICTURES = Path(__file__).parents[2] / "resources" / "examples" / "pictures"
 STIFF = replace(custom_film(2.4e10, 0.3, 25e-6), seal_width=0.005)

@@ -18,11 +18,11 @@ from BalloonWorkbench.core.design.twins import nearer, twinned
 from BalloonWorkbench.core.film.library import film
 from BalloonWorkbench.core.outline.crossings import first_crossing
 from BalloonWorkbench.core.outline.outline import Outline
-from BalloonWorkbench.core.outline.picture import read_picture
 from BalloonWorkbench.core.outline.sampling import resample
 from BalloonWorkbench.core.outline.symmetry import AUTO, Mirror, find_mirror, symmetric
 from BalloonWorkbench.core.pattern.build import build_pattern
 from BalloonWorkbench.core.pattern.fairing import LIMIT
+from BalloonWorkbench.core.tracing.picture import read_picture
 
 PICTURES = Path(__file__).parents[2] / "resources" / "examples" / "pictures"
 

@@ -25,10 +25,10 @@ from drawn_cuts import HOLES, holed, laid_out, letter, made, sheets
 from drawn_shapes import NAMED
 from read_back import line, once_round, page_lines, svg_lines
 
-from BalloonWorkbench.core.export.drawing import Path as Line
-from BalloonWorkbench.core.export.drawing import draw
-from BalloonWorkbench.core.export.fabricate import machine_file
-from BalloonWorkbench.core.export.machine import Machine, machine, machines
+from BalloonWorkbench.core.machines.machine import Machine, machine, machines
+from BalloonWorkbench.core.machines.machine_file import machine_file
+from BalloonWorkbench.core.machines.toolpaths import Path as Line
+from BalloonWorkbench.core.machines.toolpaths import draw
 from BalloonWorkbench.core.pattern.make import Wanted, make_pattern, sheet_of
 from BalloonWorkbench.core.pattern.pattern import Pattern, Role
 from BalloonWorkbench.core.units import from_mm, to_mm

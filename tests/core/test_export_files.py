@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from BalloonWorkbench.core.errors import ExportError
-from BalloonWorkbench.core.export.files import safe_name, write_files
+from BalloonWorkbench.core.files.write import safe_name, write_files
 
 
 def test_writes_into_new_folders(tmp_path: Path) -> None:

@@ -12,9 +12,9 @@ import shapely
 from drawn_shapes import NAMED
 from read_back import compare, line, run
 
-from BalloonWorkbench.core.export.drawing import draw
-from BalloonWorkbench.core.export.fabricate import machine_file
-from BalloonWorkbench.core.export.machine import Machine, machine
+from BalloonWorkbench.core.machines.machine import Machine, machine
+from BalloonWorkbench.core.machines.machine_file import machine_file
+from BalloonWorkbench.core.machines.toolpaths import draw
 from BalloonWorkbench.core.pattern.make import Wanted, make_pattern, sheet_of
 
 WANTED = Wanted(intake_kind="film-valve", notches=9, mirror=True, tie_tab=True)

@@ -14,15 +14,15 @@ import pytest
 import shapely
 from drawn_shapes import NAMED
 
+from BalloonWorkbench.core.arcs.curves import Curve, polyline
+from BalloonWorkbench.core.arcs.fit_arcs import fit_curve
 from BalloonWorkbench.core.errors import ExportError, InputError
-from BalloonWorkbench.core.export.compensate import overrun, trailing_knife, without_kerf
-from BalloonWorkbench.core.export.drawing import BAR, draw
-from BalloonWorkbench.core.export.fabricate import checked_files, machine_file
-from BalloonWorkbench.core.export.machine import FOLDER, machine, machines, read_machine
-from BalloonWorkbench.core.export.preflight import ERROR, WARNING, preflight
-from BalloonWorkbench.core.pattern.arcs import fit_curve
+from BalloonWorkbench.core.machines.compensate import overrun, trailing_knife, without_kerf
+from BalloonWorkbench.core.machines.machine import FOLDER, machine, machines, read_machine
+from BalloonWorkbench.core.machines.machine_file import checked_files, machine_file
+from BalloonWorkbench.core.machines.preflight import ERROR, WARNING, preflight
+from BalloonWorkbench.core.machines.toolpaths import BAR, draw
 from BalloonWorkbench.core.pattern.build import build_pattern
-from BalloonWorkbench.core.pattern.curves import Curve, polyline
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
 
 SQUARE = np.array([[0.0, 0.0], [0.1, 0.0], [0.1, 0.1], [0.0, 0.1]])

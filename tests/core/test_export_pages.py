@@ -12,10 +12,10 @@ import shapely
 from drawn_shapes import NAMED
 from read_back import NEAR, POINT, apart, compare, page_lines, run, wanted
 
-from BalloonWorkbench.core.export.drawing import BAR, draw
-from BalloonWorkbench.core.export.fabricate import drawing_file, machine_file
-from BalloonWorkbench.core.export.machine import machine
-from BalloonWorkbench.core.export.machine_pdf import PAPERS
+from BalloonWorkbench.core.machines.machine import machine
+from BalloonWorkbench.core.machines.machine_file import drawing_file, machine_file
+from BalloonWorkbench.core.machines.toolpaths import BAR, draw
+from BalloonWorkbench.core.machines.writers.pdf import PAPERS
 from BalloonWorkbench.core.pattern.build import build_pattern
 
 PAPER = machine("paper")

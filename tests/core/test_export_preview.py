@@ -11,9 +11,9 @@ from drawn_shapes import NAMED
 from inflated import designed
 from matplotlib import image
 
-from BalloonWorkbench.core.export.preview import preview_png
-from BalloonWorkbench.core.export.render import balloon_picture
 from BalloonWorkbench.core.pattern.build import build_pattern
+from BalloonWorkbench.core.pictures.preview import preview_png
+from BalloonWorkbench.core.pictures.render import balloon_picture
 
 PAPER = np.array([0xEE, 0xF0, 0xF4]) / 255.0
 

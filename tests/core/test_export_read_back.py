@@ -28,9 +28,9 @@ from read_back import (
     wanted,
 )
 
-from BalloonWorkbench.core.export.drawing import BAR, draw
-from BalloonWorkbench.core.export.fabricate import drawing_file, machine_file
-from BalloonWorkbench.core.export.machine import machine
+from BalloonWorkbench.core.machines.machine import machine
+from BalloonWorkbench.core.machines.machine_file import drawing_file, machine_file
+from BalloonWorkbench.core.machines.toolpaths import BAR, draw
 from BalloonWorkbench.core.pattern.build import build_pattern
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
 from BalloonWorkbench.core.units import to_mm

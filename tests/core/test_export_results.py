@@ -12,7 +12,7 @@ import pytest
 from solver_cases import PRESSURE, film, panel
 
 from BalloonWorkbench.core.errors import InputError
-from BalloonWorkbench.core.export.results import frame_files, results, results_bytes
+from BalloonWorkbench.core.results.result_files import frame_files, results, results_bytes
 from BalloonWorkbench.core.solver.animation import inflate_in_time
 from BalloonWorkbench.core.solver.film_state import film_state
 from BalloonWorkbench.core.solver.inflate import inflate

@@ -8,9 +8,9 @@ import pytest
 from drawn_shapes import NAMED, generated
 from inflated import lifted
 
-from BalloonWorkbench.core.export.stl import balloon_mesh, enclosed_volume, stl_bytes
 from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.mesh.triangulate import triangulate
+from BalloonWorkbench.core.results.stl import balloon_mesh, enclosed_volume, stl_bytes
 from BalloonWorkbench.core.solver.inflation import Inflation
 
 SHAPES = {**NAMED, **{f"generated {seed}": generated(seed) for seed in range(20)}}

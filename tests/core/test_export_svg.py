@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 from drawn_shapes import NAMED
 
-from BalloonWorkbench.core.export.fabricate import machine_file
-from BalloonWorkbench.core.export.machine import machine
+from BalloonWorkbench.core.machines.machine import machine
+from BalloonWorkbench.core.machines.machine_file import machine_file
 from BalloonWorkbench.core.pattern.build import build_pattern
 from BalloonWorkbench.core.pattern.pattern import Pattern, Role
 

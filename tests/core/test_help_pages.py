@@ -11,7 +11,7 @@ from xml.etree import ElementTree
 
 import pytest
 
-from BalloonWorkbench.core.language import FOLDER, languages
+from BalloonWorkbench.core.language.speech import FOLDER, languages
 
 HELP = Path(__file__).resolve().parents[2] / "docs" / "help"
 PAGES = sorted(path.name for path in HELP.glob("*.html"))

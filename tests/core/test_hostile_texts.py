@@ -24,14 +24,14 @@ from matplotlib.font_manager import FontProperties, findfont
 from test_assembly import POPPLER, subject, told_by
 
 from BalloonWorkbench.cli import main
-from BalloonWorkbench.core.assembly.page import assembly_pdf
+from BalloonWorkbench.core.assembly_sheet.page import assembly_pdf
 from BalloonWorkbench.core.errors import InputError
-from BalloonWorkbench.core.export.fabricate import machine_file
-from BalloonWorkbench.core.export.machine import machines
-from BalloonWorkbench.core.export.preview import preview_png
+from BalloonWorkbench.core.machines.machine import machines
+from BalloonWorkbench.core.machines.machine_file import machine_file
 from BalloonWorkbench.core.pattern.build import build_pattern
 from BalloonWorkbench.core.pattern.label import with_label
 from BalloonWorkbench.core.pattern.pattern import Pattern, Role
+from BalloonWorkbench.core.pictures.preview import preview_png
 
 HEIGHT = 0.002  # m
 

@@ -176,7 +176,7 @@ def test_a_file_is_one_idea() -> None:
 BORDERS = {
     "BalloonWorkbench/core/faults.py": "the report itself",
     "BalloonWorkbench/core/nesting/nest.py": "the thread of the search",
-    "BalloonWorkbench/core/outline/foreign.py": "readers of other projects",
+    "BalloonWorkbench/core/files/foreign_reader.py": "readers of other projects",
     "BalloonWorkbench/cli.py": "the command line",
     "BalloonWorkbench/cli_document.py": "FreeCAD's process beside it",
     "BalloonWorkbench/app/api.py": "the Python API",

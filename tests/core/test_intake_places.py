@@ -14,19 +14,19 @@ import pytest
 import shapely
 from drawn_shapes import LETTERS, NAMED, TURN, generated, letter, oriented, polar
 
-from BalloonWorkbench.core.coach.coach import advise
-from BalloonWorkbench.core.coach.findings import RepairKind
-from BalloonWorkbench.core.coach.gauge import Predicted
-from BalloonWorkbench.core.coach.places import whole
-from BalloonWorkbench.core.coach.subject import Subject
+from BalloonWorkbench.core.advice.advise import advise
+from BalloonWorkbench.core.advice.findings import RepairKind
+from BalloonWorkbench.core.advice.gauge import Predicted
+from BalloonWorkbench.core.advice.places import whole
+from BalloonWorkbench.core.advice.subject import Subject
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film.library import film
 from BalloonWorkbench.core.outline.outline import Outline
-from BalloonWorkbench.core.outline.read import read_outline
 from BalloonWorkbench.core.pattern.fairing import faired_seam
-from BalloonWorkbench.core.pattern.intake_places import FARTHEST, LOW, PLACES
+from BalloonWorkbench.core.pattern.intake.places import FARTHEST, LOW, PLACES
 from BalloonWorkbench.core.pattern.make import Wanted, make_pattern
 from BalloonWorkbench.core.pattern.pattern import Intake
+from BalloonWorkbench.core.readers.read import read_outline
 
 FILM = film("mylar")
 STEPS = int(os.environ.get("BALLOON_INTAKES", "1"))

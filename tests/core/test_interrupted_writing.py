@@ -17,8 +17,8 @@ from typing import Any
 
 import pytest
 
-from BalloonWorkbench.core.export import swap, system
-from BalloonWorkbench.core.export.files import check_folder, write_files
+from BalloonWorkbench.core.files import swap, system
+from BalloonWorkbench.core.files.write import check_folder, write_files
 
 COUNT = int(os.environ.get("BALLOON_KILLS", "60"))
 OLD = {"one": b"old 1", "two": b"old 2" * 9, "three": b"old 3"}

@@ -16,14 +16,14 @@ import shapely
 from drawn_shapes import NAMED, generated
 
 from BalloonWorkbench.core.errors import InputError
-from BalloonWorkbench.core.export.drawing import draw
-from BalloonWorkbench.core.export.fabricate import machine_file
-from BalloonWorkbench.core.export.machine import FOLDER, Machine, machines, read_machine
-from BalloonWorkbench.core.export.preflight import preflight
-from BalloonWorkbench.core.pattern.intake_kinds import intake_kinds
+from BalloonWorkbench.core.machines.machine import FOLDER, Machine, machines, read_machine
+from BalloonWorkbench.core.machines.machine_file import machine_file
+from BalloonWorkbench.core.machines.preflight import preflight
+from BalloonWorkbench.core.machines.toolpaths import draw
+from BalloonWorkbench.core.pattern.intake.kinds import intake_kinds
 from BalloonWorkbench.core.pattern.make import Wanted, make_pattern, sheet_of
-from BalloonWorkbench.core.pattern.motion import split
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
+from BalloonWorkbench.core.pattern.placement import split
 
 SEAL = 0.005
 #: What a maker has to cut: outlines, holes, and whatever notches lie on.

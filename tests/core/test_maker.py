@@ -15,22 +15,22 @@ from solver_cases import circle
 from BalloonWorkbench.core.film.filling import ROOM, Filling, gas, gases
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.film.library import FOLDER, film, films
-from BalloonWorkbench.core.maker.data import FILE, making
-from BalloonWorkbench.core.maker.numbers import Numbers, maker_numbers, told
-from BalloonWorkbench.core.maker.safety import FILM, WELD, safety_with
-from BalloonWorkbench.core.making import pieces_of
+from BalloonWorkbench.core.making.numbers import Numbers, maker_numbers, told
+from BalloonWorkbench.core.making.safety import FILM, WELD, safety_with
+from BalloonWorkbench.core.making.trade_figures import FILE, making
 from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.mesh.triangulate import triangulate
 from BalloonWorkbench.core.nesting import nest as nesting
 from BalloonWorkbench.core.nesting.layout import Stock
 from BalloonWorkbench.core.outline.outline import Outline
-from BalloonWorkbench.core.outline.picture import read_picture
 from BalloonWorkbench.core.pattern.build import build_pattern
 from BalloonWorkbench.core.pattern.make import Wanted, make_pattern, sheet_of
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
+from BalloonWorkbench.core.products import pieces_of
 from BalloonWorkbench.core.solver.inflate import inflate
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.solver.strength import loads
+from BalloonWorkbench.core.tracing.picture import read_picture
 
 INCH, FOOT = 0.0254, 0.3048
 FOIL = film("nylon-foil")

@@ -20,7 +20,7 @@ from wheel_server import FAULTS, NAME, server, wheel_list, wheel_of
 from BalloonWorkbench.cli import main
 from BalloonWorkbench.core import native_wheel, packages
 from BalloonWorkbench.core.errors import BalloonError, Cancelled, FetchError
-from BalloonWorkbench.core.export import swap
+from BalloonWorkbench.core.files import swap
 from BalloonWorkbench.core.solver import backend, library, native
 from BalloonWorkbench.core.solver.inflate import inflate
 

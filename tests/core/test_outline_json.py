@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from BalloonWorkbench.core.errors import InputError
-from BalloonWorkbench.core.outline import vector
+from BalloonWorkbench.core.readers import vector
 
 
 def read_vector(path, *size):

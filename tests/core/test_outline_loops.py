@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from BalloonWorkbench.core.errors import InputError, OutlineError
-from BalloonWorkbench.core.outline import loops
+from BalloonWorkbench.core.outline import validity as loops
 from BalloonWorkbench.core.outline.crossings import contains, first_crossing
 from BalloonWorkbench.core.outline.outline import Outline, signed_area
 

@@ -9,10 +9,10 @@ import pytest
 import shapely
 from drawn_pictures import any_of, arc, box, disc, stroke
 
-from BalloonWorkbench.core.outline.decode import decode
-from BalloonWorkbench.core.outline.ends import free_ends
-from BalloonWorkbench.core.outline.picture import drawing_of
-from BalloonWorkbench.core.outline.segment import PEN, SHAPE
+from BalloonWorkbench.core.tracing.pen_stroke_ends import free_ends
+from BalloonWorkbench.core.tracing.picture import drawing_of
+from BalloonWorkbench.core.tracing.picture_file import decode
+from BalloonWorkbench.core.tracing.segment import PEN, SHAPE
 
 EXAMPLES = Path("resources/examples/pictures")
 INK = {"shape": (20, 20, 30)}

@@ -12,10 +12,10 @@ import pytest
 import shapely
 
 from BalloonWorkbench.core.errors import InputError, MissingPackageError, PictureError
-from BalloonWorkbench.core.outline import decode as decoding
-from BalloonWorkbench.core.outline import raster
 from BalloonWorkbench.core.outline.outline import signed_area
-from BalloonWorkbench.core.outline.picture import drawing_of, picture_drawing, read_picture
+from BalloonWorkbench.core.tracing import picture_file as decoding
+from BalloonWorkbench.core.tracing import raster
+from BalloonWorkbench.core.tracing.picture import drawing_of, picture_drawing, read_picture
 
 RED_DISC = pictures.coloured(pictures.drawn(pictures.disc(150, 100, 80), 300, 200), (200, 30, 30))
 

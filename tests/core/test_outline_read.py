@@ -9,7 +9,7 @@ import ezdxf
 import pytest
 
 from BalloonWorkbench.core.errors import BalloonError, InputError
-from BalloonWorkbench.core.outline.read import read_outline
+from BalloonWorkbench.core.readers.read import read_outline
 
 SVG = """<?xml version="1.0"?>
 <svg xmlns="http://www.w3.org/2000/svg" width="50mm" height="50mm"><rect width="40mm" height="20mm"/></svg>"""

@@ -12,7 +12,6 @@ from drawn_shapes import NAMED, corners_of
 
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.outline.outline import Outline
-from BalloonWorkbench.core.outline.picture import read_picture
 from BalloonWorkbench.core.outline.symmetry import (
     AUTO,
     DRAWN,
@@ -23,6 +22,7 @@ from BalloonWorkbench.core.outline.symmetry import (
     find_mirror,
     symmetric,
 )
+from BalloonWorkbench.core.tracing.picture import read_picture
 from BalloonWorkbench.core.types import Floats
 
 PICTURES = Path(__file__).parents[2] / "resources" / "examples" / "pictures"

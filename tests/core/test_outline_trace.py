@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 import shapely
 
-from BalloonWorkbench.core.outline.contour import contours
 from BalloonWorkbench.core.outline.crossings import first_crossing
 from BalloonWorkbench.core.outline.sampling import arc_lengths, point_at
-from BalloonWorkbench.core.outline.segment import segment
-from BalloonWorkbench.core.outline.trace import trace, walk
+from BalloonWorkbench.core.tracing.contour import contours
+from BalloonWorkbench.core.tracing.segment import segment
+from BalloonWorkbench.core.tracing.trace import trace, walk
 
 SIZE = 512
 TURN = np.radians(17.0)

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from BalloonWorkbench.core.errors import InputError, MissingPackageError, OutlineError
-from BalloonWorkbench.core.outline import vector
-from BalloonWorkbench.core.outline.chains import join
+from BalloonWorkbench.core.readers import vector
+from BalloonWorkbench.core.readers.chains import join
 
 FLAT = 0.02  # mm: how far a curve may be from its polyline
 PAGE = 'width="100mm" height="80mm" viewBox="0 0 100 80"'

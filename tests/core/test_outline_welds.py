@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from BalloonWorkbench.core.errors import InputError
-from BalloonWorkbench.core.outline.read import read_drawing
+from BalloonWorkbench.core.readers.read import read_drawing
 
 LINE = [[20, 40], [60, 40], [60, 60]]
 

@@ -13,14 +13,14 @@ from matplotlib.image import imread
 from test_assembly import POPPLER, subject, told_by
 from test_export_pages import PAPER, SMALL
 
-from BalloonWorkbench.core import fonts
-from BalloonWorkbench.core.assembly.page import assembly_pdf
-from BalloonWorkbench.core.assembly.steps import steps
-from BalloonWorkbench.core.assembly.texts import broken, figures, material
-from BalloonWorkbench.core.export.fabricate import machine_file
+from BalloonWorkbench.core.assembly_sheet.page import assembly_pdf
+from BalloonWorkbench.core.assembly_sheet.steps import steps
+from BalloonWorkbench.core.assembly_sheet.texts import broken, figures, material
 from BalloonWorkbench.core.film.library import films
-from BalloonWorkbench.core.language import languages, speech
-from BalloonWorkbench.core.pattern.intake_kinds import intake_kinds
+from BalloonWorkbench.core.language import fonts
+from BalloonWorkbench.core.language.speech import languages, speech
+from BalloonWorkbench.core.machines.machine_file import machine_file
+from BalloonWorkbench.core.pattern.intake.kinds import intake_kinds
 from BalloonWorkbench.core.types import in_english
 
 #: A word that every page has, and the beginning of a step that it has.

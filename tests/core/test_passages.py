@@ -16,9 +16,9 @@ from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film.library import film
 from BalloonWorkbench.core.job import Settings, make_balloon
 from BalloonWorkbench.core.mesh.triangulate import triangulate
-from BalloonWorkbench.core.outline.loops import check
+from BalloonWorkbench.core.outline.chambers import chambers, linked
 from BalloonWorkbench.core.outline.outline import Outline
-from BalloonWorkbench.core.outline.passages import chambers, linked
+from BalloonWorkbench.core.outline.validity import check
 from BalloonWorkbench.core.pattern.build import build_pattern
 from BalloonWorkbench.core.pattern.pattern import Pattern, Role
 from BalloonWorkbench.core.solver.inflate import inflate

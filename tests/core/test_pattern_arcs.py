@@ -10,10 +10,10 @@ import pytest
 import shapely
 from drawn_shapes import NAMED, generated, polar
 
+from BalloonWorkbench.core.arcs.curves import Curve, polyline
+from BalloonWorkbench.core.arcs.fit_arcs import TOLERANCE, fit_curve
 from BalloonWorkbench.core.job import Settings, make_balloon
-from BalloonWorkbench.core.pattern.arcs import TOLERANCE, fit_curve
 from BalloonWorkbench.core.pattern.build import build_pattern
-from BalloonWorkbench.core.pattern.curves import Curve, polyline
 from BalloonWorkbench.core.pattern.pattern import Role
 
 PICTURES = Path(__file__).parents[2] / "resources" / "examples" / "pictures"

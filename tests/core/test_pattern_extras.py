@@ -10,7 +10,7 @@ from drawn_shapes import NAMED
 
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.pattern.build import build_pattern
-from BalloonWorkbench.core.pattern.extras import with_notches, with_tie_tab
+from BalloonWorkbench.core.pattern.marks import with_notches, with_tie_tab
 from BalloonWorkbench.core.pattern.pattern import Pattern, Role
 
 SEAL, ALLOWANCE = 0.005, 0.003

@@ -8,7 +8,7 @@ import pytest
 import shapely
 from drawn_shapes import NAMED, generated, polar
 
-from BalloonWorkbench.core.pattern.arcs import fit_curve
+from BalloonWorkbench.core.arcs.fit_arcs import fit_curve
 from BalloonWorkbench.core.pattern.fairing import LIMIT, faired
 
 TURN = np.linspace(0.0, 2.0 * np.pi, 700, endpoint=False)

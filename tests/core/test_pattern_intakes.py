@@ -14,10 +14,10 @@ from drawn_shapes import NAMED, corners_of, generated, polar
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.pattern.build import build_pattern
-from BalloonWorkbench.core.pattern.intake_kinds import FOLDER, intake_kind, intake_kinds, measure, read_kind
+from BalloonWorkbench.core.pattern.intake.kinds import FOLDER, intake_kind, intake_kinds, measure, read_kind
+from BalloonWorkbench.core.pattern.intake.rim import Rim
 from BalloonWorkbench.core.pattern.make import Wanted, make_pattern, sheet_of
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
-from BalloonWorkbench.core.pattern.rim import Rim
 
 SEAL, ALLOWANCE = 0.005, 0.002
 KINDS = ("straw", "film-valve", "one-way-tail", "nozzle")

@@ -16,14 +16,14 @@ from drawn_shapes import NAMED, corners_of, hole, polar
 
 from BalloonWorkbench import cli
 from BalloonWorkbench.core.errors import InputError
-from BalloonWorkbench.core.export.fabricate import checked_files
-from BalloonWorkbench.core.export.machine import machines
 from BalloonWorkbench.core.film.library import custom_film, film, films
-from BalloonWorkbench.core.making import by_stock, pieces_of
+from BalloonWorkbench.core.machines.machine import machines
+from BalloonWorkbench.core.machines.machine_file import checked_files
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.pattern.build import build_pattern
 from BalloonWorkbench.core.pattern.make import Wanted, make_pattern, pieces_remarks, sheet_of
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
+from BalloonWorkbench.core.products import by_stock, pieces_of
 
 SEAL = 0.005
 VALVE = Wanted(intake_kind="film-valve")

@@ -32,7 +32,7 @@ from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.film.library import custom_film, film
 from BalloonWorkbench.core.job import Settings, design_outline
 from BalloonWorkbench.core.outline.outline import Outline
-from BalloonWorkbench.core.outline.picture import read_picture
+from BalloonWorkbench.core.tracing.picture import read_picture
 from BalloonWorkbench.core.types import Progress, no_progress
 
 PICTURES = Path(__file__).parents[2] / "resources" / "examples" / "pictures"

@@ -11,10 +11,10 @@ from inflated import lifted
 from solver_cases import PRESSURE, film, panel
 
 from BalloonWorkbench.core.errors import InputError
-from BalloonWorkbench.core.export.stl import balloon_mesh, enclosed_volume
 from BalloonWorkbench.core.film.library import film as library_film
 from BalloonWorkbench.core.mesh.triangulate import triangulate
 from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.results.stl import balloon_mesh, enclosed_volume
 from BalloonWorkbench.core.solver.backend import available
 from BalloonWorkbench.core.solver.film_state import State, film_state, thickness
 from BalloonWorkbench.core.solver.inflate import inflate

@@ -15,8 +15,8 @@ from solver_cases import both_backends, circle
 
 from BalloonWorkbench.core.errors import MissingPackageError
 from BalloonWorkbench.core.film.library import film
-from BalloonWorkbench.core.maker.data import FILE, making
-from BalloonWorkbench.core.maker.safety import FILM, WELD, safety, safety_with
+from BalloonWorkbench.core.making.safety import FILM, WELD, safety, safety_with
+from BalloonWorkbench.core.making.trade_figures import FILE, making
 from BalloonWorkbench.core.mesh.panel import Panel
 from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.mesh.triangulate import triangulate

@@ -19,8 +19,8 @@ from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.film.library import custom_film, film, with_grain
 from BalloonWorkbench.core.job import Settings, make_balloon
 from BalloonWorkbench.core.pattern.build import build_pattern
-from BalloonWorkbench.core.pattern.extras import with_notches, with_tie_tab
 from BalloonWorkbench.core.pattern.label import with_label
+from BalloonWorkbench.core.pattern.marks import with_notches, with_tie_tab
 from BalloonWorkbench.core.solver.model import Model
 
 COUNT = int(os.environ.get("BALLOON_VALUES", "40"))

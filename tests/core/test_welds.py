@@ -12,18 +12,18 @@ from drawn_shapes import corners_of, hole, polar
 
 from BalloonWorkbench.core.design.fit import fit
 from BalloonWorkbench.core.errors import OutlineError
-from BalloonWorkbench.core.export.stl import balloon_mesh, enclosed_volume
 from BalloonWorkbench.core.film.library import custom_film, film
 from BalloonWorkbench.core.mesh import delaunay
 from BalloonWorkbench.core.mesh.panel import Panel
 from BalloonWorkbench.core.mesh.quality import min_angles, signed_areas
 from BalloonWorkbench.core.mesh.reuse import move_rim
 from BalloonWorkbench.core.mesh.triangulate import triangulate
-from BalloonWorkbench.core.outline.loops import check
 from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.outline.validity import check
 from BalloonWorkbench.core.outline.welds import spot
 from BalloonWorkbench.core.pattern.build import build_pattern
 from BalloonWorkbench.core.pattern.pattern import Role
+from BalloonWorkbench.core.results.stl import balloon_mesh, enclosed_volume
 from BalloonWorkbench.core.solver.backend import backend_named
 from BalloonWorkbench.core.solver.folds import slit
 from BalloonWorkbench.core.solver.inflate import inflate

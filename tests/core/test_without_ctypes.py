@@ -15,7 +15,7 @@ import pytest
 from absent import without
 
 from BalloonWorkbench.core import packages
-from BalloonWorkbench.core.export import system
+from BalloonWorkbench.core.files import system
 
 ROOT = Path(__file__).parents[2]
 #: Ways in which ctypes fails that NumPy survives: no module, no libffi.

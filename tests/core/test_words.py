@@ -18,10 +18,10 @@ from test_translations import tool
 
 from BalloonWorkbench import cli
 from BalloonWorkbench.core import units
-from BalloonWorkbench.core.advice import repair_text
-from BalloonWorkbench.core.assembly.steps import steps
-from BalloonWorkbench.core.assembly.texts import figures, material
-from BalloonWorkbench.core.coach.coach import advise
+from BalloonWorkbench.core.advice.advise import advise
+from BalloonWorkbench.core.advice.as_data import repair_text
+from BalloonWorkbench.core.assembly_sheet.steps import steps
+from BalloonWorkbench.core.assembly_sheet.texts import figures, material
 from BalloonWorkbench.core.film.library import film
 
 ROOT = Path(__file__).parents[2]
@@ -29,7 +29,12 @@ PICTURES = ROOT / "resources" / "examples" / "pictures"
 PACKAGE = Path(units.__file__).resolve().parents[1]
 #: These write numbers for programs: files of machines, macros, fingerprints, and the functions themselves.
 FOR_PROGRAMS = (
-    *("core/export/machine_[dhls]*.py", "core/export/pdf_text.py", "core/export/vtu.py", "core/units.py"),
+    *(
+        "core/export/machine_[dhls]*.py",
+        "core/machines/writers/pdf_text.py",
+        "core/results/vtu.py",
+        "core/units.py",
+    ),
     *("core/rounded.py", "app/solve.py", "app/values.py", "app/film_sheet.py", "app/material.py"),
 )
 _FORM = re.compile(r"[^{}]*[efgEFG%]")

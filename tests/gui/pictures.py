@@ -10,7 +10,7 @@ import hands
 import numpy as np
 
 from BalloonWorkbench.app.qt_picture import pixels
-from BalloonWorkbench.core.outline.raster import label
+from BalloonWorkbench.core.tracing.raster import label
 
 FOLDER = Path(f"build/pictures{os.environ.get('SUITE', '')}")
 SIZE = 1400, 900  # px

@@ -10,7 +10,7 @@ import pytest
 import sketches
 
 from BalloonWorkbench.app import create, preferences
-from BalloonWorkbench.core.export.machine import FOLDER
+from BalloonWorkbench.core.machines.machine import FOLDER
 from BalloonWorkbench.gui import record
 
 

@@ -11,7 +11,7 @@ import sketches
 from BalloonWorkbench.app import create, maker, status
 from BalloonWorkbench.app.parts import parts_of
 from BalloonWorkbench.app.qt_picture import pixels
-from BalloonWorkbench.core.export import colour_map
+from BalloonWorkbench.core.results import colour_map
 from BalloonWorkbench.core.units import number_text
 from BalloonWorkbench.gui import film_map
 

@@ -12,7 +12,7 @@ import pytest
 
 import BalloonWorkbench
 from BalloonWorkbench.app import create, status
-from BalloonWorkbench.core import fonts
+from BalloonWorkbench.core.language import fonts
 from BalloonWorkbench.gui.sentences import tell
 
 
@@ -160,7 +160,7 @@ def test_errors_of_the_engine_are_recognised():
     """Real errors, not their text: each must lead to a known sentence."""
     from BalloonWorkbench.core.errors import BalloonError
     from BalloonWorkbench.core.film import library
-    from BalloonWorkbench.core.language import listed
+    from BalloonWorkbench.core.language.speech import listed
     from BalloonWorkbench.core.units import parse_length
 
     plain, forms = listed()

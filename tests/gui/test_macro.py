@@ -15,7 +15,7 @@ import sketches
 
 from BalloonWorkbench.app import create
 from BalloonWorkbench.app.parts import patterns
-from BalloonWorkbench.core.export.colour_map import WRINKLES
+from BalloonWorkbench.core.results.colour_map import WRINKLES
 from BalloonWorkbench.gui import record
 
 HEART = Path("resources/examples/pictures/heart.png").resolve()
@@ -61,7 +61,7 @@ App.newDocument("Replay")
 {chr(10).join(lines)}
 sys.path.append({str(Path(__file__).parent)!r})
 from BalloonWorkbench.app.parts import patterns
-from BalloonWorkbench.core.export.colour_map import WRINKLES
+from BalloonWorkbench.core.results.colour_map import WRINKLES
 found = {{}}
 for pattern in patterns(App.ActiveDocument):
     balloon = pattern.Balloon

@@ -12,7 +12,7 @@ import hands
 import pytest
 
 from BalloonWorkbench.app import preferences
-from BalloonWorkbench.core.export.machine import machines
+from BalloonWorkbench.core.machines.machine import machines
 from BalloonWorkbench.gui.preferences_page import PreferencesPage
 
 QtCore, QtWidgets = hands.QtCore, hands.QtWidgets

@@ -6,7 +6,7 @@ import pytest
 from brush import close_window, draw, ellipse, is_closed, open_window, press
 from pivy import coin
 
-from BalloonWorkbench.core.pattern import arcs
+from BalloonWorkbench.core.arcs import fit_arcs as arcs
 from BalloonWorkbench.gui.paint import requests
 
 _LONG = 45.0  # s

@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from BalloonWorkbench.core.errors import MissingPackageError
-from BalloonWorkbench.core.outline.picture import placed_drawing, shrunk
-from BalloonWorkbench.core.outline.raster import opencv
-from BalloonWorkbench.core.outline.segment import AUTO, segment
+from BalloonWorkbench.core.tracing.picture import placed_drawing, shrunk
+from BalloonWorkbench.core.tracing.raster import opencv
+from BalloonWorkbench.core.tracing.segment import AUTO, segment
 from BalloonWorkbench.core.types import Bools, Floats
 
 Pixels = NDArray[np.uint8]

@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from BalloonWorkbench.core.outline.raster import opencv
+from BalloonWorkbench.core.tracing.raster import opencv
 
 Pixels = NDArray[np.uint8]
 Places = NDArray[np.float32]

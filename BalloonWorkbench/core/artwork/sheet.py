@@ -14,8 +14,8 @@ from BalloonWorkbench.core.artwork.carry import GRID, Film, back, front, seen_fr
 from BalloonWorkbench.core.artwork.picture import Picture, Pixels
 from BalloonWorkbench.core.artwork.sample import sampled
 from BalloonWorkbench.core.errors import InputError
-from BalloonWorkbench.core.pattern.motion import back_of
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
+from BalloonWorkbench.core.pattern.placement import back_of
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.types import Bools, Floats, Ints
 from BalloonWorkbench.core.units import INCH, from_mm, number_text

@@ -41,10 +41,10 @@ from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.mesh.panel import Panel
 from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.mesh.triangulate import triangulate
-from BalloonWorkbench.core.outline.loops import check
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.outline.sampling import arc_lengths
 from BalloonWorkbench.core.outline.symmetry import exact_mirror, mirrored
+from BalloonWorkbench.core.outline.validity import check
 from BalloonWorkbench.core.solver.model import Model
 from BalloonWorkbench.core.solver.problem import NewtonSettings
 from BalloonWorkbench.core.types import Progress, no_progress

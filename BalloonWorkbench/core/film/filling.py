@@ -12,8 +12,8 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from BalloonWorkbench.core.data_file import UNUSABLE, read_data
 from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.files.data_file import UNUSABLE, read_data
 from BalloonWorkbench.core.units import number_text
 
 FILE = Path(__file__).resolve().parents[3] / "resources" / "gases.json"

@@ -10,8 +10,8 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from BalloonWorkbench.core.data_file import UNUSABLE, read_data
 from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.files.data_file import UNUSABLE, read_data
 from BalloonWorkbench.core.film.film import JOININGS, LOOKS, Film, Look
 from BalloonWorkbench.core.units import number_text, pressure_text
 

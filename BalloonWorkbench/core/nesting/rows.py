@@ -14,7 +14,7 @@ import numpy as np
 
 from BalloonWorkbench.core.nesting.layout import Piece, Place, Stock, Unit, outline_of
 from BalloonWorkbench.core.packages import shapely
-from BalloonWorkbench.core.pattern.motion import turning
+from BalloonWorkbench.core.pattern.placement import turning
 from BalloonWorkbench.core.types import Floats
 
 _BANDS = 250

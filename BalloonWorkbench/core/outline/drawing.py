@@ -11,8 +11,8 @@ import numpy as np
 from BalloonWorkbench.core.errors import OutlineError
 from BalloonWorkbench.core.outline.budget import Budget
 from BalloonWorkbench.core.outline.crossings import box_pairs, contains, first_crossing
-from BalloonWorkbench.core.outline.loops import check
 from BalloonWorkbench.core.outline.outline import Outline, signed_area
+from BalloonWorkbench.core.outline.validity import check
 from BalloonWorkbench.core.outline.welds import spot
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import place_text

@@ -13,9 +13,9 @@ import numpy as np
 
 from BalloonWorkbench.core.errors import InputError, OutlineError
 from BalloonWorkbench.core.outline.drawing import Drawing
-from BalloonWorkbench.core.outline.loops import check
 from BalloonWorkbench.core.outline.outline import Outline, signed_area
 from BalloonWorkbench.core.outline.sampling import arc_lengths, point_at
+from BalloonWorkbench.core.outline.validity import check
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import percent_text

@@ -16,17 +16,18 @@ import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film.film import Film
+from BalloonWorkbench.core.outline.chambers import joined_welds
 from BalloonWorkbench.core.outline.outline import Outline
-from BalloonWorkbench.core.outline.passages import joined_welds
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.pattern.cuttable import closed_gaps, opened_hole
 from BalloonWorkbench.core.pattern.fairing import faired_seam
-from BalloonWorkbench.core.pattern.intake import Neck, place_neck
-from BalloonWorkbench.core.pattern.intake_kinds import STRAW
-from BalloonWorkbench.core.pattern.intake_kinds import intake_kind as kind_named
-from BalloonWorkbench.core.pattern.intake_places import FARTHEST, Wish, film_of, wishes
+from BalloonWorkbench.core.pattern.intake.kinds import STRAW
+from BalloonWorkbench.core.pattern.intake.kinds import intake_kind as kind_named
+from BalloonWorkbench.core.pattern.intake.neck import Neck, place_neck
+from BalloonWorkbench.core.pattern.intake.places import FARTHEST, Wish, film_of, wishes
+from BalloonWorkbench.core.pattern.intake.rim import Rim
+from BalloonWorkbench.core.pattern.intake.valve import closed_channel
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
-from BalloonWorkbench.core.pattern.rim import Rim
 from BalloonWorkbench.core.pattern.shapes import (
     SHORTEST,
     closed_loop,
@@ -36,7 +37,6 @@ from BalloonWorkbench.core.pattern.shapes import (
     polygon,
     relieved,
 )
-from BalloonWorkbench.core.pattern.valve import closed_channel
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import length_text, place_text
 

@@ -14,9 +14,9 @@ from dataclasses import replace
 
 import numpy as np
 
+from BalloonWorkbench.core.arcs.fit_arcs import TOLERANCE, fit_curve
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.packages import shapely
-from BalloonWorkbench.core.pattern.arcs import TOLERANCE, fit_curve
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import from_mm
 

@@ -10,12 +10,12 @@ from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.film.library import films
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.pattern.build import build_pattern
-from BalloonWorkbench.core.pattern.extras import with_notches, with_tie_tab
-from BalloonWorkbench.core.pattern.intake_kinds import STRAW, intake_kind
-from BalloonWorkbench.core.pattern.intake_places import FARTHEST, Wish
+from BalloonWorkbench.core.pattern.intake.kinds import STRAW, intake_kind
+from BalloonWorkbench.core.pattern.intake.places import FARTHEST, Wish
 from BalloonWorkbench.core.pattern.label import with_label
-from BalloonWorkbench.core.pattern.panels import on_sheet
+from BalloonWorkbench.core.pattern.marks import with_notches, with_tie_tab
 from BalloonWorkbench.core.pattern.pattern import Pattern
+from BalloonWorkbench.core.pattern.sheet import on_sheet
 
 
 @dataclass(frozen=True)

@@ -14,7 +14,7 @@ from BalloonWorkbench.app import painting as painted
 from BalloonWorkbench.app.create import Parts
 from BalloonWorkbench.app.group import name_group
 from BalloonWorkbench.app.outline import DRAWN_AS, SYMMETRY
-from BalloonWorkbench.core.export.files import write_files
+from BalloonWorkbench.core.files.write import write_files
 from BalloonWorkbench.core.job import Settings
 from BalloonWorkbench.gui import record
 from BalloonWorkbench.gui.paint.display import MODE

@@ -11,17 +11,17 @@ import numpy as np
 
 from BalloonWorkbench.app.painting import Solved
 from BalloonWorkbench.app.qt_picture import pixels
+from BalloonWorkbench.core.arcs.fit_arcs import from_polyline
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.job import Settings
 from BalloonWorkbench.core.mesh.reuse import move_rim
 from BalloonWorkbench.core.outline.drawing import Drawing
-from BalloonWorkbench.core.outline.loops import scale_to
-from BalloonWorkbench.core.outline.picture import placed_drawing
-from BalloonWorkbench.core.pattern.arcs import from_polyline
+from BalloonWorkbench.core.outline.validity import scale_to
 from BalloonWorkbench.core.pattern.make import plain_pattern
 from BalloonWorkbench.core.pattern.pattern import Pattern
 from BalloonWorkbench.core.solver.inflate import MIRROR
+from BalloonWorkbench.core.tracing.picture import placed_drawing
 from BalloonWorkbench.core.units import from_mm, to_mm
 from BalloonWorkbench.gui.paint.remarks import Remark
 from BalloonWorkbench.gui.qt import QtCore

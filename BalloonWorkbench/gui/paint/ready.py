@@ -59,14 +59,14 @@ def _do_next() -> None:
 
 
 def _opencv() -> None:
-    from BalloonWorkbench.core.outline.raster import opencv
+    from BalloonWorkbench.core.tracing.raster import opencv
 
     opencv()
 
 
 def _fonts() -> None:
     """Find the font of an assembly sheet in the user's language."""
-    from BalloonWorkbench.core.fonts import can_show
+    from BalloonWorkbench.core.language.fonts import can_show
 
     can_show(translate("Assembly sheet"))
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from BalloonWorkbench.app.properties import QT_TRANSLATE_NOOP
-from BalloonWorkbench.core.coach.findings import RepairKind
+from BalloonWorkbench.core.advice.findings import RepairKind
 from BalloonWorkbench.core.units import to_mm
 from BalloonWorkbench.gui.paint.lengths import short
 from BalloonWorkbench.gui.paint.widen import Widen

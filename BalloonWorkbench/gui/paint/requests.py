@@ -13,7 +13,7 @@ import numpy as np
 
 from BalloonWorkbench.app import painting
 from BalloonWorkbench.app.qt_picture import pixels
-from BalloonWorkbench.core.advice import finding_from
+from BalloonWorkbench.core.advice.as_data import finding_from
 from BalloonWorkbench.core.checkpoint import checkpoint, stoppable
 from BalloonWorkbench.core.design.draft import VERTICES, check_area, draft
 from BalloonWorkbench.core.errors import BalloonError, ExportError
@@ -190,7 +190,7 @@ class CutOut:
 
     def solve(self, progress) -> bytes:
         """The same picture as PNG, transparent where nothing is drawn. Raises BalloonError."""
-        from BalloonWorkbench.core.outline.segment import segment
+        from BalloonWorkbench.core.tracing.segment import segment
 
         rgba = pixels(QtGui.QImage.fromData(self.content))
         silhouette, _ = segment(rgba)

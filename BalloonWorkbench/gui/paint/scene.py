@@ -8,9 +8,9 @@ import numpy as np
 
 from BalloonWorkbench.app.arrange import free_shift
 from BalloonWorkbench.app.qt_picture import pixels
-from BalloonWorkbench.core.export.layers import LAYERS
-from BalloonWorkbench.core.outline.raster import label, neighbours
+from BalloonWorkbench.core.machines.layers import LAYERS
 from BalloonWorkbench.core.pattern.pattern import Role
+from BalloonWorkbench.core.tracing.raster import label, neighbours
 from BalloonWorkbench.gui.fit import fit_points, view_of
 from BalloonWorkbench.gui.qt import QtCore, QtGui
 

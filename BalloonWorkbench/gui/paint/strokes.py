@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from BalloonWorkbench.app.qt_picture import pixels
-from BalloonWorkbench.core.outline.raster import label, neighbours
+from BalloonWorkbench.core.tracing.raster import label, neighbours
 from BalloonWorkbench.gui.qt import QtCore, QtGui
 
 PEN, BRUSH, ERASER, LINE, FILL = "pen", "brush", "eraser", "line", "fill"

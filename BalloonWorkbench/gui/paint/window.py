@@ -13,7 +13,7 @@ import FreeCADGui as Gui
 
 from BalloonWorkbench.core import faults
 from BalloonWorkbench.core.errors import BalloonError
-from BalloonWorkbench.core.outline.segment import KEEP_HOLES
+from BalloonWorkbench.core.tracing.segment import KEEP_HOLES
 from BalloonWorkbench.gui import borders
 from BalloonWorkbench.gui.fit import fit_all
 from BalloonWorkbench.gui.paint import print_out

@@ -11,7 +11,7 @@ import FreeCADGui as Gui
 
 from BalloonWorkbench.app import advice, status
 from BalloonWorkbench.app.guard import Guarded
-from BalloonWorkbench.core.advice import repair_text
+from BalloonWorkbench.core.advice.as_data import repair_text
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.units import number_text, percent_text, to_mm
 from BalloonWorkbench.gui import record

@@ -6,9 +6,9 @@ from __future__ import annotations
 import FreeCADGui as Gui
 
 from BalloonWorkbench.app import maker
-from BalloonWorkbench.core.assembly.page import PAGES
+from BalloonWorkbench.core.assembly_sheet.page import PAGES
 from BalloonWorkbench.core.errors import BalloonError
-from BalloonWorkbench.core.fonts import can_show
+from BalloonWorkbench.core.language.fonts import can_show
 from BalloonWorkbench.gui import record
 from BalloonWorkbench.gui.borders import Panel
 from BalloonWorkbench.gui.panels.maker_rows import MakerRows

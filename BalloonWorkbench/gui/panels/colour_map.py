@@ -6,7 +6,7 @@ from __future__ import annotations
 import FreeCADGui as Gui
 
 from BalloonWorkbench.app import status
-from BalloonWorkbench.core.export.colour_map import TENSION
+from BalloonWorkbench.core.results.colour_map import TENSION
 from BalloonWorkbench.gui.borders import Panel
 from BalloonWorkbench.gui.film_map import CHOICES, OFF, choice_title
 from BalloonWorkbench.gui.panels.narrow import ElidedCombo, WrappedLabel

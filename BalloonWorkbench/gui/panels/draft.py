@@ -8,9 +8,9 @@ from dataclasses import dataclass
 import FreeCADGui as Gui
 
 from BalloonWorkbench.core.design.draft import Draft, draft
-from BalloonWorkbench.core.export.stl import balloon_mesh
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.results.stl import balloon_mesh
 from BalloonWorkbench.core.units import to_mm
 from BalloonWorkbench.gui.film_display import look_of
 from BalloonWorkbench.gui.film_look import FilmLook

@@ -14,10 +14,10 @@ import FreeCAD as App
 from BalloonWorkbench.app import bed, preferences
 from BalloonWorkbench.app.export import check_for
 from BalloonWorkbench.core.errors import BalloonError
-from BalloonWorkbench.core.export.bed import REFUSE, WRITE
-from BalloonWorkbench.core.export.machine import NO_LIMIT, bed_text, left_out, machines, parse_bed
-from BalloonWorkbench.core.export.machine_pdf import TILES
-from BalloonWorkbench.core.export.preflight import ERROR
+from BalloonWorkbench.core.machines.bed import REFUSE, WRITE
+from BalloonWorkbench.core.machines.machine import NO_LIMIT, bed_text, left_out, machines, parse_bed
+from BalloonWorkbench.core.machines.preflight import ERROR
+from BalloonWorkbench.core.machines.writers.pdf import TILES
 from BalloonWorkbench.core.units import LENGTH_UNITS
 from BalloonWorkbench.gui.marks import Overlay
 from BalloonWorkbench.gui.panels.fields import ReturnKey

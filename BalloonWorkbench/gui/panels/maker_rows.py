@@ -8,7 +8,7 @@ from functools import partial
 from BalloonWorkbench.app import film, maker, status
 from BalloonWorkbench.app.quantities import cubic_millimetres
 from BalloonWorkbench.core.errors import BalloonError
-from BalloonWorkbench.core.maker.safety import WELD
+from BalloonWorkbench.core.making.safety import WELD
 from BalloonWorkbench.core.units import area_text, mass_text, money_text, number_text, to_mm
 from BalloonWorkbench.gui.panels.narrow import WrappedLabel
 from BalloonWorkbench.gui.qt import QtCore, translate

@@ -8,7 +8,7 @@ import FreeCADGui as Gui
 from BalloonWorkbench.app import status
 from BalloonWorkbench.app.pattern import PLACE, choose_kind
 from BalloonWorkbench.core.errors import BalloonError
-from BalloonWorkbench.core.pattern.panels import MOST_COPIES
+from BalloonWorkbench.core.pattern.sheet import MOST_COPIES
 from BalloonWorkbench.gui.intake_handle import IntakeHandle
 from BalloonWorkbench.gui.panels.fields import Fields
 from BalloonWorkbench.gui.panels.narrow import NarrowForm

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from BalloonWorkbench.app import preferences
-from BalloonWorkbench.core.export.files import safe_name
+from BalloonWorkbench.core.files.write import safe_name
 from BalloonWorkbench.gui.panels.narrow import ElidedLabel
 from BalloonWorkbench.gui.qt import QtWidgets, translate
 

@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Advice on a shape: from its outline alone, or from the balloon that was simulated.
+
+The rules ask a gauge how thick and tight the balloon is where. Before a simulation the gauge predicts it,
+afterwards it measures it; the rules are the same.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from BalloonWorkbench.core.advice import shape_rules as shape
+from BalloonWorkbench.core.advice import thin_rules as thin
+from BalloonWorkbench.core.advice.findings import Advice, Finding
+from BalloonWorkbench.core.advice.gauge import Measured, Predicted
+from BalloonWorkbench.core.advice.subject import Subject
+from BalloonWorkbench.core.checkpoint import checkpoint
+from BalloonWorkbench.core.design.design import Design
+from BalloonWorkbench.core.film.film import Film
+from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.outline.validity import check
+from BalloonWorkbench.core.pattern.fairing import faired_seam
+from BalloonWorkbench.core.pattern.make import Wanted
+from BalloonWorkbench.core.solver.inflation import Inflation
+
+_USUAL = Wanted()
+_RULES = (
+    thin.necks,
+    thin.arms,
+    shape.sharp_notches,
+    thin.tips,
+    shape.rings,
+    shape.roundness,
+    shape.intake,
+)
+
+
+def advise(outline: Outline, film: Film, *, fitted: bool = True, wanted: Wanted = _USUAL) -> Advice:
+    """Advice from the outline alone, within a fraction of a second.
+
+    fitted  the pattern will be corrected until the balloon looks like the outline; else the outline is the
+            pattern
+    wanted  how the pattern will be made
+
+    Raises OutlineError for an outline that is not valid, MeshError where it is too thin to be meshed.
+    """
+    outline = check(outline)
+    return _advice(Subject(outline, film, Predicted(outline, fitted), fitted, outline, wanted))
+
+
+def advise_design(design: Design, film: Film, *, wanted: Wanted = _USUAL) -> Advice:
+    """Advice from a finished design, in the frame of its drawing; arguments as for `advise`."""
+    fitted = design.passes > 0
+    gauge = Measured(design.inflation, fitted)
+    return _advice(Subject(design.target, film, gauge, fitted, faired_seam(design.pattern), wanted))
+
+
+def intake_findings(
+    outline: Outline, film: Film, inflation: Inflation, seam: Outline, fitted: bool, wanted: Wanted
+) -> list[Finding]:
+    """What there is to say about the intake of a finished balloon alone; seam: of its pattern."""
+    gauge = Measured(inflation, fitted)
+    return list(shape.intake(Subject(outline, film, gauge, fitted, faired_seam(seam), wanted)))
+
+
+def _advice(subject: Subject) -> Advice:
+    findings = sorted(_found(subject), key=lambda finding: -finding.severity.rank)
+    gauge = subject.gauge
+    return Advice(gauge.puffiness, tuple(findings), gauge.map, gauge.inflated)
+
+
+def _found(subject: Subject) -> Iterator[Finding]:
+    for rule in _RULES:
+        checkpoint()
+        yield from rule(subject)

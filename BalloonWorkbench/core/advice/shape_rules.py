@@ -1,0 +1,157 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Rules about the rim and the shape as a whole: notches, rings, roundness, the place of the intake."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from BalloonWorkbench.core.advice.findings import Finding, Repair, RepairKind
+from BalloonWorkbench.core.advice.places import NOTCH_REACH, bodies, notches, whole
+from BalloonWorkbench.core.advice.rules import rules
+from BalloonWorkbench.core.advice.subject import Subject
+from BalloonWorkbench.core.outline.chambers import chambers
+from BalloonWorkbench.core.outline.outline import Outline, signed_area
+from BalloonWorkbench.core.packages import shapely
+from BalloonWorkbench.core.pattern.intake.places import FARTHEST, LOW
+from BalloonWorkbench.core.types import Floats
+from BalloonWorkbench.core.units import length_text, number_text, percent_text
+
+#: Tension is averaged over this part of the size round a notch: nearer it grows without end.
+PEAK_REACH = 2.0 * NOTCH_REACH
+_LARGEST_RADIUS = 0.06  # of the size, for rounding
+#: How much of the balloon, of its size, holds the intake.
+_HELD_BY = 0.15
+_ANGLES = np.radians(np.arange(0.0, 360.0, 5.0))
+
+
+def sharp_notches(subject: Subject) -> Iterator[Finding]:
+    """Notches round which the film is much tighter than elsewhere."""
+    reach = PEAK_REACH * subject.size
+    limit = rules()["notch"].first(subject.scales)
+    for notch in notches(subject.outline):
+        measured = subject.gauge.peak(notch.place, reach, notch.radius)
+        wanted = min(reach * measured / limit, _LARGEST_RADIUS * subject.size)
+        found = subject.finding(
+            "notch",
+            measured,
+            notch.place,
+            (notch.extent,),
+            Repair(RepairKind.ROUND, notch.place[None], wanted) if wanted > 1.2 * notch.radius else None,
+            measured=f"{number_text(measured, 2)} times",
+            wanted=length_text(wanted, 2),
+        )
+        if found is not None:
+            yield found
+
+
+def rings(subject: Subject) -> Iterator[Finding]:
+    """Holes round which the balloon warps; spots keep their film, and with it their shape."""
+    for hole in subject.outline.holes:
+        warp = predicted_warp(subject.outline, hole)
+        found = subject.finding(
+            "warping_ring", warp, hole.mean(axis=0), (hole,), None, length=length_text(warp * subject.size, 2)
+        )
+        if found is not None:
+            yield found
+
+
+def predicted_warp(outline: Outline, hole: Floats) -> float:
+    """Height by which the seam leaves its plane, relative to the size."""
+    radius = np.sqrt(-signed_area(hole) / np.pi)
+    return float(0.25 - 0.15 * 2.0 * radius / max(outline.size))
+
+
+def roundness(subject: Subject) -> Iterator[Finding]:
+    """A shape that holds little air for its film."""
+    score = subject.gauge.puffiness
+    centre = np.asarray(whole(subject.outline).representative_point().coords[0])
+    found = subject.finding(
+        "flat_shape", score, centre, (subject.outline.outer,), None, percent=percent_text(score)
+    )
+    if found is not None:
+        yield found
+
+
+def intake(subject: Subject) -> Iterator[Finding]:
+    """Intakes that open into a side part; else one that the pattern has put on a thin part."""
+    if not subject.wanted.intake:
+        return
+    places = subject.intakes(subject.wish)
+    hidden = [found for at in places for found in _hidden(subject, at, len(places) == 1)]
+    yield from hidden
+    if not hidden and subject.wish.is_found and subject.wish.place == FARTHEST:
+        for at in places[:1]:
+            yield from _delicate(subject, at)
+
+
+def _hidden(subject: Subject, at: Floats, alone: bool) -> Iterator[Finding]:
+    """An intake that opens into a side part, of its chamber where it is not alone."""
+    point = shapely().Point(at)
+    area = whole(subject.outline) if alone else min(chambers(subject.outline), key=point.distance)
+    rooms = bodies(area, subject.intake_width / subject.growth)
+    if len(rooms) < 2:
+        return
+    entered = min(rooms, key=point.distance)
+    largest = max(rooms, key=lambda room: float(room.area))
+    if entered is largest:
+        return
+    share = float(entered.area / area.area)
+    found = subject.finding(
+        "hidden_intake",
+        share,
+        at,
+        (at[None],),
+        _moved(subject, area, rooms, largest, at) if alone else None,
+        percent=percent_text(share),
+    )
+    if found is not None:
+        yield found
+
+
+def _moved(subject: Subject, area: Any, rooms: list[Any], largest: Any, at: Floats) -> Repair | None:
+    """The direction nearest to the present one in which the intake opens into the largest part."""
+    package = shapely()
+    centre = np.asarray(area.centroid.coords[0])
+    present = float(np.arctan2(*(at - centre)[::-1]))
+    turned = np.abs(np.angle(np.exp(1j * (_ANGLES - present))))
+    for angle in _ANGLES[np.argsort(turned, kind="stable")]:
+        for place in subject.intakes(replace(subject.wish, angle=float(angle), along=None)):
+            point = package.Point(place)
+            near = point.distance(largest) < 0.25 * subject.intake_width
+            if near and min(rooms, key=point.distance) is largest:
+                return Repair(RepairKind.MOVE_INTAKE, place[None], float(angle))
+    return None
+
+
+def _delicate(subject: Subject, at: Floats) -> Iterator[Finding]:
+    """An intake at the farthest point where that is a thin part: the balloon would hang from it."""
+    rule, measured = rules()["delicate_intake"], _thickness_round(subject, at)
+    if rule.judge(measured, subject.scales) is None:
+        return
+    better = [
+        place
+        for place in subject.intakes(replace(subject.wish, place=LOW))
+        if rule.judge(_thickness_round(subject, place), subject.scales) is None
+    ]
+    found = subject.finding(
+        "delicate_intake",
+        measured,
+        at,
+        (at[None],),
+        Repair(RepairKind.LOWER_INTAKE, better[0][None], 0.0) if better else None,
+        measured=percent_text(measured),
+    )
+    if found is not None:
+        yield found
+
+
+def _thickness_round(subject: Subject, at: Floats) -> float:
+    """Greatest thickness within reach of a place, over that of the balloon."""
+    away, turn = np.meshgrid(np.linspace(0.0, _HELD_BY, 13), _ANGLES)
+    points = at + subject.size * (away * np.array([np.cos(turn), np.sin(turn)])).reshape(2, -1).T
+    inside = points[np.asarray(shapely().contains_xy(whole(subject.outline), points[:, 0], points[:, 1]))]
+    return float(subject.gauge.thickness(inside).max() / subject.gauge.thickest) if len(inside) else 0.0

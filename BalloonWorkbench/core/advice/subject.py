@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the rules look at: a drawing, its film and a gauge."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from BalloonWorkbench.core.advice.findings import Finding, Repair
+from BalloonWorkbench.core.advice.gauge import FITTED_THICKNESS, NARROW_GROWTH, Gauge
+from BalloonWorkbench.core.advice.places import ThinPart, simple_line, thin_parts
+from BalloonWorkbench.core.advice.repairs import repaired
+from BalloonWorkbench.core.advice.rules import rules
+from BalloonWorkbench.core.errors import InputError, OutlineError
+from BalloonWorkbench.core.film.film import Film
+from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.pattern.intake.places import Places, Wish
+from BalloonWorkbench.core.pattern.make import Wanted, intake_of
+from BalloonWorkbench.core.types import Floats
+
+#: Thickness of a tube of film over its flat width.
+TUBE = 2.0 / np.pi
+#: Marks follow the outline to this part of the size.
+_DETAIL = 1e-3
+
+
+@dataclass(frozen=True)
+class Subject:
+    """A balloon to be judged; lengths in m.
+
+    fitted  the pattern is corrected until the balloon looks like the outline; else the outline is the pattern
+    seam    of the pattern, faired; the outline where it is not known yet
+    wanted  how the pattern is made
+    """
+
+    outline: Outline
+    film: Film
+    gauge: Gauge
+    fitted: bool
+    seam: Outline
+    wanted: Wanted
+
+    @cached_property
+    def wish(self) -> Wish:
+        """The intake as it is wanted."""
+        return intake_of(self.wanted)
+
+    @property
+    def intake_width(self) -> float:
+        """Inner width of the intake [m]."""
+        return self.wish.width
+
+    @cached_property
+    def _places(self) -> Places:
+        seal_width = self.film.seal_width if self.wanted.seal_width is None else self.wanted.seal_width
+        return Places(self.seam, seal_width + self.wanted.allowance)
+
+    def intakes(self, wish: Wish) -> list[Floats]:
+        """Where in the drawing the intakes sit (2,) [m]; none where the pattern refuses them."""
+        try:
+            return [self.gauge.drawn(place) for place in self._places.of(wish)]
+        except (InputError, OutlineError):
+            return []
+
+    @property
+    def size(self) -> float:
+        """Larger dimension [m]."""
+        return max(self.outline.size)
+
+    @property
+    def growth(self) -> float:
+        """Flat width of the film over drawn width, in narrow parts."""
+        return NARROW_GROWTH if self.fitted else 1.0
+
+    @cached_property
+    def scales(self) -> dict[str, float]:
+        """Values of the names that limits are given in."""
+        return {
+            "one": 1.0,
+            "seal width": self.film.seal_width,
+            "intake width": self.intake_width,
+            "balloon thickness": self.gauge.thickest,
+        }
+
+    def width_for(self, thickness: float) -> float:
+        """Drawn width of a narrow part that becomes so thick."""
+        return thickness / (TUBE * (FITTED_THICKNESS if self.fitted else 1.0))
+
+    def thin(self, width: float) -> list[ThinPart]:
+        """The parts drawn narrower than a width."""
+        return thin_parts(self.outline, width) if width > 0.0 else []
+
+    def finding(
+        self,
+        rule: str,
+        measured: float,
+        place: Floats,
+        extent: tuple[Floats, ...],
+        repair: Repair | None = None,
+        /,
+        **words: str,
+    ) -> Finding | None:
+        """What a rule says about a measure; None where all is well.
+
+        A repair that cannot be made is left out.
+        """
+        found = rules()[rule].judge(measured, self.scales)
+        if found is None:
+            return None
+        limit, value = found
+        text = limit.sentence.format(**words)
+        at = (float(place[0]), float(place[1]))
+        lines = tuple(simple_line(line, _DETAIL * self.size) for line in extent)
+        return Finding(rule, limit.severity, text, at, lines, measured, value, self._possible(repair))
+
+    def _possible(self, repair: Repair | None) -> Repair | None:
+        if repair is None:
+            return None
+        try:
+            repaired(self.outline, repair)
+        except OutlineError:
+            return None
+        return repair

@@ -1,0 +1,331 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The machines we know: what their programs read, and how lines are told apart there.
+
+One file each in resources/machines, and those of the user's own in a folder (`own_folder`), which come first.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from BalloonWorkbench.core.arcs.fit_arcs import TOLERANCE
+from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.files.data_file import UNUSABLE, data_files, read_data
+from BalloonWorkbench.core.machines.layers import LAYERS
+from BalloonWorkbench.core.pattern.pattern import Role
+from BalloonWorkbench.core.units import INCH, MILLIMETRE, from_mm, number_text, parse_size, to_mm
+
+FOLDER = Path(__file__).resolve().parents[3] / "resources" / "machines"
+
+#: Endings of the formats, and the versions that each has.
+ENDINGS = {"dxf": "dxf", "svg": "svg", "pdf": "pdf", "hpgl": "plt", "lbrn2": "lbrn2"}
+_VERSIONS = {"dxf": ("R2000", "R12"), "svg": ("",), "pdf": ("",), "hpgl": ("",), "lbrn2": ("",)}
+#: The bed of a machine that has none.
+NO_LIMIT = "none"
+_LEAST_BED, _MOST = 1.0, 1e5  # mm
+UNITS = {"mm": MILLIMETRE, "in": INCH}
+LINE_TYPES = ("CONTINUOUS", "DASHED")
+#: After so many offsets a knife that came down turned by 150 degrees is 8 degrees off: the tangent of half
+#: the angle falls by e for each.
+_SWING = 4.0
+#: What a machine does to the film that not every film takes; "" where nothing is known of it.
+PROCESSES = ("", "laser", "heat-sealing")
+#: What files are about whose name tells no more.
+_PATTERN = "pattern"
+_LAYER_NAME = re.compile(r"[A-Z0-9_$-]{1,31}")
+_FILE_NAME = re.compile(r"[\w .-]{0,60}")
+_COLOUR = re.compile(r"#[0-9a-f]{6}")
+
+
+@dataclass(frozen=True)
+class Line:
+    """How a role is written: layer, AutoCAD colour index, RGB colour, line type, pen of a plotter.
+
+    In a LightBurn project the pen is the number of the layer.
+    """
+
+    name: str
+    aci: int
+    rgb: str
+    line: str
+    pen: int
+
+
+@dataclass(frozen=True)
+class Machine:
+    """What a machine's program wants.
+
+    format     one of ENDINGS; version is R2000 or R12 for DXF
+    unit       of the coordinates, "mm" or "in"
+    arcs       arcs where they fit, else polylines only; tolerance how far they may be from the points [m]
+    layers     the roles that are written
+    bed        width and height that it can work on [m], None where there is no limit; the height of a roll is
+               infinite
+    kerf       width that the beam takes away; knife_offset of a swivel knife behind its axis; overcut of a
+               closed cut and overrun of a closed weld past its start; least_radius and least_gap that it
+               can follow [m]
+    control_bar  a bar of 100 mm on the layer REGISTRATION
+    process    one of PROCESSES
+    file       name of its file without the ending, where it is not made from the machine's
+    remarks    on the machine's file, a sentence each
+    """
+
+    name: str
+    title: str
+    note: str
+    format: str
+    version: str
+    unit: str
+    arcs: bool
+    layers: Mapping[Role, Line]
+    bed: tuple[float, float] | None
+    kerf: float
+    knife_offset: float
+    overcut: float
+    overrun: float
+    least_radius: float
+    least_gap: float
+    control_bar: bool
+    file: str = ""
+    tolerance: float = TOLERANCE
+    process: str = ""
+    remarks: tuple[str, ...] = ()
+
+    @property
+    def file_name(self) -> str:
+        """A name that tells the machine, and the unit where the format may leave it open."""
+        return self.file_of(_PATTERN)
+
+    def file_of(self, subject: str) -> str:
+        """The same name about a certain thing, "fish-lightburn_mm.dxf"; a file that has a name keeps it."""
+        unit = f"_{self.unit}" if self.format == "dxf" else ""
+        stem = subject if self.file == _PATTERN else self.file or f"{subject}-{self.name}{unit}"
+        return f"{stem}.{ENDINGS[self.format]}"
+
+
+def own_folder() -> Path:
+    """Where the user's own machines are: BALLOON_MACHINES, else .film-balloon/machines in the home folder."""
+    chosen = os.environ.get("BALLOON_MACHINES")
+    return Path(chosen) if chosen else Path.home() / ".film-balloon" / "machines"
+
+
+def machines() -> dict[str, Machine]:
+    """All machines by name: those for any program, then in alphabetical order; one of the user's own takes
+    the place of ours. Own files of no use are left out, see `left_out`.
+
+    Raises InputError when a data file of ours is of no use.
+    """
+    known = {path.stem: read_machine(path) for path in sorted(FOLDER.glob("*.json"))}
+    known |= {path.stem: own for path, own in _own_machines().items() if isinstance(own, Machine)}
+    return {name: known[name] for name in sorted(known, key=lambda name: (name not in ANY.values(), name))}
+
+
+def left_out() -> list[str]:
+    """A sentence for each file in the user's folder that is of no use."""
+    return [f"{error} It is left out." for error in _own_machines().values() if isinstance(error, InputError)]
+
+
+def _own_machines() -> dict[Path, Machine | InputError]:
+    """The user's machines by their files, or what is wrong with these."""
+    own: dict[Path, Machine | InputError] = {}
+    for path in data_files(own_folder):
+        try:
+            own[path] = read_machine(path)
+        except InputError as error:
+            own[path] = error
+    return own
+
+
+#: The machines that stand for any program, by format.
+ANY = {"dxf": "any-dxf", "svg": "any-svg"}
+
+
+def machine(name: str, bed: str | None = None) -> Machine:
+    """The machine of this name, or the one that a file (.json) describes; with another bed, see parse_bed.
+
+    Raises InputError with the known names when there is none.
+    """
+    chosen = _known_machine(name)
+    return chosen if bed is None else replace(chosen, bed=parse_bed(bed))
+
+
+def parse_bed(text: str, plain: str = "") -> tuple[float, float] | None:
+    """'600mmx400mm', '600mm' for a roll so wide, 'none' where there is no limit -> width and height [m].
+
+    Numbers alone are in the plain unit; without one they are refused. InputError for what is no bed.
+    """
+    if text.strip().lower() == NO_LIMIT:
+        return None
+    has_unit = plain or set(text.lower()) & set('mcinft"')
+    width, height = parse_size(text, plain)
+    for length in (width, height):
+        if not has_unit or (length is not None and not _LEAST_BED <= to_mm(length) <= _MOST):
+            raise InputError(
+                f"A bed is {number_text(_LEAST_BED)} mm to {number_text(_MOST)} mm wide and high: write"
+                f" 600mmx400mm, 600mm for a roll, or {NO_LIMIT}."
+            )
+    return width, math.inf if height is None else height
+
+
+def bed_text(bed: tuple[float, float] | None) -> str:
+    """A bed as parse_bed reads it."""
+    if bed is None:
+        return NO_LIMIT
+    return " x ".join(f"{number_text(to_mm(length), 6)} mm" for length in bed if math.isfinite(length))
+
+
+def _known_machine(name: str) -> Machine:
+    if name.lower().endswith(".json"):
+        return read_machine(Path(name))
+    known, plain = machines(), "-".join(name.lower().split())
+    for path, own in _own_machines().items():  # never ours in the place of the user's: its numbers are others
+        if path.stem == plain and isinstance(own, InputError):
+            raise own
+    found = known.get(plain)
+    if found is None:
+        raise InputError(
+            f'There is no machine "{name}": choose one of {", ".join(known)}, or give a .json file.'
+        )
+    return found
+
+
+def read_machine(path: Path) -> Machine:
+    """The machine described by a data file, checked; keys carry their units.
+
+    Raises InputError that names the file and the value.
+    """
+    try:
+        found = _machine_of(read_data(path))
+    except KeyError as error:
+        raise InputError(f"The machine file {path.name} lacks {error}: add it.") from error
+    except (*UNUSABLE, InputError) as error:
+        raise InputError(f"The machine file {path.name} is of no use: {error}") from error
+    if found.name != path.stem:
+        raise InputError(
+            f'The machine file {path.name} calls itself "{found.name}": give both the same name.'
+        )
+    return found
+
+
+#: Files made before notches, folds and drawn marks had layers of their own have one for all of them. It may
+#: be one that is cut, and a fold goes across the neck: only notches are written there.
+_MARK, _NOTCH = "MARK", Role.NOTCH.value
+#: LightBurn knows so many.
+_PROJECT_LAYERS = 32
+
+_KEYS = {
+    "name", "title", "note", "format", "version", "unit", "arcs", "bed_mm", "kerf_mm", "knife_offset_mm",
+    "overcut_mm", "overrun_mm", "control_bar", "file", "tolerance_mm", "least_radius_mm", "least_gap_mm",
+    "layers", "process",
+}  # fmt: skip
+
+
+def _machine_of(data: dict[str, Any]) -> Machine:
+    strange = sorted(set(data) - _KEYS)
+    if strange:
+        raise InputError(f'nobody knows "{strange[0]}": it may be one of {", ".join(sorted(_KEYS))}.')
+    kind = _one_of(data["format"], tuple(ENDINGS), "format")
+    marked = dict(data["layers"])
+    if _NOTCH in marked:
+        marked.pop(_MARK, None)
+    found = Machine(
+        name=str(data["name"]),
+        title=str(data["title"]),
+        note=str(data["note"]),
+        format=kind,
+        version=_one_of(data["version"], _VERSIONS[kind], "version"),
+        unit=_one_of(data["unit"], tuple(UNITS), "unit"),
+        arcs=_truth(data["arcs"], "arcs"),
+        layers=_layers({_NOTCH if key == _MARK else key: line for key, line in marked.items()}),
+        bed=_bed(data["bed_mm"]),
+        kerf=_length(data["kerf_mm"], "kerf_mm", 0.0, 20.0),
+        knife_offset=_length(data["knife_offset_mm"], "knife_offset_mm", 0.0, 20.0),
+        overcut=_overcut(data),
+        overrun=_length(data["overrun_mm"], "overrun_mm", 0.0, 1000.0),
+        least_radius=_length(data["least_radius_mm"], "least_radius_mm", 0.0),
+        least_gap=_length(data["least_gap_mm"], "least_gap_mm", 0.0),
+        control_bar=_truth(data["control_bar"], "control_bar"),
+        file=str(data.get("file", "")),
+        tolerance=_length(data.get("tolerance_mm", to_mm(TOLERANCE)), "tolerance_mm", 0.005, 0.5),
+        process=_one_of(data.get("process", ""), PROCESSES, "process"),
+        remarks=_remarks(data),
+    )
+    if not _FILE_NAME.fullmatch(found.file):
+        raise InputError(f'the file name "{found.file}" may have letters, digits, spaces, _, - and . only.')
+    if kind in ("hpgl", "pdf", "lbrn2") and found.unit != "mm":
+        raise InputError(f'a {kind.upper()} file has a unit of its own: give "unit": "mm".')
+    if kind == "lbrn2" and any(line.pen >= _PROJECT_LAYERS for line in found.layers.values()):
+        raise InputError(f"a LightBurn project has layers up to {_PROJECT_LAYERS - 1}: change the pen.")
+    if kind == "hpgl" and found.arcs:
+        raise InputError('HPGL is written as polylines: give "arcs": false.')
+    return found
+
+
+def _remarks(data: dict[str, Any]) -> tuple[str, ...]:
+    """What to say about a machine's file that may be used as it is."""
+    if _MARK not in data["layers"]:
+        return ()
+    return (
+        f"The layer MARK of the machine file {data['name']}.json takes notches only. Rename it NOTCH, and"
+        " where your machine can draw, add the layers FOLD and PEN.",
+    )
+
+
+def _layers(data: dict[str, dict[str, Any]]) -> dict[Role, Line]:
+    if not data:
+        raise InputError("no layer is written: name at least CUT.")
+    layers = {}
+    for key, line in data.items():
+        role = Role(_one_of(key, tuple(role.value for role in Role), "layer"))
+        name, rgb = str(line.get("name", role.value)), str(line.get("rgb", LAYERS[role].rgb)).lower()
+        if not _LAYER_NAME.fullmatch(name):
+            raise InputError(f'the layer name "{name}" may have 1 to 31 of A-Z, 0-9, _, - and $ only.')
+        if not _COLOUR.fullmatch(rgb):
+            raise InputError(f'the colour "{rgb}" is not written like #ff0000.')
+        aci, pen = int(line.get("aci", LAYERS[role].aci)), int(line.get("pen", 1))
+        if not (1 <= aci <= 255 and 1 <= pen <= 255):
+            raise InputError(f"colour index {aci} and pen {pen} of {name} must be from 1 to 255.")
+        layers[role] = Line(name, aci, rgb, _one_of(line.get("line", LINE_TYPES[0]), LINE_TYPES, "line"), pen)
+    return layers
+
+
+def _overcut(data: dict[str, Any]) -> float:
+    """As it is given, else what a swivel knife takes to swing into its direction."""
+    return _length(data.get("overcut_mm", _SWING * data["knife_offset_mm"]), "overcut_mm", 0.0, 100.0)
+
+
+def _one_of(value: object, choices: tuple[str, ...], what: str) -> str:
+    if value not in choices:
+        raise InputError(
+            f'{what} "{value}" is none of {", ".join(choice or "(empty)" for choice in choices)}.'
+        )
+    return str(value)
+
+
+def _truth(value: object, what: str) -> bool:
+    if not isinstance(value, bool):
+        raise InputError(f"{what} is {value!r}: write true or false.")
+    return value
+
+
+def _bed(value: object) -> tuple[float, float] | None:
+    if value is None:
+        return None
+    if not (isinstance(value, list) and len(value) == 2):
+        raise InputError(f"bed_mm is {value!r}: give [width, height], or null where there is no limit.")
+    return _length(value[0], "bed_mm", _LEAST_BED), _length(value[1], "bed_mm", _LEAST_BED)
+
+
+def _length(value: object, what: str, low: float, high: float = _MOST) -> float:
+    number = float(value) if isinstance(value, (int, float)) else float("nan")
+    if not low <= number <= high:
+        raise InputError(
+            f"{what} is {value!r}: give a number from {number_text(low)} to {number_text(high)}."
+        )
+    return from_mm(number)

@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a machine gets of a pattern: lines in the order of the work, fitted, compensated, in millimetres."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from BalloonWorkbench.core.arcs.curves import Curve, polyline
+from BalloonWorkbench.core.arcs.fit_arcs import fit_curve
+from BalloonWorkbench.core.errors import ExportError
+from BalloonWorkbench.core.machines.compensate import overrun, trailing_knife, without_kerf
+from BalloonWorkbench.core.machines.machine import Machine
+from BalloonWorkbench.core.machines.order import CUTS, RANKS, in_order
+from BalloonWorkbench.core.machines.start_point import begun_on_straight
+from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
+from BalloonWorkbench.core.types import Floats
+from BalloonWorkbench.core.units import MILLIMETRE, from_mm, to_mm
+
+#: The bar by which a user sees that the size is right [mm], its ticks, and its distance from the pattern.
+BAR = 100.0
+_TICK = 4.0
+_BESIDE = 8.0
+BAR_ROOM = _BESIDE + 0.5 * _TICK
+#: Lines of one role that are so close all along are one line [mm].
+_SAME = 0.01
+
+
+@dataclass(frozen=True)
+class Path:
+    """A curve on the sheet [mm], what is done along it, and in which turn through the layers, see Step."""
+
+    role: Role
+    curve: Curve
+    turn: int = 0
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """Paths in the order of the work; lower left corner at the origin, and the size of it all [mm]."""
+
+    paths: tuple[Path, ...]
+    width: float
+    height: float
+
+    @property
+    def roles(self) -> tuple[Role, ...]:
+        """The roles that occur, in the order of the work."""
+        present = {path.role for path in self.paths}
+        return tuple(role for role in Role if role in present)
+
+    @property
+    def by_layer(self) -> tuple[Path, ...]:
+        """The paths with as few changes of the layer as the order of the work allows."""
+        return tuple(sorted(self.paths, key=lambda path: (path.turn, RANKS[path.role])))
+
+    def of(self, role: Role) -> tuple[Path, ...]:
+        """The paths of one role."""
+        return tuple(path for path in self.paths if path.role is role)
+
+
+def draw(pattern: Pattern, machine: Machine) -> Drawing:
+    """The drawing of a pattern for a machine; kerf and knife offset are made up for here.
+
+    Raises ExportError when the pattern has none of the lines that the machine wants.
+    """
+    ends = [contour.points[[0, -1]] for contour in pattern.contours if not contour.closed]
+    ends_mm = to_mm(np.concatenate(ends)) if ends else np.empty((0, 2))
+    paths = [
+        Path(contour.role, curve, turn)
+        for contour, turn in in_order(pattern.contours)
+        if contour.role in machine.layers
+        for curve in _curves(contour, machine, ends_mm)
+    ]
+    if not paths:
+        wanted = ", ".join(role.value for role in machine.layers)
+        raise ExportError(
+            f"The pattern has no lines for {machine.title}, which takes {wanted}: choose another machine."
+        )
+    paths = _once(paths)
+    if machine.control_bar and Role.REGISTRATION in machine.layers:
+        low = np.min([path.curve.bounds[0] for path in paths], axis=0)
+        paths = [Path(Role.REGISTRATION, curve) for curve in _bar(low)] + paths
+    low = np.min([path.curve.bounds[0] for path in paths], axis=0)
+    high = np.max([path.curve.bounds[1] for path in paths], axis=0)
+    width, height = (high - low).tolist()
+    return Drawing(tuple(replace(path, curve=path.curve.moved(-low)) for path in paths), width, height)
+
+
+def fitted(contour: Contour, machine: Machine) -> Iterator[Curve]:
+    """The curves [m] that a tool follows: several where the kerf parts a cut, none where it swallows it."""
+    for points in without_kerf(contour, machine.kerf) if contour.role in CUTS else (contour.points,):
+        straight = polyline(points, contour.closed)
+        yield fit_curve(points, contour.closed, machine.tolerance) if machine.arcs else straight
+
+
+def _curves(contour: Contour, machine: Machine, ends: Floats) -> Iterator[Curve]:
+    """The curves [mm] of a contour as a machine goes along them; ends (n, 2) mm of the open lines."""
+    for followed in fitted(contour, machine):
+        curve = followed.moved(np.zeros(2), 1.0 / MILLIMETRE)
+        if contour.role.is_cut:
+            if curve.closed and (machine.overcut or machine.knife_offset):
+                curve = overrun(begun_on_straight(curve, ends), to_mm(machine.overcut))
+            curve = trailing_knife(curve, to_mm(machine.knife_offset))
+        elif contour.role is Role.SEAL and contour.closed:
+            curve = overrun(curve, to_mm(machine.overrun))
+        yield curve
+
+
+def _once(paths: list[Path]) -> list[Path]:
+    """Without paths that lie on an earlier one of the same role."""
+    boxes = np.array([np.concatenate(path.curve.bounds) for path in paths])
+    kept: list[int] = []
+    for number, path in enumerate(paths):
+        near = np.abs(boxes[kept] - boxes[number]).max(axis=1) < _SAME if kept else np.zeros(0)
+        alike = [paths[kept[k]] for k in np.flatnonzero(near) if paths[kept[k]].role is path.role]
+        points = path.curve.flattened(_SAME) if alike else path.curve.joints
+        if not any(_farthest(points, other.curve.flattened(_SAME)) < 2.0 * _SAME for other in alike):
+            kept.append(number)
+    return [paths[number] for number in kept]
+
+
+def _farthest(points: Floats, others: Floats) -> float:
+    """The largest distance of a point from the nearest of the others' vertices and edges."""
+    edges = np.roll(others, -1, axis=0) - others
+    away = points[:, None] - others
+    share = np.clip((away * edges).sum(axis=2) / np.maximum((edges * edges).sum(axis=1), 1e-12), 0.0, 1.0)
+    return float(np.linalg.norm(away - share[..., None] * edges, axis=2).min(axis=1).max())
+
+
+def _bar(low: Floats) -> Iterator[Curve]:
+    """The control bar below the lower left corner of everything [mm]."""
+    left, y = low + np.array([0.0, -_BESIDE])
+    for a, b in (
+        ((left, y), (left + BAR, y)),
+        ((left, y - 0.5 * _TICK), (left, y + 0.5 * _TICK)),
+        ((left + BAR, y - 0.5 * _TICK), (left + BAR, y + 0.5 * _TICK)),
+    ):
+        yield polyline(np.array([a, b]), False)
+
+
+def in_unit(drawing: Drawing, unit: float) -> Drawing:
+    """The drawing with its numbers in another unit [m]: coordinates and sizes are really scaled."""
+    scale = from_mm(1.0) / unit
+    paths = tuple(replace(path, curve=path.curve.moved(np.zeros(2), scale)) for path in drawing.paths)
+    return Drawing(paths, drawing.width * scale, drawing.height * scale)

@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A drawing as a LightBurn project: what is not burnt lies on LightBurn's tool layers, which it never sends.
+
+No other format can say so: from DXF and SVG LightBurn takes the nearest colour of its cut layers. Speed and
+power are left to the user, whose material library has them.
+"""
+
+from __future__ import annotations
+
+from xml.sax.saxutils import quoteattr
+
+from BalloonWorkbench.core.arcs.curves import Curve
+from BalloonWorkbench.core.errors import ExportError
+from BalloonWorkbench.core.machines.machine import Machine
+from BalloonWorkbench.core.machines.toolpaths import Drawing
+from BalloonWorkbench.core.pattern.pattern import Role
+
+#: Layers of a project: 0 to 29 are burnt, 30 (T1) and 31 (T2) are tool layers.
+TOOL = 30
+#: How far a polyline may be off an arc [mm].
+_CHORD = 0.005
+_DIGITS = 4
+
+
+def drawing_lightburn(drawing: Drawing, machine: Machine) -> bytes:
+    """The project's content, mm with y upward; the same bytes for the same drawing."""
+    numbers = _layer_numbers(drawing, machine)
+    names: dict[int, list[str]] = {}
+    for (turn, role), number in numbers.items():
+        name = machine.layers[role].name
+        names.setdefault(number, []).append(f"{name}-{turn + 1}" if turn else name)
+    lines = [
+        '<?xml version="1.0" encoding="UTF-8"?>',
+        '<LightBurnProject AppVersion="1.0.00" FormatVersion="1" MaterialHeight="0" MirrorX="False"'
+        ' MirrorY="False">',
+    ]
+    for priority, (number, roles) in enumerate(names.items()):
+        kind = "Tool" if number >= TOOL else "Cut"
+        lines += [
+            f'    <CutSetting type="{kind}">',
+            f'        <index Value="{number}"/>',
+            f"        <name Value={quoteattr(' '.join(roles))}/>",
+            f'        <priority Value="{priority}"/>',
+            "    </CutSetting>",
+        ]
+    for path in drawing.by_layer:
+        vertices, edges = _shape(path.curve)
+        lines += [
+            f'    <Shape Type="Path" CutIndex="{numbers[path.turn, path.role]}">',
+            "        <XForm>1 0 0 1 0 0</XForm>",
+            f"        <VertList>{vertices}</VertList>",
+            f"        <PrimList>{edges}</PrimList>",
+            "    </Shape>",
+        ]
+    lines.append("</LightBurnProject>")
+    return ("\n".join(lines) + "\n").encode("utf-8")
+
+
+def _layer_numbers(drawing: Drawing, machine: Machine) -> dict[tuple[int, Role], int]:
+    """The layer of each turn and role, in the order of the work: LightBurn burns one layer after the other.
+
+    What waits for a later turn, as the hole of a panel with another panel in it, has the next free layer.
+    """
+    taken = {line.pen for line in machine.layers.values()}
+    free = iter(number for number in range(TOOL) if number not in taken)
+    numbers: dict[tuple[int, Role], int] = {}
+    for turn, role in dict.fromkeys((path.turn, path.role) for path in drawing.by_layer):
+        own = machine.layers[role].pen
+        number = own if turn == 0 or own >= TOOL else next(free, None)
+        if number is None:
+            raise ExportError("LightBurn has too few layers for panels in holes of panels: lay out fewer.")
+        numbers[turn, role] = number
+    return numbers
+
+
+def _shape(curve: Curve) -> tuple[str, str]:
+    """Vertices without handles, and the edges between them."""
+    points = curve.flattened(_CHORD).tolist()
+    vertices = "".join(f"V{_number(x)} {_number(y)}c0x1c1x1" for x, y in points)
+    if curve.closed:
+        return vertices, "LineClosed"
+    return vertices, "".join(f"L{k} {k + 1}" for k in range(len(points) - 1))
+
+
+def _number(value: float) -> str:
+    text = f"{value:.{_DIGITS}f}".rstrip("0").rstrip(".")
+    return "0" if text == "-0" else text

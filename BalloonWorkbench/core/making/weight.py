@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the making adds to the weight of a balloon: welds, neck, and the pieces of a valve."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.film.film import Film
+from BalloonWorkbench.core.making.trade_figures import making
+from BalloonWorkbench.core.outline.outline import Outline, signed_area
+from BalloonWorkbench.core.pattern.build import usual_pattern
+from BalloonWorkbench.core.pattern.make import Wanted, intake_of, make_pattern, sheet_of
+from BalloonWorkbench.core.pattern.pattern import Pattern, Role
+from BalloonWorkbench.core.rounded import rounded
+
+
+def weighing(wanted: Wanted) -> Wanted:
+    """Those values of a pattern that its weight depends on, for one balloon; all others are the usual ones.
+
+    Equal for patterns that weigh the same but for the last digits of their sizes.
+    """
+    usual = Wanted()
+    return rounded(
+        replace(
+            wanted,
+            intake_width=intake_of(wanted).width,
+            notches=0,
+            notch_depth=usual.notch_depth,
+            label="",
+            label_height=usual.label_height,
+            mirror=True,
+            copies=1,
+        )
+    )
+
+
+def film_and_valve(seam: Outline, film: Film, wanted: Wanted) -> tuple[float, float]:
+    """Film of one panel with weld and intake [m2], and what the intake's own pieces weigh [kg].
+
+    Where there is no room for what is wanted, the usual pattern's: the pattern itself will say what is wrong.
+    """
+    one = weighing(wanted)
+    try:
+        pattern = make_pattern(seam, film.seal_width, one)
+    except InputError:
+        return usual_pattern(seam, film, wanted.intake).film_area, 0.0
+    return pattern.film_area, valve_weight(pattern, sheet_of(pattern, one))
+
+
+def valve_weight(pattern: Pattern, pieces: Pattern | None) -> float:
+    """Weight of the pieces beside the panels [kg], whose cuts are no panel's; see `maker_numbers`."""
+    if pieces is None:
+        return 0.0
+    panel = max(abs(signed_area(cut.points)) for cut in pattern.of(Role.CUT))
+    areas = [abs(signed_area(cut.points)) for cut in pieces.of(Role.CUT)]
+    return making().valve_film * sum(area for area in areas if area < 0.5 * panel)
