@@ -25,7 +25,7 @@ from urllib.parse import urlsplit
 from BalloonWorkbench import __version__
 from BalloonWorkbench.core import packages
 from BalloonWorkbench.core.errors import Cancelled, ExportError, FetchError
-from BalloonWorkbench.core.files.data_file import UNUSABLE, read_data
+from BalloonWorkbench.core.files.data_file import RESOURCES, UNUSABLE, read_data
 from BalloonWorkbench.core.files.write import check_folder, write_files
 from BalloonWorkbench.core.solver import backend, native
 from BalloonWorkbench.core.solver.library import (
@@ -38,7 +38,7 @@ from BalloonWorkbench.core.solver.library import (
 )
 from BalloonWorkbench.core.types import Progress, no_progress
 
-WHEELS = Path(__file__).resolve().parents[2] / "resources" / "native-wheels.json"
+WHEELS = RESOURCES / "native-wheels.json"
 _NOWHERE = ".example"  # ends names that lead nowhere, which stand for an address that is not known yet
 _STOPPED = "The native solver was not fetched: stopped."
 _PATIENCE = 10.0  # s without a sign from the other side

@@ -7,11 +7,11 @@ in; here they are recognised by their form, translated, and filled again.
 
 from __future__ import annotations
 
-from BalloonWorkbench.core.language import sentence_forms as forms
+from BalloonWorkbench.core.language import sentence_forms
 from BalloonWorkbench.core.language.speech import listed
 from BalloonWorkbench.gui.qt import translate
 
 
 def tell(text: str) -> str:
     """A text of the engine in the user's language; one that is not known stays as it is."""
-    return forms.told(text, listed(), translate)
+    return sentence_forms.told(text, listed(), translate)

@@ -76,11 +76,10 @@ def test_picture_has_the_wanted_width(picture):
 
 def test_picture_without_opencv(picture, monkeypatch):
     """Qt reads the picture then, and NumPy finds the shape."""
-    from BalloonWorkbench.core.tracing import picture_file as decode
-    from BalloonWorkbench.core.tracing import raster
+    from BalloonWorkbench.core.tracing import picture_file, raster
 
     with_opencv = shapes.stored(picture, "Loop")
-    for module in (decode, raster):
+    for module in (picture_file, raster):
         monkeypatch.setattr(module, "opencv", lambda: None)
     picture.touch()
     picture.Document.recompute()

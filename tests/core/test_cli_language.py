@@ -15,7 +15,7 @@ from test_translations import tool
 
 from BalloonWorkbench import cli
 from BalloonWorkbench.core.film.library import films
-from BalloonWorkbench.core.language import sentence_forms as forms
+from BalloonWorkbench.core.language import sentence_forms
 from BalloonWorkbench.core.language.speech import languages, speech, users_language
 
 PICTURES = Path(__file__).parents[2] / "resources" / "examples" / "pictures"
@@ -35,8 +35,8 @@ def loud(text: str) -> str:
 @pytest.fixture
 def capitals(monkeypatch: pytest.MonkeyPatch) -> None:
     """The command line in that language, with the texts that the source has now."""
-    known = forms.known(tool.sentences())
-    monkeypatch.setattr(cli, "speech", lambda _name: lambda text: forms.told(text, known, loud))
+    known = sentence_forms.known(tool.sentences())
+    monkeypatch.setattr(cli, "speech", lambda _name: lambda text: sentence_forms.told(text, known, loud))
 
 
 def left_in_english(text: str) -> list[str]:

@@ -19,8 +19,8 @@ from BalloonWorkbench.core.assembly_sheet import steps
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film import filling, library
 from BalloonWorkbench.core.machines import machine
-from BalloonWorkbench.core.making import trade_figures as making
-from BalloonWorkbench.core.pattern.intake import kinds as intake_kinds
+from BalloonWorkbench.core.making import trade_figures
+from BalloonWorkbench.core.pattern.intake import kinds
 
 ROOT = Path(__file__).parents[2]
 RESOURCES = ROOT / "resources"
@@ -67,8 +67,11 @@ def single(module: Any, name: str, read: Callable[[], object]) -> Callable[[Path
 READERS: dict[str, tuple[Path, Callable[[Path], object]]] = {
     "machine": (RESOURCES / "machines" / "hpgl-plotter.json", machine.read_machine),
     "film": (RESOURCES / "films" / "mylar.json", library.read_film),
-    "intake": (RESOURCES / "intakes" / "film-valve.json", intake_kinds.read_kind),
-    "making": (RESOURCES / "making.json", single(making, "FILE", making.making.__wrapped__)),
+    "intake": (RESOURCES / "intakes" / "film-valve.json", kinds.read_kind),
+    "making": (
+        RESOURCES / "making.json",
+        single(trade_figures, "FILE", trade_figures.making.__wrapped__),
+    ),
     "gases": (RESOURCES / "gases.json", single(filling, "FILE", filling._library.__wrapped__)),
     "steps": (steps.FILE, single(steps, "FILE", steps._steps.__wrapped__)),
     "rules": (rules.FILE, single(rules, "FILE", rules.rules.__wrapped__)),

@@ -6,7 +6,7 @@ import pytest
 from brush import close_window, draw, ellipse, is_closed, open_window, press
 from pivy import coin
 
-from BalloonWorkbench.core.arcs import fit_arcs as arcs
+from BalloonWorkbench.core.arcs import fit_arcs
 from BalloonWorkbench.gui.paint import requests
 
 _LONG = 45.0  # s
@@ -21,14 +21,14 @@ def window(doc):
 @pytest.fixture
 def searches(monkeypatch):
     """The searches for arcs so far: they take most of the time of a pattern."""
-    found, search = [], arcs._fit
+    found, search = [], fit_arcs._fit
 
     def searched(*arguments):
         found.append(arguments[0])
         return search(*arguments)
 
-    monkeypatch.setattr(arcs, "_fit", searched)
-    arcs._remembered.clear()
+    monkeypatch.setattr(fit_arcs, "_fit", searched)
+    fit_arcs._remembered.clear()
     return found
 
 

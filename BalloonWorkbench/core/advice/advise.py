@@ -9,8 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from BalloonWorkbench.core.advice import shape_rules as shape
-from BalloonWorkbench.core.advice import thin_rules as thin
+from BalloonWorkbench.core.advice import shape_rules, thin_rules
 from BalloonWorkbench.core.advice.findings import Advice, Finding
 from BalloonWorkbench.core.advice.gauge import Measured, Predicted
 from BalloonWorkbench.core.advice.subject import Subject
@@ -25,13 +24,13 @@ from BalloonWorkbench.core.solver.inflation import Inflation
 
 _USUAL = Wanted()
 _RULES = (
-    thin.necks,
-    thin.arms,
-    shape.sharp_notches,
-    thin.tips,
-    shape.rings,
-    shape.roundness,
-    shape.intake,
+    thin_rules.necks,
+    thin_rules.arms,
+    shape_rules.sharp_notches,
+    thin_rules.tips,
+    shape_rules.rings,
+    shape_rules.roundness,
+    shape_rules.intake,
 )
 
 
@@ -60,7 +59,7 @@ def intake_findings(
 ) -> list[Finding]:
     """What there is to say about the intake of a finished balloon alone; seam: of its pattern."""
     gauge = Measured(inflation, fitted)
-    return list(shape.intake(Subject(outline, film, gauge, fitted, faired_seam(seam), wanted)))
+    return list(shape_rules.intake(Subject(outline, film, gauge, fitted, faired_seam(seam), wanted)))
 
 
 def _advice(subject: Subject) -> Advice:

@@ -5,14 +5,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 from BalloonWorkbench.core.advice.findings import Severity
 from BalloonWorkbench.core.errors import InputError
-from BalloonWorkbench.core.files.data_file import UNUSABLE, read_data
+from BalloonWorkbench.core.files.data_file import RESOURCES, UNUSABLE, read_data
 
-FILE = Path(__file__).resolve().parents[3] / "resources" / "advice" / "rules.json"
+FILE = RESOURCES / "advice" / "rules.json"
 
 
 @dataclass(frozen=True)

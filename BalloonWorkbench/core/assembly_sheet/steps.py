@@ -4,11 +4,10 @@
 from __future__ import annotations
 
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 from BalloonWorkbench.core.errors import InputError
-from BalloonWorkbench.core.files.data_file import UNUSABLE, read_data
+from BalloonWorkbench.core.files.data_file import RESOURCES, UNUSABLE, read_data
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.making.numbers import Numbers
 from BalloonWorkbench.core.pattern.intake.kinds import RIM, intake_kind
@@ -16,7 +15,7 @@ from BalloonWorkbench.core.pattern.pattern import Pattern, Role
 from BalloonWorkbench.core.types import Say, in_english
 from BalloonWorkbench.core.units import length_text, number_text, pressure_text
 
-FILE = Path(__file__).resolve().parents[3] / "resources" / "assembly" / "steps.json"
+FILE = RESOURCES / "assembly" / "steps.json"
 
 
 def steps(pattern: Pattern, film: Film, numbers: Numbers, say: Say = in_english) -> list[str]:

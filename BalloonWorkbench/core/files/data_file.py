@@ -10,6 +10,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any, NoReturn
 
+RESOURCES = Path(__file__).resolve().parents[3] / "resources"
 _LARGEST = 1_000_000  # bytes
 
 #: What reading a file of other content raises; KeyError is what it lacks.

@@ -9,14 +9,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 from BalloonWorkbench.core.errors import InputError
-from BalloonWorkbench.core.files.data_file import UNUSABLE, read_data
+from BalloonWorkbench.core.files.data_file import RESOURCES, UNUSABLE, read_data
 from BalloonWorkbench.core.units import number_text
 
-FILE = Path(__file__).resolve().parents[3] / "resources" / "gases.json"
+FILE = RESOURCES / "gases.json"
 DEFAULT_GAS = "helium"
 
 GAS_CONSTANT = 8.31446261815324  # J/(mol K)

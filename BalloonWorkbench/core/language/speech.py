@@ -10,17 +10,17 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from functools import cache
-from pathlib import Path
 from typing import TYPE_CHECKING
 from xml.etree import ElementTree
 
 from BalloonWorkbench.core.errors import InputError
-from BalloonWorkbench.core.language import sentence_forms as forms
+from BalloonWorkbench.core.files.data_file import RESOURCES
+from BalloonWorkbench.core.language import sentence_forms
 
 if TYPE_CHECKING:  # FreeCAD's start needs the sentences, and must not load NumPy
     from BalloonWorkbench.core.types import Say
 
-FOLDER = Path(__file__).resolve().parents[2] / "resources" / "translations"
+FOLDER = RESOURCES / "translations"
 ENGLISH = "en"
 _STEM = "BalloonWorkbench_"
 #: The first of them that is set says which language a user wants of programs without a window.
@@ -67,10 +67,10 @@ def speech(language: str) -> Say:
     messages = ElementTree.parse(FOLDER / f"{_STEM}{language}.ts").iter("message")
     done = {message.findtext("source", ""): message.findtext("translation", "") for message in messages}
     known = listed()
-    return lambda text: forms.told(text, known, lambda source: done.get(source) or source)
+    return lambda text: sentence_forms.told(text, known, lambda source: done.get(source) or source)
 
 
 @cache
-def listed() -> forms.Known:
+def listed() -> sentence_forms.Known:
     """The sentences that are recognised by their form."""
-    return forms.known(json.loads((FOLDER / "sentences.json").read_text(encoding="utf-8")))
+    return sentence_forms.known(json.loads((FOLDER / "sentences.json").read_text(encoding="utf-8")))

@@ -16,12 +16,12 @@ from typing import Any
 
 from BalloonWorkbench.core.arcs.fit_arcs import TOLERANCE
 from BalloonWorkbench.core.errors import InputError
-from BalloonWorkbench.core.files.data_file import UNUSABLE, data_files, read_data
+from BalloonWorkbench.core.files.data_file import RESOURCES, UNUSABLE, data_files, read_data
 from BalloonWorkbench.core.machines.layers import LAYERS
 from BalloonWorkbench.core.pattern.pattern import Role
 from BalloonWorkbench.core.units import INCH, MILLIMETRE, from_mm, number_text, parse_size, to_mm
 
-FOLDER = Path(__file__).resolve().parents[3] / "resources" / "machines"
+FOLDER = RESOURCES / "machines"
 
 #: Endings of the formats, and the versions that each has.
 ENDINGS = {"dxf": "dxf", "svg": "svg", "pdf": "pdf", "hpgl": "plt", "lbrn2": "lbrn2"}

@@ -6,14 +6,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
-from pathlib import Path
 
 from BalloonWorkbench.core.errors import InputError
-from BalloonWorkbench.core.files.data_file import UNUSABLE, read_data
+from BalloonWorkbench.core.files.data_file import RESOURCES, UNUSABLE, read_data
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.units import from_mm
 
-FILE = Path(__file__).resolve().parents[3] / "resources" / "making.json"
+FILE = RESOURCES / "making.json"
 
 
 @dataclass(frozen=True)

@@ -18,12 +18,12 @@ from typing import Any
 import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
-from BalloonWorkbench.core.files.data_file import UNUSABLE, read_data
+from BalloonWorkbench.core.files.data_file import RESOURCES, UNUSABLE, read_data
 from BalloonWorkbench.core.pattern.pattern import Contour, Role
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import from_mm
 
-FOLDER = Path(__file__).resolve().parents[3] / "resources" / "intakes"
+FOLDER = RESOURCES / "intakes"
 STRAW = "straw"
 #: Where an intake sits: a neck through the weld, or a fitting on the front film.
 RIM, FILM = "rim", "film"
