@@ -30,7 +30,7 @@ PACKAGE = Path(units.__file__).resolve().parents[1]
 #: These write numbers for programs: files of machines, macros, fingerprints, and the functions themselves.
 FOR_PROGRAMS = (
     *(
-        "core/export/machine_[dhls]*.py",
+        "core/machines/writers/[dhls]*.py",
         "core/machines/writers/pdf_text.py",
         "core/results/vtu.py",
         "core/units.py",
