@@ -4,7 +4,8 @@ import BalloonWorkbench.app.balloon
 import BalloonWorkbench.app.group
 import BalloonWorkbench.app.outline
 import BalloonWorkbench.app.pattern  # noqa: F401
-from BalloonWorkbench.app import material, revive
+from BalloonWorkbench.app.document import revive
+from BalloonWorkbench.app.properties import material
 
 material.register()
 revive.watch()

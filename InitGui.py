@@ -18,16 +18,17 @@ class BalloonWorkbench(Gui.Workbench):
         self.__class__.ToolTip = translate("Design balloons from film that does not stretch", "Workbench")
 
     def Initialize(self):
-        from BalloonWorkbench.app.properties import QT_TRANSLATE_NOOP
-        from BalloonWorkbench.gui import commands, equipment, native_offer
-        from BalloonWorkbench.gui.paint import ready
+        from BalloonWorkbench.app.properties.property_table import QT_TRANSLATE_NOOP
+        from BalloonWorkbench.gui import commands
+        from BalloonWorkbench.gui.paint.preview import preload
+        from BalloonWorkbench.gui.window import equipment, native_offer
 
         toolbar, menu = commands.register()
         self.appendToolbar(QT_TRANSLATE_NOOP("Workbench", "Film Balloon"), toolbar)
         self.appendMenu(QT_TRANSLATE_NOOP("Workbench", "Film &Balloon"), menu)
         equipment.tell_missing()
         native_offer.offer()
-        ready.begin()
+        preload.begin()
 
     def GetClassName(self):
         return "Gui::PythonWorkbench"
@@ -35,11 +36,13 @@ class BalloonWorkbench(Gui.Workbench):
 
 def _plug_in():
     """Let the document objects use the window."""
-    from BalloonWorkbench.app import hooks
-    from BalloonWorkbench.gui import borders, patience, preferences_page, qt, sentences, view
+    from BalloonWorkbench.app.border import hooks
+    from BalloonWorkbench.gui import qt, view
+    from BalloonWorkbench.gui.long_work import blocking
+    from BalloonWorkbench.gui.window import borders, preferences_page, sentences
 
     hooks.dress = view.dress
-    hooks.work = patience.work
+    hooks.work = blocking.work
     hooks.say = sentences.tell
     hooks.tell = borders.tell
     borders.watch()

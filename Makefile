@@ -67,7 +67,7 @@ examples: native ## Make the example documents in resources/examples anew
 	@tools/in-window.sh build/examples tools/make_examples.py
 
 pictures: native ## Take the pictures of the tutorial anew, in docs/images
-	@BALLOON_TESTS="tests/gui/test_paint.py tests/gui/test_paint_fish.py tests/gui/test_examples.py" tools/test.sh gui
+	@BALLOON_TESTS="tests/gui/paint/test_paint.py tests/gui/paint/test_paint_fish.py tests/gui/commands/test_examples.py" tools/test.sh gui
 	@cp build/pictures/tutorial-*.png docs/images
 
 # Files, outlines, options, kills: as many as it takes a night to try. The last lines put faults into the engine.
@@ -76,13 +76,13 @@ fuzz: native readers ## Inflate 2 000 outlines, read 10 000 broken files, kill w
 	    BALLOON_COACHED=300 BALLOON_INTAKES=24 BALLOON_LAYER_SHAPES=40 BALLOON_DRAFTS=25 \
 	    BALLOON_WORD_SIZES="3mm 30mm 5m 30m" BALLOON_WORD_SHAPES="star fish heart" \
 	    $(PYTHON) -m pytest -q -o faulthandler_timeout=0 --log-cli-level=INFO \
-	    tests/core/test_random_outlines.py tests/core/test_broken_files.py tests/core/test_value_limits.py \
-	    tests/core/test_interrupted_writing.py tests/core/test_export_cuts.py tests/core/test_coach_shapes.py \
-	    tests/core/test_intake_places.py tests/core/test_layers.py tests/core/test_design_draft.py tests/core/test_words.py
-	@BALLOON_ARRANGE_STORIES=200 BALLOON_TESTS="tests/app/test_arrange.py -k story" tools/test.sh app
-	@BALLOON_FAULTS=200 BALLOON_TESTS=tests/app/test_faults.py tools/test.sh app
+	    tests/core/outline/test_random_outlines.py tests/core/readers/test_broken_files.py tests/core/test_value_limits.py \
+	    tests/core/files/test_interrupted_writing.py tests/core/machines/test_export_cuts.py tests/core/advice/test_coach_shapes.py \
+	    tests/core/pattern/intake/test_intake_places.py tests/core/results/test_layers.py tests/core/test_design_draft.py tests/core/test_words.py
+	@BALLOON_ARRANGE_STORIES=200 BALLOON_TESTS="tests/app/document/test_arrange.py -k story" tools/test.sh app
+	@BALLOON_FAULTS=200 BALLOON_TESTS=tests/app/border/test_faults.py tools/test.sh app
 	@BALLOON_FAULTS=200 BALLOON_TESTS=tests/gui/test_faults.py tools/test.sh gui
-	@BALLOON_LANGUAGES=English,German,French,Spanish,Japanese BALLOON_TESTS=tests/gui/test_small_screen.py tools/test.sh gui
+	@BALLOON_LANGUAGES=English,German,French,Spanish,Japanese BALLOON_TESTS=tests/gui/panels/test_small_screen.py tools/test.sh gui
 
 mutations: native ## Break the code in known ways, one after the other: a quick test must notice each
 	@$(PYTHON) tools/mutations.py

@@ -22,7 +22,7 @@ def _start() -> int:
 
 def _cannot_start(error: ImportError) -> int:
     """NumPy is the one package without which nothing begins."""
-    from BalloonWorkbench.cli_console import complain
+    from BalloonWorkbench.cli.console import complain
     from BalloonWorkbench.core import packages
 
     reason = next((told for told in packages.missing() if " numpy " in told), None)

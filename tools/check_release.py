@@ -29,7 +29,7 @@ from native_libraries import PLATFORMS, ROOT, build, zig
 from release import PARTS_LIST, SUMS
 
 sys.path.insert(0, str(ROOT))
-from BalloonWorkbench.core.solver.library import damage
+from BalloonWorkbench.core.solver.native.library import damage
 
 _HEADER = ROOT / "BalloonWorkbench" / "native" / "include" / "film_solver.h"
 INTERFACE = set(re.findall(r"\b(film_\w+)\(", _HEADER.read_text(encoding="utf-8")))

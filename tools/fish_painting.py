@@ -68,7 +68,7 @@ FILLS = ((0.28, 0.60, BELLY), (0.84, 0.50, FIN))
 
 def steps(side):
     """What the paint window would have made of it."""
-    from BalloonWorkbench.gui.paint.strokes import BRUSH, PEN, Fill, Stroke
+    from BalloonWorkbench.gui.paint.painting.strokes import BRUSH, PEN, Fill, Stroke
 
     def stroke(tool, colour, places, width):
         return Stroke(tool, colour, points=[(side * x, side * y, width) for x, y in places])

@@ -21,10 +21,10 @@ def painted_fish(doc):
     """Strokes, as the paint window has them; a double-click on the Outline opens them."""
     import fish_painting
 
-    from BalloonWorkbench.app import painting
+    from BalloonWorkbench.app.drawings import painting
     from BalloonWorkbench.core.job import Settings
-    from BalloonWorkbench.gui.paint.display import MODE
-    from BalloonWorkbench.gui.paint.painting import SIDE, Painting
+    from BalloonWorkbench.gui.paint.painting.painted import SIDE, Painting
+    from BalloonWorkbench.gui.paint.preview.painting_display import MODE
 
     paper = Painting()
     for step in fish_painting.steps(SIDE):
@@ -40,7 +40,7 @@ def painted_fish(doc):
 
 def parametric_heart(doc):
     """A sketch whose dimensions, and the pressure, come from a spreadsheet: change a cell, all follows."""
-    from BalloonWorkbench.app import create
+    from BalloonWorkbench.app.document import create
 
     sheet = doc.addObject("Spreadsheet::Sheet", "Sizes")
     rows = (("Width", "width", "250 mm"), ("Height", "height", "230 mm"), ("Pressure", "pressure", "2 kPa"))
@@ -104,7 +104,7 @@ def letter_s(doc):
     """Nothing but arcs: two bowls, broad strokes, round ends."""
     import Part
 
-    from BalloonWorkbench.app import create
+    from BalloonWorkbench.app.document import create
 
     bowl, stroke, end = 62.0, 60.0, math.radians(10)
 
@@ -136,7 +136,7 @@ def ring(doc):
     import Part
     import Sketcher
 
-    from BalloonWorkbench.app import create
+    from BalloonWorkbench.app.document import create
 
     sketch = doc.addObject("Sketcher::SketchObject", "Circles")
     for number, (name, radius) in enumerate((("Outside", 150.0), ("Inside", 70.0))):
@@ -160,7 +160,7 @@ EXAMPLES = {
 
 def make(name):
     """Make one, and save it."""
-    from BalloonWorkbench.gui.fit import fit_all
+    from BalloonWorkbench.gui.view3d.fit_view import fit_all
 
     doc = App.newDocument(name.replace("-", " ").capitalize())
     parts = EXAMPLES[name](doc)

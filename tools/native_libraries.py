@@ -36,7 +36,7 @@ class Platform(NamedTuple):
 _LINUX = ("-Wl,-soname,libfilm_solver.so", f"-Wl,--version-script={NATIVE / 'exports.map'}")
 _MACOS = ("-Wl,-install_name,@rpath/libfilm_solver.dylib",)
 
-#: By the name of the folder that core/solver/library.py looks into.
+#: By the name of the folder that core/solver/native/library.py looks into.
 PLATFORMS = {
     "linux-x86_64": Platform(
         "x86_64-linux-gnu.2.17", "libfilm_solver.so", _LINUX, "manylinux_2_17_x86_64.manylinux2014_x86_64"

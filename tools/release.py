@@ -67,7 +67,7 @@ def packed(contents: Mapping[str, bytes], date: tuple[int, int, int]) -> bytes:
 
 
 def with_sum(place: str, library: bytes) -> dict[str, bytes]:
-    """A library and its sum beside it, which the loader asks for: see core/solver/library.py."""
+    """A library and its sum beside it, which the loader asks for: see core/solver/native/library.py."""
     sum_of_it = f"{hashlib.sha256(library).hexdigest()}  {place.rpartition('/')[2]}\n"
     return {place: library, f"{place}.sha256": sum_of_it.encode()}
 

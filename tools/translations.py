@@ -33,12 +33,12 @@ _SILENT += ("core/language/fonts.py",)
 #: Of the window and the command line, but in plain sentences like the engine.
 _SPOKEN = (
     "equipment.py",
-    "cli.py",
-    "cli_bed.py",
-    "cli_summary.py",
-    "cli_making.py",
-    "cli_options.py",
-    "cli_document.py",
+    "cli/command_line.py",
+    "cli/bed.py",
+    "cli/summary.py",
+    "cli/making.py",
+    "cli/options.py",
+    "cli/document.py",
 )
 #: Keys of the data files that people read, by folder or file.
 _DATA = {

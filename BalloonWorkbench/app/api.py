@@ -15,11 +15,13 @@ from inspect import signature
 from pathlib import Path
 from typing import TypeVar
 
-from BalloonWorkbench.app import advice as coach
-from BalloonWorkbench.app import balloon, create, values
-from BalloonWorkbench.app import export as writer
-from BalloonWorkbench.app.create import Parts
-from BalloonWorkbench.app.parts import parts_of
+from BalloonWorkbench.app import balloon
+from BalloonWorkbench.app.document import create
+from BalloonWorkbench.app.document.create import Parts
+from BalloonWorkbench.app.document.parts import parts_of
+from BalloonWorkbench.app.engine import advice as coach
+from BalloonWorkbench.app.engine import export as writer
+from BalloonWorkbench.app.properties import values
 from BalloonWorkbench.core import faults
 from BalloonWorkbench.core.errors import BalloonError, InputError
 
@@ -161,7 +163,7 @@ def artwork(pattern_obj, **wanted):
 @_bordered
 def sketch(pattern_obj):
     """A new Sketcher sketch of a pattern's cuts, of lines and arcs; InputError while it is not up to date."""
-    from BalloonWorkbench.app.pattern_sketch import make_sketch
+    from BalloonWorkbench.app.shapes.pattern_sketch import make_sketch
 
     return _done[-1] if _done else make_sketch(pattern_obj)
 
@@ -186,7 +188,7 @@ def nest(patterns, sheet=None, **wanted):
 @_bordered
 def assembly_sheet(made: Parts, path, paper: str = "A4") -> Path:
     """Write the page on how to make a balloon, a PDF on A4 or Letter; returns it. Raises ExportError."""
-    from BalloonWorkbench.app import maker
+    from BalloonWorkbench.app.engine import maker
 
     return Path(path) if _done else maker.write_assembly(made, path, paper)
 

@@ -6,9 +6,10 @@ from __future__ import annotations
 from functools import lru_cache, partial
 from pathlib import Path
 
-from BalloonWorkbench.app import arrange, status
-from BalloonWorkbench.app.properties import Property, results
-from BalloonWorkbench.app.stateless import DocumentProxy
+from BalloonWorkbench.app.border import status
+from BalloonWorkbench.app.document import arrange
+from BalloonWorkbench.app.document.proxy import DocumentProxy
+from BalloonWorkbench.app.properties.property_table import Property, results
 from BalloonWorkbench.core.errors import ExportError, InputError
 
 FRONT, BACK = "Front", "Back"
@@ -76,7 +77,7 @@ def make(pattern_obj, picture: str = "", back: str = ""):
 
     picture, back  files; empty as in the properties. Raises OSError where there is no such file.
     """
-    from BalloonWorkbench.app import hooks
+    from BalloonWorkbench.app.border import hooks
 
     obj = pattern_obj.Document.addObject("Part::Part2DObjectPython", "Artwork")
     ArtworkProxy(obj)
@@ -106,7 +107,7 @@ def on_balloon(balloon_obj):
 
     The back's is as it is seen through the front.
     """
-    from BalloonWorkbench.app.painting import Artwork
+    from BalloonWorkbench.app.drawings.painting import Artwork
     from BalloonWorkbench.core.units import to_mm
 
     obj = of_balloon(balloon_obj)
@@ -128,7 +129,7 @@ def sheets(obj, dpi: float | None = None):
 
 def _printing(obj, dpi: float):
     """A function that makes the sheets and does not touch the document: any thread may call it."""
-    from BalloonWorkbench.app import film_result
+    from BalloonWorkbench.app.engine import film_result
     from BalloonWorkbench.core.artwork.sheet import Print, artwork_sheets
 
     if not status.is_ready(obj):
@@ -136,7 +137,7 @@ def _printing(obj, dpi: float):
     import numpy as np
 
     from BalloonWorkbench.app.pattern import build
-    from BalloonWorkbench.app.quantities import metres
+    from BalloonWorkbench.app.properties.quantities import metres
     from BalloonWorkbench.core.artwork.marks import bordered
 
     inflation, _ = film_result.stored(obj.Pattern.Balloon)
@@ -154,7 +155,7 @@ def write(obj, folder, machine_names=("any-dxf", "any-svg")) -> list[Path]:
     """
     import FreeCAD as App
 
-    from BalloonWorkbench.app import hooks
+    from BalloonWorkbench.app.border import hooks
     from BalloonWorkbench.core.artwork.files import artwork_files
     from BalloonWorkbench.core.files.write import write_files
     from BalloonWorkbench.core.machines.machine import machine
@@ -183,7 +184,7 @@ def show(obj, pattern) -> None:
     """Write the lines of a side into the object."""
     import Part
 
-    from BalloonWorkbench.app.shapes import wire
+    from BalloonWorkbench.app.shapes.part_shapes import wire
     from BalloonWorkbench.core.pattern.pattern import Role
     from BalloonWorkbench.core.units import to_mm
 
@@ -197,7 +198,7 @@ def show(obj, pattern) -> None:
 
 def _marked(obj):
     from BalloonWorkbench.app.pattern import build
-    from BalloonWorkbench.app.quantities import metres
+    from BalloonWorkbench.app.properties.quantities import metres
     from BalloonWorkbench.core.artwork.marks import bordered, marked
 
     return marked(bordered(build(obj.Pattern), metres(obj.Bleed)))
@@ -229,8 +230,8 @@ def _frame(balloon):
     """Lower left corner and size (2,) [m] of all that was drawn, and its file where that is a picture."""
     import numpy as np
 
-    from BalloonWorkbench.app import film_result
-    from BalloonWorkbench.app.drawing import read_drawing
+    from BalloonWorkbench.app.drawings.drawing_file import read_drawing
+    from BalloonWorkbench.app.engine import film_result
     from BalloonWorkbench.app.outline import DRAWN_AS, SYMMETRY, leader
 
     shown, first = film_result.drawing(balloon), leader(balloon.Outline)
@@ -263,7 +264,7 @@ def _decoded(path: str, _changed: int):
     picture_size(Path(path))
     if opencv() is not None:
         return decode(Path(path))
-    from BalloonWorkbench.app import qt_picture
+    from BalloonWorkbench.app.drawings import qt_picture
 
     return qt_picture.decode(path)
 

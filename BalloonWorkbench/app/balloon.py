@@ -3,9 +3,11 @@
 
 from __future__ import annotations
 
-from BalloonWorkbench.app import advice, film, film_result, size_goal, status
-from BalloonWorkbench.app.properties import Property, results, show_in_editor
-from BalloonWorkbench.app.stateless import DocumentProxy
+from BalloonWorkbench.app.border import status
+from BalloonWorkbench.app.document.proxy import DocumentProxy
+from BalloonWorkbench.app.engine import advice, film_result
+from BalloonWorkbench.app.properties import film, size_goal
+from BalloonWorkbench.app.properties.property_table import Property, results, show_in_editor
 
 FIT, INFLATE = "Fit to drawing", "Inflate as drawn"
 PRESSURE, VOLUME = "Pressure", "Volume"
@@ -143,7 +145,7 @@ class BalloonProxy(DocumentProxy):
             size_goal.follow(obj)
 
     def compute(self, obj):
-        from BalloonWorkbench.app import hooks
+        from BalloonWorkbench.app.border import hooks
 
         if status.waits_for(obj, obj.Outline, bool(obj.SolvedFor), "Choose the outline to inflate."):
             return
@@ -166,7 +168,7 @@ def inflate_now(obj) -> None:
 
     Why nothing comes of it is told in its Status.
     """
-    from BalloonWorkbench.app import hooks
+    from BalloonWorkbench.app.border import hooks
 
     with status.reported(obj, bool(obj.SolvedFor)):
         wanted = request(obj)
@@ -187,9 +189,9 @@ def request(obj):
     """What the object's values ask of the engine; InputError when they make no sense."""
     import os
 
-    from BalloonWorkbench.app import shapes
-    from BalloonWorkbench.app.quantities import cubic_metres, metres, pascals
-    from BalloonWorkbench.app.solve import Request
+    from BalloonWorkbench.app.engine.solve import Request
+    from BalloonWorkbench.app.properties.quantities import cubic_metres, metres, pascals
+    from BalloonWorkbench.app.shapes import part_shapes
     from BalloonWorkbench.core.job import Settings
     from BalloonWorkbench.core.report import Source
     from BalloonWorkbench.core.solver.model import BENDING_FLOOR, Model
@@ -197,7 +199,7 @@ def request(obj):
     drawing = obj.Outline
     name = drawing.Source[0].Label if drawing.Source else os.path.basename(drawing.Drawing)
     return Request(
-        Source(name, drawing.Kind, shapes.stored(drawing, "Loop")),
+        Source(name, drawing.Kind, part_shapes.stored(drawing, "Loop")),
         Settings(
             film=film.read(obj),
             pressure=pascals(obj.Pressure),
@@ -249,8 +251,8 @@ def show(obj, wanted, design, told: dict | None = None) -> None:
     """
     import json
 
-    from BalloonWorkbench.app import shapes
     from BalloonWorkbench.app.host import mesh_from_arrays
+    from BalloonWorkbench.app.shapes import part_shapes
     from BalloonWorkbench.core.results.stl import balloon_mesh
     from BalloonWorkbench.core.units import to_mm
 
@@ -258,7 +260,7 @@ def show(obj, wanted, design, told: dict | None = None) -> None:
     with results(obj) as found:
         positions, triangles = balloon_mesh(design.inflation)
         found.Mesh = mesh_from_arrays(to_mm(positions), triangles)
-        shapes.store(found, "Seam", design.pattern)
+        part_shapes.store(found, "Seam", design.pattern)
         _show_measures(found, told)
         found.Warnings = list(design.warnings)
         found.Advice, found.Puffiness = advice.sentences(told["advice"]), told["puffiness"]
@@ -282,7 +284,7 @@ def _not_asked(obj) -> str:
 
 
 def _show_measures(obj, told) -> None:
-    from BalloonWorkbench.app import quantities
+    from BalloonWorkbench.app.properties import quantities
 
     inflated, design, error = told["inflated"], told["design"], told["design"]["silhouette_error_mm"]
     obj.InflatedWidth, obj.InflatedHeight = inflated["width_mm"], inflated["height_mm"]

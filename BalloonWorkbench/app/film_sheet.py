@@ -6,9 +6,10 @@ from __future__ import annotations
 import hashlib
 import json
 
-from BalloonWorkbench.app import arrange, status
-from BalloonWorkbench.app.properties import Property, results
-from BalloonWorkbench.app.stateless import DocumentProxy
+from BalloonWorkbench.app.border import status
+from BalloonWorkbench.app.document import arrange
+from BalloonWorkbench.app.document.proxy import DocumentProxy
+from BalloonWorkbench.app.properties.property_table import Property, results
 from BalloonWorkbench.core.errors import InputError
 
 GRAINS = {"Along": "along", "Across": "across", "Any": "any"}
@@ -66,7 +67,7 @@ class FilmSheetProxy(DocumentProxy):
 
     def lay_out(self, obj, found):
         """The layout that is shown, laid out anew where something changed."""
-        from BalloonWorkbench.app import hooks
+        from BalloonWorkbench.app.border import hooks
 
         parted, stock = _by_film(obj), _stock(obj)
         pieces = _chosen(obj, parted)
@@ -96,7 +97,7 @@ def is_film_sheet(obj) -> bool:
 
 def make(doc, patterns):
     """A sheet of film with patterns; it gets a place below all of them. Nothing is laid out yet."""
-    from BalloonWorkbench.app import hooks
+    from BalloonWorkbench.app.border import hooks
 
     obj = doc.addObject("Part::Part2DObjectPython", "FilmSheet")
     obj.Label = "Film sheet"
@@ -111,7 +112,7 @@ def show(obj, pieces, stock) -> None:
     """Write the chosen sheet into the object: the pieces, and the edge of the film."""
     import Part
 
-    from BalloonWorkbench.app.shapes import wire
+    from BalloonWorkbench.app.shapes.part_shapes import wire
     from BalloonWorkbench.core.pattern.pattern import Role
     from BalloonWorkbench.core.units import to_mm
 
@@ -148,7 +149,8 @@ def _by_film(obj) -> dict:
     """Panels, and the pieces of intakes, by the name of their film in the core."""
     from dataclasses import replace
 
-    from BalloonWorkbench.app import film, pattern
+    from BalloonWorkbench.app import pattern
+    from BalloonWorkbench.app.properties import film
     from BalloonWorkbench.core.pattern.make import sheet_of
     from BalloonWorkbench.core.products import by_stock, pieces_of
 
@@ -163,7 +165,7 @@ def _by_film(obj) -> dict:
 
 
 def _stock(obj):
-    from BalloonWorkbench.app.quantities import metres
+    from BalloonWorkbench.app.properties.quantities import metres
     from BalloonWorkbench.core.nesting.layout import Grain, Stock
 
     length = metres(obj.FilmLength) or None

@@ -3,9 +3,9 @@
 
 from __future__ import annotations
 
-from BalloonWorkbench.app import migrate
-from BalloonWorkbench.app.properties import add_missing
-from BalloonWorkbench.app.stateless import Stateless
+from BalloonWorkbench.app.document import migrate
+from BalloonWorkbench.app.document.proxy import Stateless
+from BalloonWorkbench.app.properties.property_table import add_missing
 
 
 class GroupProxy(Stateless):
@@ -16,7 +16,7 @@ class GroupProxy(Stateless):
         obj.Proxy = self
 
     def onDocumentRestored(self, obj):
-        from BalloonWorkbench.app import hooks
+        from BalloonWorkbench.app.border import hooks
 
         migrate.bring_up_to_date(obj, ())
         hooks.dress(obj)
@@ -28,7 +28,7 @@ MEMBERS = ("Outline", "Balloon", "Pattern")
 
 def make_group(doc):
     """A new group, still without a name of its own."""
-    from BalloonWorkbench.app import hooks
+    from BalloonWorkbench.app.border import hooks
 
     obj = doc.addObject("App::DocumentObjectGroupPython", "BalloonGroup")
     GroupProxy(obj)

@@ -5,9 +5,11 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from BalloonWorkbench.app import advice, arrange, status
-from BalloonWorkbench.app.properties import Property, results, show_in_editor
-from BalloonWorkbench.app.stateless import DocumentProxy
+from BalloonWorkbench.app.border import status
+from BalloonWorkbench.app.document import arrange
+from BalloonWorkbench.app.document.proxy import DocumentProxy
+from BalloonWorkbench.app.engine import advice
+from BalloonWorkbench.app.properties.property_table import Property, results, show_in_editor
 
 SYMMETRY = {"Automatic": "auto", "Off": "off", "Forced": "force"}
 DRAWN_AS = {"Automatic": "auto", "Filled shape": "shape", "Pen drawing": "pen"}
@@ -95,7 +97,7 @@ class OutlineProxy(DocumentProxy):
         show_in_editor(obj, Source=shared, Symmetry=shared, Passage=shared)
 
     def compute(self, obj):
-        from BalloonWorkbench.app.quantities import metres
+        from BalloonWorkbench.app.properties.quantities import metres
         from BalloonWorkbench.core.outline.chambers import linked
 
         has_result = bool(obj.LoopCounts)
@@ -116,9 +118,9 @@ class OutlineProxy(DocumentProxy):
 
 def _trace_ahead(obj) -> None:
     """Trace a picture in a thread, where there is a window; `read` finds it then."""
-    from BalloonWorkbench.app import hooks
-    from BalloonWorkbench.app.drawing import is_known, shapes_in
-    from BalloonWorkbench.app.quantities import metres
+    from BalloonWorkbench.app.border import hooks
+    from BalloonWorkbench.app.drawings.drawing_file import is_known, shapes_in
+    from BalloonWorkbench.app.properties.quantities import metres
 
     path, choices = obj.Drawing, (SYMMETRY[obj.Symmetry], DRAWN_AS[obj.DrawnAs])
     wanted = metres(obj.Width) or None, metres(obj.Height) or None
@@ -188,12 +190,12 @@ def read(obj):
 def read_all(obj):
     """All shapes of an outline's drawing, what it was read from, and the placement as for `read`."""
     if obj.Source:
-        from BalloonWorkbench.app.sketch import drawing_of
+        from BalloonWorkbench.app.drawings.sketch import drawing_of
         from BalloonWorkbench.core.outline.symmetry import evened
 
         drawing, placement = drawing_of(*obj.Source)
         return evened(drawing, SYMMETRY[obj.Symmetry], drawn=False), "sketch", placement
-    from BalloonWorkbench.app.drawing import read_drawing
+    from BalloonWorkbench.app.drawings.drawing_file import read_drawing
 
     choices = SYMMETRY[obj.Symmetry], DRAWN_AS[obj.DrawnAs]
     drawing, kind = read_drawing(obj.Drawing, obj.Width, obj.Height, obj.KeepAspect, *choices)
@@ -202,13 +204,13 @@ def read_all(obj):
 
 def show(obj, outline, kind: str) -> None:
     """Write an outline into the object."""
-    from BalloonWorkbench.app import shapes
+    from BalloonWorkbench.app.shapes import part_shapes
     from BalloonWorkbench.core.units import to_mm
 
     with results(obj) as found:
-        shapes.store(found, "Loop", outline)
+        part_shapes.store(found, "Loop", outline)
         width, height = outline.size
-        found.Shape = shapes.face(outline)
+        found.Shape = part_shapes.face(outline)
         found.Kind = kind
         found.SizeX, found.SizeY = to_mm(width), to_mm(height)
         found.HoleCount = len(outline.holes)

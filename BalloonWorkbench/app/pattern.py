@@ -3,11 +3,14 @@
 
 from __future__ import annotations
 
-from BalloonWorkbench.app import arrange, pattern_shape, size_goal, status
+from BalloonWorkbench.app.border import status
+from BalloonWorkbench.app.document import arrange
+from BalloonWorkbench.app.document.proxy import DocumentProxy
 from BalloonWorkbench.app.host import is_replaying
-from BalloonWorkbench.app.pattern_shape import DIRECTION, FARTHEST, LOW, PLACE
-from BalloonWorkbench.app.properties import Property, results, show_in_editor
-from BalloonWorkbench.app.stateless import DocumentProxy
+from BalloonWorkbench.app.properties import size_goal
+from BalloonWorkbench.app.properties.property_table import Property, results, show_in_editor
+from BalloonWorkbench.app.shapes import pattern_shape
+from BalloonWorkbench.app.shapes.pattern_shape import DIRECTION, FARTHEST, LOW, PLACE
 from BalloonWorkbench.core.recent import Recent
 
 #: Where the intake sits by itself: what the core calls it.
@@ -180,7 +183,7 @@ def choose_kind(obj, title: str) -> None:
 
 def values(obj):
     """The object's own values, as the core's `Wanted`."""
-    from BalloonWorkbench.app.quantities import metres, radians
+    from BalloonWorkbench.app.properties.quantities import metres, radians
     from BalloonWorkbench.core.pattern.make import Wanted
 
     by = None if obj.IntakeAuto else obj.IntakeBy
@@ -246,22 +249,24 @@ def build(obj):
     """
     from dataclasses import replace
 
-    from BalloonWorkbench.app import film, shapes
-    from BalloonWorkbench.app.quantities import metres
+    from BalloonWorkbench.app.properties import film
+    from BalloonWorkbench.app.properties.quantities import metres
+    from BalloonWorkbench.app.shapes import part_shapes
     from BalloonWorkbench.core.pattern.make import pieces_remarks
 
     wanted = values(obj)
     remarks = pieces_remarks(wanted, film.read(obj.Balloon))
-    pattern = made(shapes.stored(obj.Balloon, "Seam"), metres(obj.Balloon.SealWidth), wanted)
+    pattern = made(part_shapes.stored(obj.Balloon, "Seam"), metres(obj.Balloon.SealWidth), wanted)
     return replace(pattern, warnings=(*pattern.warnings, *remarks))
 
 
 def _work_out(obj) -> None:
     """What `show` needs and finds remembered: in a thread, where there is a window."""
-    from BalloonWorkbench.app import hooks, shapes
-    from BalloonWorkbench.app.quantities import metres
+    from BalloonWorkbench.app.border import hooks
+    from BalloonWorkbench.app.properties.quantities import metres
+    from BalloonWorkbench.app.shapes import part_shapes
 
-    seam, seal_width = shapes.stored(obj.Balloon, "Seam"), metres(obj.Balloon.SealWidth)
+    seam, seal_width = part_shapes.stored(obj.Balloon, "Seam"), metres(obj.Balloon.SealWidth)
     wanted, arcs = values(obj), obj.Arcs
     hooks.work(f"Drawing {obj.Label}", lambda progress: work_out(seam, seal_width, wanted, arcs))
 

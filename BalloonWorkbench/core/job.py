@@ -4,7 +4,7 @@
 1. read the drawing as outlines, and for each of them   readers/read.py
 2. mesh a first pattern                                 mesh/triangulate.py
 3. inflate it: film, sealed seam, pressure              solver/inflate.py
-4. correct the pattern until its silhouette is          design/fit.py
+4. correct the pattern until its silhouette is          correction/fit.py
    the drawing, and repeat 3
 5. weld, cut and intake around the corrected seam       pattern/build.py
 6. say what would inflate badly                         advice/advise.py
@@ -24,8 +24,8 @@ from typing import Any
 from BalloonWorkbench.core import report
 from BalloonWorkbench.core.advice.advise import advise_design
 from BalloonWorkbench.core.advice.as_data import advice_report
+from BalloonWorkbench.core.correction.fit import fit, inflate_outline
 from BalloonWorkbench.core.design.design import Design
-from BalloonWorkbench.core.design.fit import fit, inflate_outline
 from BalloonWorkbench.core.design.size_goal import START_WIDTH, Buoyancy, SizeGoal, design_to_size
 from BalloonWorkbench.core.design.to_volume import design_to_volume
 from BalloonWorkbench.core.errors import BalloonError, InputError, MissingPackageError
@@ -50,7 +50,7 @@ from BalloonWorkbench.core.readers.read import read_drawing
 from BalloonWorkbench.core.results.result_files import frame_files, results_bytes
 from BalloonWorkbench.core.results.stl import stl_bytes
 from BalloonWorkbench.core.rounded import rounded, rounded_outline
-from BalloonWorkbench.core.solver.animation import inflate_in_time
+from BalloonWorkbench.core.solver.dynamics.animation import inflate_in_time
 from BalloonWorkbench.core.solver.model import Model
 from BalloonWorkbench.core.tracing.picture import Decode
 from BalloonWorkbench.core.types import Attempt, Progress, insist, no_progress

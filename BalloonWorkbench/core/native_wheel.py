@@ -27,8 +27,9 @@ from BalloonWorkbench.core import packages
 from BalloonWorkbench.core.errors import Cancelled, ExportError, FetchError
 from BalloonWorkbench.core.files.data_file import RESOURCES, UNUSABLE, read_data
 from BalloonWorkbench.core.files.write import check_folder, write_files
-from BalloonWorkbench.core.solver import backend, native
-from BalloonWorkbench.core.solver.library import (
+from BalloonWorkbench.core.solver import backend
+from BalloonWorkbench.core.solver.native import load
+from BalloonWorkbench.core.solver.native.library import (
     PACKAGE,
     SLOWER,
     fetched_folders,
@@ -73,7 +74,7 @@ def wheel() -> Wheel:
         raise FetchError(packages.NO_CTYPES)
     try:
         listed = read_data(WHEELS)
-        known = (listed["version"], listed["interface"]) == (__version__, native.ABI_VERSION)
+        known = (listed["version"], listed["interface"]) == (__version__, load.ABI_VERSION)
         if not known or (urlsplit(listed["address"]).hostname or _NOWHERE).endswith(_NOWHERE):
             raise FetchError(f"There is no native solver to be fetched for this version yet. {SLOWER}")
         entry = listed["wheels"].get(platform_name())
@@ -88,9 +89,9 @@ def wheel() -> Wheel:
 
 def slow_notes() -> list[str]:
     """Sentences for the command line where the native solver is not in use, and how to get it."""
-    if native.problem_with_library() is None:
+    if load.problem_with_library() is None:
         return []
-    notes = [why] if (why := native.unusable_library()) else []
+    notes = [why] if (why := load.unusable_library()) else []
     try:
         wheel()
     except FetchError:
@@ -100,7 +101,7 @@ def slow_notes() -> list[str]:
 
 def place() -> Path:
     """The folder that it would be put into. Raises FetchError where there is none that can be written to."""
-    for folder in fetched_folders(native._FOLDER):
+    for folder in fetched_folders(load._FOLDER):
         try:
             check_folder(folder)
         except ExportError as error:
@@ -135,7 +136,7 @@ def fetch(wheel: Wheel, progress: Progress = no_progress, opener: Opener = open_
         write_files(folder, files)
     except ExportError as error:
         raise FetchError(_unwritable(error)) from error
-    problem = native.problem_with(library)
+    problem = load.problem_with(library)
     if problem is not None:
         _discard(folder)
         raise FetchError(f"The native solver was fetched, but does not run here: {problem}")
@@ -146,7 +147,7 @@ def fetch(wheel: Wheel, progress: Progress = no_progress, opener: Opener = open_
 
 def _look_again() -> None:
     """The next simulation takes the best solver that is there then."""
-    native._load.cache_clear()
+    load._load.cache_clear()
     backend.available.cache_clear()
 
 

@@ -18,7 +18,7 @@ from BalloonWorkbench.core.outline.drawing import Drawing
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.pattern.intake.kinds import intake_kind
 from BalloonWorkbench.core.pattern.pattern import Intake, Pattern
-from BalloonWorkbench.core.solver.film_state import film_state, thickness
+from BalloonWorkbench.core.results.film_state import film_state, thickness
 from BalloonWorkbench.core.solver.model import Model
 from BalloonWorkbench.core.units import to_grams, to_mm
 

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from BalloonWorkbench.gui.paint.display import MODE
+from BalloonWorkbench.gui.paint.preview.painting_display import MODE
 from BalloonWorkbench.gui.view import _layer_colour, _View
 
 #: Resolution of the print in the view [dpi]; more is finer than the screen.
@@ -57,7 +57,8 @@ class ArtworkView(LinesView):
 
     def show_print(self, obj):
         """The picture as it is printed, lying behind the lines; nothing where there is none."""
-        from BalloonWorkbench.app import artwork, status
+        from BalloonWorkbench.app import artwork
+        from BalloonWorkbench.app.border import status
         from BalloonWorkbench.core.errors import BalloonError
 
         self.print.removeAllChildren()
@@ -73,7 +74,7 @@ class ArtworkView(LinesView):
 
     def doubleClicked(self, vobj):
         from BalloonWorkbench.gui.panels import is_free
-        from BalloonWorkbench.gui.panels.artwork import show_panel
+        from BalloonWorkbench.gui.panels.making.artwork import show_panel
 
         if is_free():
             show_panel(vobj.Object)
@@ -87,7 +88,7 @@ class FilmSheetView(LinesView):
 
     def doubleClicked(self, vobj):
         from BalloonWorkbench.gui.panels import is_free
-        from BalloonWorkbench.gui.panels.nest import show_panel
+        from BalloonWorkbench.gui.panels.making.nest import show_panel
 
         if is_free():
             show_panel(vobj.Object)

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from BalloonWorkbench.app.stateless import Stateless
+from BalloonWorkbench.app.document.proxy import Stateless
 from BalloonWorkbench.gui.qt import drawn_icon
 
 
@@ -35,7 +35,7 @@ class _View(Stateless):
 
     def icon_name(self) -> str:
         """The icon in the tree, with a sign where something is wrong."""
-        from BalloonWorkbench.gui.remarks import sign
+        from BalloonWorkbench.gui.window.tree_signs import sign
 
         return self.icon + sign(self.Object)
 
@@ -83,8 +83,8 @@ class BalloonView(_View):
     icon = "balloon"
 
     def style(self, vobj):
-        from BalloonWorkbench.gui.balloon_view import complete, take_look
-        from BalloonWorkbench.gui.film_display import FILM
+        from BalloonWorkbench.gui.view3d.balloon_display import complete, take_look
+        from BalloonWorkbench.gui.view3d.film_display import FILM
 
         complete(vobj)
         vobj.CreaseAngle = 40.0  # in FreeCAD's own modes: smooth panels, a sharp seam
@@ -92,20 +92,20 @@ class BalloonView(_View):
         take_look(vobj)
 
     def attach(self, vobj):
-        from BalloonWorkbench.gui.balloon_view import BalloonDisplay
+        from BalloonWorkbench.gui.view3d.balloon_display import BalloonDisplay
 
         super().attach(vobj)
         self.display = BalloonDisplay(vobj)
 
     def restored(self, vobj):
-        from BalloonWorkbench.gui.balloon_view import complete
+        from BalloonWorkbench.gui.view3d.balloon_display import complete
 
         complete(vobj)
         self.display.follow()
 
     def getDisplayModes(self, vobj):
         """Beside FreeCAD's own for meshes."""
-        from BalloonWorkbench.gui.balloon_view import MODES
+        from BalloonWorkbench.gui.view3d.balloon_display import MODES
 
         return MODES
 
@@ -119,7 +119,7 @@ class BalloonView(_View):
             self.display.object_changed(name)
 
     def setupContextMenu(self, vobj, menu):
-        from BalloonWorkbench.gui.balloon_view import fill_menu
+        from BalloonWorkbench.gui.view3d.balloon_display import fill_menu
 
         fill_menu(vobj.Object, menu)
 
@@ -174,12 +174,12 @@ def _view_of(proxy: str):
 
 def dress(obj) -> None:
     """Give an object its view provider unless it has one, as after loading a file saved without a window."""
-    from BalloonWorkbench.gui import remarks
+    from BalloonWorkbench.gui.window import tree_signs
 
     vobj = obj.ViewObject
     if vobj is None:
         return
-    remarks.watch_trees()
+    tree_signs.watch_trees()
     if isinstance(vobj.Proxy, _View):
         vobj.Proxy.restored(vobj)
         return

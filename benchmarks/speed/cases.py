@@ -10,10 +10,10 @@ from drawn_shapes import NAMED
 
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.film.library import DEFAULT_FILM, film
-from BalloonWorkbench.core.mesh.panel import Panel
 from BalloonWorkbench.core.mesh.reuse import move_rim
 from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.mesh.triangulate import triangulate
+from BalloonWorkbench.core.panels.panel import Panel
 from BalloonWorkbench.core.types import Floats
 
 PRESSURE = 2000.0  # Pa

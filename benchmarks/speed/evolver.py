@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The same balloon in Surface Evolver (Brakke 1992, "The Surface Evolver", Experimental Mathematics 1).
 
-Its facet energy `relaxed_elastic_A` is the tension field of core/solver/membrane.py: energy density of a St
+Its facet energy `relaxed_elastic_A` is the tension field of core/solver/element/membrane.py: energy density of a St
 Venant-Kirchhoff film in plane stress with E t = 1, uniaxial where it is wrinkled, times the rest area, from
 the Gram matrix of the flat triangle (`form_factors`). So
 
@@ -25,7 +25,7 @@ from pathlib import Path
 import numpy as np
 
 from BalloonWorkbench.core.film.film import Film
-from BalloonWorkbench.core.mesh.panel import Panel
+from BalloonWorkbench.core.panels.panel import Panel
 from BalloonWorkbench.core.solver import start as starts
 from BalloonWorkbench.core.types import Floats, Ints
 

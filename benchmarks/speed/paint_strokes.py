@@ -206,7 +206,7 @@ def _measure():
 
 
 def _tool(name):
-    from BalloonWorkbench.gui.paint.tools import TOOLS
+    from BalloonWorkbench.gui.paint.painting.tools import TOOLS
 
     return next(tool for tool in TOOLS if tool.name == name.lower())
 

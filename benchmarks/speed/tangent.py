@@ -22,10 +22,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from BalloonWorkbench.core.film.film import Film
+from BalloonWorkbench.core.solver.element.shell import Shell, tangent_frames
+from BalloonWorkbench.core.solver.equilibrium.newton import DIRECTOR_SHIFT
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.solver.model import film_problem
-from BalloonWorkbench.core.solver.newton import DIRECTOR_SHIFT
-from BalloonWorkbench.core.solver.shell import Shell, tangent_frames
 from BalloonWorkbench.core.types import Floats, Ints
 
 if TYPE_CHECKING:

@@ -22,9 +22,9 @@ from speed.evolver import TOLERANCE
 from speed.machine import PeakMemory
 from speed.tangent import tangent, write_matrix
 
+from BalloonWorkbench.core.solver.element.kinematics import facet_volume
 from BalloonWorkbench.core.solver.inflate import inflate
 from BalloonWorkbench.core.solver.inflation import Inflation
-from BalloonWorkbench.core.solver.kinematics import facet_volume
 from BalloonWorkbench.core.solver.problem import NewtonSettings
 
 

@@ -20,15 +20,15 @@ from validation.axisymmetric import profile
 from validation.report import Row, Section, paragraphs, section, table
 
 from BalloonWorkbench.core.film.film import Film
-from BalloonWorkbench.core.mesh.panel import Panel
 from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.mesh.triangulate import triangulate
 from BalloonWorkbench.core.outline.outline import Outline
-from BalloonWorkbench.core.solver.dkt import gradients
+from BalloonWorkbench.core.panels.panel import Panel
+from BalloonWorkbench.core.solver.element.dkt import gradients
+from BalloonWorkbench.core.solver.element.kinematics import deformation_gradients, green_strains
+from BalloonWorkbench.core.solver.element.membrane import tension_field
 from BalloonWorkbench.core.solver.inflate import inflate
 from BalloonWorkbench.core.solver.inflation import Inflation
-from BalloonWorkbench.core.solver.kinematics import deformation_gradients, green_strains
-from BalloonWorkbench.core.solver.membrane import tension_field
 from BalloonWorkbench.core.solver.model import Model
 from BalloonWorkbench.core.types import Floats
 

@@ -15,9 +15,10 @@ from validation import figures
 from validation.gauss_newton import instead_of_mixing
 from validation.report import Section, paragraphs, table
 
-from BalloonWorkbench.core.design import attempt, mixing
+from BalloonWorkbench.core.correction import iterate as attempt
+from BalloonWorkbench.core.correction import mixing
+from BalloonWorkbench.core.correction.fit import fit
 from BalloonWorkbench.core.design.compare import alignment, residual
-from BalloonWorkbench.core.design.fit import fit
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.film.library import film
 from BalloonWorkbench.core.mesh.sizing import size_for

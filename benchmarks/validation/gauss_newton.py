@@ -17,13 +17,13 @@ import numpy as np
 from scipy.sparse import diags
 from scipy.sparse.linalg import splu
 
-from BalloonWorkbench.core.design import fit as correction
+from BalloonWorkbench.core.correction import fit as correction
+from BalloonWorkbench.core.correction.seam_map import Course
 from BalloonWorkbench.core.design.correspondence import goals
-from BalloonWorkbench.core.design.course import Course
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.mesh.reuse import _harmonic
+from BalloonWorkbench.core.solver.element.shell import Shell, tangent_frames
 from BalloonWorkbench.core.solver.model import film_problem
-from BalloonWorkbench.core.solver.shell import Shell, tangent_frames
 from BalloonWorkbench.core.types import Floats
 
 WAVES = 24  # round the loop

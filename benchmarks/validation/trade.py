@@ -12,7 +12,7 @@ from solver_cases import circle
 from validation.balloons import meshed
 from validation.report import Row, Section, section
 
-from BalloonWorkbench.core.design.fit import fit
+from BalloonWorkbench.core.correction.fit import fit
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.film.library import custom_film, film
 from BalloonWorkbench.core.outline.outline import Outline, signed_area

@@ -4,7 +4,7 @@
 import FreeCAD as App
 import pytest
 
-from BalloonWorkbench.app import status
+from BalloonWorkbench.app.border import status
 
 
 @pytest.fixture

@@ -16,7 +16,7 @@ sys.path.append("tests/app")
 import sketches
 
 import BalloonWorkbench
-from BalloonWorkbench.app import create
+from BalloonWorkbench.app.document import create
 
 NAME = f"{BalloonWorkbench.__version__}-freecad-{'.'.join(App.Version()[:2])}.FCStd"
 

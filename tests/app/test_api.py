@@ -8,7 +8,8 @@ import pytest
 import sketches
 
 import BalloonWorkbench
-from BalloonWorkbench.app import preferences, status, values
+from BalloonWorkbench.app.border import status
+from BalloonWorkbench.app.properties import preferences, values
 from BalloonWorkbench.core.errors import BalloonError, InputError
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -109,7 +110,7 @@ def _polygon(doc, corners):
 
 def test_texts_of_values_give_the_same_values(doc):
     """What the window records, the API reads: each value once through text."""
-    first = BalloonWorkbench.app.create.make(doc)
+    first = BalloonWorkbench.app.document.create.make(doc)
     first.balloon.Film = "pvc"
     first.balloon.Pressure = "3.3 kPa"
     first.balloon.SizeGoal = "Volume"
@@ -119,7 +120,7 @@ def test_texts_of_values_give_the_same_values(doc):
     first.pattern.IntakeAuto = False
     first.pattern.IntakeAngle = 33
     texts = values.texts(first)
-    second = BalloonWorkbench.app.create.make(doc)
+    second = BalloonWorkbench.app.document.create.make(doc)
     told = {name: eval(text) for name, text in texts.items() if text not in ("None", '""')}
     told.pop("drawing", None)
     values.assign(second, told)

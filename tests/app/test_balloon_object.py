@@ -7,8 +7,9 @@ import FreeCAD as App
 import pytest
 import sketches
 
-from BalloonWorkbench.app import create, hooks, status
-from BalloonWorkbench.app.solve import Request
+from BalloonWorkbench.app.border import hooks, status
+from BalloonWorkbench.app.document import create
+from BalloonWorkbench.app.engine.solve import Request
 from BalloonWorkbench.core.errors import SolverError
 
 COARSE = 12.0  # mm

@@ -11,8 +11,10 @@ import numpy as np
 import pytest
 import sketches
 
-from BalloonWorkbench.app import create, shapes, status
+from BalloonWorkbench.app.border import status
+from BalloonWorkbench.app.document import create
 from BalloonWorkbench.app.outline import set_drawing
+from BalloonWorkbench.app.shapes import part_shapes
 
 HEART = Path("resources/examples/pictures/heart.png")
 
@@ -78,13 +80,13 @@ def test_picture_without_opencv(picture, monkeypatch):
     """Qt reads the picture then, and NumPy finds the shape."""
     from BalloonWorkbench.core.tracing import picture_file, raster
 
-    with_opencv = shapes.stored(picture, "Loop")
+    with_opencv = part_shapes.stored(picture, "Loop")
     for module in (picture_file, raster):
         monkeypatch.setattr(module, "opencv", lambda: None)
     picture.touch()
     picture.Document.recompute()
     assert picture.Status == status.READY
-    assert shapes.stored(picture, "Loop").area == pytest.approx(with_opencv.area, rel=1e-3)
+    assert part_shapes.stored(picture, "Loop").area == pytest.approx(with_opencv.area, rel=1e-3)
 
 
 def test_height_alone_gives_the_width(picture):
@@ -148,7 +150,7 @@ def test_stored_points_are_exact(outline, tmp_path):
     set_drawing(outline, json_file(tmp_path, third))
     outline.Width = 0
     outline.Document.recompute()
-    assert np.max(np.abs(shapes.stored(outline, "Loop").outer * 1000 - third)) < 1e-12
+    assert np.max(np.abs(part_shapes.stored(outline, "Loop").outer * 1000 - third)) < 1e-12
 
 
 def test_sketch_edit_is_followed(doc, outline):
@@ -187,7 +189,7 @@ def test_open_line_in_a_sketch_is_a_weld(doc, outline):
     assert outline.Status == status.READY
     assert outline.Notes == []
     assert outline.LoopWeldCounts == [3]
-    (weld,) = shapes.stored(outline, "Loop").welds
+    (weld,) = part_shapes.stored(outline, "Loop").welds
     ends = sorted((weld[[0, -1]] * 1000).tolist())
     assert ends == [pytest.approx([20, 30]), pytest.approx([70, 40])]
     assert outline.Shape.Area == pytest.approx(90 * 60)

@@ -7,7 +7,8 @@ import FreeCAD as App
 import pytest
 import sketches
 
-from BalloonWorkbench.app import create, status
+from BalloonWorkbench.app.border import status
+from BalloonWorkbench.app.document import create
 from BalloonWorkbench.app.pattern import sheet
 
 PICTURES = Path(__file__).parents[2] / "resources" / "examples" / "pictures"

@@ -9,10 +9,11 @@ import numpy as np
 import pytest
 import sketches
 
-from BalloonWorkbench.app import create, status
-from BalloonWorkbench.app.export import export_pattern
+from BalloonWorkbench.app.border import status
+from BalloonWorkbench.app.document import create
+from BalloonWorkbench.app.engine.export import export_pattern
+from BalloonWorkbench.app.engine.solve import Request
 from BalloonWorkbench.app.pattern import build
-from BalloonWorkbench.app.solve import Request
 from BalloonWorkbench.core.errors import ExportError
 
 
@@ -177,7 +178,7 @@ def test_weld_inside_reaches_the_file(doc, tmp_path):
     """A sketch with an inner open line, and what is cut from it."""
     import ezdxf
 
-    from BalloonWorkbench.app import create
+    from BalloonWorkbench.app.document import create
 
     box = sketches.polygon((0, 0), (120, 0), (120, 80), (0, 80))
     sketch = sketches.sketch(doc, *box, sketches.line((30, 40), (90, 40)))

@@ -14,7 +14,7 @@ sys.path[:0] = sys.argv[1].split(":")
 import FreeCAD
 sys.path[:] = [folder for folder in sys.path if not folder.rstrip("/").endswith("Mod")]
 import Part, sketches
-from BalloonWorkbench.app import artwork, create, film_sheet
+from BalloonWorkbench.app import artwork, film_sheet; from BalloonWorkbench.app.document import create
 from BalloonWorkbench.core.nesting import nest
 nest.PACKAGE = "no_such_package"
 doc = FreeCAD.newDocument("Plain")

@@ -7,7 +7,9 @@ import numpy as np
 import pytest
 import sketches
 
-from BalloonWorkbench.app import create, shapes, status
+from BalloonWorkbench.app.border import status
+from BalloonWorkbench.app.document import create
+from BalloonWorkbench.app.shapes import part_shapes
 from BalloonWorkbench.core.outline.symmetry import EXACT, find_mirror
 
 PICTURES = Path(__file__).parents[2] / "resources" / "examples" / "pictures"
@@ -15,8 +17,8 @@ PICTURES = Path(__file__).parents[2] / "resources" / "examples" / "pictures"
 
 def without_twin(obj, prefix):
     """Largest distance of a mirrored corner to the nearest corner, in m."""
-    mirror = find_mirror(shapes.stored(obj, prefix))
-    points = np.concatenate(shapes.stored(obj, prefix).loops)
+    mirror = find_mirror(part_shapes.stored(obj, prefix))
+    points = np.concatenate(part_shapes.stored(obj, prefix).loops)
     return max(float(np.linalg.norm(points - image, axis=1).min()) for image in mirror.reflect(points))
 
 
@@ -39,7 +41,7 @@ def test_a_sketch_is_made_symmetric_only_by_force(doc):
     parts = create.make(doc)
     parts.outline.Source = (sketches.sketch(doc, *lines), [])
     parts.outline.recompute()
-    drawn = shapes.stored(parts.outline, "Loop")
+    drawn = part_shapes.stored(parts.outline, "Loop")
     assert len(drawn.outer) == 6
     assert find_mirror(drawn).error > EXACT
     parts.outline.Symmetry = "Forced"

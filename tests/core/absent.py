@@ -11,20 +11,21 @@ from pathlib import Path
 import pytest
 
 from BalloonWorkbench.core.mesh import delaunay
-from BalloonWorkbench.core.solver import backend, native
+from BalloonWorkbench.core.solver import backend
+from BalloonWorkbench.core.solver.native import load
 from BalloonWorkbench.core.tracing import raster
 
 
 @contextmanager
 def without(*names: str, folder: Path) -> Iterator[None]:
     """Packages that cannot be imported; "native" is the library, looked for in an empty folder."""
-    cached = (raster.opencv, raster.ndimage, native._load, backend.available)
+    cached = (raster.opencv, raster.ndimage, load._load, backend.available)
     with pytest.MonkeyPatch.context() as patch:
         for name in names:
             for module in [name, *(known for known in sys.modules if known.startswith(f"{name}."))]:
                 patch.setitem(sys.modules, module, None)
         if "native" in names:
-            patch.setattr(native, "_FOLDER", folder)
+            patch.setattr(load, "_FOLDER", folder)
         if "pythoncdt" in names:
             patch.setattr(delaunay, "pythoncdt", None)
         for function in cached:

@@ -27,7 +27,7 @@ from scipy.spatial import cKDTree
 
 from BalloonWorkbench.core.advice.advise import advise
 from BalloonWorkbench.core.advice.findings import Advice, Finding
-from BalloonWorkbench.core.design.fit import fit
+from BalloonWorkbench.core.correction.fit import fit
 from BalloonWorkbench.core.film.library import film
 from BalloonWorkbench.core.mesh.quality import signed_areas
 from BalloonWorkbench.core.mesh.sizing import size_for

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Global balance of an inflated balloon: what the film carries across planes, against pressure times area.
 
-Independent of core/solver/strength.py: integrals over the lines in which planes cut the triangles.
+Independent of core/results/strength.py: integrals over the lines in which planes cut the triangles.
 """
 
 from __future__ import annotations
@@ -9,9 +9,9 @@ from __future__ import annotations
 import numpy as np
 
 from BalloonWorkbench.core.film.film import Film
-from BalloonWorkbench.core.solver.dkt import gradients
+from BalloonWorkbench.core.solver.element.dkt import gradients
+from BalloonWorkbench.core.solver.element.kinematics import deformation_gradients, facet_volume, green_strains
 from BalloonWorkbench.core.solver.inflation import Inflation
-from BalloonWorkbench.core.solver.kinematics import deformation_gradients, facet_volume, green_strains
 from BalloonWorkbench.core.solver.model import film_problem
 from BalloonWorkbench.core.types import Floats
 

@@ -8,9 +8,9 @@ from drawn_shapes import Outline
 from scipy.spatial import cKDTree
 
 from BalloonWorkbench.core.design.design import Design, Residual
-from BalloonWorkbench.core.mesh.panel import Panel
 from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.mesh.triangulate import triangulate
+from BalloonWorkbench.core.panels.panel import Panel
 from BalloonWorkbench.core.solver.inflation import Inflation, SolveReport
 from BalloonWorkbench.core.solver.model import Model
 

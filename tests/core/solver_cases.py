@@ -11,24 +11,25 @@ import pytest
 from drawn_shapes import corners_of
 
 from BalloonWorkbench.core.film.film import Film
-from BalloonWorkbench.core.mesh.panel import Panel
 from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.mesh.triangulate import triangulate
 from BalloonWorkbench.core.outline.outline import Outline
-from BalloonWorkbench.core.solver import native, newton
+from BalloonWorkbench.core.panels.panel import Panel
 from BalloonWorkbench.core.solver.backend import Backend
-from BalloonWorkbench.core.solver.dkt import gradients
+from BalloonWorkbench.core.solver.element.dkt import gradients
+from BalloonWorkbench.core.solver.equilibrium import newton
 from BalloonWorkbench.core.solver.inflate import inflate
 from BalloonWorkbench.core.solver.inflation import Inflation
+from BalloonWorkbench.core.solver.native import load
 from BalloonWorkbench.core.types import Bools, Floats, Ints
 
 PRESSURE = 100.0  # Pa
-NATIVE = Backend("native", native.solve, native.energies)
+NATIVE = Backend("native", load.solve, load.energies)
 NUMPY = Backend("numpy", newton.solve, newton.energies)
 
 #: Where nothing can be compiled the native solver cannot be tested; anywhere else it has to be there.
 needs_native = pytest.mark.skipif(
-    native.problem_with_library() is not None and not (shutil.which("cmake") and shutil.which("c++")),
+    load.problem_with_library() is not None and not (shutil.which("cmake") and shutil.which("c++")),
     reason="no compiler for the native solver",
 )
 both_backends = pytest.mark.parametrize("backend", [pytest.param("native", marks=needs_native), "numpy"])

@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 from drawn_shapes import NAMED
 
+from BalloonWorkbench.core.correction.fit import fit, inflate_outline
+from BalloonWorkbench.core.correction.seam_rotation import seam_turns, turned_back
 from BalloonWorkbench.core.design.compare import alignment, residual
-from BalloonWorkbench.core.design.fit import fit, inflate_outline
-from BalloonWorkbench.core.design.turning import seam_turns, turned_back
 from BalloonWorkbench.core.errors import Cancelled, InputError, MeshError, OutlineError
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.film.library import custom_film, film

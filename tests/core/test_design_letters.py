@@ -6,7 +6,7 @@ from __future__ import annotations
 import pytest
 from drawn_shapes import LETTERS, NAMED, generated, letter
 
-from BalloonWorkbench.core.design.fit import fit
+from BalloonWorkbench.core.correction.fit import fit
 from BalloonWorkbench.core.film.library import film
 from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.outline.outline import Outline

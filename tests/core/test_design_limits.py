@@ -10,12 +10,12 @@ import numpy as np
 import pytest
 from drawn_shapes import NAMED, generated
 
+from BalloonWorkbench.core.correction.clearance import parted
+from BalloonWorkbench.core.correction.fit import fit
+from BalloonWorkbench.core.correction.unreachable import stretches
 from BalloonWorkbench.core.design.compare import alignment, misfit, residual
 from BalloonWorkbench.core.design.design import Design
-from BalloonWorkbench.core.design.fit import fit
-from BalloonWorkbench.core.design.growth import grown
-from BalloonWorkbench.core.design.reach import stretches
-from BalloonWorkbench.core.design.room import parted
+from BalloonWorkbench.core.design.initial_pattern import grown
 from BalloonWorkbench.core.film.library import film
 from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.mesh.triangulate import triangulate

@@ -11,10 +11,10 @@ import pytest
 from drawn_shapes import polar
 from scipy.spatial import cKDTree
 
+from BalloonWorkbench.core.correction.fit import fit, inflate_outline
 from BalloonWorkbench.core.design.compare import residual
-from BalloonWorkbench.core.design.fit import fit, inflate_outline
-from BalloonWorkbench.core.design.seen import seen, trimmed
 from BalloonWorkbench.core.design.silhouette import silhouette
+from BalloonWorkbench.core.design.visible_seam import seen, trimmed
 from BalloonWorkbench.core.film.library import custom_film, film
 from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.mesh.triangulate import triangulate

@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 from drawn_shapes import NAMED, corners_of, hole
 
+from BalloonWorkbench.core.correction.fit import fit
+from BalloonWorkbench.core.correction.seam_map import Course
+from BalloonWorkbench.core.correction.symmetric_pattern import nearer, twinned
 from BalloonWorkbench.core.design.compare import residual
-from BalloonWorkbench.core.design.course import Course
 from BalloonWorkbench.core.design.design import Design
-from BalloonWorkbench.core.design.fit import fit
-from BalloonWorkbench.core.design.twins import nearer, twinned
 from BalloonWorkbench.core.film.library import film
 from BalloonWorkbench.core.outline.crossings import first_crossing
 from BalloonWorkbench.core.outline.outline import Outline

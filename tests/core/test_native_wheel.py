@@ -21,10 +21,11 @@ from BalloonWorkbench.cli import main
 from BalloonWorkbench.core import native_wheel, packages
 from BalloonWorkbench.core.errors import BalloonError, Cancelled, FetchError
 from BalloonWorkbench.core.files import swap
-from BalloonWorkbench.core.solver import backend, library, native
+from BalloonWorkbench.core.solver import backend
 from BalloonWorkbench.core.solver.inflate import inflate
+from BalloonWorkbench.core.solver.native import library, load
 
-BUILT = native._FOLDER / library.file_name()
+BUILT = load._FOLDER / library.file_name()
 pytestmark = needs_native
 
 
@@ -34,7 +35,7 @@ def clone(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Iterator[Path]:
     folder = tmp_path / "addon" / "lib"
     folder.parent.mkdir()
     (tmp_path / "home").mkdir()
-    monkeypatch.setattr(native, "_FOLDER", folder)
+    monkeypatch.setattr(load, "_FOLDER", folder)
     monkeypatch.setattr(library, "FOLDER", folder)
     monkeypatch.setenv("HOME", str(tmp_path / "home"))
     for name in ("http_proxy", "https_proxy", "HTTP_PROXY", "all_proxy", "ALL_PROXY"):
@@ -71,7 +72,7 @@ def refused(tmp_path: Path, *options: Any) -> str:
     with pytest.raises(BalloonError) as caught:
         native_wheel.fetch(native_wheel.wheel(), *options)
     assert tree(tmp_path) == before
-    assert native.problem_with_library() is not None
+    assert load.problem_with_library() is not None
     assert backend.active_backend() == "numpy"
     text = str(caught.value)
     assert "\n" not in text
@@ -80,7 +81,7 @@ def refused(tmp_path: Path, *options: Any) -> str:
 
 
 def test_it_comes_whole_and_is_used_at_once(clone: Path, released: Any, wheel: bytes) -> None:
-    assert native.problem_with_library() == f"{library.file_name()} has not been built."
+    assert load.problem_with_library() == f"{library.file_name()} has not been built."
     assert library.is_lacking()
     seen: list[float] = []
     with server(wheel) as address:
@@ -164,7 +165,7 @@ def test_where_the_addon_cannot_be_written_to_the_home_takes_it(
         released(address)
         path = native_wheel.fetch(native_wheel.wheel())
     assert path.is_relative_to(tmp_path / "home" / ".film-balloon" / "native")
-    assert native.problem_with_library() is None
+    assert load.problem_with_library() is None
 
 
 def test_where_nothing_can_be_written(clone: Path, tmp_path: Path, released: Any) -> None:
@@ -206,7 +207,7 @@ def test_a_damaged_release_gives_way_to_what_is_fetched(clone: Path, released: A
     with server(wheel) as address:
         released(address)
         native_wheel.fetch(native_wheel.wheel())
-    assert native.problem_with_library() is None
+    assert load.problem_with_library() is None
 
 
 def test_what_was_fetched_for_another_version_is_not_used_and_goes(
@@ -219,7 +220,7 @@ def test_what_was_fetched_for_another_version_is_not_used_and_goes(
         stale.rename(clone / "0.0.9")
         native_wheel._look_again()
         assert library.is_lacking()
-        assert native.problem_with_library() is not None
+        assert load.problem_with_library() is not None
         path = native_wheel.fetch(native_wheel.wheel())
     assert list(clone.iterdir()) == [path.parents[1]]
 
@@ -243,7 +244,7 @@ def test_a_platform_without_one(
 
 
 def test_another_interface_is_not_offered(released: Any, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(native, "ABI_VERSION", 999)
+    monkeypatch.setattr(load, "ABI_VERSION", 999)
     with pytest.raises(FetchError, match="for this version yet"):
         native_wheel.wheel()
 

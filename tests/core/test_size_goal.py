@@ -12,9 +12,9 @@ import numpy as np
 import pytest
 from drawn_shapes import NAMED, corners_of, polar
 
-from BalloonWorkbench import cli
+from BalloonWorkbench.cli import command_line
+from BalloonWorkbench.core.correction.fit import fit, inflate_outline
 from BalloonWorkbench.core.design.design import Design
-from BalloonWorkbench.core.design.fit import fit, inflate_outline
 from BalloonWorkbench.core.design.size_goal import (
     LARGEST,
     TOLERANCE,
@@ -224,7 +224,7 @@ def test_a_volume_to_inflate_to_and_a_goal_exclude_each_other() -> None:
 
 
 def report_of(words: list[str], out: Path) -> dict:  # type: ignore[type-arg]
-    assert cli.main([*words, "--out", str(out)]) == 0
+    assert command_line.main([*words, "--out", str(out)]) == 0
     return dict(json.loads((out / "report.json").read_text()))
 
 
@@ -295,7 +295,10 @@ def test_bad_goals_end_with_one_line(
     words: list[str], named: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     star = str(PICTURES / "star.png")
-    assert cli.main(["design", star, *words, "--mesh-size", "60mm", "--out", str(tmp_path / "out")]) == 2
+    assert (
+        command_line.main(["design", star, *words, "--mesh-size", "60mm", "--out", str(tmp_path / "out")])
+        == 2
+    )
     complaint = capsys.readouterr().err
     assert complaint.count("\n") == 1
     assert named in complaint

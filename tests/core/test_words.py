@@ -16,7 +16,7 @@ from drawn_shapes import NAMED
 from test_assembly import subject
 from test_translations import tool
 
-from BalloonWorkbench import cli
+from BalloonWorkbench.cli import command_line
 from BalloonWorkbench.core import units
 from BalloonWorkbench.core.advice.advise import advise
 from BalloonWorkbench.core.advice.as_data import repair_text
@@ -35,7 +35,13 @@ FOR_PROGRAMS = (
         "core/results/vtu.py",
         "core/units.py",
     ),
-    *("core/rounded.py", "app/solve.py", "app/values.py", "app/film_sheet.py", "app/material.py"),
+    *(
+        "core/rounded.py",
+        "app/engine/solve.py",
+        "app/properties/values.py",
+        "app/film_sheet.py",
+        "app/properties/material.py",
+    ),
 )
 _FORM = re.compile(r"[^{}]*[efgEFG%]")
 
@@ -56,7 +62,7 @@ def numbers_formatted(tree: ast.AST) -> Iterator[int]:
 
 
 def test_numbers_become_text_in_one_place() -> None:
-    """One rule for digits, exponents and units: core/units.py, with the user's units gui/user_units.py."""
+    """One rule for digits, exponents and units: core/units.py, with the user's units gui/window/user_units.py."""
     wrong = []
     for path in sorted(PACKAGE.rglob("*.py")):
         if not any(path.match(pattern) for pattern in FOR_PROGRAMS):
@@ -180,7 +186,7 @@ def test_numbers_of_tiny_and_huge_balloons(
     ]
     intake = ["--intake-width", f"{width / 30}m", "--intake-length", f"{width / 10}m"]
     words = [str(PICTURES / f"{shape}.png"), "--width", size, "--out", str(tmp_path), "--language", "en"]
-    assert cli.main(["inflate", *words, *film, *mesh, *intake]) == 0
+    assert command_line.main(["inflate", *words, *film, *mesh, *intake]) == 0
     told = capsys.readouterr()
     assert not odd_numbers(told.out + told.err)
     report = json.loads((tmp_path / "report.json").read_text(encoding="utf-8"))

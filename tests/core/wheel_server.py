@@ -15,7 +15,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from BalloonWorkbench import __version__
-from BalloonWorkbench.core.solver import library, native
+from BalloonWorkbench.core.solver.native import library, load
 
 ROOT = Path(__file__).resolve().parents[2]
 NAME = "the.whl"
@@ -38,7 +38,7 @@ def wheel_list(path: Path, address: str, wheel: bytes) -> Path:
     entry = {"file": NAME, "size": len(wheel), "sha256": hashlib.sha256(wheel).hexdigest()}
     listed = {
         "version": __version__,
-        "interface": native.ABI_VERSION,
+        "interface": load.ABI_VERSION,
         "address": address,
         "wheels": {library.platform_name(): entry},
     }

@@ -51,13 +51,13 @@ def wait(seconds=0.3):
 
 
 def from_picture(document):
-    from BalloonWorkbench.app import create
+    from BalloonWorkbench.app.document import create
 
     create.balloon_from_picture(document, "resources/examples/pictures/star.png", width=90)
 
 
 def from_sketch(document):
-    from BalloonWorkbench.app import create
+    from BalloonWorkbench.app.document import create
 
     create.balloon_from_sketch(document, document.Rectangle)
 
@@ -66,9 +66,9 @@ def look():
     seen["start ms"] = startup.milliseconds()
     hide(*HEAVY)
     from BalloonWorkbench.core.errors import BalloonError
-    from BalloonWorkbench.core.solver import native
+    from BalloonWorkbench.core.solver.native import load
 
-    native._FOLDER = Path(os.environ["BALLOON_SEEN"]).parent
+    load._FOLDER = Path(os.environ["BALLOON_SEEN"]).parent
     Gui.activateWorkbench("BalloonWorkbench")
     seen["active"] = Gui.activeWorkbench().name()
     wait()

@@ -7,9 +7,9 @@ import time
 import FreeCADGui as Gui
 import hands
 
-from BalloonWorkbench.app.qt_picture import pixels
+from BalloonWorkbench.app.drawings.qt_picture import pixels
 from BalloonWorkbench.gui.paint import window as paint_window
-from BalloonWorkbench.gui.paint.painting import SIDE
+from BalloonWorkbench.gui.paint.painting.painted import SIDE
 
 Qt, QEvent = hands.QtCore.Qt, hands.QtCore.QEvent
 BLUE, YELLOW, RED, BLACK, ORANGE = "#1f78d8", "#ffd21f", "#e01b3c", "#1c1c22", "#ff8c1a"

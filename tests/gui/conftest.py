@@ -14,9 +14,9 @@ sys.path.append(str(Path(__file__).resolve().parents[1] / "app"))  # for sketche
 import hands
 import sketches
 
-from BalloonWorkbench.app import create
+from BalloonWorkbench.app.document import create
 from BalloonWorkbench.core import faults
-from BalloonWorkbench.gui import choose
+from BalloonWorkbench.gui.window import file_dialogs
 
 
 @pytest.fixture(autouse=True)
@@ -36,7 +36,7 @@ def workbench():
 @pytest.fixture(autouse=True)
 def no_file_chosen(monkeypatch):
     """A new balloon from a picture begins without a file: the tests type one. test_choose.py chooses them."""
-    monkeypatch.setattr(choose, "ask_for_drawing", lambda _parent: "")
+    monkeypatch.setattr(file_dialogs, "ask_for_drawing", lambda _parent: "")
 
 
 @pytest.fixture(autouse=True)

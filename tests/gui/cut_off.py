@@ -5,7 +5,7 @@ import re
 
 import hands
 
-from BalloonWorkbench.gui.panels.narrow import ElidedCombo
+from BalloonWorkbench.gui.panels.widgets.narrow import ElidedCombo
 
 QtCore, QtGui, QtWidgets = hands.QtCore, hands.QtGui, hands.QtWidgets
 

@@ -9,8 +9,8 @@ from pathlib import Path
 import FreeCADGui as Gui
 
 from BalloonWorkbench.app.host import qt
-from BalloonWorkbench.gui.panels.fields import Fields
-from BalloonWorkbench.gui.panels.pages import Pages
+from BalloonWorkbench.gui.panels.widgets.fields import Fields
+from BalloonWorkbench.gui.panels.widgets.pages import Pages
 
 QtCore, QtGui, QtWidgets = qt()
 

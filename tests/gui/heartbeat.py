@@ -6,7 +6,7 @@ import time
 
 import hands
 
-from BalloonWorkbench.gui.paint import ready
+from BalloonWorkbench.gui.paint.preview import preload
 
 LIMIT = 0.1  # s within which the window answers
 _SUM = 4000  # numbers that are added up to see how fast the processor is just now
@@ -29,7 +29,7 @@ class Heartbeat:
     _quickest = 1.0
 
     def __init__(self):
-        hands.wait_until(lambda: not ready._missing)  # what loads while the window has nothing else to do
+        hands.wait_until(lambda: not preload._missing)  # what loads while the window has nothing else to do
         self._timer = hands.QtCore.QTimer()
         self._timer.timeout.connect(self._beat)
         self._timer.start(5)

@@ -48,7 +48,7 @@ def answer(text):
     (box,) = offers()
     seen["offered"] = f"{box.text()} {box.informativeText()} {box.detailedText()}"
     next(button for button in box.buttons() if button.text().replace("&", "") == text).click()
-    from BalloonWorkbench.gui import native_offer
+    from BalloonWorkbench.gui.window import native_offer
 
     wait(lambda: native_offer._worker is None)
     seen["said"] = Gui.getMainWindow().statusBar().currentMessage()
@@ -97,7 +97,7 @@ def look():
         answer(task["answer"])
     seen["asks"] = bool(offers())
     document, sketch = drawn()
-    from BalloonWorkbench.app import create
+    from BalloonWorkbench.app.document import create
 
     parts = create.balloon_from_sketch(document, sketch, mesh_size=16, correct=False)
     seen["solver"], seen["status"] = parts.balloon.ActiveBackend, parts.balloon.Status

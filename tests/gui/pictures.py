@@ -9,7 +9,7 @@ import FreeCADGui as Gui
 import hands
 import numpy as np
 
-from BalloonWorkbench.app.qt_picture import pixels
+from BalloonWorkbench.app.drawings.qt_picture import pixels
 from BalloonWorkbench.core.tracing.raster import label
 
 FOLDER = Path(f"build/pictures{os.environ.get('SUITE', '')}")

@@ -12,7 +12,7 @@ import hands
 import pytest
 import sketches
 
-from BalloonWorkbench.app import create
+from BalloonWorkbench.app.document import create
 from BalloonWorkbench.core.packages import ABSENCES
 
 

@@ -20,7 +20,9 @@ import injected
 import numpy as np
 import pytest
 
-from BalloonWorkbench.app import artwork, create, film_sheet, status
+from BalloonWorkbench.app import artwork, film_sheet
+from BalloonWorkbench.app.border import status
+from BalloonWorkbench.app.document import create
 from BalloonWorkbench.core.artwork.files import png_bytes
 from BalloonWorkbench.core.job import Settings
 from BalloonWorkbench.core.nesting import nest

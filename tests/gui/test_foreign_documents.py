@@ -9,7 +9,7 @@ import FreeCADGui as Gui
 import hands
 import pytest
 
-from BalloonWorkbench.app import status
+from BalloonWorkbench.app.border import status
 
 
 @pytest.fixture(scope="module")

@@ -8,10 +8,11 @@ import FreeCAD as App
 import hands
 import pytest
 
-from BalloonWorkbench.app import artwork, film_sheet, status
-from BalloonWorkbench.app.examples import EXAMPLES, open_copy
-from BalloonWorkbench.gui.balloon_view import MODES
+from BalloonWorkbench.app import artwork, film_sheet
+from BalloonWorkbench.app.border import status
+from BalloonWorkbench.app.document.examples import EXAMPLES, open_copy
 from BalloonWorkbench.gui.view import PatternView
+from BalloonWorkbench.gui.view3d.balloon_display import MODES
 
 KEPT = sorted(Path("tests/resources/documents").glob("*.FCStd"))
 #: As old as their kinds, like links and hidden lists of points: by these an object is known, or drawn.

@@ -7,7 +7,8 @@ import hands
 import pytest
 import sketches
 
-from BalloonWorkbench.app import create, status
+from BalloonWorkbench.app.border import status
+from BalloonWorkbench.app.document import create
 
 QtCore, QtGui, QtWidgets = hands.QtCore, hands.QtGui, hands.QtWidgets
 

@@ -10,9 +10,9 @@ import FreeCADGui as Gui
 import hands
 import numpy as np
 
-from BalloonWorkbench.app.qt_picture import pixels
+from BalloonWorkbench.app.drawings.qt_picture import pixels
 from BalloonWorkbench.gui.paint import window as paint_window
-from BalloonWorkbench.gui.panels.narrow import ElidedCombo, ElidedLabel
+from BalloonWorkbench.gui.panels.widgets.narrow import ElidedCombo, ElidedLabel
 
 QtCore, QtGui, QtWidgets = hands.QtCore, hands.QtGui, hands.QtWidgets
 

@@ -9,7 +9,7 @@ import checks
 import FreeCAD as App
 import hands
 
-from BalloonWorkbench.app.qt_picture import pixels
+from BalloonWorkbench.app.drawings.qt_picture import pixels
 
 QtCore, QtWidgets = hands.QtCore, hands.QtWidgets
 #: Part of the view that may change its silhouette when only colours change.

@@ -85,7 +85,7 @@ def test_the_report_view():
 def test_results_on_each_other():
     from sketches import rectangle
 
-    from BalloonWorkbench.app import create
+    from BalloonWorkbench.app.document import create
 
     doc = App.newDocument("Two")
     parts = create.balloon_from_sketch(doc, rectangle(doc, 90, 60), mesh_size=12, correct=False)

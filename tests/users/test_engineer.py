@@ -7,7 +7,7 @@ import hands
 import pytest
 import sketches
 
-from BalloonWorkbench.app import status
+from BalloonWorkbench.app.border import status
 
 
 def ready(doc):

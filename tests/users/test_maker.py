@@ -6,7 +6,8 @@ from pathlib import Path
 import FreeCAD as App
 import hands
 
-from BalloonWorkbench.app import artwork, film_sheet, status
+from BalloonWorkbench.app import artwork, film_sheet
+from BalloonWorkbench.app.border import status
 
 HEART = Path("resources/examples/pictures/heart.png").resolve()
 

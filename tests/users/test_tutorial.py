@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The tutorial, step by step: each of its sentences is said here and found true.
 
-tests/core/test_tutorial_promises.py sees to it that no sentence is left out.
+tests/tools/test_tutorial_promises.py sees to it that no sentence is left out.
 """
 
 import re
@@ -21,10 +21,10 @@ from story import screen, view_box
 from test_child import opened
 from user import on_paper
 
-from BalloonWorkbench.app import status
-from BalloonWorkbench.app.painting import is_painting
-from BalloonWorkbench.app.qt_picture import pixels
-from BalloonWorkbench.gui.fit import is_whole
+from BalloonWorkbench.app.border import status
+from BalloonWorkbench.app.drawings.painting import is_painting
+from BalloonWorkbench.app.drawings.qt_picture import pixels
+from BalloonWorkbench.gui.view3d.fit_view import is_whole
 
 HEART = Path("resources/examples/pictures/heart.png").resolve()
 

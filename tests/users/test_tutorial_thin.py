@@ -7,7 +7,7 @@ from story import screen
 from test_child import opened
 from user import on_paper
 
-from BalloonWorkbench.app.qt_picture import pixels
+from BalloonWorkbench.app.drawings.qt_picture import pixels
 
 
 def test_tutorial_thin_arm(user, story, says):

@@ -15,7 +15,7 @@ from BalloonWorkbench.core.mesh.triangulate import triangulate
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.outline.sampling import line_lengths
 from BalloonWorkbench.core.packages import shapely
-from BalloonWorkbench.core.solver.dkt import gradients
+from BalloonWorkbench.core.solver.element.dkt import gradients
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.solver.start import DOME, dome
 from BalloonWorkbench.core.types import Bools, Floats

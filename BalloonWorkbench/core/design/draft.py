@@ -13,13 +13,13 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from BalloonWorkbench.core.design.correspondence import locate
-from BalloonWorkbench.core.design.growth import grown
+from BalloonWorkbench.core.design.initial_pattern import grown
 from BalloonWorkbench.core.errors import MeshError
 from BalloonWorkbench.core.film.film import Film
-from BalloonWorkbench.core.mesh.panel import Panel
 from BalloonWorkbench.core.mesh.triangulate import triangulate
 from BalloonWorkbench.core.outline.outline import Outline, signed_area
 from BalloonWorkbench.core.outline.sampling import arc_lengths, simplify
+from BalloonWorkbench.core.panels.panel import Panel
 from BalloonWorkbench.core.solver.inflate import inflate
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.types import Floats, Progress, no_progress

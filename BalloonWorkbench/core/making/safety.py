@@ -7,9 +7,9 @@ from dataclasses import dataclass
 
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.making.trade_figures import making
+from BalloonWorkbench.core.results.strength import Load, Loads, settled_loads
 from BalloonWorkbench.core.solver.inflate import inflate
 from BalloonWorkbench.core.solver.inflation import Inflation
-from BalloonWorkbench.core.solver.strength import Load, Loads, settled_loads
 from BalloonWorkbench.core.types import Floats
 
 FILM, WELD = "film", "weld"

@@ -13,11 +13,11 @@ import numpy as np
 
 from BalloonWorkbench.core.mesh.boundary import seam_points
 from BalloonWorkbench.core.mesh.lattice import lattice
-from BalloonWorkbench.core.mesh.panel import Panel
 from BalloonWorkbench.core.mesh.relax import SWEEPS, relax
 from BalloonWorkbench.core.mesh.sizing import size_field
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.outline.symmetry import Mirror
+from BalloonWorkbench.core.panels.panel import Panel
 from BalloonWorkbench.core.types import Floats, Ints
 
 _ON_AXIS = 1e-9  # of the size

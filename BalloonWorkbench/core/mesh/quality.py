@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from BalloonWorkbench.core.mesh.panel import Panel
+from BalloonWorkbench.core.panels.panel import Panel
 from BalloonWorkbench.core.types import Bools, Floats, Ints
 
 #: A triangle is worn out when its longest edge exceeds this multiple of its inscribed radius

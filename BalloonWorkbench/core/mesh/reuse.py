@@ -8,9 +8,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from BalloonWorkbench.core.mesh.panel import Panel
 from BalloonWorkbench.core.mesh.quality import corner_angles, delaunay_loss, flipped, min_angles, worn
 from BalloonWorkbench.core.packages import without_scipy
+from BalloonWorkbench.core.panels.panel import Panel
 from BalloonWorkbench.core.types import Floats, Ints
 
 #: A triangle may not become much sharper than this [rad], or than it was before.

@@ -9,10 +9,10 @@ import numpy as np
 
 from BalloonWorkbench.core.mesh.boundary import seam_points, weld_points
 from BalloonWorkbench.core.mesh.lattice import lattice
-from BalloonWorkbench.core.mesh.panel import Panel
 from BalloonWorkbench.core.mesh.relax import SWEEPS, relax
 from BalloonWorkbench.core.mesh.sizing import size_field
 from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.panels.panel import Panel
 
 #: Sweeps of the relaxation for a quick look.
 _ROUGH = 4

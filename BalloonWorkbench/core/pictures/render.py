@@ -7,8 +7,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from BalloonWorkbench.core.solver.folds import slit
 from BalloonWorkbench.core.solver.inflation import Inflation
+from BalloonWorkbench.core.solver.split_along_welds import slit
 from BalloonWorkbench.core.types import Bools, Floats, Ints
 
 _YAW, _PITCH = np.radians(-28.0), np.radians(14.0)

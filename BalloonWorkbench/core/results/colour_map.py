@@ -15,8 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from BalloonWorkbench.core.design.compare import evenly
-from BalloonWorkbench.core.design.seen import trimmed
 from BalloonWorkbench.core.design.silhouette import silhouette
+from BalloonWorkbench.core.design.visible_seam import trimmed
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.outline.sampling import arc_lengths
 from BalloonWorkbench.core.packages import shapely

@@ -30,9 +30,9 @@ from numpy.typing import NDArray
 
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film.film import Film
+from BalloonWorkbench.core.results.film_state import film_state, thickness
 from BalloonWorkbench.core.results.vtu import pvd_bytes, vtu_bytes
-from BalloonWorkbench.core.solver.animation import Frame
-from BalloonWorkbench.core.solver.film_state import film_state, thickness
+from BalloonWorkbench.core.solver.dynamics.animation import Frame
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.types import Floats, Ints
 from BalloonWorkbench.core.units import to_mm

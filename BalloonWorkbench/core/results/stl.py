@@ -8,8 +8,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from BalloonWorkbench.core.mesh.quality import locked
-from BalloonWorkbench.core.solver.folds import slit
 from BalloonWorkbench.core.solver.inflation import Inflation
+from BalloonWorkbench.core.solver.split_along_welds import slit
 from BalloonWorkbench.core.types import Floats, Ints
 from BalloonWorkbench.core.units import to_mm
 

@@ -13,7 +13,9 @@ from typing import Protocol
 
 from BalloonWorkbench.core import packages
 from BalloonWorkbench.core.errors import InputError, MissingPackageError
-from BalloonWorkbench.core.solver import motion, native, newton
+from BalloonWorkbench.core.solver.dynamics import motion
+from BalloonWorkbench.core.solver.equilibrium import newton
+from BalloonWorkbench.core.solver.native import load
 from BalloonWorkbench.core.solver.problem import Energies, Equilibrium, FilmProblem, NewtonSettings
 from BalloonWorkbench.core.types import Floats, Progress
 
@@ -48,15 +50,15 @@ class Backend:
 def available() -> tuple[Backend, ...]:
     """The solvers that work here, best first."""
     found = []
-    if native.problem_with_library() is None:
-        found.append(Backend("native", native.solve, native.energies))
+    if load.problem_with_library() is None:
+        found.append(Backend("native", load.solve, load.energies))
     if _scipy_is_there():
         found.append(Backend("numpy", newton.solve, newton.energies))
     if not found and packages.lacks_ctypes():
         raise MissingPackageError(f"No solver works here: {packages.NO_CTYPES}")
     if not found:
         raise MissingPackageError(
-            f"No solver works here: {native.problem_with_library()} Build it or install the package scipy."
+            f"No solver works here: {load.problem_with_library()} Build it or install the package scipy."
         )
     return tuple(found)
 
@@ -88,7 +90,7 @@ def backend_named(name: str | Backend | None) -> Backend:
             return backend
     if name == "native":
         raise InputError(
-            f"The native solver is not available: {native.problem_with_library()} Use the NumPy solver."
+            f"The native solver is not available: {load.problem_with_library()} Use the NumPy solver."
         )
     if name in ("numpy", "newmark"):
         raise InputError(

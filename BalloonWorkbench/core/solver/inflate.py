@@ -9,16 +9,16 @@ import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film.film import Film
-from BalloonWorkbench.core.mesh.panel import Panel
+from BalloonWorkbench.core.panels.panel import Panel
 from BalloonWorkbench.core.solver import start as starts
 from BalloonWorkbench.core.solver.backend import Backend, backend_named
-from BalloonWorkbench.core.solver.dkt import gradients
-from BalloonWorkbench.core.solver.folds import slit
+from BalloonWorkbench.core.solver.element.dkt import gradients
+from BalloonWorkbench.core.solver.element.kinematics import deformation_gradients, film_volume, green_strains
+from BalloonWorkbench.core.solver.element.membrane import principal_stresses
 from BalloonWorkbench.core.solver.inflation import Inflation, SolveReport
-from BalloonWorkbench.core.solver.kinematics import deformation_gradients, film_volume, green_strains
-from BalloonWorkbench.core.solver.membrane import principal_stresses
 from BalloonWorkbench.core.solver.model import Model, film_problem, stiffness_levels
 from BalloonWorkbench.core.solver.problem import NewtonSettings
+from BalloonWorkbench.core.solver.split_along_welds import slit
 from BalloonWorkbench.core.types import Progress, no_progress
 from BalloonWorkbench.core.units import pressure_text
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from BalloonWorkbench.core.mesh.panel import Panel
+from BalloonWorkbench.core.panels.panel import Panel
 from BalloonWorkbench.core.solver.model import Model
 from BalloonWorkbench.core.types import Floats
 

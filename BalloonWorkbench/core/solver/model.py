@@ -9,9 +9,9 @@ import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film.film import Film
-from BalloonWorkbench.core.mesh.panel import Panel
-from BalloonWorkbench.core.solver.dkt import gradients
-from BalloonWorkbench.core.solver.orthotropic import Grain
+from BalloonWorkbench.core.panels.panel import Panel
+from BalloonWorkbench.core.solver.element.dkt import gradients
+from BalloonWorkbench.core.solver.element.orthotropic import Grain
 from BalloonWorkbench.core.solver.problem import FilmProblem
 from BalloonWorkbench.core.types import Ints
 from BalloonWorkbench.core.units import number_text

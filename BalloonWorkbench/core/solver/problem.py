@@ -10,13 +10,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from BalloonWorkbench.core.solver.membrane import (
+from BalloonWorkbench.core.solver.element.membrane import (
     MembraneResponse,
     plane_stress,
     tension_field,
     without_wrinkles,
 )
-from BalloonWorkbench.core.solver.orthotropic import Grain, orthotropic_tension_field
+from BalloonWorkbench.core.solver.element.orthotropic import Grain, orthotropic_tension_field
 from BalloonWorkbench.core.types import Bools, Floats, Ints
 
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from BalloonWorkbench.core.mesh.panel import Panel
-from BalloonWorkbench.core.solver.dkt import gradients
+from BalloonWorkbench.core.panels.panel import Panel
+from BalloonWorkbench.core.solver.element.dkt import gradients
+from BalloonWorkbench.core.solver.equilibrium.linear import conjugate_gradients
 from BalloonWorkbench.core.solver.inflation import Inflation
-from BalloonWorkbench.core.solver.linear import conjugate_gradients
 from BalloonWorkbench.core.types import Floats
 
 ACCURATE = 1e-3  # a start need not be better

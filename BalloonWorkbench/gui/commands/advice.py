@@ -6,7 +6,7 @@ from __future__ import annotations
 import FreeCAD as App
 import FreeCADGui as Gui
 
-from BalloonWorkbench.app.properties import QT_TRANSLATE_NOOP
+from BalloonWorkbench.app.properties.property_table import QT_TRANSLATE_NOOP
 from BalloonWorkbench.gui.qt import icon
 
 
@@ -24,15 +24,15 @@ class Advice:
         }
 
     def IsActive(self):
-        from BalloonWorkbench.app.parts import patterns
+        from BalloonWorkbench.app.document.parts import patterns
 
         doc = App.ActiveDocument
         return doc is not None and not Gui.Control.activeDialog() and bool(patterns(doc))
 
     def Activated(self):
-        from BalloonWorkbench.app.parts import parts_of, patterns
+        from BalloonWorkbench.app.document.parts import parts_of, patterns
         from BalloonWorkbench.gui.panels import show
-        from BalloonWorkbench.gui.panels.advice import AdvicePanel
+        from BalloonWorkbench.gui.panels.results.advice import AdvicePanel
 
         chosen = [parts for parts in map(parts_of, Gui.Selection.getSelection()) if parts]
         known = [parts for parts in map(parts_of, patterns(App.ActiveDocument)) if parts]

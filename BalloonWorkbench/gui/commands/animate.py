@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from BalloonWorkbench.app.properties import QT_TRANSLATE_NOOP
+from BalloonWorkbench.app.properties.property_table import QT_TRANSLATE_NOOP
 from BalloonWorkbench.gui.commands import solved
 from BalloonWorkbench.gui.qt import icon
 
@@ -26,6 +26,6 @@ class Animate:
 
     def Activated(self):
         from BalloonWorkbench.gui.panels import show
-        from BalloonWorkbench.gui.panels.animation import AnimationPanel
+        from BalloonWorkbench.gui.panels.results.animation import AnimationPanel
 
         show(AnimationPanel(solved.chosen()))

@@ -5,10 +5,10 @@ from __future__ import annotations
 
 import FreeCAD as App
 
-from BalloonWorkbench.app.properties import QT_TRANSLATE_NOOP
-from BalloonWorkbench.gui.borders import undo_step
+from BalloonWorkbench.app.properties.property_table import QT_TRANSLATE_NOOP
 from BalloonWorkbench.gui.commands import solved
 from BalloonWorkbench.gui.qt import icon, translate
+from BalloonWorkbench.gui.window.borders import undo_step
 
 
 class Artwork:
@@ -31,7 +31,7 @@ class Artwork:
 
         from BalloonWorkbench.app import artwork
         from BalloonWorkbench.gui.panels import show
-        from BalloonWorkbench.gui.panels.artwork import ArtworkPanel
+        from BalloonWorkbench.gui.panels.making.artwork import ArtworkPanel
 
         parts = solved.chosen()
         with undo_step(App.ActiveDocument, translate("Artwork")):

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from BalloonWorkbench.app.properties import QT_TRANSLATE_NOOP
+from BalloonWorkbench.app.properties.property_table import QT_TRANSLATE_NOOP
 from BalloonWorkbench.gui.commands import solved
 from BalloonWorkbench.gui.qt import icon
 
@@ -27,6 +27,6 @@ class AssemblySheet:
     def Activated(self):
 
         from BalloonWorkbench.gui.panels import show
-        from BalloonWorkbench.gui.panels.assembly import AssemblyPanel
+        from BalloonWorkbench.gui.panels.making.assembly import AssemblyPanel
 
         show(AssemblyPanel(solved.chosen()))

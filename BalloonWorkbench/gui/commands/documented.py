@@ -3,8 +3,8 @@
 
 from __future__ import annotations
 
-from BalloonWorkbench.gui import borders
 from BalloonWorkbench.gui.commands import help_pages
+from BalloonWorkbench.gui.window import borders
 
 #: B for balloon, then a letter that FreeCAD's own workbenches leave free.
 _KEYS = {

@@ -5,13 +5,13 @@ from __future__ import annotations
 
 import FreeCADGui as Gui
 
-from BalloonWorkbench.app.properties import QT_TRANSLATE_NOOP
+from BalloonWorkbench.app.properties.property_table import QT_TRANSLATE_NOOP
 from BalloonWorkbench.core.errors import FetchError
-from BalloonWorkbench.gui import native_offer
-from BalloonWorkbench.gui.borders import Panel
 from BalloonWorkbench.gui.panels import show
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, icon, number_of, translate
-from BalloonWorkbench.gui.sentences import tell
+from BalloonWorkbench.gui.window import native_offer
+from BalloonWorkbench.gui.window.borders import Panel
+from BalloonWorkbench.gui.window.sentences import tell
 
 
 class Equipment:
@@ -38,7 +38,7 @@ class _Panel(Panel):
     """Text to read and to copy."""
 
     def __init__(self):
-        from BalloonWorkbench.gui.equipment import can_be_fetched, described
+        from BalloonWorkbench.gui.window.equipment import can_be_fetched, described
 
         self.form = QtWidgets.QWidget()
         self.form.setWindowTitle(translate("What works here"))

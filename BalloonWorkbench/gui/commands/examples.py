@@ -5,8 +5,8 @@ from __future__ import annotations
 
 import FreeCADGui as Gui
 
-from BalloonWorkbench.app.examples import EXAMPLES, Example, open_copy
-from BalloonWorkbench.app.properties import QT_TRANSLATE_NOOP
+from BalloonWorkbench.app.document.examples import EXAMPLES, Example, open_copy
+from BalloonWorkbench.app.properties.property_table import QT_TRANSLATE_NOOP
 from BalloonWorkbench.gui.commands.documented import documented
 from BalloonWorkbench.gui.qt import icon, translate
 
@@ -28,7 +28,7 @@ class OpenExample:
         return not Gui.Control.activeDialog()
 
     def Activated(self):
-        from BalloonWorkbench.gui.fit import fit_all
+        from BalloonWorkbench.gui.view3d.fit_view import fit_all
 
         doc = open_copy(self._example)
         doc.Label = translate(self._example.title)

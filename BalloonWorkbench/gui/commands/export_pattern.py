@@ -6,7 +6,7 @@ from __future__ import annotations
 import FreeCAD as App
 import FreeCADGui as Gui
 
-from BalloonWorkbench.app.properties import QT_TRANSLATE_NOOP
+from BalloonWorkbench.app.properties.property_table import QT_TRANSLATE_NOOP
 from BalloonWorkbench.gui.qt import icon
 
 
@@ -24,15 +24,15 @@ class ExportPattern:
         }
 
     def IsActive(self):
-        from BalloonWorkbench.app.parts import patterns
+        from BalloonWorkbench.app.document.parts import patterns
 
         doc = App.ActiveDocument
         return doc is not None and not Gui.Control.activeDialog() and bool(patterns(doc))
 
     def Activated(self):
-        from BalloonWorkbench.app.parts import parts_of, patterns
+        from BalloonWorkbench.app.document.parts import parts_of, patterns
         from BalloonWorkbench.gui.panels import show
-        from BalloonWorkbench.gui.panels.export import ExportPanel
+        from BalloonWorkbench.gui.panels.making.export import ExportPanel
 
         doc = App.ActiveDocument
         selected = Gui.Selection.getSelection()

@@ -6,9 +6,9 @@ from __future__ import annotations
 import FreeCAD as App
 import FreeCADGui as Gui
 
-from BalloonWorkbench.app.properties import QT_TRANSLATE_NOOP
-from BalloonWorkbench.gui.borders import undo_step
+from BalloonWorkbench.app.properties.property_table import QT_TRANSLATE_NOOP
 from BalloonWorkbench.gui.qt import icon, translate
+from BalloonWorkbench.gui.window.borders import undo_step
 
 
 class FromPicture:
@@ -28,11 +28,11 @@ class FromPicture:
         return not Gui.Control.activeDialog()
 
     def Activated(self):
-        from BalloonWorkbench.gui import choose, record
         from BalloonWorkbench.gui.panels import show
-        from BalloonWorkbench.gui.panels.balloon import BalloonPanel
+        from BalloonWorkbench.gui.panels.balloon.balloon_panel import BalloonPanel
+        from BalloonWorkbench.gui.window import file_dialogs, macro_recorder
 
-        path = choose.ask_for_drawing(Gui.getMainWindow())
+        path = file_dialogs.ask_for_drawing(Gui.getMainWindow())
         if path is None:
             return
         doc = App.ActiveDocument
@@ -40,7 +40,7 @@ class FromPicture:
         if fresh:
             doc = App.newDocument("Balloon")
         with undo_step(doc, translate("New balloon from picture")):
-            parts, edit = record.begin(doc)
+            parts, edit = macro_recorder.begin(doc)
             panel = BalloonPanel(parts, new_document=fresh, edit=edit)
             show(panel)
         if path:

@@ -6,9 +6,9 @@ from __future__ import annotations
 import FreeCAD as App
 import FreeCADGui as Gui
 
-from BalloonWorkbench.app.properties import QT_TRANSLATE_NOOP
-from BalloonWorkbench.gui.borders import undo_step
+from BalloonWorkbench.app.properties.property_table import QT_TRANSLATE_NOOP
 from BalloonWorkbench.gui.qt import icon, translate
+from BalloonWorkbench.gui.window.borders import undo_step
 
 
 class FromSketch:
@@ -29,15 +29,15 @@ class FromSketch:
 
     def Activated(self):
         from BalloonWorkbench.app.group import name_group
-        from BalloonWorkbench.gui import record
         from BalloonWorkbench.gui.panels import show
-        from BalloonWorkbench.gui.panels.balloon import BalloonPanel
-        from BalloonWorkbench.gui.selection import selected_source
+        from BalloonWorkbench.gui.panels.balloon.balloon_panel import BalloonPanel
+        from BalloonWorkbench.gui.window import macro_recorder
+        from BalloonWorkbench.gui.window.selection import selected_source
 
         source = selected_source()
         doc = App.ActiveDocument
         with undo_step(doc, translate("New balloon from sketch")):
-            parts, edit = record.begin(doc)
+            parts, edit = macro_recorder.begin(doc)
             if source is not None:
                 parts.outline.Source = source
                 name_group(parts.balloon.getParentGroup(), f"{source[0].Label} balloon")

@@ -6,9 +6,9 @@ from __future__ import annotations
 import FreeCAD as App
 import FreeCADGui as Gui
 
-from BalloonWorkbench.app.properties import QT_TRANSLATE_NOOP
-from BalloonWorkbench.gui.borders import undo_step
+from BalloonWorkbench.app.properties.property_table import QT_TRANSLATE_NOOP
 from BalloonWorkbench.gui.qt import icon, translate
+from BalloonWorkbench.gui.window.borders import undo_step
 
 
 class Nest:
@@ -25,16 +25,16 @@ class Nest:
         }
 
     def IsActive(self):
-        from BalloonWorkbench.app.parts import patterns
+        from BalloonWorkbench.app.document.parts import patterns
 
         doc = App.ActiveDocument
         return doc is not None and not Gui.Control.activeDialog() and bool(patterns(doc))
 
     def Activated(self):
         from BalloonWorkbench.app import film_sheet
-        from BalloonWorkbench.app.parts import parts_of, patterns
+        from BalloonWorkbench.app.document.parts import parts_of, patterns
         from BalloonWorkbench.gui.panels import show
-        from BalloonWorkbench.gui.panels.nest import NestPanel
+        from BalloonWorkbench.gui.panels.making.nest import NestPanel
 
         doc = App.ActiveDocument
         selected = Gui.Selection.getSelection()

@@ -14,7 +14,7 @@ def is_offered() -> bool:
 
 def chosen():
     """The parts of the selected balloon, else of the first one that has a result."""
-    from BalloonWorkbench.app.parts import parts_of
+    from BalloonWorkbench.app.document.parts import parts_of
 
     selected = [parts for parts in map(parts_of, Gui.Selection.getSelection()) if parts]
     ready = [parts for parts in selected if parts.balloon.SolvedFor]
@@ -22,7 +22,7 @@ def chosen():
 
 
 def _solved() -> list:
-    from BalloonWorkbench.app.parts import parts_of, patterns
+    from BalloonWorkbench.app.document.parts import parts_of, patterns
 
     found = [parts_of(pattern) for pattern in patterns(App.ActiveDocument)]
     return [parts.balloon for parts in found if parts and parts.balloon.SolvedFor]

@@ -3,8 +3,8 @@
 
 from __future__ import annotations
 
-from BalloonWorkbench.app.properties import QT_TRANSLATE_NOOP
-from BalloonWorkbench.gui.paint.tools import COLOURS, THICKEST, THINNEST, TOOLS, USUAL
+from BalloonWorkbench.app.properties.property_table import QT_TRANSLATE_NOOP
+from BalloonWorkbench.gui.paint.painting.tools import COLOURS, THICKEST, THINNEST, TOOLS, USUAL
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, drawn_icon, translate
 
 _TOOL, _ACTION, _COLOUR = 40, 26, 24  # px

@@ -7,8 +7,8 @@ from functools import partial
 
 import FreeCADGui as Gui
 
-from BalloonWorkbench.gui.fit import OVERLAYS
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, drawn_icon
+from BalloonWorkbench.gui.view3d.fit_view import OVERLAYS
 
 _SHARE = 0.5  # of the main window
 _NARROW = 150  # px, of a panel beside it

@@ -6,7 +6,7 @@ from __future__ import annotations
 import FreeCAD as App
 import FreeCADGui as Gui
 
-from BalloonWorkbench.app.guard import Guarded
+from BalloonWorkbench.app.border.guard import Guarded
 from BalloonWorkbench.gui.qt import QtCore
 
 _watching: list[_Follow] = []

@@ -8,11 +8,11 @@ import math
 import FreeCAD as App
 
 from BalloonWorkbench.app.outline import DRAWN_AS
-from BalloonWorkbench.app.quantities import cubic_millimetres
+from BalloonWorkbench.app.properties.quantities import cubic_millimetres
 from BalloonWorkbench.core.units import number_text
-from BalloonWorkbench.gui import sentences
-from BalloonWorkbench.gui.panels.fields import new_quantity_box
+from BalloonWorkbench.gui.panels.widgets.fields import new_quantity_box
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, drawn_icon, translate
+from BalloonWorkbench.gui.window import sentences
 
 _AROUND = 60  # px of a number's arrows, its sign for expressions and its frame
 

@@ -9,16 +9,17 @@ from pathlib import Path
 
 import FreeCAD as App
 
-from BalloonWorkbench.app import balloon, create, pattern
-from BalloonWorkbench.app import painting as painted
-from BalloonWorkbench.app.create import Parts
+from BalloonWorkbench.app import balloon, pattern
+from BalloonWorkbench.app.document import create
+from BalloonWorkbench.app.document.create import Parts
+from BalloonWorkbench.app.drawings import painting as painted
 from BalloonWorkbench.app.group import name_group
 from BalloonWorkbench.app.outline import DRAWN_AS, SYMMETRY
 from BalloonWorkbench.core.files.write import write_files
 from BalloonWorkbench.core.job import Settings
-from BalloonWorkbench.gui import record
-from BalloonWorkbench.gui.paint.display import MODE
+from BalloonWorkbench.gui.paint.preview.painting_display import MODE
 from BalloonWorkbench.gui.qt import translate
+from BalloonWorkbench.gui.window import macro_recorder
 
 
 @dataclass(frozen=True)
@@ -56,14 +57,14 @@ def keep(doc, parts: Parts | None, look, width: float, pause) -> Parts:
     pause is called between the steps of the work. Raises BalloonError.
     """
     if parts is not None:
-        edit = record.Edit(parts)
+        edit = macro_recorder.Edit(parts)
         painted.update(parts, look.file, width, look.solved, pause)
         _record(edit, look.file)
         return parts
-    edits: list[record.Edit] = []
+    edits: list[macro_recorder.Edit] = []
 
     def begin(doc, label: str) -> Parts:
-        parts, edit = record.begin(doc, label)
+        parts, edit = macro_recorder.begin(doc, label)
         edits.append(edit)
         return parts
 
@@ -82,7 +83,7 @@ def _record(edit, file: Path) -> None:
     folder = Path(App.getUserAppDataDir()) / "BalloonWorkbench" / "paintings"
     path = folder / f"{file.stem}-{hashlib.sha256(content).hexdigest()[:8]}.png"
     write_files(folder, {path.name: content})
-    record.came_from(edit.parts.outline, path)
+    macro_recorder.came_from(edit.parts.outline, path)
     edit.write()
 
 

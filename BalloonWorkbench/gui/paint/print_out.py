@@ -3,14 +3,14 @@
 
 from __future__ import annotations
 
-from BalloonWorkbench.app.parts import patterns
-from BalloonWorkbench.gui.paint.lengths import is_imperial
+from BalloonWorkbench.app.document.parts import patterns
+from BalloonWorkbench.gui.paint.painting.lengths import is_imperial
 from BalloonWorkbench.gui.panels import is_free, show
 
 
 def offer(parts) -> None:
     """Open the export panel on the pattern, in real size on A4 (or Letter): OK writes the file."""
-    from BalloonWorkbench.gui.panels.export import ExportPanel
+    from BalloonWorkbench.gui.panels.making.export import ExportPanel
 
     if is_free():
         panel = ExportPanel(patterns(parts.pattern.Document), parts.pattern)

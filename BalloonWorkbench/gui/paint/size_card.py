@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from BalloonWorkbench.gui.paint.lengths import large
+from BalloonWorkbench.gui.paint.painting.lengths import large
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 
 _GAP = 10  # px to the edges of the canvas

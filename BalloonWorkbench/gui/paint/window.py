@@ -14,29 +14,29 @@ import FreeCADGui as Gui
 from BalloonWorkbench.core import faults
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.tracing.segment import KEEP_HOLES
-from BalloonWorkbench.gui import borders
-from BalloonWorkbench.gui.fit import fit_all
+from BalloonWorkbench.gui.long_work.blocking import breathe
+from BalloonWorkbench.gui.long_work.status_progress import StatusProgress
 from BalloonWorkbench.gui.paint import print_out
 from BalloonWorkbench.gui.paint.bars import ActionBar, ToolBox
-from BalloonWorkbench.gui.paint.canvas import Canvas
+from BalloonWorkbench.gui.paint.canvas.canvas_widget import Canvas
 from BalloonWorkbench.gui.paint.dock import PaintDock
 from BalloonWorkbench.gui.paint.documents import follow_documents
 from BalloonWorkbench.gui.paint.form import Form
 from BalloonWorkbench.gui.paint.keep import keep, kept, show
-from BalloonWorkbench.gui.paint.lengths import short
-from BalloonWorkbench.gui.paint.live import Live
-from BalloonWorkbench.gui.paint.painting import Painting
-from BalloonWorkbench.gui.paint.pictures import Pictures
-from BalloonWorkbench.gui.paint.ready import load
-from BalloonWorkbench.gui.paint.scene import Scene
+from BalloonWorkbench.gui.paint.painting.lengths import short
+from BalloonWorkbench.gui.paint.painting.painted import Painting
+from BalloonWorkbench.gui.paint.painting.pictures import Pictures
+from BalloonWorkbench.gui.paint.painting.strokes import Clear
+from BalloonWorkbench.gui.paint.painting.tools import TOOLS
+from BalloonWorkbench.gui.paint.preview.live_preview import Live
+from BalloonWorkbench.gui.paint.preview.preload import load
+from BalloonWorkbench.gui.paint.preview.scene import Scene
 from BalloonWorkbench.gui.paint.size_card import SizeCard
-from BalloonWorkbench.gui.paint.strokes import Clear
-from BalloonWorkbench.gui.paint.tools import TOOLS
 from BalloonWorkbench.gui.panels import is_free
-from BalloonWorkbench.gui.panels.watch import Watch
-from BalloonWorkbench.gui.patience import breathe
+from BalloonWorkbench.gui.panels.widgets.watch import Watch
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
-from BalloonWorkbench.gui.status_progress import StatusProgress
+from BalloonWorkbench.gui.view3d.fit_view import fit_all
+from BalloonWorkbench.gui.window import borders
 
 _SETTLED = 50  # ms, in which the 3D view takes the room of a window that has closed
 _open: list[PaintWindow] = []  # each with its painting, the last used first; one at most is on the screen

@@ -8,16 +8,16 @@ from functools import partial
 import FreeCAD as App
 import FreeCADGui as Gui
 
-from BalloonWorkbench.gui import borders
 from BalloonWorkbench.gui.qt import QtCore, translate
+from BalloonWorkbench.gui.window import borders
 
 _SHOWN = 300  # ms
 
 
 def edit(obj) -> None:
     """Open the panel of the balloon that an object belongs to, in one undo step."""
-    from BalloonWorkbench.app.parts import parts_of
-    from BalloonWorkbench.gui.panels.balloon import BalloonPanel
+    from BalloonWorkbench.app.document.parts import parts_of
+    from BalloonWorkbench.gui.panels.balloon.balloon_panel import BalloonPanel
 
     parts = parts_of(obj)
     if parts is None or not is_free():
@@ -28,7 +28,7 @@ def edit(obj) -> None:
 
 def show(panel) -> None:
     """Show a panel that was just made: both take a moment, and the window answers between them."""
-    from BalloonWorkbench.gui.patience import breathe
+    from BalloonWorkbench.gui.long_work.blocking import breathe
 
     breathe()
     Gui.Control.showDialog(panel)
@@ -40,7 +40,7 @@ def show(panel) -> None:
 
 def _keep_in_sight(name: str) -> None:
     """A panel that has opened over the 3D view does not hide what was in it; the document may be closed."""
-    from BalloonWorkbench.gui.fit import keep_in_sight
+    from BalloonWorkbench.gui.view3d.fit_view import keep_in_sight
 
     if Gui.Control.activeDialog() and name in App.listDocuments():
         keep_in_sight(Gui.getDocument(name))
@@ -48,8 +48,8 @@ def _keep_in_sight(name: str) -> None:
 
 def paint_again(outline) -> bool:
     """Open the paint window on a painted outline; False for any other one."""
-    from BalloonWorkbench.app.drawing import is_painting
-    from BalloonWorkbench.app.parts import parts_of
+    from BalloonWorkbench.app.document.parts import parts_of
+    from BalloonWorkbench.app.drawings.drawing_file import is_painting
     from BalloonWorkbench.gui.paint.window import open_for
 
     first = outline.Leader or outline

@@ -10,7 +10,7 @@
 namespace film {
 namespace {
 
-// The same numbers as in core/solver/newton.py: both must take the same steps.
+// The same numbers as in core/solver/equilibrium/newton.py: both must take the same steps.
 constexpr double kLevelTolerance = 0.02;
 constexpr double kShift = 1e-6, kDirectorShift = 0.1;
 constexpr double kFirstTension = 0.03, kHeldBack = 0.1, kLargestTension = 1e12;

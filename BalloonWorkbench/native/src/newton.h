@@ -17,7 +17,7 @@ struct Cancelled : std::runtime_error {
 };
 
 // Brings the film to rest through the membrane stiffnesses in levels; state holds the start and the result.
-// progress(fraction) returning false cancels. The same iteration as core/solver/newton.py.
+// progress(fraction) returning false cancels. The same iteration as core/solver/equilibrium/newton.py.
 film_result newton(Shell& shell, State& state, const std::vector<double>& levels, const film_newton& settings,
                    const std::function<bool(double)>& progress);
 

@@ -8,7 +8,7 @@ namespace film {
 namespace {
 
 constexpr double kPi = 3.141592653589793238462643383280;
-// The same numbers as in core/solver/orthotropic.py.
+// The same numbers as in core/solver/element/orthotropic.py.
 constexpr int kTrials = 24, kNewtonSteps = 8;
 
 // Young's modulus in a direction, and its derivatives by the angle.

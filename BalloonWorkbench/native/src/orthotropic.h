@@ -15,7 +15,7 @@ struct Grain {
     Eigen::Matrix3d turn() const;
 };
 
-// The tension field of an orthotropic film; see core/solver/orthotropic.py.
+// The tension field of an orthotropic film; see core/solver/element/orthotropic.py.
 MembraneResponse orthotropic_tension_field(const Eigen::Vector3d& strain, const Grain& grain);
 
 } // namespace film

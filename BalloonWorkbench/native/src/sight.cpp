@@ -6,7 +6,7 @@
 namespace film {
 namespace {
 
-// The same numbers as in core/solver/sight.py: both must take the same steps.
+// The same numbers as in core/solver/equilibrium/convergence.py: both must take the same steps.
 constexpr double kEnergy = 100.0, kVolume = 10.0, kSeam = 0.1;
 constexpr int kSteps = 2;
 

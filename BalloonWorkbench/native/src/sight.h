@@ -6,7 +6,7 @@
 namespace film {
 
 // What the eye sees of a balloon: its outline, which is the seam, and its volume. The last steps of a solve
-// move only crumples, and neither of these. The same as in core/solver/sight.py.
+// move only crumples, and neither of these. The same as in core/solver/equilibrium/convergence.py.
 class Sight {
 public:
     // tolerance: on the predicted decrease of the energy, relative.

@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A FreeCAD document of a balloon that was designed outside FreeCAD."""
+
+from __future__ import annotations
+
+import tempfile
+from pathlib import Path
+
+import FreeCAD as App
+
+from BalloonWorkbench.app import balloon, pattern
+from BalloonWorkbench.app.document import create
+from BalloonWorkbench.app.outline import DRAWN_AS, SYMMETRY, in_letters, set_drawing
+from BalloonWorkbench.app.properties import size_goal
+from BalloonWorkbench.app.properties.quantities import cubic_millimetres, kilopascals
+from BalloonWorkbench.core.files.write import write_files
+from BalloonWorkbench.core.units import to_mm
+
+
+def save_fcstd(path, drawing, settings, designs, *, width=None, height=None) -> None:
+    """Write a document with the live objects of balloons; see `fcstd_bytes`.
+
+    Raises ExportError when the file cannot be written.
+    """
+    target = Path(path)
+    content = fcstd_bytes(drawing, settings, designs, label=target.stem, width=width, height=height)
+    write_files(target.parent, {target.name: content})
+
+
+def fcstd_bytes(drawing, settings, designs, *, label: str = "balloon", width=None, height=None) -> bytes:
+    """A document with the live objects of balloons: they can be edited and recomputed in FreeCAD.
+
+    drawing        the file the outline was read from; a copy goes into the document
+    settings       the job's settings
+    designs        the core's results for them, one for each shape of the drawing, in their order; they are
+                   taken over, not solved again
+    label          name of the document
+    width, height  of the drawing [m], as they were asked for; None where they were left open
+
+    Raises BalloonError when the drawing cannot be read.
+    """
+    doc = App.newDocument("Balloon", hidden=True, temp=True)
+    try:
+        parts = create.make(doc, Path(in_letters(drawing)).stem)
+        set_drawing(parts.outline, drawing)
+        parts.outline.Width = 0.0 if width is None else to_mm(width)
+        parts.outline.Height = 0.0 if height is None else to_mm(height)
+        create.configure(
+            parts,
+            material=settings.film,
+            pressure=kilopascals(settings.pressure),
+            mesh_size=None if settings.mesh_size is None else to_mm(settings.mesh_size),
+            correct=settings.correct,
+            backend=settings.backend,
+            volume=None if settings.volume is None else cubic_millimetres(settings.volume),
+            model=settings.model,
+        )
+        pattern.set_values(parts.pattern, settings.wanted)
+        parts.outline.Passage = to_mm(settings.passage)
+        size_goal.set_filling(parts.balloon, settings.filling)
+        parts.outline.Symmetry = next(
+            title for title, choice in SYMMETRY.items() if choice == settings.symmetry
+        )
+        parts.outline.DrawnAs = next(
+            title for title, choice in DRAWN_AS.items() if choice == settings.drawn_as
+        )
+        everyone = [parts, *create.add_companions(parts)]
+        for each, design in zip(everyone, designs):
+            each.outline.recompute()
+            if each.outline.LoopCounts:
+                balloon.show(each.balloon, balloon.request(each.balloon), design)
+        create.compute(*everyone)
+        with tempfile.TemporaryDirectory() as folder:
+            written = Path(folder) / f"{label}.FCStd"  # FreeCAD labels a document by its file
+            doc.saveAs(str(written))
+            return written.read_bytes()
+    finally:
+        App.closeDocument(doc.Name)

@@ -1,0 +1,214 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Painted balloons in a document: the painting is the outline's drawing, a PNG that keeps its strokes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from pathlib import Path
+from types import MappingProxyType
+
+import numpy as np
+
+from BalloonWorkbench.app import balloon, pattern
+from BalloonWorkbench.app.border import status
+from BalloonWorkbench.app.document import create
+from BalloonWorkbench.app.document.create import Parts
+from BalloonWorkbench.app.drawings.drawing_file import is_painting, read_drawing
+from BalloonWorkbench.app.engine.solve import Request
+from BalloonWorkbench.app.outline import DRAWN_AS, set_drawing
+from BalloonWorkbench.core.checkpoint import checkpoint, stoppable
+from BalloonWorkbench.core.design.design import Design
+from BalloonWorkbench.core.job import Settings
+from BalloonWorkbench.core.outline.chambers import linked
+from BalloonWorkbench.core.tracing.segment import AUTO
+from BalloonWorkbench.core.types import Progress, no_progress
+
+_FITTING = 0.6  # of the work of `solve`
+
+
+@dataclass(frozen=True)
+class Solved:
+    """The balloons of a painting, the largest shape first, free of the document.
+
+    told  what `balloon.describe` says about each
+    """
+
+    requests: tuple[Request, ...]
+    designs: tuple[Design, ...]
+    told: tuple[dict, ...]
+
+
+@dataclass(frozen=True)
+class Artwork:
+    """What is painted on a balloon: a picture with its scale and place in the drawing.
+
+    rgba    (h, w, 4) uint8, upright; alpha 0 where the film is bare
+    corner  (2,) mm, its lower left corner in the frame of the Outline
+    pixel   mm, side of a pixel
+    """
+
+    rgba: np.ndarray
+    corner: np.ndarray
+    pixel: float
+
+    def places(self, points) -> np.ndarray:
+        """Where points (n, 2) mm of the drawing are in the picture (n, 2), 0 to 1, y up."""
+        height, width = self.rgba.shape[:2]
+        return (np.asarray(points, dtype=float)[:, :2] - self.corner) / (
+            self.pixel * np.array([width, height])
+        )
+
+
+def artwork(outline) -> Artwork | None:
+    """The painting of an Outline object, of its own or of the one whose drawing it shares.
+
+    None where there is none: an outline from a sketch, a vector drawing, a photo.
+    """
+    from BalloonWorkbench.app.outline import leader
+
+    first = leader(outline)
+    if first.Source or not is_painting(first.Drawing):
+        return None
+    return place(first.Drawing, first.Width.Value, first.Height.Value, DRAWN_AS[first.DrawnAs])
+
+
+def place(path, width: float, height: float = 0.0, drawn_as: str = AUTO) -> Artwork | None:
+    """The picture in a painting's file, which becomes so wide or high in mm; None where it has no shape."""
+    found = _placed(Path(path).read_bytes(), drawn_as)
+    if found is None:
+        return None
+    rgba, corner, size = found
+    pixel = width / size[0] if width else height / size[1]
+    return Artwork(rgba, -pixel * corner, pixel)
+
+
+@lru_cache(maxsize=4)
+def _placed(content: bytes, drawn_as: str):
+    """Pixels of a painting, where its drawing begins in them (2,), y up, and how large it is (2,) [px]."""
+    from BalloonWorkbench.app.drawings.qt_picture import decode_bytes
+    from BalloonWorkbench.core.errors import BalloonError
+    from BalloonWorkbench.core.tracing.picture import placed_drawing
+
+    rgba = decode_bytes(content)
+    try:
+        drawing, corner = placed_drawing(rgba, drawn_as=drawn_as)
+    except BalloonError:
+        return None
+    return rgba, corner, drawing.size
+
+
+def solve(
+    path: Path,
+    width: float,
+    settings: Settings,
+    progress: Progress = no_progress,
+    fitted: Callable[[list[Request], list[Design]], object] = lambda requests, designs: None,
+    known: Mapping[str, Design] = MappingProxyType({}),
+) -> Solved:
+    """Design the balloons of a painting [width in mm]; may run in another thread.
+
+    The arcs of the patterns, as the settings want them, are prepared. fitted: called as soon as all balloons
+    have their shape, before what there is to tell about them. known: designs that are not made again, by the
+    keys of their requests.
+    Raises BalloonError when there is none, Cancelled when progress says stop.
+    """
+    from BalloonWorkbench.core.report import Source
+
+    drawing, kind = read_drawing(
+        str(path), width, 0.0, symmetry=settings.symmetry, drawn_as=settings.drawn_as
+    )
+    count = len(drawing.parts)
+    requests, designs, told = [], [], []
+    for number, drawn in enumerate(drawing.parts):
+        outline = linked(drawn, settings.passage)
+        alike = settings if number == 0 else replace(settings, goal=None)
+        request = Request(Source(path.name, kind, outline), alike)
+        requests.append(request)
+        same = known.get(request.key())
+        designs.append(
+            request.solve(_share(progress, number, count)) if same is None else same.of_drawing(outline)
+        )
+    fitted(requests, designs)
+    with stoppable(progress):
+        for number, (request, design) in enumerate(zip(requests, designs)):
+            checkpoint(_FITTING + (1.0 - _FITTING) * number / count)
+            told.append(balloon.describe(request, design))
+            checkpoint(_FITTING + (1.0 - _FITTING) * (number + 0.5) / count)
+            _prepare(design.pattern, settings)
+        place(path, width, drawn_as=settings.drawn_as)  # the window will ask for it, and shall not wait
+    return Solved(tuple(requests), tuple(designs), tuple(told))
+
+
+def _share(progress: Progress, number: int, count: int) -> Progress:
+    """The progress of fitting one of several balloons within the whole work."""
+    return lambda fraction, text: progress(_FITTING * (number + fraction) / count, text)
+
+
+def _prepare(seam, settings: Settings) -> None:
+    """Work out what the Pattern object will ask for, to the last digit: it keeps its seam in mm."""
+    from BalloonWorkbench.core.errors import InputError
+    from BalloonWorkbench.core.pattern.intake.kinds import intake_kind
+    from BalloonWorkbench.core.units import from_mm, to_mm
+
+    wanted = settings.wanted
+    if wanted.intake_width is None:
+        width = from_mm(to_mm(intake_kind(wanted.intake_kind).width))
+        wanted = replace(wanted, intake_width=width)
+    kept = seam.map(lambda line: from_mm(to_mm(line)))
+    try:
+        pattern.work_out(kept, from_mm(to_mm(settings.film.seal_width)), wanted)
+    except InputError:  # the pattern object will say what is wrong
+        return
+
+
+def make(
+    doc,
+    path: Path,
+    width: float,
+    solved: Solved,
+    pause: Callable[[], object] = bool,
+    begin: Callable[..., Parts] = create.make,
+) -> Parts:
+    """The objects of a painted balloon, width in mm; pause is called between the steps of the work.
+
+    begin  makes the objects in a document, with a label
+
+    Raises BalloonError when no balloon comes out; the objects stay for the caller to take back.
+    """
+    parts = begin(doc, path.stem)
+    everyone = _fill(parts, path, width, solved, pause)
+    create.compute(*everyone, pause=pause)
+    return parts
+
+
+def update(
+    parts: Parts, path: Path, width: float, solved: Solved, pause: Callable[[], object] = bool
+) -> None:
+    """Give a painted balloon its changed painting; as `make`."""
+    _fill(parts, path, width, solved, pause)
+    parts.balloon.Document.recompute()
+
+
+def _fill(parts: Parts, path: Path, width: float, solved: Solved, pause) -> list[Parts]:
+    set_drawing(parts.outline, path)
+    parts.outline.Width, parts.outline.Height = width, 0.0
+    drawn_as = solved.requests[0].settings.drawn_as
+    parts.outline.DrawnAs = next(title for title, choice in DRAWN_AS.items() if choice == drawn_as)
+    create.match_companions(parts)
+    pause()
+    everyone = [parts, *create.companions(parts)]
+    for each, request, design, told in zip(everyone, solved.requests, solved.designs, solved.told):
+        parts.outline.Document.recompute([each.outline])
+        pause()
+        if status.is_ready(each.outline):
+            wanted = balloon.request(each.balloon)
+            if wanted.key() == request.key():  # else its own values differ, and the recompute solves it
+                balloon.show(each.balloon, wanted, design, told)
+                pause()
+                parts.outline.Document.recompute([each.balloon])
+                pause()
+                parts.outline.Document.recompute([each.pattern])
+        pause()
+    return everyone

@@ -1,0 +1,199 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The coach in a document: its findings about a balloon, and the repairs that were taken.
+
+A repair belongs to the Outline: it is kept there, in the property Repairs, and applied to whatever is read
+from the drawing or the sketch, which themselves stay as they are. Taking an entry out takes the repair back.
+"""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from functools import lru_cache
+
+from BalloonWorkbench.app.border import status
+from BalloonWorkbench.app.properties.property_table import Property
+from BalloonWorkbench.app.shapes.pattern_shape import DIRECTION, LOW
+from BalloonWorkbench.core.errors import OutlineError
+from BalloonWorkbench.core.recent import Recent
+
+OUTLINE_PROPERTIES = (
+    Property(
+        "StringList",
+        "Repairs",
+        "Drawing",
+        "Repairs that were made in the drawing, one each; delete an entry to take it back",
+    ),
+    Property(
+        "Float", "DrawnSize", "Drawing", "Larger dimension before repairs, in mm", result=True, hidden=True
+    ),
+)
+BALLOON_PROPERTIES = (
+    Property(
+        "Float",
+        "Puffiness",
+        "Result",
+        "Air that it holds, as a share of what a round balloon of as much film would",
+        result=True,
+    ),
+    Property("StringList", "Advice", "Result", "What would make the balloon better", result=True),
+)
+
+#: What is said of the intake, which may change without the balloon.
+_intakes = Recent(8)  # findings about the intake, by what they came from
+_OF_INTAKE = ("hidden_intake", "delicate_intake")
+
+
+def findings(parts) -> list:
+    """The core's findings about a balloon, the worst first.
+
+    Those of its simulation where that is up to date, else those predicted from its outline. Raises
+    BalloonError where the outline is of no use.
+    """
+    from BalloonWorkbench.app.pattern import values
+
+    outline, balloon, pattern = parts
+    if not status.is_ready(outline):
+        return []
+    if not (status.is_ready(balloon) and is_solved(balloon)):
+        return predicted(parts)
+    found = [finding for finding in stored(balloon) if finding.rule not in _OF_INTAKE]
+    found += _of_intake(balloon, values(pattern))
+    return sorted(found, key=lambda finding: -finding.severity.rank)
+
+
+def _of_intake(balloon, wanted) -> list:
+    """The findings about the intake of a balloon that has a result, on the outline."""
+    from BalloonWorkbench.app.engine import film_result
+    from BalloonWorkbench.app.shapes import part_shapes
+    from BalloonWorkbench.core.advice.advise import intake_findings
+
+    key = balloon.Document.Name, balloon.Name, balloon.SolvedFor, balloon.SolvedWith, wanted
+    if key not in _intakes:
+        inflation, film = film_result.stored(balloon)
+        seam, drawn = part_shapes.stored(balloon, "Seam"), film_result.drawing(balloon)
+        _intakes[key] = intake_findings(drawn, film, inflation, seam, balloon.Passes > 0, wanted)
+    return _on_outline(balloon, _intakes[key])
+
+
+def is_solved(balloon) -> bool:
+    """The result belongs to the present values."""
+    from BalloonWorkbench.app.balloon import request
+
+    return bool(balloon.Report) and balloon.SolvedFor == request(balloon).key()
+
+
+def stored(balloon) -> list:
+    """The findings kept with a result, on the outline; a goal may have made the balloon larger."""
+    from BalloonWorkbench.core.advice.as_data import finding_from
+
+    report = json.loads(balloon.Report)
+    return _on_outline(balloon, [finding_from(data) for data in report.get("advice", [])])
+
+
+def _on_outline(balloon, found: list) -> list:
+    """Findings in the frame of the drawing, in that of the outline."""
+    from BalloonWorkbench.core.advice.repairs import finding_scaled
+
+    outline = balloon.Outline
+    if not found or not outline.SizeX:
+        return found
+    factor = outline.SizeX.Value / json.loads(balloon.Report)["input"]["width_mm"]
+    return [finding_scaled(finding, factor) for finding in found]
+
+
+def predicted(parts) -> list:
+    """The findings from the outline alone."""
+    return list(advice_before(parts).findings)
+
+
+def advice_before(parts):
+    """The core's advice from the outline alone, with the map of the thickness to be expected."""
+    from BalloonWorkbench.app.balloon import request
+    from BalloonWorkbench.app.pattern import values
+
+    return _predicted(_Key(request(parts.balloon)), values(parts.pattern))
+
+
+class _Key:
+    """A request, the same as another one that asks for the same balloon."""
+
+    def __init__(self, wanted):
+        self.wanted = wanted
+        self._key = wanted.key()
+
+    def __eq__(self, other):
+        return isinstance(other, _Key) and self._key == other._key
+
+    def __hash__(self):
+        return hash(self._key)
+
+
+@lru_cache(maxsize=8)
+def _predicted(key: _Key, wanted):
+    from BalloonWorkbench.core.advice.advise import advise
+
+    settings = key.wanted.settings
+    return advise(key.wanted.source.outline, settings.film, fitted=settings.correct, wanted=wanted)
+
+
+def told(design, film, wanted) -> dict:
+    """The advice on a design as plain data, for a report."""
+    from BalloonWorkbench.core.advice.advise import advise_design
+    from BalloonWorkbench.core.advice.as_data import advice_report
+
+    return advice_report(advise_design(design, film, wanted=wanted))
+
+
+def sentences(data: list[dict]) -> list[str]:
+    """Findings as lines of a property."""
+    return [f"{finding['severity']}: {finding['text']}" for finding in data]
+
+
+def take(parts, repair) -> None:
+    """Make a repair: a moved intake in the pattern, anything else in the outline; nothing is computed yet."""
+    import math
+
+    from BalloonWorkbench.core.advice.as_data import repair_data
+    from BalloonWorkbench.core.advice.findings import RepairKind
+
+    if repair.kind is RepairKind.MOVE_INTAKE:
+        parts.pattern.IntakeAuto = False
+        parts.pattern.IntakeBy = DIRECTION
+        parts.pattern.IntakeAngle = math.degrees(repair.size)
+        return
+    if repair.kind is RepairKind.LOWER_INTAKE:
+        parts.pattern.IntakeAuto = True
+        parts.pattern.IntakeAutoPlace = LOW
+        return
+    entry = {**repair_data(repair), "of_mm": parts.outline.DrawnSize}
+    parts.outline.Repairs = [*parts.outline.Repairs, json.dumps(entry)]
+
+
+def repair_outline(obj, outline, scales: bool):
+    """The outline as read, with the object's repairs; one that no longer fits is left out, with a note.
+
+    scales  the drawing follows Width and Height, and its repairs with it; a sketch has its own size
+    """
+    from BalloonWorkbench.core.advice.as_data import repair_from
+    from BalloonWorkbench.core.advice.repairs import repaired, scaled
+    from BalloonWorkbench.core.units import to_mm
+
+    obj.DrawnSize = size = to_mm(max(outline.size))
+    for number, entry in enumerate(obj.Repairs, 1):
+        try:
+            data = json.loads(entry)
+            repair = repair_from(data)
+            factor = size / float(data["of_mm"]) if scales else 1.0
+        except (ValueError, KeyError, TypeError):
+            outline = _noted(outline, f"Repair {number} cannot be read: delete it from Repairs.")
+            continue
+        try:
+            outline = repaired(outline, scaled(repair, factor))
+        except OutlineError as error:
+            outline = _noted(outline, str(error))
+    return outline
+
+
+def _noted(outline, note: str):
+    return replace(outline, notes=(*outline.notes, note))

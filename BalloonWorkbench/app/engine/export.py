@@ -1,0 +1,177 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Writing a pattern object as a file for the cutter, and what the simulation found as a file for science."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from BalloonWorkbench.app.border import status
+from BalloonWorkbench.core.errors import ExportError, InputError
+
+
+def export_pattern(pattern_obj, target) -> Path:
+    """Write the pattern to a file, in the format of its ending, or into a folder as DXF; returns the file.
+
+    Given the group of a drawing, all its patterns go on one sheet, none over another.
+    Raises ExportError for another ending, a pattern that is not up to date, a place that cannot be written.
+    """
+    from BalloonWorkbench.core.machines.machine import ANY
+
+    path = Path(target)
+    if path.is_dir():
+        path = path / "pattern.dxf"
+    kind = path.suffix.lower().lstrip(".")
+    if kind not in ANY:
+        raise ExportError(f"{path.name} is neither DXF nor SVG: let the name end in .dxf or .svg.")
+    return export_for(pattern_obj, ANY[kind], path)
+
+
+def sheet(pattern_obj):
+    """The pattern of an object in full precision, or all patterns of a group on one sheet.
+
+    An artwork or a sheet of film gives what is cut for it.
+    Raises ExportError when there is none, or one is not up to date.
+    """
+    from BalloonWorkbench.app import pattern
+    from BalloonWorkbench.core.pattern.layout import on_one_sheet
+
+    own = getattr(getattr(pattern_obj, "Proxy", None), "cut_pattern", None)
+    if own is not None:
+        _insist_on_ready(pattern_obj)
+        return own(pattern_obj)
+    objects = [obj for obj in getattr(pattern_obj, "Group", [pattern_obj]) if pattern.is_pattern(obj)]
+    if not objects:
+        raise ExportError(f"{pattern_obj.Label} has no pattern: choose a balloon.")
+    for obj in objects:
+        _insist_on_ready(obj)
+    return on_one_sheet([pattern.sheet(obj) for obj in objects])
+
+
+def patterns_in(obj) -> list:
+    """The pattern objects of what can be exported: of itself, a group, an artwork or a sheet of film."""
+    from BalloonWorkbench.app import pattern
+
+    cut = getattr(obj, "Patterns", None) or [getattr(obj, "Pattern", None) or obj]
+    return [each for one in cut for each in getattr(one, "Group", [one]) if pattern.is_pattern(each)]
+
+
+def check_for(pattern_obj, machine_name: str, bed: str | None = None, oversize: str = "refuse"):
+    """What a machine may find wrong with a pattern: `preflight`'s findings, errors first.
+
+    bed and oversize as for `export_for`. Raises what `sheet` and `machine` raise.
+    """
+    from BalloonWorkbench.app.border import hooks
+    from BalloonWorkbench.core.machines.machine import machine
+    from BalloonWorkbench.core.machines.preflight import ERROR, preflight
+
+    made_for, pattern = machine(machine_name, bed), sheet(pattern_obj)
+
+    parts = [pattern.of_stock(stock) for stock in pattern.stocks]
+
+    def findings(_progress) -> list:
+        return [finding for part in parts for finding in preflight(part, made_for, oversize)]
+
+    both = (*_film_findings(pattern_obj, made_for), *hooks.work("Checking the pattern", findings))
+    each_once = {finding.text: finding for finding in both}.values()
+    return tuple(sorted(each_once, key=lambda finding: finding.severity != ERROR))
+
+
+def _film_findings(pattern_obj, made_for) -> tuple:
+    """What the machine does that the films of the patterns do not take: the core's findings."""
+    from BalloonWorkbench.app.properties import film
+    from BalloonWorkbench.core.machines.preflight import film_preflight
+
+    films = dict.fromkeys(film.read(obj.Balloon) for obj in patterns_in(pattern_obj))
+    return tuple(finding for each in films for finding in film_preflight(each, made_for))
+
+
+def files_of(pattern_obj, path) -> list[Path]:
+    """The files that `export_for` writes for a path: what is cut from another film has one of its own.
+
+    Raises what `sheet` raises.
+    """
+    from BalloonWorkbench.core.machines.machine_file import file_of_stock
+
+    path, (_, *others) = Path(path), sheet(pattern_obj).stocks
+    return [path, *(path.with_name(file_of_stock(path.name, stock)) for stock in others)]
+
+
+def export_for(
+    pattern_obj,
+    machine_name: str,
+    target,
+    paper: str | None = None,
+    bed: str | None = None,
+    oversize: str = "refuse",
+) -> Path:
+    """Write the file that a machine reads, to a file or under its usual name into a folder; returns the file.
+
+    What is cut from another film than the balloon's goes into a file of its own beside it.
+    paper divides a PDF into pages of "A4", "A3" or "Letter"; bed is another one than in the machine's file,
+    such as "600 x 400 mm", "600 mm" for a roll, or "none". A pattern that is larger is refused; with oversize
+    "write" it is written all the same, with "scale" the balloon is made smaller first, see `scale_to_bed`.
+    Raises ExportError, and writes nothing, when the machine cannot make the pattern.
+    """
+    from BalloonWorkbench.app.border import hooks
+    from BalloonWorkbench.app.engine.bed import scale_to_bed
+    from BalloonWorkbench.core.files.write import write_files
+    from BalloonWorkbench.core.machines.bed import OVERSIZE, SCALE
+    from BalloonWorkbench.core.machines.machine import machine
+    from BalloonWorkbench.core.machines.machine_file import file_of_stock, machine_file
+    from BalloonWorkbench.core.machines.preflight import ERROR, preflight
+
+    if oversize not in OVERSIZE:
+        raise InputError(
+            f'"{oversize}" is no choice for a pattern larger than the bed: choose {", ".join(OVERSIZE)}.'
+        )
+    if oversize == SCALE:
+        scale_to_bed(pattern_obj, machine_name, bed)
+    made_for, pattern = machine(machine_name, bed), sheet(pattern_obj)
+    doubts = _film_findings(pattern_obj, made_for)
+    path = Path(target)
+    if path.is_dir():
+        path = path / made_for.file_name
+
+    def contents(progress) -> dict[str, bytes]:
+        found = {}
+        for number, stock in enumerate(pattern.stocks):
+            part = pattern.of_stock(stock)
+            for finding in (*doubts, *preflight(part, made_for, oversize)):
+                if finding.severity == ERROR:
+                    raise ExportError(finding.text)
+            name = file_of_stock(path.name, stock) if number else path.name
+            found[name] = machine_file(part, made_for, paper, hooks.say)
+        return found
+
+    write_files(path.parent, hooks.work(f"Writing {path.name}", contents))
+    return path
+
+
+def export_results(balloon_obj, target) -> Path:
+    """Write what the film does in every triangle to a .vtu (ParaView) or .npz file (NumPy), or the closed
+    mesh to an .stl file; returns it.
+
+    Raises ExportError for another ending, a balloon that is not up to date, a place that cannot be written.
+    """
+    from BalloonWorkbench.app.engine import film_result
+    from BalloonWorkbench.core.files.write import write_files
+    from BalloonWorkbench.core.results.result_files import FORMATS as KINDS
+    from BalloonWorkbench.core.results.result_files import results_bytes
+    from BalloonWorkbench.core.results.stl import stl_bytes
+
+    path = Path(target)
+    kind = path.suffix.lower().lstrip(".")
+    if kind not in (*KINDS, "stl"):
+        raise ExportError(f"{path.name} is neither VTU, NPZ nor STL: let the name end in .vtu, .npz or .stl.")
+    _insist_on_ready(balloon_obj)
+    inflation, film = film_result.stored(balloon_obj)
+    content = stl_bytes([inflation]) if kind == "stl" else results_bytes(inflation, film, kind)
+    write_files(path.parent, {path.name: content})
+    return path
+
+
+def _insist_on_ready(obj) -> None:
+    if not status.is_ready(obj):
+        raise ExportError(
+            f"{obj.Label} is not up to date. {status.problem(obj)} Repair that, recompute and export again."
+        )

@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The solver's result in the Balloon object, in full: for colour maps, animations and files.
+
+The mesh that FreeCAD has keeps six digits and no flat panel. Here are the vertices of the panel, where they
+are in the flat and in the inflated film, and in one text what was solved for.
+"""
+
+from __future__ import annotations
+
+import json
+from dataclasses import asdict, replace
+
+import FreeCAD as App
+
+from BalloonWorkbench.app.properties.property_table import Property
+
+PROPERTIES = (
+    Property("VectorList", "PanelPoints", "Result", "Vertices of the flat panel", result=True, hidden=True),
+    Property(
+        "IntegerList", "PanelTriangles", "Result", "Vertices of each triangle", result=True, hidden=True
+    ),
+    Property(
+        "IntegerList",
+        "PanelLines",
+        "Result",
+        "Vertices along all seams, then along all welds inside",
+        result=True,
+        hidden=True,
+    ),
+    Property(
+        "IntegerList",
+        "PanelLineCounts",
+        "Result",
+        "Number of seams, then the number of vertices of each seam and weld",
+        result=True,
+        hidden=True,
+    ),
+    Property(
+        "VectorList", "FilmPoints", "Result", "Vertices of the inflated upper film", result=True, hidden=True
+    ),
+    Property(
+        "VectorList",
+        "LowerFilmPoints",
+        "Result",
+        "Vertices of the lower film where both were simulated",
+        result=True,
+        hidden=True,
+    ),
+    Property(
+        "String", "SolvedWith", "Result", "Film, model and solver of the result", result=True, hidden=True
+    ),
+)
+
+
+def store(obj, inflation, film, values: dict) -> None:
+    """Write a result into the object; values: those of its own properties, by name, that led to it."""
+    import numpy as np
+
+    panel = inflation.panel
+    lines = (*panel.seams, *panel.welds)
+    lower = inflation.lower if inflation.lower is not None else np.empty((0, 3))
+    flat = np.column_stack([panel.rest_positions, np.zeros(len(panel.rest_positions))])
+    obj.PanelPoints, obj.FilmPoints, obj.LowerFilmPoints = map(_vectors, (flat, inflation.positions, lower))
+    obj.PanelTriangles = panel.triangles.ravel().tolist()
+    obj.PanelLines = [vertex for line in lines for vertex in line.tolist()]
+    obj.PanelLineCounts = [len(panel.seams), *map(len, lines)]
+    obj.SolvedWith = json.dumps(
+        {
+            "film": asdict(film),
+            "report": asdict(inflation.report),
+            "volume": inflation.volume,
+            "values": values,
+        }
+    )
+
+
+def is_known(obj) -> bool:
+    """There is a result: not so in an empty balloon."""
+    return bool(obj.SolvedWith)
+
+
+def stored(obj):
+    """The Inflation kept by `store` and its Film. Raises InputError where there is none, see `is_known`."""
+    import numpy as np
+
+    from BalloonWorkbench.core.errors import InputError
+    from BalloonWorkbench.core.film.film import Film, Look
+    from BalloonWorkbench.core.panels.panel import Panel
+    from BalloonWorkbench.core.results.film_state import film_state
+    from BalloonWorkbench.core.solver.inflation import Inflation, SolveReport
+    from BalloonWorkbench.core.solver.model import Model
+    from BalloonWorkbench.core.solver.start import vertex_normals
+
+    if not is_known(obj):
+        raise InputError(f"{obj.Label} has no result yet: recompute it.")
+    told = json.loads(obj.SolvedWith)
+    seams, *counts = obj.PanelLineCounts
+    lines = np.split(np.array(obj.PanelLines, dtype=np.int32), np.cumsum(counts)[:-1])
+    panel = Panel(
+        _metres(obj.PanelPoints)[:, :2],
+        np.array(obj.PanelTriangles, dtype=np.int32).reshape(-1, 3),
+        tuple(lines[:seams]),
+        tuple(lines[seams:]),
+    )
+    report = told["report"]
+    positions = _metres(obj.FilmPoints)
+    inflation = Inflation(
+        panel,
+        positions,
+        vertex_normals(positions, panel),
+        np.zeros((len(panel.triangles), 2)),
+        told["volume"],
+        SolveReport(**{**report, "model": Model(**report["model"])}),
+        _metres(obj.LowerFilmPoints) if obj.LowerFilmPoints else None,
+    )
+    made_of = told["film"]
+    film = Film(**{**made_of, "sources": tuple(made_of["sources"]), "look": Look(**made_of["look"])})
+    return replace(inflation, tensions=film_state(inflation, film).tensions), film
+
+
+def changed_since(obj, values: dict) -> list[str]:
+    """Names of those values that differ from the ones the result was solved with."""
+    before = json.loads(obj.SolvedWith)["values"] if is_known(obj) else {}
+    return [name for name, value in before.items() if values.get(name, value) != value]
+
+
+def drawing(obj):
+    """The drawing that the balloon was fitted to: the outline, at the size that the goal has found."""
+    from BalloonWorkbench.app.shapes import part_shapes
+
+    outline = part_shapes.stored(obj.Outline, "Loop")
+    width = json.loads(obj.Report)["input"]["width_mm"]
+    drawn = obj.Outline.SizeX.Value
+    scale = width / drawn if obj.SizeGoal != "Width" and drawn else 1.0
+    return outline.map(lambda loop: loop * scale)
+
+
+def _vectors(points) -> list:
+    import numpy as np
+
+    from BalloonWorkbench.core.units import to_mm
+
+    return [App.Vector(*point) for point in to_mm(np.asarray(points, dtype=float)).tolist()]
+
+
+def _metres(vectors):
+    import numpy as np
+
+    from BalloonWorkbench.core.units import from_mm
+
+    return from_mm(np.array([tuple(vector) for vector in vectors], dtype=float).reshape(-1, 3))

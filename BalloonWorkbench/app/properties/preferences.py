@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a user wants a new balloon to begin with; kept in FreeCAD's parameters, read and written here alone.
+
+Only commands of the window look at them: a macro or a program gives the same balloon on every machine.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import FreeCAD as App
+
+PATH = "User parameter:BaseApp/Preferences/Mod/BalloonWorkbench"
+_BEDS = f"{PATH}/Beds"  # by the name of the machine, as text
+_RECENT = "RecentExportFolder"
+_GENERAL, _OPENED = "User parameter:BaseApp/Preferences/General", "FileOpenSavePath"  # FreeCAD's own
+_folders: dict[str, str] = {}  # where files went, by the document
+
+
+class Item(NamedTuple):
+    """One preference: its key, what it is without the user, and the property that begins with it, if any."""
+
+    key: str
+    default: str | float | bool
+    part: str = ""  # outline, balloon or pattern
+    prop: str = ""
+    tooltip: str = ""
+
+
+def _items() -> tuple[Item, ...]:
+    from BalloonWorkbench.app import balloon, outline, pattern
+    from BalloonWorkbench.core.film.library import DEFAULT_FILM
+
+    def of(part: str, module, name: str, key: str = "", default: Any = None) -> Item:
+        known = next(item for item in module.PROPERTIES if item.name == name)
+        value = known.value if default is None else default
+        return Item(key or name, 0.0 if value is None else value, part, name, known.tooltip)
+
+    return (
+        of("balloon", balloon, "Film", default=DEFAULT_FILM),
+        of("outline", outline, "Width"),
+        of("balloon", balloon, "Pressure"),
+        of("pattern", pattern, "SealWidth"),
+        of("pattern", pattern, "Allowance"),
+        of("balloon", balloon, "Backend", default=next(iter(balloon.BACKENDS))),
+        of("balloon", balloon, "MeshSize"),
+        of("balloon", balloon, "Live"),
+        Item("ExportFolder", ""),
+        Item("Machine", "any-dxf"),
+        Item("OfferSolver", True),
+    )
+
+
+def items() -> dict[str, Item]:
+    """All preferences by key, in the order of the page."""
+    return {item.key: item for item in _items()}
+
+
+def get(key: str) -> Any:
+    """The user's value, or the usual one where there is none or it makes no sense (any more)."""
+    item, group = items()[key], App.ParamGet(PATH)
+    if isinstance(item.default, bool):
+        return group.GetBool(key, item.default)
+    if isinstance(item.default, str):
+        value = group.GetString(key, item.default)
+        allowed = choices(key)
+        return value if not allowed or value in allowed else item.default
+    value = group.GetFloat(key, item.default)
+    least = 0.0 if item.default == 0.0 or key == "Allowance" else 1e-6
+    return value if least <= value < float("inf") else item.default
+
+
+def put(key: str, value) -> None:
+    """Keep a value; the usual one is not kept, so that it may change with a new release."""
+    item, group = items()[key], App.ParamGet(PATH)
+    kind = (
+        "Bool" if isinstance(item.default, bool) else "String" if isinstance(item.default, str) else "Float"
+    )
+    if value == item.default:
+        getattr(group, f"Rem{kind}")(key)
+    else:
+        getattr(group, f"Set{kind}")(key, type(item.default)(value))
+
+
+def bed(machine) -> tuple[float, float] | None:
+    """The bed that the user has given a machine [m], else that of its file; None where there is no limit."""
+    from BalloonWorkbench.core.errors import InputError
+    from BalloonWorkbench.core.machines.machine import parse_bed
+
+    try:
+        return parse_bed(App.ParamGet(_BEDS).GetString(machine.name, ""))
+    except InputError:  # none is kept, or it makes no sense
+        return machine.bed
+
+
+def put_bed(machine, size: tuple[float, float] | None) -> None:
+    """Keep the bed of a machine [m]; that of its file is not kept."""
+    from BalloonWorkbench.core.machines.machine import bed_text
+
+    group = App.ParamGet(_BEDS)
+    if size == machine.bed:
+        group.RemString(machine.name)
+    else:
+        group.SetString(machine.name, bed_text(size))
+
+
+def export_folder(doc) -> Path:
+    """Where files go: the folder that the user prefers, else the last one for this document, else beside it,
+    else the last one for any document, else the home folder.
+    """
+    if get("ExportFolder"):
+        return Path(get("ExportFolder"))
+    document = Path(doc.FileName).parent if doc.FileName else ""
+    known = (_folders.get(doc.FileName or doc.Name, ""), document, App.ParamGet(PATH).GetString(_RECENT, ""))
+    return next((Path(folder) for folder in known if folder and Path(folder).is_dir()), Path.home())
+
+
+def put_export_folder(doc, folder) -> None:
+    """Remember where a document's file went."""
+    _folders[doc.FileName or doc.Name] = str(folder)
+    App.ParamGet(PATH).SetString(_RECENT, str(folder))
+
+
+def open_folder() -> str:
+    """Where FreeCAD has opened or saved a file last; empty where it has not."""
+    return App.ParamGet(_GENERAL).GetString(_OPENED, "")
+
+
+def put_open_folder(folder: str) -> None:
+    """Let FreeCAD and the workbench ask for the next file there."""
+    App.ParamGet(_GENERAL).SetString(_OPENED, folder)
+
+
+def choices(key: str) -> list[str]:
+    """What a preference may be; empty where it is a number, a switch or free text."""
+    from BalloonWorkbench.app import balloon
+    from BalloonWorkbench.app.properties import film
+    from BalloonWorkbench.core.machines.machine import machines
+
+    if key == "Film":
+        return [name for name in film.names() if name != film.CUSTOM]
+    if key == "Backend":
+        return list(balloon.BACKENDS)
+    return list(machines()) if key == "Machine" else []
+
+
+def begin(parts) -> None:
+    """Give the objects of a new balloon the user's preferences; nothing is computed."""
+    for item in items().values():
+        if item.prop and get(item.key) != item.default:
+            setattr(getattr(parts, item.part), item.prop, get(item.key))
+
+
+def settings():
+    """The engine's settings for a balloon that begins with the preferences and is no document object yet."""
+    from BalloonWorkbench.app import balloon
+    from BalloonWorkbench.app.properties import quantities
+    from BalloonWorkbench.app.properties.film import known_films
+    from BalloonWorkbench.core.job import Settings
+
+    return Settings(
+        film=known_films()[get("Film")],
+        pressure=quantities.pascals(get("Pressure")),
+        mesh_size=quantities.metres(get("MeshSize")) or None,
+        backend=balloon.BACKENDS[get("Backend")],
+    )

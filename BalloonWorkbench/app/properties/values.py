@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The values of a balloon by the names that the Python API has for them: mesh_size for MeshSize."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+from typing import Any
+
+from BalloonWorkbench.app import balloon, outline, pattern
+from BalloonWorkbench.app.properties import quantities
+from BalloonWorkbench.app.properties.property_table import Property
+from BalloonWorkbench.core.errors import InputError
+
+#: They decide about others, so they come first.
+_FIRST = ("film", "load", "size_goal", "drawing", "source")
+_READ = {"Length": quantities.length, "Pressure": quantities.pressure, "Volume": quantities.volume}
+#: Of results: the one that goes with a film's numbers.
+_TOLD = ("Material",)
+
+
+def places() -> dict[str, tuple[str, Property]]:
+    """For each name, the object that has the value (a field of Parts) and its property.
+
+    seal_width is that of the pattern, which overrules the film's: film_seal_width.
+    """
+    cut = {item.name for item in pattern.PROPERTIES if not item.result}
+    found = {}
+    for part, module in (("outline", outline), ("balloon", balloon), ("pattern", pattern)):
+        for item in module.PROPERTIES:
+            if item.type != "Link" and (not item.result or item.name in _TOLD):
+                twice = part == "balloon" and item.name in cut
+                found[("film_" if twice else "") + snake(item.name)] = (part, item)
+    return found
+
+
+def snake(name: str) -> str:
+    """MeshSize to mesh_size."""
+    return re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name).lower()
+
+
+def check(names) -> None:
+    """Raise InputError for a name that no value has."""
+    known = places()
+    for name in names:
+        if name not in known:
+            raise InputError(f'A balloon has no "{name}": it has {", ".join(sorted(known))}.')
+
+
+def assign(parts, values: dict[str, Any]) -> None:
+    """Set values by name; nothing is computed.
+
+    Numbers are in FreeCAD's units; quantities, and text such as "300 mm", bring their own.
+    Raises InputError for unknown names and for what a value cannot be.
+    """
+    check(values)
+    known = places()
+    for name in sorted(values, key=lambda name: (name not in _FIRST, name)):
+        part, item = known[name]
+        _set(getattr(parts, part), name, item, values[name])
+
+
+def assign_to(obj, properties: tuple[Property, ...], values: dict[str, Any]) -> None:
+    """As `assign`, for one object and its properties."""
+    known = {snake(item.name): item for item in properties if not item.result}
+    for name, value in values.items():
+        if name not in known:
+            raise InputError(f'{obj.Label} has no "{name}": it has {", ".join(sorted(known))}.')
+        _set(obj, name, known[name], value)
+
+
+def texts_of(obj, properties: tuple[Property, ...]) -> dict[str, str]:
+    """The values of one object that are not the usual ones, as Python text by name; no files or links."""
+    return {
+        snake(item.name): text(getattr(obj, item.name), item)
+        for item in properties
+        if not item.result and "Link" not in item.type and item.type != "FileIncluded"
+        if _plain(getattr(obj, item.name)) != _usual(obj, item)
+    }
+
+
+def _plain(value):
+    return getattr(value, "Value", value)
+
+
+def _usual(obj, item: Property):
+    if item.type == "Enumeration":
+        return obj.getEnumerationsOfProperty(item.name)[0]
+    return item.value or type(_plain(getattr(obj, item.name)))()
+
+
+def _set(obj, name: str, item: Property, value) -> None:
+    read = _READ.get(item.type) if isinstance(value, str) else None
+    try:
+        if item.type == "FileIncluded":
+            setattr(obj, item.name, (os.fspath(value), os.path.basename(value)) if value else "")
+        else:
+            setattr(obj, item.name, read(value) if read else value)
+    except (ValueError, TypeError, OSError, RuntimeError) as error:
+        raise InputError(f'{name} cannot be "{value}": {error}') from error
+
+
+def texts(parts) -> dict[str, str]:
+    """The present values as Python text, by name; those that follow from others are left out."""
+    return {
+        name: text(getattr(getattr(parts, part), item.name), item)
+        for name, (part, item) in places().items()
+        if not _follows(parts, item.name, part)
+    }
+
+
+def text(value, item: Property) -> str:
+    """A value as Python text that `assign` takes."""
+    unit, factor = _UNITS.get(item.type, ("", 1.0))
+    if unit:
+        return f'"{value.Value * factor:.10g} {unit}"'
+    if item.type == "Angle":
+        return f"{value.Value:.10g}"
+    if item.type in ("LinkSubGlobal", "LinkSub"):
+        return _link(value)
+    if isinstance(value, float):
+        return f"{value:.10g}"
+    return repr(value) if isinstance(value, (bool, int)) else json.dumps(value, ensure_ascii=False)
+
+
+_UNITS = {"Length": ("mm", 1.0), "Distance": ("mm", 1.0), "Pressure": ("kPa", 1.0), "Volume": ("l", 1e-6)}
+
+
+def _link(value) -> str:
+    if not value:
+        return "None"
+    source, elements = value
+    return f'(App.ActiveDocument.getObject("{source.Name}"), {json.dumps(list(elements))})'
+
+
+def _follows(parts, name: str, part: str) -> bool:
+    """The value is set by another one or has no effect now: the property editor does not offer it."""
+    return name == "Part" or (name not in _TOLD and bool(getattr(parts, part).getEditorMode(name)))

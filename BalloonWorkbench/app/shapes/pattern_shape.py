@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A pattern as the shape and the results of a Pattern object."""
+
+from __future__ import annotations
+
+#: What may tell where an intake is.
+DIRECTION, PLACE = "Direction", "Place on the seam"
+#: Where it is found unless it is told.
+FARTHEST, LOW = "Farthest point", "Low"
+
+
+def show(obj, pattern, how_to_fill: str) -> None:
+    """Write a pattern into the object: the sheets to cut out first, then welds and marks."""
+    import math
+
+    import Part
+
+    from BalloonWorkbench.core.pattern.pattern import Role
+    from BalloonWorkbench.core.units import to_mm
+
+    cuts = _nested(pattern.of(Role.CUT), pattern.of(Role.CUT_INNER))
+    beside = (Role.SEAL, Role.WELD, Role.NOTCH, Role.FOLD, Role.PEN, Role.ENGRAVE)
+    lines = [contour for role in beside for contour in pattern.of(role)]
+    faces = [Part.Face([_wire(obj, each) for each in sheet]) for sheet in cuts]
+    obj.Shape = Part.Compound([*faces, *(_wire(obj, line) for line in lines)])
+    obj.Roles = [contour.role.value for contour in (*(each for sheet in cuts for each in sheet), *lines)]
+    obj.SeamLength = to_mm(pattern.seam_length)
+    obj.PatternWidth, obj.PatternHeight = (to_mm(length) for length in pattern.of_stock("").size)
+    obj.Warnings = list(pattern.warnings)
+    obj.HowToFill = how_to_fill
+    if pattern.intake is not None and (obj.IntakeAuto or obj.IntakeBy == PLACE):
+        obj.IntakeAngle = math.degrees(pattern.intake.angle)
+    if pattern.intake is not None and (obj.IntakeAuto or obj.IntakeBy == DIRECTION):
+        obj.IntakeAlong = to_mm(pattern.intake.along)
+
+
+def _wire(obj, contour):
+    from BalloonWorkbench.app.shapes import part_shapes
+    from BalloonWorkbench.core.arcs.curves import polyline
+    from BalloonWorkbench.core.arcs.fit_arcs import fit_curve
+
+    if not obj.Arcs:
+        return part_shapes.curve_wire(polyline(contour.points, contour.closed))
+    fitted = fit_curve(contour.points, contour.closed)
+    return part_shapes.spline_wire(fitted) if obj.Splines else part_shapes.curve_wire(fitted)
+
+
+def _nested(outer, inner) -> list:
+    """Each outer cut with the inner ones that lie in it and in no smaller one."""
+    from BalloonWorkbench.core.outline.crossings import contains
+    from BalloonWorkbench.core.outline.outline import signed_area
+
+    smallest_first = sorted(outer, key=lambda cut: abs(signed_area(cut.points)))
+    holes = {id(cut): [] for cut in outer}
+    for hole in inner:
+        around = [cut for cut in smallest_first if contains(cut.points, hole.points[:1])[0]]
+        holes[id(around[0])].append(hole)
+    return [[cut, *holes[id(cut)]] for cut in outer]

@@ -1,0 +1,337 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The command line: python -m BalloonWorkbench design INPUT --width 300mm --out DIR."""
+
+from __future__ import annotations
+
+import argparse
+import contextlib
+import math
+import os
+import stat
+import sys
+from collections.abc import Callable, Sequence
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+from BalloonWorkbench.cli import bed, console, making, pattern
+from BalloonWorkbench.cli import document as cli_document
+from BalloonWorkbench.cli.home import home
+from BalloonWorkbench.cli.options import FETCH, language_of, parser
+from BalloonWorkbench.cli.summary import summary
+from BalloonWorkbench.core import native_wheel
+from BalloonWorkbench.core.design.size_goal import SizeGoal
+from BalloonWorkbench.core.errors import (
+    BalloonError,
+    ExportError,
+    InputError,
+    MissingPackageError,
+    ProgramFault,
+)
+from BalloonWorkbench.core.faults import UNFORESEEN, report_fault
+from BalloonWorkbench.core.files.write import check_folder, write_files
+from BalloonWorkbench.core.film.filling import Filling, gas
+from BalloonWorkbench.core.film.film import Film
+from BalloonWorkbench.core.film.library import DEFAULT_FILM, custom_film, film, with_grain
+from BalloonWorkbench.core.job import (
+    Balloon,
+    Settings,
+    inflation_files,
+    left_out_text,
+    make_balloon,
+    makers,
+    report_bytes,
+)
+from BalloonWorkbench.core.language.speech import speech
+from BalloonWorkbench.core.machines.bed import SCALE
+from BalloonWorkbench.core.machines.machine import Machine, left_out
+from BalloonWorkbench.core.machines.machine_file import checked_files, machines_for
+from BalloonWorkbench.core.solver.model import Model
+from BalloonWorkbench.core.solver.native import load
+from BalloonWorkbench.core.tracing.raster import opencv
+from BalloonWorkbench.core.types import Made, Progress, Say, in_english
+from BalloonWorkbench.core.units import (
+    number_text,
+    parse_length,
+    parse_mass,
+    parse_pressure,
+    parse_temperature,
+    parse_volume,
+)
+
+FAULT, INTERRUPTED = 70, 130
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run a command; returns an exit code of docs/command-line.md, with a line on stderr unless it is 0."""
+    console.quiet()
+    run = _Run()
+    try:
+        with console.signals_are_errors():
+            run.say = speech(language_of(arguments))
+            with home():
+                for sentence in left_out():
+                    run.complain(sentence)
+                options = parser().parse_args(arguments)
+                if options.command != FETCH:
+                    return run.command(options)
+            return run.fetch_solver()  # into the user's own home, if anywhere there
+    except BalloonError as error:
+        run.complain(error)
+        return FAULT if isinstance(error, ProgramFault) else 2
+    except KeyboardInterrupt:
+        run.complain(f"stopped; {run.outcome()}.")
+        return INTERRUPTED
+    except console.Ended as ended:
+        run.complain(f"stopped; {run.outcome()}.")
+        return ended.end()
+    except Exception as error:  # noqa: BLE001 - the command line is a border
+        run.complain(report_fault(error, "designing a balloon"))
+        return FAULT
+
+
+class _Run:
+    """One run: its language, the files that were written, what was left out, and the first fault."""
+
+    def __init__(self) -> None:
+        self.say: Say = in_english
+        self._paths: tuple[Path, ...] = ()
+        self._left_out: list[str] = []
+        self._fault: ProgramFault | None = None
+
+    def complain(self, text: object) -> None:
+        """One line on stderr, in the language of the run."""
+        console.complain(self.say(str(text)))
+
+    def _progress(self, line: console.StatusLine) -> Progress:
+        return lambda fraction, text: line.show(fraction, self.say(text))
+
+    def outcome(self) -> str:
+        """Whether files were written, as the end of a sentence."""
+        if not self._paths:
+            return "no file was written"
+        return f"all files were written before to {self._paths[0].parent}"
+
+    def command(self, options: argparse.Namespace) -> int:
+        """Do what the options say."""
+        width, height = _length(options.width), _length(options.height)
+        settings = _settings(options)
+        for name in (options.input, options.artwork, options.artwork_back, *options.machine):
+            _refuse_streams(name)
+        # a mistake shows before the work
+        chosen, doubts = machines_for(settings.film, bed.machines_of(options))
+        make = making.checked(options, _decode(), self.say)
+        check_folder(options.out)
+        line = console.StatusLine(sys.stderr)
+        progress = self._progress(line)
+
+        def design(size: bed.Size) -> Balloon:
+            return make_balloon(
+                options.input,
+                settings,
+                width=size[0],
+                height=size[1],
+                decode=_decode(),
+                progress=progress,
+                attempt=self._attempt,
+            )
+
+        smaller: list[str] = []
+        try:
+            balloon = design((width, height))
+            if options.oversize == SCALE:
+                balloon, (width, height), smaller = bed.scaled_to_fit(
+                    balloon, chosen, (width, height), design
+                )
+            if settings.goal is not None:
+                width = balloon.drawing.size[0]
+            with cli_document.document(options.input, settings, balloon.designs, width, height) as document:
+                contents, lines = self._contents(balloon, chosen, options, make, progress)
+                made = document and self._attempt(cli_document.NAME, document.content)
+            if made:
+                contents[cli_document.NAME] = made
+        finally:
+            line.clear()
+        report = balloon.report and self._attempt(
+            "report.json", lambda: report_bytes(balloon, self._left_out)
+        )
+        if report:
+            contents["report.json"] = report
+        if not contents:
+            raise self._fault or ExportError("\n".join(["No file could be made.", *self._left_out]))
+        write_files(options.out, contents, self._written)
+        return self._tell(
+            balloon, [*(self.say(f"Check: {doubt}") for doubt in doubts), *map(self.say, smaller), *lines]
+        )
+
+    def _contents(
+        self,
+        balloon: Balloon,
+        chosen: Sequence[Machine],
+        options: argparse.Namespace,
+        make: Callable[..., Any],
+        progress: Progress,
+    ) -> tuple[dict[str, bytes], list[str]]:
+        """Contents of the files that can be made, by name, and lines for the user."""
+        progress(1.0, "writing files")
+        contents: dict[str, bytes] = {}
+        usual = self._attempt("The file of the pattern", lambda: makers(balloon, options.results))
+        for name, maker in (usual or {}).items():
+            content = self._attempt(name, maker)
+            if content is not None:
+                contents[name] = content
+        if options.frames is not None:
+            contents |= (
+                self._attempt("inflation.pvd", lambda: inflation_files(balloon, options.frames, progress))
+                or {}
+            )
+        lines = [f"{self.say(each.title)}: {self.say(each.note)}" for each in chosen]
+        asked = [(each.file_name, [each], None) for each in chosen]
+        if options.tiled is not None:
+            asked.append((f"pattern-{options.tiled.lower()}.pdf", [], options.tiled))
+        refused: list[ExportError] = []
+        for name, machines, paper in asked:
+            try:
+                work = partial(checked_files, balloon.sheet, machines, paper, options.oversize, self.say)
+                made = self._attempt(name, work)
+            except ExportError as error:
+                refused.append(error)
+                continue
+            if made is not None:
+                contents |= made[0]
+                lines += [self.say(f"Check: {remark}") for remark in made[1]]
+        if refused and len(refused) == len(asked):
+            raise ExportError("\n".join([*map(str, refused), *bed.ways_on(balloon, chosen)]))
+        self._left_out += [*map(str, refused), *(bed.ways_on(balloon, chosen) if refused else [])]
+        more = self._attempt("The rest of the job", lambda: make(balloon, chosen, progress, self._attempt))
+        files, told = more or ({}, [])
+        return contents | files, [*lines, *told]
+
+    def _attempt(self, what: str, make: Callable[[], Made], /) -> Made | None:
+        """Make something that the other files can do without: see core/types.py."""
+        try:
+            return make()
+        except ProgramFault as fault:
+            error = fault
+        except MissingPackageError as missing:
+            self._left_out.append(left_out_text(what, missing))
+            return None
+        except BalloonError:
+            raise
+        except UNFORESEEN as unforeseen:
+            error = report_fault(unforeseen, f"making {what}")
+        self._left_out.append(left_out_text(what, error))
+        self._fault = self._fault or error
+        return None
+
+    def _written(self, paths: tuple[Path, ...]) -> None:
+        self._paths = paths
+
+    def fetch_solver(self) -> int:
+        """Fetch the native solver, telling before from where and where to; the exit code."""
+        if load.problem_with_library() is None:
+            return self._show("The native solver is here already.")
+        wheel = native_wheel.wheel()
+        shown = self._show(
+            f"Fetching {wheel.address} ({number_text(wheel.size / 1e6, 2)} MB) "
+            f"into {native_wheel.place()}; only the file with SHA-256 {wheel.sha256} is kept."
+        )
+        line = console.StatusLine(sys.stderr)
+        try:
+            native_wheel.fetch(wheel, self._progress(line))
+        finally:
+            line.clear()
+        return shown or self._show("The native solver is in use now.")
+
+    def _show(self, text: str) -> int:
+        """Show a line; the exit code."""
+        return 0 if console.show(f"{self.say(text)}\n") is None else console.UNSHOWN
+
+    def _tell(self, balloon: Balloon, lines: Sequence[str]) -> int:
+        """Tell what was found and written; the exit code."""
+        say, settings = self.say, balloon.settings
+        told = summary(balloon.report, settings.film, settings.correct, say)
+        slow = native_wheel.slow_notes() if settings.backend is None else []
+        told += [say(f"Note: {say(note)}") for note in (*self._left_out, *slow)]
+        told += [*lines, *(say(f"Wrote {path}") for path in self._paths)]
+        problem = console.show("\n".join(told) + "\n")
+        if self._fault is not None:
+            self.complain(self._fault)
+            return FAULT
+        if problem is not None:
+            self.complain(f"The summary cannot be shown ({problem.strerror}); {self.outcome()}.")
+            return console.UNSHOWN
+        return 0
+
+
+def _refuse_streams(name: str | None) -> None:
+    """Pipes and devices may never end, and are read more than once. InputError."""
+    with contextlib.suppress(OSError):  # who reads it says what is wrong
+        mode = os.stat(name or "").st_mode
+        if not (stat.S_ISREG(mode) or stat.S_ISDIR(mode)):
+            raise InputError(f"'{name}' is a pipe or a device: save what comes from it, and name that file.")
+
+
+def _settings(options: argparse.Namespace) -> Settings:
+    return Settings(
+        _film(options),
+        parse_pressure(options.pressure),
+        _length(options.mesh_size),
+        options.solver,
+        options.command == "design",
+        volume=None if options.gas_volume is None else parse_volume(options.gas_volume),
+        model=Model(
+            not options.plain_shell, not options.no_bending, options.bending_floor, options.two_panels
+        ),
+        symmetry=options.symmetry,
+        drawn_as=options.drawn_as,
+        goal=_goal(options),
+        filling=Filling(
+            gas(options.gas),
+            None if options.gas_temperature is None else parse_temperature(options.gas_temperature),
+            parse_temperature(options.air_temperature),
+            parse_length(options.altitude),
+        ),
+        passage=pattern.passage(options),
+        wanted=pattern.wanted(options),
+    )
+
+
+def _length(text: str | None) -> float | None:
+    return None if text is None else parse_length(text)
+
+
+def _goal(options: argparse.Namespace) -> SizeGoal | None:
+    if options.target_volume is None and options.target_lift is None:
+        return None
+    if options.width is not None or options.height is not None:
+        raise InputError("--target-volume and --target-lift decide the size: leave out --width and --height.")
+    if options.target_volume is not None:
+        return SizeGoal(volume=parse_volume(options.target_volume, "l"))
+    return SizeGoal(lift=parse_mass(options.target_lift, "g"))
+
+
+def _film(options: argparse.Namespace) -> Film:
+    own = (options.young, options.poisson, options.thickness)
+    if all(value is None for value in own):
+        plain = film(options.material or DEFAULT_FILM)
+    elif options.material is not None or any(value is None for value in own):
+        raise InputError("Give either --material, or all of --young, --poisson and --thickness.")
+    else:
+        plain = custom_film(*own)
+    if options.young_across is not None:
+        return with_grain(plain, options.young_across, math.radians(options.grain or 0.0))
+    if options.grain is not None:
+        raise InputError("Only a film with another stiffness across has a grain: give --young-across too.")
+    return plain
+
+
+def _decode() -> Any:
+    """Qt's picture reader where OpenCV is missing; None means OpenCV."""
+    if opencv() is not None:
+        return None
+    try:
+        from BalloonWorkbench.app.drawings import qt_picture
+    except ImportError:
+        return None  # the reader of pictures says what to install
+    return qt_picture.decode

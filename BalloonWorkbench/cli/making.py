@@ -1,0 +1,179 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The options of the command line for making a balloon: prints, layout on film, assembly sheet."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from BalloonWorkbench.cli.console import readable
+from BalloonWorkbench.core.artwork.marks import BLEED
+from BalloonWorkbench.core.artwork.sheet import DPI
+from BalloonWorkbench.core.assembly_sheet.page import PAGES
+from BalloonWorkbench.core.errors import ExportError, InputError
+from BalloonWorkbench.core.job import Balloon
+from BalloonWorkbench.core.machines.machine import ANY, Machine, machines
+from BalloonWorkbench.core.machines.machine_file import checked_files
+from BalloonWorkbench.core.nesting.layout import SPACING, Grain, Stock
+from BalloonWorkbench.core.products import Artwork, assembly_files, nested, print_files
+from BalloonWorkbench.core.tracing.picture_file import decode, picture_size
+from BalloonWorkbench.core.types import Attempt, Progress, Say
+from BalloonWorkbench.core.units import (
+    length_text,
+    number_text,
+    parse_length,
+    parse_size,
+    percent_text,
+    size_text,
+)
+
+
+def add_making(command: argparse.ArgumentParser) -> None:
+    """Options for what is made beside the pattern."""
+    group = command.add_argument_group("making")
+    group.add_argument(
+        "--artwork",
+        metavar="PICTURE",
+        help="print this on the balloon; the input itself as it was drawn",
+    )
+    group.add_argument("--artwork-back", metavar="PICTURE", help="another picture for the back")
+    group.add_argument(
+        "--dpi",
+        metavar="N",
+        type=float,
+        default=DPI,
+        help=f"resolution of the prints (default {number_text(DPI)})",
+    )
+    group.add_argument(
+        "--bleed",
+        metavar="LENGTH",
+        help=f"how far the print goes past the cut (default {length_text(BLEED).replace(' ', '')})",
+    )
+    group.add_argument(
+        "--nest", metavar="WIDTH[xLENGTH]", help="lay all panels out on a roll of this width, or on sheets"
+    )
+    group.add_argument(
+        "--balloons", metavar="N", type=int, default=1, help="how many are laid out (default 1)"
+    )
+    group.add_argument(
+        "--spacing",
+        metavar="LENGTH",
+        help=f"between pieces laid out (default {length_text(SPACING).replace(' ', '')})",
+    )
+    group.add_argument(
+        "--grain-lies",
+        choices=[grain.value for grain in Grain],
+        default=Grain.ALONG.value,
+        help="how the grain of pieces lies on the roll, for films with one (default along)",
+    )
+    group.add_argument("--assembly", choices=list(PAGES), help="write an assembly sheet on this paper")
+
+
+def checked(
+    options: argparse.Namespace, reader: Callable[[Path], Any] | None, say: Say
+) -> Callable[..., Any]:
+    """Look at the options before the work; returns what makes the files of a balloon.
+
+    reader  of pictures, None for OpenCV; say gives texts in the user's language
+    Raises InputError for options that make no sense.
+    """
+    artwork = _artwork(options, reader or decode)
+    stock = None if options.nest is None else _stock(options)
+
+    def make(
+        balloon: Balloon, chosen: Sequence[Machine], progress: Progress, attempt: Attempt
+    ) -> tuple[dict[str, bytes], list[str]]:
+        """Contents of the files by name, and lines for the user; each option is an attempt of its own."""
+        asked = list(chosen) or [machines()[name] for name in ANY.values()]
+        made: list[tuple[Mapping[str, bytes], list[str]] | None] = []
+        if artwork is not None:
+            progress(1.0, "printing")
+            made.append(
+                attempt("The print on film", lambda: _print(balloon, artwork, asked, options.oversize, say))
+            )
+        if stock is not None:
+            made.append(
+                attempt(
+                    "The layout on film",
+                    lambda: _nest(balloon, stock, options.balloons, asked, options.oversize, progress, say),
+                )
+            )
+        if options.assembly is not None:
+            title = readable(Path(options.input).stem).capitalize()
+            made.append(
+                attempt("assembly.pdf", lambda: (assembly_files(balloon, title, options.assembly, say), []))
+            )
+        done = [each for each in made if each is not None]
+        contents = {name: content for files, _ in done for name, content in files.items()}
+        return contents, [line for _, lines in done for line in lines]
+
+    return make
+
+
+def _print(
+    balloon: Balloon, artwork: Artwork, asked: Sequence[Machine], oversize: str, say: Say
+) -> tuple[dict[str, bytes], list[str]]:
+    files, remarks, front, back = print_files(balloon, artwork)
+    contents = dict(files)
+    lines = [say(f"Note: {remark}") for remark in remarks]
+    for side, seen, sheet in (("front", say("front"), front), ("back", say("back"), back)):
+        made, doubts = checked_files(sheet.pattern, asked, oversize=oversize)
+        contents |= {f"print-{side}-{name}": content for name, content in made.items()}
+        lines += [say(f"Check, {seen}: {doubt}") for doubt in doubts]
+    width, height = front.size
+    lines.append(say(f"Print {size_text(width, height)} at {number_text(front.dpi)} dpi, front and back"))
+    return contents, lines
+
+
+def _artwork(options: argparse.Namespace, reader: Callable[[Path], Any]) -> Artwork | None:
+    if options.artwork is None:
+        if options.artwork_back is not None:
+            raise InputError("Give --artwork for the front too.")
+        return None
+    paths = [Path(name) for name in (options.artwork, options.artwork_back) if name is not None]
+    for path in paths:
+        picture_size(path)
+    front, *back = (reader(path) for path in paths)
+    traced = Path(options.input).exists() and paths[0].read_bytes() == Path(options.input).read_bytes()
+    bleed = BLEED if options.bleed is None else parse_length(options.bleed)
+    return Artwork(front, traced, back[0] if back else None, options.dpi, bleed, options.drawn_as)
+
+
+def _stock(options: argparse.Namespace) -> Stock:
+    """'500mm', '500mmx700mm' or '50 x 70 cm': width, and length of a sheet."""
+    width, length = parse_size(options.nest)
+    spacing = SPACING if options.spacing is None else parse_length(options.spacing)
+    return Stock(width, length, spacing, Grain(options.grain_lies))
+
+
+def _nest(
+    balloon: Balloon,
+    stock: Stock,
+    count: int,
+    machines: Sequence[Machine],
+    oversize: str,
+    progress: Progress,
+    say: Say,
+) -> tuple[dict[str, bytes], list[str]]:
+    contents: dict[str, bytes] = {}
+    lines: list[str] = []
+    notes: list[str] = []
+    for film, (layouts, pieces, remarks) in nested(balloon, stock, count, progress).items():
+        title = f"{film} film".strip().capitalize()
+        notes += remarks
+        for number, layout in enumerate(layouts, 1):
+            suffix, which = "" if number == 1 else f"-{number}", f"{say(title)} {number}"
+            for each in machines:
+                try:
+                    made, doubts = checked_files(layout.pattern(pieces), [each], oversize=oversize)
+                except ExportError as error:
+                    lines.append(say(f"Left out: {error}"))
+                    continue
+                contents |= {f"nested{suffix}-{name}": content for name, content in made.items()}
+                lines += [say(f"Check, {which}: {doubt}") for doubt in doubts]
+            size, used = size_text(layout.length, stock.width), percent_text(layout.utilisation)
+            lines.append(say(f"{which}: pieces {len(layout.places)}, on {size}, {used} used"))
+    lines += [say(f"Note: {remark}") for remark in dict.fromkeys(notes)]
+    return contents, lines

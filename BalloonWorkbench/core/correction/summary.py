@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a pattern correction came to: the design, and sentences about what is not as drawn."""
+
+from __future__ import annotations
+
+from BalloonWorkbench.core.correction.iterate import Pass
+from BalloonWorkbench.core.correction.unreachable import stretches
+from BalloonWorkbench.core.design.design import Design, Stretch
+from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.units import length_text, place_text
+
+REACHED = 1e-2
+MOST_SENTENCES = 3  # about single stretches that are not reached
+
+
+def verdict(target: Outline, best: Pass, passes: int, meshes: int, seconds: float) -> Design:
+    """The design of the best pass, with what is to be said about it."""
+    size = max(target.size)
+    error = best.misfit.over()
+    warnings = []
+    if not best.inflation.report.converged:
+        warnings.append(
+            "The simulation did not come to rest; the shape shown is its last good state. Try a coarser mesh."
+        )
+    reached = error.mean <= REACHED * size
+    if passes and not reached:
+        warnings.append(
+            f"The inflated outline stays {length_text(error.mean)} from the drawing on average:"
+            " film cannot follow this shape everywhere. Round off notches and widen thin parts."
+        )
+    unreached = stretches(target, best.misfit) if passes else ()
+    warnings += [_sentence(stretch) for stretch in unreached[:MOST_SENTENCES]]
+    return Design(
+        target,
+        best.course.outline,
+        best.inflation,
+        best.shown,
+        error,
+        passes,
+        meshes,
+        seconds,
+        reached,
+        (*target.notes, *warnings),
+        unreached,
+    )
+
+
+def _sentence(stretch: Stretch) -> str:
+    return (
+        f"Near {place_text(stretch.middle)} the inflated outline stays up to {length_text(stretch.max, 3)}"
+        f" from the drawing, over a length of {length_text(stretch.end - stretch.start, 3)}: film cannot"
+        " follow it there. Round it off or widen it."
+    )

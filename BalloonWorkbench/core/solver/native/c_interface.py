@@ -1,0 +1,176 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The C ABI of the native solver (native/include/film_solver.h), by ctypes, which a few Pythons lack.
+
+A ctypes call releases the interpreter, so a window stays alive while the library works.
+"""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+
+import numpy as np
+
+from BalloonWorkbench.core.errors import Cancelled, SolverError
+from BalloonWorkbench.core.solver.element.seam_band import hinge_rigidities, seam_hinges
+from BalloonWorkbench.core.solver.problem import Energies, Equilibrium, FilmProblem, NewtonSettings
+from BalloonWorkbench.core.types import Floats, Progress, no_progress
+
+_CANCELLED = 3
+
+
+class _Material(ctypes.Structure):
+    _fields_ = [
+        ("membrane_stiffness", ctypes.c_double),
+        ("poisson_ratio", ctypes.c_double),
+        ("flexural_rigidity", ctypes.c_double),
+        ("pressure", ctypes.c_double),
+        ("across", ctypes.c_double),
+        ("shear", ctypes.c_double),
+        ("grain_angle", ctypes.c_double),
+        ("orthotropic", ctypes.c_int32),
+        ("tension_field", ctypes.c_int32),
+    ]
+
+
+class _Newton(ctypes.Structure):
+    _fields_ = [("tolerance", ctypes.c_double), ("max_steps", ctypes.c_int32)]
+
+
+class _Result(ctypes.Structure):
+    _fields_ = [(name, ctypes.c_int32) for name in ("steps", "factorisations", "converged")]
+
+
+_ProgressCallback = ctypes.CFUNCTYPE(ctypes.c_int32, ctypes.c_double, ctypes.c_void_p)
+
+
+class _Failure:
+    """Keeps what the progress callback raises, which ctypes would print and drop, to be raised later."""
+
+    error: BaseException | None = None
+
+    def __enter__(self) -> None: ...
+
+    def __exit__(self, kind: object, error: BaseException | None, trace: object) -> bool:
+        self.error = error
+        return True
+
+
+def opened(path: Path) -> tuple[ctypes.CDLL, int]:
+    """A library and the version of its interface. Raises OSError, AttributeError."""
+    library = ctypes.CDLL(str(path))
+    version = int(library.film_abi_version())
+    library.film_last_error.restype = ctypes.c_char_p
+    library.film_destroy.argtypes = [ctypes.c_void_p]
+    library.film_destroy.restype = None
+    return library, version
+
+
+def _pointer(array: np.ndarray | None) -> ctypes.c_void_p | None:  # type: ignore[type-arg]
+    return None if array is None else array.ctypes.data_as(ctypes.c_void_p)
+
+
+@contextmanager
+def _solver(library: ctypes.CDLL, problem: FilmProblem) -> Iterator[ctypes.c_void_p]:
+    rest = np.ascontiguousarray(problem.rest_positions, dtype=np.float64)
+    triangles = np.ascontiguousarray(problem.triangles, dtype=np.int32)
+    fixed = np.ascontiguousarray(problem.fixed, dtype=np.uint8)
+    tied = None if problem.tied is None else np.ascontiguousarray(problem.tied, dtype=np.int32)
+    loads = None if problem.loads is None else np.ascontiguousarray(problem.loads, dtype=np.float64)
+    hinges = np.ascontiguousarray(seam_hinges(problem.seams, problem.welds))
+    rigidities = hinge_rigidities(problem.seams, problem.seam_rigidities, problem.welds)
+    grain = problem.grain
+    material = _Material(
+        problem.membrane_stiffness,
+        problem.poisson_ratio,
+        problem.flexural_rigidity,
+        problem.pressure,
+        *((1.0, 1.0, 0.0) if grain is None else (grain.across, grain.shear, grain.angle)),
+        int(grain is not None),
+        int(problem.tension_field),
+    )
+    handle = ctypes.c_void_p()
+    _check(
+        library,
+        library.film_create(
+            ctypes.c_int32(len(rest)),
+            _pointer(rest),
+            ctypes.c_int32(len(triangles)),
+            _pointer(triangles),
+            _pointer(fixed),
+            _pointer(loads),
+            _pointer(tied),
+            ctypes.c_int32(len(hinges)),
+            _pointer(hinges),
+            _pointer(rigidities),
+            ctypes.byref(material),
+            ctypes.byref(handle),
+        ),
+    )
+    try:
+        yield handle
+    finally:
+        library.film_destroy(handle)
+
+
+def _check(library: ctypes.CDLL, status: int) -> None:
+    if status == 0:
+        return
+    if status == _CANCELLED:
+        raise Cancelled("The simulation was stopped.")
+    text = library.film_last_error().decode()
+    raise SolverError(f"The simulation failed: {text}. Check the outline for degenerate parts.")
+
+
+def solve(
+    library: ctypes.CDLL,
+    problem: FilmProblem,
+    positions: Floats,
+    directors: Floats,
+    levels: Sequence[float],
+    settings: NewtonSettings,
+    progress: Progress = no_progress,
+) -> Equilibrium:
+    """Bring the film to rest; the same contract and the same steps as newton.solve."""
+    positions = np.array(positions, dtype=np.float64, order="C")
+    directors = np.array(directors, dtype=np.float64, order="C")
+    stiffnesses = np.array(levels, dtype=np.float64)
+    result = _Result()
+    failure = _Failure()
+
+    def report(fraction: float, _: object) -> int:
+        with failure:
+            return int(progress(fraction, "inflating"))
+        return 0
+
+    callback = _ProgressCallback(report)
+    with _solver(library, problem) as handle:
+        status = library.film_solve(
+            handle,
+            _pointer(positions),
+            _pointer(directors),
+            ctypes.c_int32(len(stiffnesses)),
+            _pointer(stiffnesses),
+            ctypes.byref(_Newton(settings.tolerance, settings.max_steps)),
+            callback,
+            None,
+            ctypes.byref(result),
+        )
+        if failure.error is not None:
+            raise failure.error
+        _check(library, status)
+    return Equilibrium(positions, directors, result.steps, result.factorisations, bool(result.converged))
+
+
+def energies(library: ctypes.CDLL, problem: FilmProblem, positions: Floats, directors: Floats) -> Energies:
+    """Parts of the energy of a state."""
+    parts = np.zeros(5)
+    positions = np.ascontiguousarray(positions, dtype=np.float64)
+    directors = np.ascontiguousarray(directors, dtype=np.float64)
+    with _solver(library, problem) as handle:
+        _check(
+            library, library.film_energies(handle, _pointer(positions), _pointer(directors), _pointer(parts))
+        )
+    return Energies(*(float(part) for part in parts))

@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The native solver: the library that is loaded, or why there is none; see c_interface.py for the calls."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from BalloonWorkbench.core import packages
+from BalloonWorkbench.core.errors import SolverError
+from BalloonWorkbench.core.solver.native.library import (
+    FOLDER,
+    candidates,
+    damage,
+    file_name,
+    to_load,
+    unusable,
+)
+from BalloonWorkbench.core.solver.problem import Energies, Equilibrium, FilmProblem, NewtonSettings
+from BalloonWorkbench.core.types import Floats, Progress, no_progress
+
+if TYPE_CHECKING:
+    import ctypes
+
+ABI_VERSION = 4
+_FOLDER = FOLDER
+
+
+@functools.cache
+def _load() -> tuple[ctypes.CDLL | None, str | None]:
+    """The library, or why there is none: what is wrong with the best one that is there."""
+    why = None
+    for path in candidates(_FOLDER):
+        loaded, problem = _loaded(path)
+        if loaded is not None:
+            return loaded, None
+        why = why or problem
+    return None, why or f"{file_name()} has not been built."
+
+
+def _loaded(path: Path) -> tuple[ctypes.CDLL | None, str | None]:
+    damaged = damage(path)
+    if damaged is not None:
+        return None, damaged
+    if packages.lacks_ctypes():
+        return None, packages.NO_CTYPES
+    from BalloonWorkbench.core.solver.native import c_interface
+
+    try:
+        loaded, version = c_interface.opened(to_load(path))
+    except (OSError, AttributeError) as error:
+        return None, f"{path.name} cannot be loaded ({error})."
+    if version != ABI_VERSION:
+        return None, f"{path.name} has interface {version}, but {ABI_VERSION} is needed."
+    return loaded, None
+
+
+def problem_with(path: Path) -> str | None:
+    """Why this library cannot be used, or None when it can."""
+    return _loaded(path)[1]
+
+
+def problem_with_library() -> str | None:
+    """Why the native solver cannot be used, or None when it can."""
+    return _load()[1]
+
+
+def unusable_library() -> str | None:
+    """A sentence for the user where a library is there, but of no use; None where none was built."""
+    why = problem_with_library() if any(candidates(_FOLDER)) else None
+    return why and unusable(why)
+
+
+def _library() -> ctypes.CDLL:
+    loaded, why = _load()
+    if loaded is None:
+        raise SolverError(f"The native solver is not available: {why} Use the NumPy solver.")
+    return loaded
+
+
+def solve(
+    problem: FilmProblem,
+    positions: Floats,
+    directors: Floats,
+    levels: Sequence[float],
+    settings: NewtonSettings,
+    progress: Progress = no_progress,
+) -> Equilibrium:
+    """Bring the film to rest; the same contract and the same steps as newton.solve."""
+    library = _library()
+    from BalloonWorkbench.core.solver.native import c_interface
+
+    return c_interface.solve(library, problem, positions, directors, levels, settings, progress)
+
+
+def energies(problem: FilmProblem, positions: Floats, directors: Floats) -> Energies:
+    """Parts of the energy of a state."""
+    library = _library()
+    from BalloonWorkbench.core.solver.native import c_interface
+
+    return c_interface.energies(library, problem, positions, directors)

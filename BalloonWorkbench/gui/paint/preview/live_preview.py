@@ -1,0 +1,250 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The balloon follows the painting: a glance after every stroke, a study when the pen rests.
+
+They work in threads. The newest painting counts: what was found for an older one is shown only as long as
+nothing newer is there.
+"""
+
+from __future__ import annotations
+
+import tempfile
+import time
+from collections import deque
+from dataclasses import replace
+from pathlib import Path
+
+from BalloonWorkbench.app.properties import preferences
+from BalloonWorkbench.core.errors import Cancelled
+from BalloonWorkbench.gui.long_work.worker import Worker
+from BalloonWorkbench.gui.paint.painting.painted import Painting
+from BalloonWorkbench.gui.paint.preview.preview_state import Look
+from BalloonWorkbench.gui.paint.preview.requests import Glance, Study
+from BalloonWorkbench.gui.qt import QtCore
+
+REST = 250  # ms without a change, then the study begins
+_WHILE_DRAWING = 250  # ms between glances during a stroke
+_KNOWN = 8  # fitted balloons that come back at once
+_PART = 0.03  # of the study between two signs of progress
+
+
+class Live(QtCore.QObject):
+    """Looks at a painting whenever it changes.
+
+    width and settings belong to the balloon; `refused` says why none can be seen. `delays` has, for each
+    glance, the seconds from the end of the stroke: by the clock, and of the processor in the two threads
+    on the way, one after the other: what the clock would tell on a machine with nothing else to do.
+    """
+
+    found = QtCore.Signal(object)
+    refused = QtCore.Signal(str)
+    empty = QtCore.Signal()
+    progressed = QtCore.Signal(float)
+
+    def __init__(self, painting: Painting, parent=None):
+        super().__init__(parent)
+        self.painting = painting
+        self.width = preferences.get("Width")
+        self.settings = preferences.settings()
+        self.latest: Look | None = None
+        self.delays: list[tuple[float, float]] = []
+        self._known: deque[Look] = deque(maxlen=_KNOWN)  # fitted, the newest first
+        self._folder = tempfile.TemporaryDirectory()
+        self._glance: Worker | None = None
+        self._study: Worker | None = None
+        self._retired: list[Worker] = []
+        self._dirty = False
+        self._in_stroke = self._is_early = False  # early: the glance began before the stroke had ended
+        self._told = 0.0
+        self._changed_at = 0.0, 0.0
+        self._rest = self._timer(REST, self.study)
+        self._soon = self._timer(_WHILE_DRAWING, self._begin_glance)
+
+    def changed(self) -> None:
+        """A step is done: look at once, and closer when nothing more happens."""
+        self._changed_at = time.perf_counter(), time.thread_time()
+        self._dirty = True
+        self._in_stroke = False
+        self.drop_study()
+        if self.painting.is_empty():
+            self._nothing()
+            return
+        self._rest.start()
+        if self._glance is None:
+            self._begin_glance()
+        elif self._is_early:
+            self._glance.stop()
+
+    def drawing(self) -> None:
+        """A stroke is growing: look now and then."""
+        self.painting.revision += 1
+        self.drop_study()
+        self._rest.stop()
+        self._dirty = self._in_stroke = True
+        if self._glance is None and not self._soon.isActive():
+            self._soon.start()
+
+    def set_width(self, width: float) -> None:
+        """Of the balloon in mm."""
+        if width != self.width:
+            self.width = width
+            self.painting.revision += 1
+            self.changed()
+
+    def read_as(self, drawn_as: str) -> None:
+        """How the painting is read, see the core's segment.py."""
+        if drawn_as != self.settings.drawn_as:
+            self.settings = replace(self.settings, drawn_as=drawn_as)
+            self.painting.revision += 1
+            self.changed()
+
+    def is_settled(self) -> bool:
+        """The latest look is the document's own and belongs to the painting as it is."""
+        return (
+            self.latest is not None
+            and self.latest.solved is not None
+            and self.latest.revision == self.painting.revision
+        )
+
+    def is_fitted(self) -> bool:
+        """The latest look has the document's own balloon and belongs to the painting as it is."""
+        return (
+            self.latest is not None and self.latest.fitted and self.latest.revision == self.painting.revision
+        )
+
+    def is_busy(self) -> bool:
+        return self._glance is not None or self._study is not None or self._rest.isActive()
+
+    def study(self, awaited: bool = False) -> None:
+        """Begin the study now, unless it runs; awaited: somebody waits for its end."""
+        self._rest.stop()
+        if self._study is not None:
+            self._study.request.is_awaited = awaited
+            return
+        if self.painting.is_empty():
+            return
+        folder = Path(self._folder.name) / str(self.painting.revision)
+        folder.mkdir(exist_ok=True)
+        request = Study(
+            self.painting.file_image(),
+            self.painting.revision,
+            self.width,
+            self.settings,
+            folder / "painting.png",
+            is_awaited=awaited,
+            known=tuple(self._known),
+        )
+        self._told = 0.0
+        self._study = self._begin(request, self._study_done)
+        self._study.progressed.connect(self._tell_progress)
+        self._study.before.connect(self._study_shown)
+        request.show = self._study.before.emit
+        self._study.start(QtCore.QThread.LowPriority)
+
+    def stop(self) -> None:
+        """End all work; waits for the engine's next step."""
+        for timer in (self._rest, self._soon):
+            timer.stop()
+        working = [self._glance, self._study, *self._retired]
+        for worker in filter(None, working):
+            worker.stop()
+        for worker in filter(None, working):
+            worker.wait()
+        self._glance = self._study = None
+        self._retired.clear()
+
+    def _timer(self, interval: int, action):
+        timer = QtCore.QTimer(self)
+        timer.setSingleShot(True)
+        timer.setInterval(interval)
+        timer.timeout.connect(action)
+        return timer
+
+    def _begin(self, request, done) -> Worker:
+        worker = Worker(request, self)
+        worker.finished.connect(lambda: done(worker))
+        return worker
+
+    def _begin_glance(self) -> None:
+        self._soon.stop()
+        if self._glance is not None:
+            return
+        self._dirty, self._is_early = False, self._in_stroke
+        if self.painting.is_empty():
+            self._nothing()
+            return
+        image = self.painting.image.copy()
+        known = tuple(self._known)
+        self._glance = self._begin(
+            Glance(image, self.painting.revision, self.width, self.settings, known), self._glance_done
+        )
+        self._glance.start()
+
+    def _nothing(self) -> None:
+        """Nothing is painted: whatever was seen before is over."""
+        self._rest.stop()
+        self._soon.stop()
+        self._dirty = False
+        if self._glance is not None:
+            self._glance.stop()
+        self.latest = None
+        self.empty.emit()
+
+    def _glance_done(self, worker: Worker) -> None:
+        if worker is not self._glance:
+            return
+        self._glance = None
+        worker.deleteLater()
+        newest = worker.request.revision == self.painting.revision
+        if not (newest and self.is_fitted()) and not self.painting.is_empty():
+            self._take(worker)
+        if newest and not self._dirty:
+            clock, work = self._changed_at
+            self.delays.append((time.perf_counter() - clock, time.thread_time() - work + worker.work))
+        if self._dirty:
+            self._begin_glance()
+
+    def _study_shown(self, look: Look) -> None:
+        """The balloon is fitted; what the document needs is still on its way."""
+        if self._study is not None and look.revision == self.painting.revision:
+            self._show(look)
+            self.progressed.emit(1.0)
+
+    def _study_done(self, worker: Worker) -> None:
+        worker.deleteLater()
+        if worker is not self._study:
+            if worker in self._retired:
+                self._retired.remove(worker)
+            return
+        self._study = None
+        self.progressed.emit(1.0)
+        if worker.request.revision == self.painting.revision:
+            self._take(worker)
+
+    def _take(self, worker: Worker) -> None:
+        if worker.design is not None:
+            self._show(worker.design)
+        elif not isinstance(worker.error, Cancelled):
+            self.latest = None
+            self.refused.emit(worker.fault() or str(worker.error))
+
+    def _show(self, look: Look) -> None:
+        self.latest = look
+        if look.fitted:
+            others = [each for each in self._known if not each.is_of(look.traced, look.width)]
+            self._known = deque([look, *others], _KNOWN)
+        self.found.emit(look)
+
+    def drop_study(self) -> None:
+        """Nobody wants it any more: let the engine stop by itself, nobody waits for it."""
+        if self._study is not None:
+            self._study.stop()
+            self._retired.append(self._study)
+            self._study = None
+            self.progressed.emit(1.0)
+
+    def _tell_progress(self, fraction: float, text: str) -> None:
+        if self._study is None or (self.is_fitted() and not self._study.request.is_awaited):
+            return
+        if fraction >= self._told + _PART:
+            self._told = fraction
+            self.progressed.emit(fraction)

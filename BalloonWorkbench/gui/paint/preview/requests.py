@@ -1,0 +1,213 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is asked about a painting, each in a worker: a glance, quick and coarse; the study, which the document
+will have; and a picture without its background."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+from BalloonWorkbench.app.drawings import painting
+from BalloonWorkbench.app.drawings.qt_picture import pixels
+from BalloonWorkbench.core.advice.as_data import finding_from
+from BalloonWorkbench.core.checkpoint import checkpoint, stoppable
+from BalloonWorkbench.core.design.draft import VERTICES, check_area, draft
+from BalloonWorkbench.core.errors import BalloonError, ExportError
+from BalloonWorkbench.core.job import Settings
+from BalloonWorkbench.core.outline.drawing import Drawing
+from BalloonWorkbench.gui.paint.painting.painted import SIDE
+from BalloonWorkbench.gui.paint.preview.advice_marks import remarks
+from BalloonWorkbench.gui.paint.preview.preview_state import (
+    NEARLY,
+    Frame,
+    Look,
+    contours,
+    drawn,
+    loops_in,
+    seen,
+    size,
+    skin,
+)
+from BalloonWorkbench.gui.qt import QtCore, QtGui, translate
+
+_MOST_SHAPES = 6  # at a glance
+_LEAST = 60  # vertices of a small shape
+_PAUSE = 0.5  # s between a fitted balloon and the rest of a study, looking whether to go on after
+_LOOK = 0.05  # s each
+
+
+@dataclass
+class Glance:
+    """The quick look at an image; width in mm.
+
+    known  fitted looks, the newest first: one of the same outline is kept, whatever else has been painted;
+           the newest stands for an outline that is nearly the same until that is fitted
+    """
+
+    image: object
+    revision: int
+    width: float
+    settings: Settings
+    known: tuple[Look, ...] = ()
+
+    def solve(self, progress) -> Look:
+        """Raises BalloonError where no balloon can be seen yet, Cancelled when progress says stop."""
+        with stoppable(progress):
+            return self._look(progress)
+
+    def _look(self, progress) -> Look:
+        drawing, frame = seen(self.image, self.width, self.settings.drawn_as)
+        traced = loops_in(drawing, frame)
+        for look in self.known:
+            if look.is_of(traced, self.width):
+                return replace(look, revision=self.revision, solved=None, file=None)
+        for look in self.known[:1]:
+            if look.is_of(traced, self.width, NEARLY):
+                # as where an inner line touches the rim: the balloon that was fitted is nearer than a draft
+                return replace(
+                    look,
+                    revision=self.revision,
+                    drawing=drawing,
+                    frame=frame,
+                    fitted=False,
+                    remarks=(),
+                    solved=None,
+                    file=None,
+                )
+        checkpoint()
+        drafts = []
+        for number, part in enumerate(drawing.parts[:_MOST_SHAPES]):
+            vertices = max(_LEAST, int(VERTICES * part.area / drawing.largest.area))
+            try:
+                drafts.append(
+                    draft(
+                        part,
+                        self.settings.film,
+                        self.settings.pressure,
+                        vertices,
+                        progress,
+                        self.settings.correct,
+                    )
+                )
+            except BalloonError:
+                if number == 0:
+                    raise
+            checkpoint()
+        largest = drafts[0].inflation
+        return Look(
+            self.revision,
+            tuple(skin(each.inflation, frame.places(each.inflation.panel.rest_positions)) for each in drafts),
+            drawing,
+            frame,
+            contours([each.pattern for each in drafts], self.settings, fair=False),
+            size(largest),
+            largest.volume,
+        )
+
+
+@dataclass
+class Study:
+    """The fitted balloons of an image, in the file that the document will have.
+
+    show        is given the look of the balloons as soon as they are fitted; what there is to tell about them
+                and what the document needs comes later
+    is_awaited  somebody waits for that
+    known       fitted looks, the newest first: balloons that are the same are not fitted again
+    """
+
+    image: object
+    revision: int
+    width: float
+    settings: Settings
+    file: Path
+    show: Callable[[Look], object] = bool
+    is_awaited: bool = False
+    known: tuple[Look, ...] = ()
+
+    def solve(self, progress) -> Look:
+        """Raises BalloonError where there is none, Cancelled when progress says stop."""
+        with stoppable(progress):
+            return self._solve(progress)
+
+    def _solve(self, progress) -> Look:
+        if not self.image.save(str(self.file), "PNG"):
+            raise ExportError(
+                translate("The painting cannot be written to '{}': is the disk full?").format(self.file)
+            )
+        drawing, frame = seen(self.image, self.width, self.settings.drawn_as)
+        check_area(drawing.largest)
+        checkpoint()
+        traced = loops_in(drawing, frame)
+        looks = []
+
+        def fitted(requests, designs) -> None:
+            made = {request.key(): design for request, design in zip(requests, designs)}
+            same = (look for look in self.known if list(look.designs) == list(made))
+            look = next((look for look in same if look.is_of(traced, self.width)), None)
+            if look is None:
+                look = replace(self._look(frame, requests, designs), traced=traced, designs=made)
+                self.show(look)
+            else:
+                look = replace(look, revision=self.revision, drawing=_drawing(requests))
+            looks.append(look)
+            self._pause()
+
+        designs = {key: design for look in reversed(self.known) for key, design in look.designs.items()}
+        solved = painting.solve(self.file, self.width, self.settings, progress, fitted, designs)
+        findings = [finding_from(data) for told in solved.told for data in told["advice"]]
+        findings.sort(key=lambda finding: -finding.severity.rank)
+        pattern = contours([design.pattern for design in solved.designs], self.settings)
+        return replace(
+            looks[0], contours=pattern, remarks=remarks(findings, frame, SIDE), solved=solved, file=self.file
+        )
+
+    def _pause(self) -> None:
+        """The pen may be back soon: then the rest would be for nothing, and slow down the next glance."""
+        end = time.monotonic() + _PAUSE
+        while time.monotonic() < end and not self.is_awaited:
+            checkpoint()
+            time.sleep(_LOOK)
+
+    def _look(self, frame: Frame, requests, designs) -> Look:
+        """The balloons and the pattern, whose lines are not smooth yet."""
+        inflations = [design.inflation for design in designs]
+        return Look(
+            self.revision,
+            tuple(skin(inflation, frame.places(drawn(inflation))) for inflation in inflations),
+            _drawing(requests),
+            frame,
+            contours([design.pattern for design in designs], self.settings, fair=False),
+            size(inflations[0]),
+            inflations[0].volume,
+            fitted=True,
+            width=self.width,
+        )
+
+
+def _drawing(requests) -> Drawing:
+    return Drawing(tuple(request.source.outline for request in requests))
+
+
+@dataclass
+class CutOut:
+    """A picture without its background, to be painted on."""
+
+    content: bytes
+
+    def solve(self, progress) -> bytes:
+        """The same picture as PNG, transparent where nothing is drawn. Raises BalloonError."""
+        from BalloonWorkbench.core.tracing.segment import segment
+
+        rgba = pixels(QtGui.QImage.fromData(self.content))
+        silhouette, _ = segment(rgba)
+        rgba[..., 3] = np.minimum(np.maximum(rgba[..., 3], 255 * (silhouette > 0.5)), 255 * silhouette)
+        height, width = silhouette.shape
+        image = QtGui.QImage(rgba.tobytes(), width, height, 4 * width, QtGui.QImage.Format_RGBA8888)
+        buffer = QtCore.QBuffer()
+        buffer.open(QtCore.QIODevice.WriteOnly)
+        image.save(buffer, "PNG")
+        return bytes(buffer.data())

@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The task panel that writes a pattern to a file."""
+
+from __future__ import annotations
+
+import FreeCADGui as Gui
+
+from BalloonWorkbench.app.border import status
+from BalloonWorkbench.app.document.parts import parts_of
+from BalloonWorkbench.app.engine import bed
+from BalloonWorkbench.app.engine.export import export_for, files_of, patterns_in
+from BalloonWorkbench.app.outline import leader
+from BalloonWorkbench.app.properties import preferences
+from BalloonWorkbench.core.errors import BalloonError
+from BalloonWorkbench.gui.panels.making.machine_box import MachineBox
+from BalloonWorkbench.gui.panels.widgets.narrow import NarrowCombo, NarrowForm, WrappedLabel
+from BalloonWorkbench.gui.panels.widgets.target_file import TargetFile, name_of
+from BalloonWorkbench.gui.panels.widgets.watch import Watch
+from BalloonWorkbench.gui.qt import QtGui, QtWidgets, icon, translate
+from BalloonWorkbench.gui.window import macro_recorder
+from BalloonWorkbench.gui.window.borders import Panel, undo_step
+from BalloonWorkbench.gui.window.sentences import tell
+from BalloonWorkbench.gui.window.user_units import NOTHING, length_text, size_text
+
+
+class ExportPanel(Panel):
+    """Chooses a pattern, a machine and a file."""
+
+    def __init__(self, patterns, chosen=None):
+        self.patterns = patterns
+        self.is_open = True
+        self.form = QtWidgets.QWidget()
+        self.form.setWindowTitle(translate("Export pattern"))
+        self.form.setWindowIcon(QtGui.QIcon(icon("export_pattern")))
+        self.choice = NarrowCombo()
+        self.choice.setObjectName("Pattern")
+        self.choice.addItems([_name(pattern) for pattern in patterns])
+        self.machine = MachineBox(patterns[0].Document.Name)
+        self.machine.choose(preferences.get("Machine"))
+        self.file = TargetFile(patterns[0].Document, "File", translate("Export pattern"))
+        self.size = WrappedLabel()
+        self.size.setObjectName("Size")
+        self.message = WrappedLabel()
+        self.message.setObjectName("Message")
+        form = NarrowForm(self.form)
+        for text, widget in (
+            (translate("Pattern"), self.choice),
+            (translate("Machine"), self.machine),
+            (translate("File"), self.file),
+        ):
+            form.addRow(QtWidgets.QLabel(text))
+            form.addRow(widget)
+        form.addRow(translate("Size"), self.size)
+        form.addRow(self.message)
+        self.choice.currentIndexChanged.connect(self.show_pattern)
+        self.machine.changed.connect(self.show_pattern)
+        self.machine.scaled.connect(self.scale_to_fit)
+        self.choice.setCurrentIndex(patterns.index(chosen) if chosen in patterns else 0)
+        self.show_pattern()
+        self.watch = Watch(patterns, self.close)
+
+    def pattern(self):
+        """The chosen pattern object."""
+        return self.patterns[self.choice.currentIndex()]
+
+    def show_pattern(self, _index: int = 0) -> None:
+        """Check the chosen pattern for the machine, and name its file."""
+        pattern = self.pattern()
+        self.message.setText("")
+        self.size.setText(_size(pattern) if status.is_ready(pattern) else NOTHING)
+        self.file.suggest(self.machine.machine.file_of(name_of(pattern)))
+        self.machine.show_for(pattern)
+
+    def scale_to_fit(self) -> None:
+        """Make the balloon smaller until its pattern fits the bed, in one undo step."""
+        pattern, doc = self.pattern(), self.pattern().Document
+        outline = leader(patterns_in(pattern)[0].Balloon.Outline)
+        parts, before = parts_of(outline), outline.SizeX.Value
+        edit = macro_recorder.Edit(parts)
+        self.form.setEnabled(False)
+        try:
+            with undo_step(doc, translate("Scale to fit")):
+                bed.scale_to_bed(pattern, self.machine.machine.name, self.machine.own_bed)
+                doc.commitTransaction()
+        except BalloonError as error:
+            if self.is_open:
+                self.message.setText(tell(str(error)))
+            return
+        finally:
+            if self.is_open:
+                self.form.setEnabled(True)
+        edit.write()
+        if self.is_open:
+            self.show_pattern()
+            told = translate("Scaled to fit: {} wide instead of {}.")
+            self.message.setText(told.format(length_text(outline.SizeX.Value), length_text(before)))
+
+    def accept(self):
+        """Write the file; the panel stays with the reason when that fails."""
+        made_for, paper, oversize = self.machine.machine, self.machine.paper, self.machine.oversize
+        own_bed = self.machine.own_bed
+        try:
+            objection = self.file.objection(files_of(self.pattern(), self.file.path))
+            if objection:
+                self.message.setText(objection)
+                return False
+            written = export_for(self.pattern(), made_for.name, self.file.path, paper, own_bed, oversize)
+        except BalloonError as error:
+            self.message.setText(tell(str(error)))
+            return False
+        chosen = {"machine": made_for.name, "paper": paper, "bed": own_bed}
+        if self.machine.write.isChecked():
+            chosen["oversize"] = oversize
+        told = {key: macro_recorder.text(value) for key, value in chosen.items() if value}
+        macro_recorder.call(
+            "export", macro_recorder.obj(self.pattern()), macro_recorder.text(written), **told
+        )
+        self.file.wrote()
+        self.close()
+        Gui.getMainWindow().statusBar().showMessage(translate("Pattern written to {}").format(written), 8000)
+        return True
+
+    def reject(self):
+        self.close()
+        return True
+
+    def close(self) -> None:
+        self.is_open = False
+        self.watch.remove()
+        self.machine.release()
+        Gui.Control.closeDialog()
+
+
+def _size(pattern) -> str:
+    return translate("{}, seam {}").format(
+        size_text(pattern.PatternWidth.Value, pattern.PatternHeight.Value),
+        length_text(pattern.SeamLength.Value),
+    )
+
+
+def _name(pattern) -> str:
+    """The pattern with the group it is in: several balloons have patterns of the same name."""
+    group = pattern.getParentGroup()
+    return f"{group.Label}: {pattern.Label}" if group else pattern.Label

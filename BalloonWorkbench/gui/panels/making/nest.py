@@ -1,0 +1,131 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The task panel of a sheet of film: which balloons, how many, on what film, and how much of it they take."""
+
+from __future__ import annotations
+
+import FreeCADGui as Gui
+
+from BalloonWorkbench.app import film_sheet
+from BalloonWorkbench.app.border import status
+from BalloonWorkbench.app.document.parts import patterns
+from BalloonWorkbench.app.properties import values
+from BalloonWorkbench.core.units import percent_text
+from BalloonWorkbench.gui.panels import show
+from BalloonWorkbench.gui.panels.widgets.narrow import FullList, NarrowForm, WrappedLabel
+from BalloonWorkbench.gui.panels.widgets.object_panel import ObjectPanel
+from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
+from BalloonWorkbench.gui.view3d.fit_view import fit_all
+from BalloonWorkbench.gui.window import macro_recorder
+from BalloonWorkbench.gui.window.borders import undo_step
+from BalloonWorkbench.gui.window.sentences import tell
+from BalloonWorkbench.gui.window.user_units import NOTHING, size_text
+
+_HIGHEST = 160  # px, of the list of patterns
+_MOST = 100  # balloons of each kind, and sheets
+
+
+def show_panel(obj) -> None:
+    """Open the panel on a sheet of film, in one undo step."""
+    with undo_step(obj.Document, translate("Edit film")):
+        show(NestPanel(obj))
+
+
+class NestPanel(ObjectPanel):
+    """Edits a sheet of film."""
+
+    def __init__(self, obj):
+        super().__init__(obj, "NestPanel", translate("Lay out on film"), "nest")
+        self.is_new = not obj.LaidOutFor
+        self.choice = FullList(_HIGHEST)
+        self.choice.setObjectName("NestPatterns")
+        for pattern in patterns(self.doc):
+            entry = QtWidgets.QListWidgetItem(_name(pattern))
+            entry.setData(QtCore.Qt.UserRole, pattern.Name)
+            taken = pattern in obj.Patterns
+            entry.setCheckState(QtCore.Qt.Checked if taken else QtCore.Qt.Unchecked)
+            self.choice.addItem(entry)
+        self.choice.fit()
+        self.shown = self.fields.whole("Shown", 1, _MOST)
+        self.apply = QtWidgets.QPushButton(translate("Lay out"))
+        self.apply.setObjectName("LayOut")
+        self.apply.setToolTip(translate("Look for the closest layout; Esc takes the best one so far"))
+        self.result = WrappedLabel()
+        self.result.setObjectName("NestResult")
+        self.message = WrappedLabel()
+        self.message.setObjectName("NestMessage")
+        form = NarrowForm(self.form)
+        form.addRow(QtWidgets.QLabel(translate("Patterns")))
+        form.addRow(self.choice)
+        form.addRow(translate("Film"), self.fields.choice("Film"))
+        form.addRow(translate("Balloons of each"), self.fields.whole("Balloons", 1, _MOST))
+        form.addRow(translate("Film width"), self.fields.quantity("FilmWidth", "mm", 10.0))
+        form.addRow(translate("Sheet length"), self.fields.quantity("FilmLength", "mm", 10.0))
+        form.addRow(translate("Spacing"), self.fields.quantity("Spacing", "mm"))
+        form.addRow(translate("Grain lies"), self.fields.choice("Grain"))
+        form.addRow(translate("Shown sheet"), self.shown)
+        form.addRow(self.apply)
+        form.addRow(translate("Used"), self.result)
+        form.addRow(self.message)
+        self.shown.valueChanged.connect(lambda _value: self.lay_out() if obj.LaidOutFor else None)
+        self.apply.clicked.connect(lambda _checked=False: self.lay_out())
+        self.show_state()
+
+    def take(self) -> None:
+        """The values of the panel, into the object."""
+        self.fields.finish_typing()
+        names = [
+            self.choice.item(row).data(QtCore.Qt.UserRole)
+            for row in range(self.choice.count())
+            if self.choice.item(row).checkState() == QtCore.Qt.Checked
+        ]
+        self.obj.Patterns = [self.doc.getObject(name) for name in names]
+
+    def lay_out(self) -> None:
+        """Bring the layout up to date."""
+        self.take()
+        self.apply.setEnabled(False)
+        self.obj.recompute()
+        if not self.is_open:  # the panel was closed meanwhile
+            return
+        self.apply.setEnabled(True)
+        self.show_state()
+        fit_all(Gui.getDocument(self.doc.Name))
+
+    def fail(self, error) -> None:
+        self.apply.setEnabled(True)
+        super().fail(error)
+
+    def show_state(self) -> None:
+        """What the object says."""
+        self.fields.refresh()
+        obj, told = self.obj, NOTHING
+        if obj.LaidOutFor:
+            told = translate("Pieces: {}, on {}, {} used").format(
+                obj.Pieces,
+                size_text(obj.UsedLength.Value, obj.FilmWidth.Value),
+                percent_text(0.01 * obj.Used),
+            )
+            if obj.Sheets > 1:
+                told += "\n" + translate("Sheet {} of {}").format(obj.Shown, obj.Sheets)
+        self.result.setText(told)
+        problem = status.problem(obj) if obj.Status else ""
+        self.message.setText("\n".join(tell(text) for text in [problem, *obj.Warnings] if text))
+
+    def accept(self):
+        self.take()
+        self.obj.recompute()
+        if not status.is_ready(self.obj):
+            self.show_state()
+            return False
+        self.keep()
+        told = values.texts_of(self.obj, film_sheet.PROPERTIES)
+        if not self.is_new:
+            told["sheet"] = macro_recorder.obj(self.obj)
+        names = ", ".join(map(macro_recorder.obj, self.obj.Patterns))
+        macro_recorder.call("nest", f"[{names}]", result=self.obj, name="sheet", **told)
+        return True
+
+
+def _name(pattern) -> str:
+    group = pattern.getParentGroup()
+    return f"{group.Label}: {pattern.Label}" if group else pattern.Label

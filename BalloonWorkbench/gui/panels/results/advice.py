@@ -1,0 +1,220 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The panel of the coach: what it has found about a balloon, where, and a button that mends it.
+
+Choosing a finding marks its place in the 3D view. Each repair is one undo step of its own.
+"""
+
+from __future__ import annotations
+
+import FreeCAD as App
+import FreeCADGui as Gui
+
+from BalloonWorkbench.app.border import status
+from BalloonWorkbench.app.border.guard import Guarded
+from BalloonWorkbench.app.engine import advice
+from BalloonWorkbench.core.advice.as_data import repair_text
+from BalloonWorkbench.core.errors import BalloonError
+from BalloonWorkbench.core.units import number_text, percent_text, to_mm
+from BalloonWorkbench.gui.panels.widgets.narrow import FullList, WrappedLabel
+from BalloonWorkbench.gui.panels.widgets.watch import Watch
+from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, drawn_icon, number_of, translate
+from BalloonWorkbench.gui.view3d.marks import COLOURS, Overlay
+from BalloonWorkbench.gui.window import macro_recorder
+from BalloonWorkbench.gui.window.borders import Panel, undo_step
+from BalloonWorkbench.gui.window.sentences import tell
+from BalloonWorkbench.gui.window.user_units import length_text
+
+_DOT = 12  # px
+_HIGHEST = 260  # px, of the list of findings
+
+
+class AdvicePanel(Panel):
+    """Lists the findings about one balloon."""
+
+    def __init__(self, parts):
+        self.parts = parts
+        self.doc = parts.balloon.Document
+        self.found: list = []
+        self.is_open = True
+        self.overlay = Overlay(self.doc.Name)
+        self.form = QtWidgets.QWidget()
+        self.form.setObjectName("Advice")
+        self.form.setWindowTitle(translate("Advice"))
+        self.form.setWindowIcon(drawn_icon("advice"))
+        self.source = WrappedLabel()
+        self.source.setObjectName("AdviceSource")
+        self.list = FullList(_HIGHEST)
+        self.list.setObjectName("Findings")
+        self.repair = QtWidgets.QPushButton()
+        self.repair.setObjectName("Repair")
+        self.map = QtWidgets.QCheckBox(translate("Expected thickness"))
+        self.map.setObjectName("ThicknessMap")
+        self.legend = WrappedLabel()
+        self.legend.setObjectName("Legend")
+        self.message = WrappedLabel()
+        self.message.setObjectName("AdviceMessage")
+        column = QtWidgets.QVBoxLayout(self.form)
+        for widget in (self.source, self.list, self.repair, self.map, self.legend, self.message):
+            column.addWidget(widget)
+        self.list.currentRowChanged.connect(self.choose)
+        self.map.toggled.connect(lambda _checked: self.show_map())
+        self.repair.clicked.connect(lambda _checked=False: self.make_repair())
+        self.watch = Watch(parts, self.close)
+        self.follow = _Follow(self.doc.Name, self.refresh)
+        App.addDocumentObserver(self.follow)
+        self.refresh()
+
+    # the dialog
+
+    def getStandardButtons(self):
+        return number_of(QtWidgets.QDialogButtonBox.Close)
+
+    def isAllowedAlterDocument(self):
+        return True
+
+    def isAllowedAlterSelection(self):
+        return True
+
+    def isAllowedAlterView(self):
+        return True
+
+    def reject(self):
+        self.close()
+        return False
+
+    def close(self):
+        """Leave the document as it is."""
+        self.is_open = False
+        self.watch.remove()
+        App.removeDocumentObserver(self.follow)
+        self.overlay.clear()
+        Gui.Control.closeDialog()
+
+    # the work
+
+    def refresh(self):
+        """Ask the coach again."""
+        if not self.is_open:
+            return
+        self.overlay.clear()
+        self.message.setText("")
+        try:
+            self.found = advice.findings(self.parts)
+            measured = status.is_ready(self.parts.balloon) and advice.is_solved(self.parts.balloon)
+        except BalloonError as error:
+            self.found, measured = [], False
+            self.message.setText(tell(str(error)))
+        self.source.setText(self._source(measured))
+        items = []
+        for finding in self.found:
+            items.append(QtWidgets.QListWidgetItem(_dot(finding.severity.value), tell(finding.text)))
+            items[-1].setToolTip(tell(finding.severity.value))
+        self.list.blockSignals(True)
+        self.list.clear()
+        for item in items:
+            self.list.addItem(item)
+        self.list.blockSignals(False)
+        self.list.fit()
+        for widget in (self.list, self.repair):
+            widget.setVisible(bool(self.found))
+        if not self.found and not self.message.text():
+            problem = status.problem(self.parts.outline)
+            self.message.setText(tell(problem) or translate("Nothing to improve."))
+        self.choose(self.list.currentRow())
+        self.show_map()
+
+    def _source(self, measured: bool) -> str:
+        """Where the findings come from, and how full the shape becomes."""
+        if measured:
+            text, puffiness = translate("Measured on the inflated balloon."), self.parts.balloon.Puffiness
+        elif self.message.text() or not status.is_ready(self.parts.outline):
+            return ""
+        else:
+            text = translate("Predicted from the outline; not inflated yet.")
+            puffiness = advice.advice_before(self.parts).puffiness
+        return f"{text} " + translate(
+            "It holds {} of the air that a round balloon of as much film would."
+        ).format(percent_text(puffiness))
+
+    def show_map(self):
+        """Colour the shape by the thickness predicted from its outline, or stop that."""
+        self.overlay.clear("map")
+        self.legend.setVisible(self.map.isChecked())
+        if not self.map.isChecked() or not status.is_ready(self.parts.outline):
+            return
+        try:
+            found = advice.advice_before(self.parts).map
+        except BalloonError as error:
+            self.legend.setText(tell(str(error)))
+            return
+        self.legend.setText(
+            translate("Blue 0, green {}, red {}").format(
+                *(length_text(to_mm(share * float(found.thickness.max())), 3) for share in (0.5, 1.0))
+            )
+        )
+        self.overlay.map(found, self.parts.outline.Placement, self._height())
+
+    def _height(self) -> float:
+        """Of the balloon over its plane [mm]."""
+        return 0.5 * self.parts.balloon.InflatedThickness.Value
+
+    def choose(self, row: int):
+        """Mark the place of a finding and offer its repair."""
+        finding = self.found[row] if 0 <= row < len(self.found) else None
+        repair = None if finding is None else finding.repair
+        self.repair.setEnabled(repair is not None)
+        self.repair.setText(translate("Repair") if repair is None else tell(repair_text(repair)))
+        if finding is None:
+            self.overlay.clear("mark")
+            return
+        outline = self.parts.outline
+        size = max(outline.SizeX.Value, outline.SizeY.Value)
+        self.overlay.mark(finding, outline.Placement, size, self._height())
+
+    def make_repair(self):
+        """Make the edit and let the document follow, in one undo step."""
+        finding = self.found[self.list.currentRow()]
+        repair = finding.repair
+        self.overlay.clear()
+        with undo_step(self.doc, tell(repair_text(repair))):
+            advice.take(self.parts, repair)
+            self.doc.recompute()
+            self.doc.commitTransaction()
+        near = "({}, {})".format(*(number_text(to_mm(value), 4) for value in finding.place))
+        balloon = f"BalloonWorkbench.parts({macro_recorder.obj(self.parts.balloon)})"
+        macro_recorder.call("repair", balloon, macro_recorder.text(finding.rule), near=near)
+        self.refresh()
+        trouble = next((status.problem(obj) for obj in self.parts if not status.is_ready(obj)), "")
+        if trouble:
+            self.message.setText(tell(trouble))
+
+
+class _Follow(Guarded):
+    """Calls `changed` after undo and redo in a document."""
+
+    def __init__(self, name: str, changed):
+        self._name = name
+        self._changed = changed
+
+    def slotUndoDocument(self, doc):
+        self._later(doc)
+
+    def slotRedoDocument(self, doc):
+        self._later(doc)
+
+    def _later(self, doc):
+        if doc.Name == self._name:
+            QtCore.QTimer.singleShot(0, self._changed)  # the document is amid its change
+
+
+def _dot(severity: str):
+    """A round icon in the colour of a severity."""
+    picture = QtGui.QPixmap(_DOT, _DOT)
+    picture.fill(QtCore.Qt.transparent)
+    painter = QtGui.QPainter(picture)
+    painter.setRenderHint(QtGui.QPainter.Antialiasing)
+    painter.setPen(QtCore.Qt.NoPen)
+    painter.setBrush(QtGui.QColor.fromRgbF(*COLOURS[severity]))
+    painter.drawEllipse(1, 1, _DOT - 2, _DOT - 2)
+    painter.end()
+    return QtGui.QIcon(picture)

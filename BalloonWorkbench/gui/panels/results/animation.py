@@ -1,0 +1,159 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The task panel that plays an inflation: a slider, play and pause. It leaves the document as it is."""
+
+from __future__ import annotations
+
+import FreeCADGui as Gui
+
+from BalloonWorkbench.core.errors import BalloonError
+from BalloonWorkbench.core.units import number_text
+from BalloonWorkbench.gui.long_work.worker import Worker
+from BalloonWorkbench.gui.panels.widgets.narrow import WrappedLabel
+from BalloonWorkbench.gui.panels.widgets.watch import Watch
+from BalloonWorkbench.gui.qt import QtCore, QtWidgets, drawn_icon, number_of, translate
+from BalloonWorkbench.gui.view3d.inflation_player import FRAMES, Player, request_of
+from BalloonWorkbench.gui.window.borders import Panel
+from BalloonWorkbench.gui.window.user_units import pressure_text
+
+_BEAT = 40  # ms between frames
+_PAUSE = 25  # beats at the end, before it begins again
+
+
+class AnimationPanel(Panel):
+    """Plays the inflation of one balloon."""
+
+    def __init__(self, parts):
+        self.parts = parts
+        self.worker: Worker | None = None
+        self.player: Player | None = None
+        self._wait = 0
+        self.form = QtWidgets.QWidget()
+        self.form.setObjectName("Animation")
+        self.form.setWindowTitle(translate("Inflation"))
+        self.form.setWindowIcon(drawn_icon("animate"))
+        self.bar = QtWidgets.QProgressBar()
+        self.bar.setObjectName("AnimationProgress")
+        self.bar.setRange(0, 1000)
+        self.play = QtWidgets.QPushButton()
+        self.play.setObjectName("Play")
+        self.play.setCheckable(True)
+        self.play.setToolTip(translate("Play the inflation, or stop at a frame"))
+        self.slider = QtWidgets.QSlider(QtCore.Qt.Horizontal)
+        self.slider.setObjectName("Frame")
+        self.slider.setRange(0, FRAMES - 1)
+        self.slider.setToolTip(translate("From the flat film to the balloon at rest"))
+        self.told = WrappedLabel()
+        self.told.setObjectName("FrameTold")
+        self.note = QtWidgets.QLabel(
+            translate("Frames are even in movement, not in time. Only the film has mass, the gas has none.")
+        )
+        self.note.setWordWrap(True)
+        self.message = WrappedLabel()
+        self.message.setObjectName("AnimationMessage")
+        column = QtWidgets.QVBoxLayout(self.form)
+        for widget in (self.bar, self.play, self.slider, self.told, self.note, self.message):
+            column.addWidget(widget)
+        self.timer = QtCore.QTimer(self.form)
+        self.timer.setInterval(_BEAT)
+        self.timer.timeout.connect(self.next_frame)
+        self.play.toggled.connect(self.set_playing)
+        self.slider.valueChanged.connect(self.show_frame)
+        self.slider.sliderPressed.connect(lambda: self.play.setChecked(False))
+        self.watch = Watch(parts, self.close)
+        self._ready(False)
+        self.compute()
+
+    # the dialog
+
+    def getStandardButtons(self):
+        return number_of(QtWidgets.QDialogButtonBox.Close)
+
+    def isAllowedAlterView(self):
+        return True
+
+    def reject(self):
+        self.close()
+        return False
+
+    def close(self) -> None:
+        """Stop everything and bring the balloon back."""
+        self.timer.stop()
+        self.watch.remove()
+        if self.worker is not None:
+            self.worker.finished.disconnect()
+            self.worker.stop()
+            self.worker.wait()
+            self.worker = None
+        if self.player is not None:
+            self.player.close()
+            self.player = None
+        Gui.Control.closeDialog()
+
+    # the work
+
+    def compute(self) -> None:
+        """Begin to compute the frames."""
+        try:
+            wanted = request_of(self.parts.balloon)
+        except BalloonError as error:
+            self.fail(error)
+            return
+        self.worker = Worker(wanted, self.form, translate("Inflating in time"))
+        self.worker.progressed.connect(lambda fraction, _text: self.bar.setValue(round(1000 * fraction)))
+        self.worker.finished.connect(self.work_done)
+        self.worker.start()
+
+    def work_done(self) -> None:
+        """The frames are there, or the reason why not."""
+        worker, self.worker = self.worker, None
+        if worker.design is None:
+            self.fail(worker.error)
+            return
+        self.player = Player(self.parts.balloon, worker.design)
+        self._ready(True)
+        self.play.setChecked(True)
+
+    def set_playing(self, playing: bool) -> None:
+        """Play, from the start when it stands at the end, or pause."""
+        self.play.setText(translate("Pause") if playing else translate("Play"))
+        self._wait = 0
+        if playing and self.slider.value() == self.slider.maximum():
+            self.slider.setValue(0)
+        if playing:
+            self.timer.start()
+        else:
+            self.timer.stop()
+
+    def next_frame(self) -> None:
+        """One frame on; at the end a rest, then from the start."""
+        if self.slider.value() < self.slider.maximum():
+            self.slider.setValue(self.slider.value() + 1)
+            return
+        self._wait += 1
+        if self._wait >= _PAUSE:
+            self._wait = 0
+            self.slider.setValue(0)
+
+    def show_frame(self, number: int) -> None:
+        """Show a frame and say when that is."""
+        if self.player is None:
+            return
+        self.player.show(number)
+        frame = self.player.strip.frames[number]
+        self.told.setText(
+            translate("{} ms, {}, frame {} of {}").format(
+                number_text(1000.0 * frame.time), pressure_text(frame.pressure), number + 1, FRAMES
+            )
+        )
+
+    def _ready(self, ready: bool) -> None:
+        self.bar.setVisible(not ready)
+        for widget in (self.play, self.slider, self.told):
+            widget.setVisible(ready)
+        self.play.setText(translate("Play"))
+        if ready:
+            self.show_frame(0)
+
+    def fail(self, error: BalloonError) -> None:
+        self.bar.hide()
+        super().fail(error)

@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The task panel for what is shown on a balloon: a result as colours, the drawing over the silhouette."""
+
+from __future__ import annotations
+
+import FreeCADGui as Gui
+
+from BalloonWorkbench.app.border import status
+from BalloonWorkbench.core.results.colour_map import TENSION
+from BalloonWorkbench.gui.panels.results.results_file import save_results
+from BalloonWorkbench.gui.panels.widgets.narrow import ElidedCombo, WrappedLabel
+from BalloonWorkbench.gui.panels.widgets.watch import Watch
+from BalloonWorkbench.gui.qt import QtWidgets, drawn_icon, translate
+from BalloonWorkbench.gui.view3d.film_map import CHOICES, OFF, choice_title
+from BalloonWorkbench.gui.window.borders import Panel
+from BalloonWorkbench.gui.window.sentences import tell
+
+_STATE = ("ColourMap", "CompareOutlines", "DisplayMode", "ModeWithoutMap")
+
+
+class ColourMapPanel(Panel):
+    """Chooses what is shown on one balloon; Cancel shows what was there before."""
+
+    def __init__(self, parts):
+        self.parts = parts
+        self.view = parts.balloon.ViewObject
+        self.before = {name: getattr(self.view, name) for name in _STATE}
+        self.form = QtWidgets.QWidget()
+        self.form.setObjectName("ColourMapPanel")
+        self.form.setWindowTitle(translate("Colour map"))
+        self.form.setWindowIcon(drawn_icon("colour_map"))
+        self.choice = ElidedCombo()
+        # as wide as the panel, not as its longest entry
+        self.choice.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
+        self.choice.setMinimumContentsLength(8)
+        self.choice.setObjectName("ColourMap")
+        self.choice.setToolTip(translate("Result that is shown as colours, with a legend"))
+        for entry in CHOICES:
+            self.choice.addItem(choice_title(entry), entry)
+        self.curves = QtWidgets.QCheckBox(translate("Drawing over silhouette"))
+        self.curves.setObjectName("CompareOutlines")
+        self.curves.setToolTip(translate("Show the drawing and the silhouette over each other"))
+        self.save = QtWidgets.QPushButton(translate("Save results…"))
+        self.save.setObjectName("SaveResults")
+        self.save.setToolTip(
+            translate("Write all results for ParaView (.vtu) or NumPy (.npz), or the shape alone (.stl)")
+        )
+        self.message = WrappedLabel(tell(status.problem(parts.balloon)))
+        self.message.setObjectName("ColourMapMessage")
+        column = QtWidgets.QVBoxLayout(self.form)
+        for widget in (self.choice, self.curves, self.save, self.message):
+            column.addWidget(widget)
+        if self.view.ColourMap == OFF:
+            self.view.ColourMap = TENSION
+        self.choice.setCurrentIndex(self.choice.findData(self.view.ColourMap))
+        self.curves.setChecked(self.view.CompareOutlines)
+        self.choice.currentIndexChanged.connect(self.choose)
+        self.curves.toggled.connect(self.compare)
+        self.save.clicked.connect(lambda _checked=False: self.message.setText(save_results(parts.balloon)))
+        self.watch = Watch(parts, self.close)
+
+    def isAllowedAlterView(self):
+        return True
+
+    def isAllowedAlterSelection(self):
+        return True
+
+    def choose(self, index: int) -> None:
+        """Show another result."""
+        self.view.ColourMap = self.choice.itemData(index)
+
+    def compare(self, shown: bool) -> None:
+        """Show the drawing and the silhouette, or not."""
+        self.view.CompareOutlines = shown
+
+    def accept(self):
+        """Keep what is shown; a macro has it too."""
+        name = self.parts.balloon.Name
+        for item in _STATE[:2]:
+            value = getattr(self.view, item)
+            if value != self.before[item]:
+                Gui.doCommand(f'Gui.ActiveDocument.getObject("{name}").{item} = {value!r}')
+        self.close()
+        return False
+
+    def reject(self):
+        """Show what was shown before."""
+        for name in ("CompareOutlines", "ColourMap", "DisplayMode", "ModeWithoutMap"):
+            if getattr(self.view, name) != self.before[name]:
+                setattr(self.view, name, self.before[name])
+        self.close()
+        return False
+
+    def close(self) -> None:
+        self.watch.remove()
+        Gui.Control.closeDialog()

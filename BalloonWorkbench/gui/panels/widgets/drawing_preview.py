@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A small picture of the drawing with the outline that was found in it."""
+
+from __future__ import annotations
+
+from BalloonWorkbench.app.border import status
+from BalloonWorkbench.app.shapes import part_shapes
+from BalloonWorkbench.core.units import to_mm
+from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, translate
+from BalloonWorkbench.gui.window.sentences import tell
+from BalloonWorkbench.gui.window.user_units import size_text
+
+_MARGIN = 6
+_SIDE = 640  # px that a picture is shown with at most
+_LEAST, _MOST, _FORM = 150, 280, 0.62  # px, px, height over width: a wide panel has a larger picture
+_SWING = 24  # px; a scroll bar that comes and goes with the height changes the width, and would never rest
+
+
+def notes_of(outline) -> str:
+    """What there is to say about an outline: its size, its holes and the remarks made while it was found."""
+    if not outline.LoopCounts or not status.is_ready(outline):
+        return ""
+    size = size_text(outline.SizeX.Value, outline.SizeY.Value)
+    told = translate("Outline {}, holes: {}") if outline.HoleCount else translate("Outline {}")
+    return "\n".join([told.format(size, outline.HoleCount), *map(tell, outline.Notes)])
+
+
+class Preview(QtWidgets.QWidget):
+    """Shows a picture, if there is one, and the outline over it."""
+
+    def __init__(self, parent=None):
+        super().__init__(parent)
+        self.setObjectName("Preview")
+        self.setMinimumHeight(_LEAST)
+        self._picture, self._shown = QtGui.QPixmap(), ""
+        self._picture_box = QtCore.QRectF()
+        self._path = QtGui.QPainterPath()
+        self._welds = QtGui.QPainterPath()
+
+    def show(self, outline, place=None) -> None:
+        """Draw an outline object; over its picture when the place of the shape in that is given.
+
+        place  left, bottom, right and top of the shape in parts of the picture's width and height
+        """
+        self._path, self._welds = QtGui.QPainterPath(), QtGui.QPainterPath()
+        if outline.LoopCounts and status.is_ready(outline):
+            drawn = part_shapes.stored(outline, "Loop")
+            for weld in drawn.welds:
+                self._welds.addPolygon(
+                    QtGui.QPolygonF([QtCore.QPointF(x, -y) for x, y in to_mm(weld).tolist()])
+                )
+            for loop in drawn.loops:
+                self._path.addPolygon(
+                    QtGui.QPolygonF([QtCore.QPointF(x, -y) for x, y in to_mm(loop).tolist()])
+                )
+                self._path.closeSubpath()
+        self._show_picture(outline.Drawing if place else "")
+        self._picture_box = self._path.boundingRect()
+        if place and not self._picture_box.isEmpty():
+            left, bottom, right, top = place
+            shape = self._picture_box
+            width, height = shape.width() / (right - left), shape.height() / (top - bottom)
+            self._picture_box = QtCore.QRectF(
+                shape.left() - left * width, shape.top() - (1.0 - top) * height, width, height
+            )
+        self.update()
+
+    def _show_picture(self, path: str) -> None:
+        """Read it once, and no larger than it can be seen."""
+        if path == self._shown:
+            return
+        self._shown, self._picture = path, QtGui.QPixmap()
+        if path:
+            reader = QtGui.QImageReader(path)
+            size = reader.size()
+            if max(size.width(), size.height()) > _SIDE:
+                reader.setScaledSize(size.scaled(_SIDE, _SIDE, QtCore.Qt.KeepAspectRatio))
+            self._picture = QtGui.QPixmap.fromImageReader(reader)
+
+    def resizeEvent(self, event):
+        super().resizeEvent(event)
+        height = int(min(max(_FORM * self.width(), _LEAST), _MOST))
+        if abs(height - self.minimumHeight()) > _SWING:
+            self.setMinimumHeight(height)
+
+    def paintEvent(self, event):
+        painter = QtGui.QPainter(self)
+        self._paint(painter)
+        painter.end()  # now, not when Python forgets it
+
+    def _paint(self, painter) -> None:
+        painter.setRenderHint(QtGui.QPainter.Antialiasing)
+        painter.setRenderHint(QtGui.QPainter.SmoothPixmapTransform)
+        painter.fillRect(self.rect(), self.palette().base())
+        whole = self._path.boundingRect()
+        if not self._picture.isNull():
+            whole = whole.united(self._picture_box)
+        if whole.width() <= 0 or whole.height() <= 0:
+            return
+        room = self.rect().adjusted(_MARGIN, _MARGIN, -_MARGIN, -_MARGIN)
+        scale = min(room.width() / whole.width(), room.height() / whole.height())
+        painter.translate(QtCore.QPointF(room.center()))
+        painter.scale(scale, scale)
+        painter.translate(-whole.center())
+        if not self._picture.isNull():
+            painter.drawPixmap(self._picture_box, self._picture, QtCore.QRectF(self._picture.rect()))
+        line = QtGui.QPen(self.palette().highlight().color(), 2)
+        line.setCosmetic(True)
+        painter.setPen(line)
+        if self._picture.isNull():
+            painter.setBrush(self.palette().alternateBase())
+        painter.drawPath(self._path)
+        painter.strokePath(self._welds, line)

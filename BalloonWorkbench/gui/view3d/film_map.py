@@ -1,0 +1,186 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A balloon's results as colours on its film: the nodes of the 3D view and their legend."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from BalloonWorkbench.app.border import status
+from BalloonWorkbench.app.engine import film_result, maker
+from BalloonWorkbench.app.properties.property_table import QT_TRANSLATE_NOOP
+from BalloonWorkbench.core.results import colour_map
+from BalloonWorkbench.core.results.film_state import FilmState, State, film_state
+from BalloonWorkbench.core.results.result_files import results
+from BalloonWorkbench.core.units import number_text, percent_text, to_mm
+from BalloonWorkbench.gui.qt import translate
+from BalloonWorkbench.gui.view3d.legend import TOP, Legend, label_node
+from BalloonWorkbench.gui.view3d.legend_row import legend_node, title
+from BalloonWorkbench.gui.view3d.skin import SkinNodes, skin_from
+from BalloonWorkbench.gui.window.sentences import tell
+from BalloonWorkbench.gui.window.user_units import lengths_text, pressure_text, user_unit
+
+OFF = "Off"
+CHOICES = [OFF, *colour_map.KINDS]
+_TITLES = {
+    colour_map.TENSION: QT_TRANSLATE_NOOP("BalloonWorkbench", "Membrane tension"),
+    colour_map.WRINKLES: QT_TRANSLATE_NOOP("BalloonWorkbench", "Width hidden in wrinkles"),
+    colour_map.STATE: QT_TRANSLATE_NOOP("BalloonWorkbench", "Where the film wrinkles"),
+    colour_map.THICKNESS: QT_TRANSLATE_NOOP("BalloonWorkbench", "Thickness of the balloon"),
+    colour_map.STRAIN: QT_TRANSLATE_NOOP("BalloonWorkbench", "Largest strain"),
+    colour_map.RESIDUAL: QT_TRANSLATE_NOOP("BalloonWorkbench", "Silhouette off the drawing"),
+}
+_COLOURS = 256  # of the scale, as a texture
+_LINE = 5.0  # px, of the silhouette
+_GREY = (0.72, 0.74, 0.77)
+
+
+def choice_title(choice: str) -> str:
+    """What people read for one of CHOICES."""
+    return translate(_TITLES[choice]) if choice in _TITLES else tell(choice)
+
+
+def map_nodes(obj, kind: str) -> list:
+    """Nodes that show one kind of result of a balloon object; none where there is no result.
+
+    Raises BalloonError.
+    """
+    if not film_result.is_known(obj):
+        return []
+    inflation, film = film_result.stored(obj)
+    skin, found = skin_from(inflation, film), results(inflation, film)
+    if kind == colour_map.RESIDUAL:
+        return _residual_nodes(obj, inflation, skin)
+    shown = colour_map.film_map(found, kind)
+    safe = maker.safety_of(obj) if kind == colour_map.TENSION else None
+    if safe is not None:  # single triangles say more of the mesh than of the film
+        shown = replace(shown, largest=safe.load.value, place=to_mm(safe.load.place))
+    factor, unit = user_unit(shown.unit, shown.top)
+    legend = Legend(
+        _title(obj, kind, unit),
+        () if kind == colour_map.STATE else _ticks(shown.top * factor),
+        _states(film_state(inflation, film)) if kind == colour_map.STATE else (),
+        _notes(safe, shown, factor, unit),
+        warnings_of(obj),
+    )
+    nodes = [_film(SkinNodes(skin, shown.shares), _scale_nodes()), legend_node(obj, legend, TOP)]
+    if shown.place is not None:
+        name = f"{tell(safe.weakest)} " if safe is not None and safe.weakest else ""
+        nodes.append(label_node(shown.place, f"{name}{number_text(shown.largest * factor)} {unit}"))
+    return nodes
+
+
+def _film(skin: SkinNodes, before):
+    from pivy import coin
+
+    node, rim, shape = coin.SoSeparator(), coin.SoSeparator(), coin.SoSeparator()
+    light, colour = coin.SoLightModel(), coin.SoBaseColor()
+    light.model.setValue(coin.SoLightModel.BASE_COLOR)
+    colour.rgb.setValue(0.15, 0.15, 0.18)
+    for child in (*before, skin.film):
+        shape.addChild(child)
+    for child in (light, colour, skin.seam):
+        rim.addChild(child)
+    node.addChild(shape)
+    node.addChild(rim)
+    return node
+
+
+def _matt(coin, colour=(1.0, 1.0, 1.0)):
+    """A material that keeps the colours of a scale: little shade, no shine."""
+    material = coin.SoMaterial()
+    material.ambientColor.setValue(*colour)
+    material.diffuseColor.setValue(*(0.75 * part for part in colour))
+    material.emissiveColor.setValue(*(0.25 * part for part in colour))
+    material.specularColor.setValue(0.0, 0.0, 0.0)
+    return material
+
+
+def _scale_nodes() -> list:
+    from pivy import coin
+
+    texture = coin.SoTexture2()
+    row = colour_map.colours(np.linspace(0.0, 1.0, _COLOURS))
+    texture.image.setValue(coin.SbVec2s(_COLOURS, 1), 3, row.tobytes())
+    texture.wrapS.setValue(coin.SoTexture2.CLAMP)
+    texture.wrapT.setValue(coin.SoTexture2.CLAMP)
+    return [_matt(coin), texture]
+
+
+def _residual_nodes(obj, inflation, skin) -> list:
+    """Grey film with its silhouette coloured by the distance from the drawing."""
+    from pivy import coin
+
+    found = colour_map.distances(inflation, film_result.drawing(obj))
+    top = max(found.largest[2], 1e-9)
+    front, style, light = coin.SoAnnotation(), coin.SoDrawStyle(), coin.SoLightModel()
+    style.lineWidth.setValue(_LINE)
+    light.model.setValue(coin.SoLightModel.BASE_COLOR)
+    binding = coin.SoMaterialBinding()
+    binding.value.setValue(coin.SoMaterialBinding.PER_VERTEX)
+    for child in (style, light, binding):
+        front.addChild(child)
+    for loop, distance in zip(found.loops, found.distances):
+        rgb = colour_map.colours(np.append(distance, distance[:1]) / top) / 255.0
+        points, colours, line = coin.SoCoordinate3(), coin.SoMaterial(), coin.SoLineSet()
+        corners = [(x, y, 0.0) for x, y in to_mm(np.vstack([loop, loop[:1]])).tolist()]
+        points.point.setValues(0, len(corners), corners)
+        colours.diffuseColor.setValues(0, len(corners), rgb.tolist())
+        line.numVertices.setValue(len(corners))
+        for child in (colours, points, line):
+            front.addChild(child)
+    factor, unit = user_unit("mm", top)
+    notes = (translate("in the mean {}").format(*lengths_text(obj.ResidualMean.Value)),)
+    legend = Legend(
+        _title(obj, colour_map.RESIDUAL, unit), _ticks(top * factor), notes=notes, warnings=warnings_of(obj)
+    )
+    place, _, largest = found.largest
+    label = label_node((*to_mm(place), 0.0), lengths_text(largest)[0])
+    return [_film(SkinNodes(skin), [_matt(coin, _GREY)]), front, legend_node(obj, legend, TOP), label]
+
+
+def _title(obj, kind: str, unit: str) -> str:
+    text = translate(_TITLES[kind])
+    return title(obj, f"{text} [{unit}]" if unit else text)
+
+
+def _ticks(top: float) -> tuple[tuple[float, str], ...]:
+    return tuple((value / top, number_text(value, 4)) for value in colour_map.ticks(top))
+
+
+def _states(found: FilmState) -> tuple:
+    """The colours of the states, and how much of the film is in each."""
+    names = {
+        State.SLACK: translate("loose: {}"),
+        State.WRINKLED: translate("wrinkled: {}"),
+        State.TAUT: translate("tight: {}"),
+    }
+    rgb = colour_map.colours(np.array([0.0, 0.5, 1.0])).tolist()
+    return tuple(
+        (tuple(rgb[state]), names[state].format(percent_text(share)))
+        for state, share in found.shares().items()
+    )
+
+
+def _notes(safe, shown, factor: float, unit: str) -> tuple[str, ...]:
+    told = []
+    if shown.largest > 1.05 * shown.top:
+        told.append(translate("at most {} {}").format(number_text(shown.largest * factor), unit))
+    if safe is not None:
+        if safe.safe_pressure is None:
+            told.append(translate("strength of the film not known"))
+        else:
+            told.append(
+                translate("safe to {}, margin {}").format(
+                    pressure_text(safe.safe_pressure), number_text(safe.margin)
+                )
+            )
+    return tuple(told)
+
+
+def warnings_of(obj) -> tuple[str, ...]:
+    """What a legend says when its balloon is not up to date."""
+    if status.is_ready(obj):
+        return ()
+    return (translate("stale: belongs to earlier values"),)

@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Asks for a picture or another drawing, in the folder where FreeCAD has opened or saved a file last."""
+
+from __future__ import annotations
+
+import os
+
+from BalloonWorkbench.app.properties import preferences
+from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
+
+_PICTURES = ("png", "jpg", "jpeg", "bmp")
+_LINES = ("svg", "dxf", "json")
+
+
+def ask_for_drawing(parent) -> str | None:
+    """The path of a picture, SVG, DXF or JSON file; None where the user does not choose one."""
+    kinds = f"{_kind(translate('Drawings'), _PICTURES + _LINES)};;{_kind(translate('Pictures'), _PICTURES)}"
+    return _ask(parent, translate("Choose a drawing"), kinds)
+
+
+def ask_for_picture(parent, *more: str) -> str | None:
+    """The path of a picture, also with more endings; None where the user does not choose one."""
+    return _ask(parent, translate("Choose a picture"), _kind(translate("Pictures"), _PICTURES + more))
+
+
+def _ask(parent, title: str, kinds: str) -> str | None:
+    usual = QtCore.QStandardPaths.writableLocation(QtCore.QStandardPaths.PicturesLocation)
+    folder = preferences.open_folder() or usual
+    path, _ = QtWidgets.QFileDialog.getOpenFileName(parent, title, folder, kinds)
+    if not path:
+        return None
+    preferences.put_open_folder(os.path.dirname(path))
+    return path
+
+
+def _kind(title: str, endings: tuple[str, ...]) -> str:
+    """A line of the chooser's list; cameras write their endings in capitals."""
+    return f"{title} ({' '.join(f'*.{ending} *.{ending.upper()}' for ending in endings)})"

@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the user does, as lines of the Python API in the macro and in the Python console.
+
+The window has done the work already, with progress and in a thread: the recorded call returns what there is
+instead of doing it once more. Only a macro that is run later works.
+"""
+
+from __future__ import annotations
+
+import json
+
+import FreeCADGui as Gui
+
+from BalloonWorkbench.app import api
+from BalloonWorkbench.app.document import create
+from BalloonWorkbench.app.properties import preferences, values
+
+_drawings: dict[str, str] = {}  # where drawings came from, by their place in a document
+
+
+def call(function: str, *arguments: str, result=None, name: str = "", **named: str) -> None:
+    """Record `name = BalloonWorkbench.function(...)`; the arguments are Python text.
+
+    result  what the call returns while it is recorded
+    """
+    given = [*arguments, *(f"{key}={value}" for key, value in named.items())]
+    with api.already_done(result):
+        Gui.doCommand("import BalloonWorkbench")
+        Gui.doCommand(f"{name and name + ' = '}BalloonWorkbench.{function}({', '.join(given)})")
+
+
+def text(value) -> str:
+    """A string, path or number as Python text."""
+    return json.dumps(value if isinstance(value, (int, float)) else str(value), ensure_ascii=False)
+
+
+def obj(document_object) -> str:
+    """A document object as Python text."""
+    return f'App.ActiveDocument.getObject("{document_object.Name}")'
+
+
+def came_from(outline, path) -> None:
+    """Remember the file of a drawing: the document has a copy without its path."""
+    _drawings[outline.Drawing] = str(path)
+
+
+def begin(doc, label: str = "Film balloon"):
+    """The objects of a new balloon with the user's preferences, and the edit that begins with them."""
+    parts = create.make(doc, label)
+    edit = Edit(parts, values.texts(parts))
+    preferences.begin(parts)
+    return parts, edit
+
+
+class Edit:
+    """What changes between the start of an edit and its end.
+
+    before  `values.texts` of a new balloon, without the user's preferences
+    """
+
+    def __init__(self, parts, before: dict[str, str] | None = None):
+        self.parts = parts
+        self.is_new = before is not None
+        self._before = values.texts(parts) if before is None else before
+        self._sketches = self._sketches_now()
+
+    def write(self) -> None:
+        """Record the changes, if there are any, and the sketches that were made of the pattern."""
+        self._write_changes()
+        for sketch in self._sketches_now()[len(self._sketches) :]:
+            call("sketch", obj(self.parts.pattern), result=sketch, name="sketch")
+
+    def _sketches_now(self) -> list:
+        group = self.parts.pattern.getParentGroup()
+        return [one for one in group.Group if one.isDerivedFrom("Sketcher::SketchObject")] if group else []
+
+    def _write_changes(self) -> None:
+        changed = {
+            name: told for name, told in values.texts(self.parts).items() if self._before.get(name) != told
+        }
+        outline = self.parts.outline
+        if "drawing" in changed:
+            changed["drawing"] = text(_drawings.get(outline.Drawing, outline.Drawing))
+        if not self.is_new:
+            if changed:
+                call("change", f"BalloonWorkbench.parts({obj(self.parts.balloon)})", **changed)
+        elif outline.Source:
+            self._write_from_sketch(changed)
+        elif outline.Drawing:
+            self._write_from_picture(changed)
+
+    def _write_from_sketch(self, changed: dict[str, str]) -> None:
+        changed.pop("source")
+        source, elements = self.parts.outline.Source
+        arguments = [obj(source)]
+        if any(elements):
+            arguments.append(json.dumps(list(elements)))
+        call("from_sketch", "App.ActiveDocument", *arguments, result=self.parts, name="balloon", **changed)
+
+    def _write_from_picture(self, changed: dict[str, str]) -> None:
+        path = changed.pop("drawing")
+        size = values.texts(self.parts)
+        lengths = {
+            name: size[name]
+            for name in ("width", "height")
+            if getattr(self.parts.outline, name.capitalize()).Value > 0.0
+        }
+        named = lengths | {name: told for name, told in changed.items() if name not in ("width", "height")}
+        call("from_picture", "App.ActiveDocument", path, result=self.parts, name="balloon", **named)

@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the user has selected, as the source of an outline."""
+
+from __future__ import annotations
+
+import FreeCADGui as Gui
+
+from BalloonWorkbench.app.border.guard import Guarded
+from BalloonWorkbench.app.document.parts import parts_of
+
+
+def selected_source():
+    """(object, elements) of the first selected thing that has a flat shape to follow; None without one.
+
+    A face picked in the 3D view counts by itself; a picked edge or corner stands for its whole object.
+    """
+    for picked in Gui.Selection.getSelectionEx():
+        obj = picked.Object
+        if getattr(obj, "Shape", None) is not None and parts_of(obj) is None:
+            return obj, [name for name in picked.SubElementNames if name.startswith("Face")][:1]
+    return None
+
+
+class SelectionWatch(Guarded):
+    """Calls `changed` whenever the selection has changed, until removed."""
+
+    def __init__(self, changed):
+        self._changed = changed
+        Gui.Selection.addObserver(self)
+
+    def remove(self) -> None:
+        Gui.Selection.removeObserver(self)
+
+    def addSelection(self, *place):
+        self._changed()
+
+    def setSelection(self, *place):
+        self._changed()

@@ -1,0 +1,245 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Artwork, sheets of film, the maker's numbers and the assembly sheet of balloons in a document."""
+
+import json
+from pathlib import Path
+
+import FreeCAD as App
+import numpy as np
+import pytest
+import sketches
+
+from BalloonWorkbench.app import artwork, film_sheet
+from BalloonWorkbench.app.border import status
+from BalloonWorkbench.app.document import create
+from BalloonWorkbench.app.engine import maker
+from BalloonWorkbench.app.engine.export import check_for, export_for
+from BalloonWorkbench.core.artwork.files import png_bytes
+from BalloonWorkbench.core.errors import ExportError, InputError
+from BalloonWorkbench.core.nesting import nest as nesting
+
+HEART = Path("resources/examples/pictures/heart.png").resolve()
+
+
+@pytest.fixture(scope="module")
+def solved():
+    """A balloon from a sketch, uncorrected: quick."""
+    document = App.newDocument("Making")
+    name = document.Name
+    document.UndoMode = 1
+    yield create.balloon_from_sketch(
+        document, sketches.rectangle(document, 120, 80), mesh_size=12, correct=False
+    )
+    App.closeDocument(name)
+
+
+@pytest.fixture
+def rows(monkeypatch):
+    """Laid out in rows: quick, and the same wherever the tests run."""
+    monkeypatch.setattr(nesting, "PACKAGE", "no_such_package")
+
+
+@pytest.fixture
+def picture(tmp_path):
+    """Left half blue, right half red."""
+    pixels = np.full((60, 80, 4), (20, 40, 200, 255), np.uint8)
+    pixels[:, 40:] = (200, 30, 30, 255)
+    path = tmp_path / "two colours.png"
+    path.write_bytes(png_bytes(pixels, 100.0))
+    return path
+
+
+def test_artwork_needs_a_picture(parts, picture, tmp_path):
+    """A sketch has none of its own; a chosen one is kept in the document and reads right on both sides."""
+    doc = parts.balloon.Document
+    art = artwork.make(parts.pattern)
+    doc.recompute()
+    assert "no picture" in art.Status
+    with pytest.raises(ExportError, match="no picture"):
+        artwork.write(art, tmp_path)
+    art.Picture, art.Resolution = str(picture), 50.0
+    doc.recompute()
+    assert art.Status == status.READY
+    assert {"CUT", "PRINT", "REGISTRATION"} <= set(art.Roles)
+    assert art in parts.pattern.getParentGroup().Group
+    front, back = artwork.sheets(art)
+    blue = front.pixels[..., 2] > 150
+    red = front.pixels[..., 0] > 150
+    assert np.argwhere(blue)[:, 1].mean() < np.argwhere(red)[:, 1].mean()
+    assert np.array_equal(back.pixels, front.pixels[:, ::-1])
+    written = artwork.write(art, tmp_path / "prints", ["cutting-shop", "inkscape"])
+    assert {path.name for path in written} - {"artwork.pdf"} == {
+        "artwork-front.png", "artwork-back.png",
+        "print-front-pattern-cutting-shop_mm.dxf", "print-back-pattern-cutting-shop_mm.dxf",
+        "print-front-pattern-inkscape.svg", "print-back-pattern-inkscape.svg",
+    }  # fmt: skip
+    assert artwork.of_balloon(parts.balloon) == art
+
+
+def test_artwork_follows_its_pattern_and_has_a_side(parts, picture, tmp_path):
+    doc = parts.balloon.Document
+    art = artwork.make(parts.pattern, picture, picture)
+    doc.recompute()
+    for allowance, bleed in ((2.0, 3.0), (5.0, 8.0)):
+        parts.pattern.Allowance, art.Bleed = allowance, bleed
+        doc.recompute()
+        marks = 2.0 * (bleed + 8.0 + 5.0)  # bleed, room, half a cross on both sides
+        assert art.PatternWidth.Value == pytest.approx(parts.pattern.PatternWidth.Value + marks, abs=0.02)
+    front = export_for(art, "any-svg", tmp_path / "front.svg").read_text(encoding="utf-8")
+    low = art.Shape.BoundBox.XMin
+    art.Side = artwork.BACK
+    doc.recompute()
+    assert export_for(art, "any-svg", tmp_path / "back.svg").read_text(encoding="utf-8") != front
+    assert art.Shape.BoundBox.XMin != pytest.approx(low)
+    front, back = artwork.sheets(art, 30.0)
+    assert not np.array_equal(back.pixels, front.pixels[:, ::-1])  # the back has its own picture
+    art.Bleed = 80.0
+    doc.recompute()
+    assert "bleed" in art.Status
+
+
+def test_a_traced_picture_is_its_own_artwork(doc):
+    """No picture chosen: what was drawn is printed, in its place, without the paper around it."""
+    parts = create.balloon_from_picture(doc, HEART, width=100, mesh_size=12, correct=False)
+    art = artwork.make(parts.pattern)
+    doc.recompute()
+    assert art.Status == status.READY
+    front, _ = artwork.sheets(art, 40.0)
+    inked = front.pixels[front.pixels[..., 3] == 255]
+    red = (inked[:, 0] > 120) & (inked[:, 2] < 120)
+    assert red.mean() > 0.9
+
+
+def test_film_sheet(parts, rows, tmp_path):
+    """Roll and sheets; used part, pieces and lines; every machine may have it; the layout is kept."""
+    doc = parts.balloon.Document
+    sheet = film_sheet.make(doc, [parts.pattern])
+    sheet.Balloons, sheet.FilmWidth = 3, 300.0
+    doc.recompute()
+    assert sheet.Status == status.READY
+    assert sheet.Pieces == 6
+    assert sheet.Roles.count("CUT") == 6
+    assert "spyrrow" in sheet.Warnings[0]
+    area = 6.0 * parts.pattern.Shape.Faces[0].Area
+    assert sheet.Used == pytest.approx(100.0 * area / (300.0 * sheet.UsedLength.Value), rel=1e-3)
+    box = sheet.Shape.BoundBox
+    assert (box.XLength, box.YLength) == pytest.approx((sheet.UsedLength.Value, 300.0), abs=1e-4)
+    assert {finding.severity for finding in check_for(sheet, "hpgl-plotter")} <= {"warning"}
+    assert export_for(sheet, "any-dxf", tmp_path).stat().st_size > 1000
+    sheet.FilmLength = 1.5 * parts.pattern.PatternWidth.Value
+    doc.recompute()
+    assert sheet.Sheets > 1
+    assert sheet.UsedLength.Value == pytest.approx(sheet.FilmLength.Value)
+    first = sheet.Pieces
+    sheet.Shown = sheet.Sheets
+    doc.recompute()
+    assert sheet.Status == status.READY
+    assert first * (sheet.Sheets - 1) + sheet.Pieces >= 6
+    sheet.Shown = 40
+    doc.recompute()
+    assert "no sheet 40" in sheet.Status
+    sheet.Shown, sheet.FilmWidth = 1, 60.0
+    doc.recompute()
+    assert "does not fit" in sheet.Status
+
+
+def test_layout_is_kept_and_made_anew_only_for_a_reason(parts, rows, monkeypatch):
+    doc = parts.balloon.Document
+    sheet = film_sheet.make(doc, [parts.pattern])
+    doc.recompute()
+    kept = sheet.Layouts
+    monkeypatch.setattr(nesting, "nest", lambda *values: pytest.fail("laid out again"))
+    sheet.touch()
+    doc.recompute()
+    assert sheet.Layouts == kept
+    monkeypatch.undo()
+    monkeypatch.setattr(nesting, "PACKAGE", "no_such_package")
+    parts.pattern.Allowance = 4.0
+    doc.recompute()
+    assert sheet.Status == status.READY
+    assert sheet.Layouts != kept
+
+
+def test_numbers(parts):
+    """The same weight and lift as the balloon's own properties, which know of no valve."""
+    found = maker.numbers(parts)
+    assert 1e3 * found.weight == pytest.approx(parts.balloon.Weight, rel=1e-6)
+    assert 1e3 * found.floating[0].left == pytest.approx(parts.balloon.Lift, rel=1e-6)
+    assert found.floating[0].from_width == pytest.approx(
+        1e-3 * parts.balloon.FloatsFrom.Value * 120.0 / parts.balloon.InflatedWidth.Value, rel=0.02
+    )
+    assert maker.numbers(parts) is found
+    parts.balloon.Film = "nylon-foil"
+    parts.pattern.IntakeKind = "Self-sealing film valve"
+    parts.balloon.Document.recompute()
+    assert maker.numbers(parts).valve > 0.0
+    parts.balloon.Gas = "Hydrogen"
+    assert maker.numbers(parts).floating[0].gas == "hydrogen"
+
+
+def test_assembly_sheet(parts, tmp_path):
+    written = maker.write_assembly(parts, tmp_path)
+    assert written.name == "assembly.pdf"
+    assert written.read_bytes().startswith(b"%PDF")
+    parts.pattern.Allowance, parts.pattern.TieTab = 0.1, True
+    parts.pattern.Notches = 900
+    parts.balloon.Document.recompute()
+    with pytest.raises(ExportError, match="not up to date"):
+        maker.write_assembly(parts, tmp_path)
+
+
+def test_saved_and_opened(parts, rows, picture, tmp_path):
+    """All of it comes back as it was, and follows again."""
+    doc = parts.balloon.Document
+    artwork.make(parts.pattern, picture)
+    film_sheet.make(doc, [parts.pattern])
+    doc.recompute()
+    doc.saveCopy(str(tmp_path / "making.FCStd"))
+    again = App.openDocument(str(tmp_path / "making.FCStd"))
+    try:
+        art = next(obj for obj in again.Objects if artwork.is_artwork(obj))
+        sheet = next(obj for obj in again.Objects if film_sheet.is_film_sheet(obj))
+        assert Path(art.Picture).read_bytes() == picture.read_bytes()
+        assert json.loads(sheet.Layouts)
+        art.Pattern.Allowance = 3.0
+        again.recompute()
+        assert art.Status == sheet.Status == status.READY
+    finally:
+        App.closeDocument(again.Name)
+
+
+def test_the_valve_is_on_another_film(parts, rows, tmp_path):
+    """Panels on one sheet of film, strips on another; two files for a pattern, one for each sheet."""
+    parts.balloon.Film = "nylon-foil"
+    parts.pattern.IntakeKind = "Self-sealing film valve"
+    doc = parts.balloon.Document
+    foil, valve = film_sheet.make(doc, [parts.pattern]), film_sheet.make(doc, [parts.pattern])
+    valve.Film = "Valve film"
+    foil.Balloons = valve.Balloons = 2
+    doc.recompute()
+    assert (foil.Status, valve.Status) == (status.READY, status.READY)
+    assert (foil.Pieces, valve.Pieces) == (4, 4)
+    assert any("Valve film" in text for text in foil.Warnings)
+    assert not any("Valve film" in text for text in valve.Warnings)
+    (tmp_path / "one").mkdir()
+    export_for(parts.pattern, "any-dxf", tmp_path / "one" / "fish.dxf")
+    assert sorted(path.name for path in (tmp_path / "one").iterdir()) == ["fish-valve.dxf", "fish.dxf"]
+    (tmp_path / "two").mkdir()
+    for sheet in (foil, valve):
+        export_for(sheet, "silhouette", tmp_path / "two" / f"{sheet.Name}.dxf")
+    assert len(list((tmp_path / "two").iterdir())) == 2
+    parts.pattern.IntakeKind = "Straw neck"
+    doc.recompute()
+    assert "pieces of" in valve.Status
+    assert foil.Status == status.READY
+    assert not any("Valve film" in text for text in foil.Warnings)
+
+
+def test_a_layout_of_an_older_release_is_not_cut(parts, rows, tmp_path):
+    """Strips once lay among the panels: such a layout is made anew before it is written."""
+    doc = parts.balloon.Document
+    sheet = film_sheet.make(doc, [parts.pattern])
+    doc.recompute()
+    sheet.LaidOutFor = "that of another list of pieces"
+    with pytest.raises(InputError, match="recompute"):
+        export_for(sheet, "any-dxf", tmp_path)

@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Files for machines, asked for on the command line."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from BalloonWorkbench.cli import command_line
+from BalloonWorkbench.core.machines.machine import FOLDER, machine
+
+
+@pytest.fixture
+def square(tmp_path: Path) -> Path:
+    path = tmp_path / "square.json"
+    path.write_text(json.dumps({"unit": "mm", "outer": [[0, 0], [200, 0], [200, 200], [0, 200]]}))
+    return path
+
+
+def run(square: Path, *more: str) -> int:
+    out = str(square.parent / "out")
+    return command_line.main(
+        ["inflate", str(square), "--width", "200mm", "--mesh-size", "25mm", "--out", out, *more]
+    )
+
+
+def test_files_for_machines(square: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    chosen = [word for name in ("lightburn", "cutting-shop", "inkscape", "hpgl-plotter", "paper") for word in
+              ("--machine", name)]  # fmt: skip
+    assert run(square, *chosen, "--tiled", "A4") == 0
+    made = {path.name for path in (square.parent / "out").iterdir()}
+    machines = ("lightburn_mm.dxf", "cutting-shop_mm.dxf", "inkscape.svg", "hpgl-plotter.plt", "paper.pdf")
+    assert made >= {"pattern.dxf", "pattern-a4.pdf", *(f"pattern-{name}" for name in machines)}
+    told = capsys.readouterr().out
+    assert "pattern-a4.pdf" in told
+    assert "Silhouette" not in told
+    for name in ("lightburn", "cutting-shop", "inkscape", "hpgl-plotter", "paper"):
+        assert machine(name).note in told
+
+
+def test_too_large_for_the_bed(square: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    own = square.parent / "small.json"
+    data = json.loads((FOLDER / "lightburn.json").read_text(encoding="utf-8"))
+    own.write_text(json.dumps({**data, "name": "small", "bed_mm": [150, 150]}))
+    assert run(square, "--machine", str(own)) == 2
+    text = capsys.readouterr().err
+    assert "bed" in text
+    assert "(5.906 x 5.906 in)" in text
+    assert not (square.parent / "out").exists()
+
+
+def test_one_unsuitable_machine_is_left_out(square: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """The others get their files, and a line tells why that one did not."""
+    own = square.parent / "small.json"
+    data = json.loads((FOLDER / "lightburn.json").read_text(encoding="utf-8"))
+    own.write_text(json.dumps({**data, "name": "small", "title": "Small laser", "bed_mm": [150, 150]}))
+    assert run(square, "--machine", str(own), "--machine", "inkscape", "--machine", "cutting-shop") == 0
+    made = {path.name for path in (square.parent / "out").iterdir()}
+    assert made >= {"pattern-inkscape.svg", "pattern-cutting-shop_mm.dxf"}
+    assert "pattern-small_mm.dxf" not in made
+    assert "Note: No file for Small laser: The pattern measures" in capsys.readouterr().out
+
+
+def test_unknown_machine_is_told_before_the_work(square: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(square, "--machine", "axe") == 2
+    assert "lightburn" in capsys.readouterr().err
+
+
+def test_the_pattern_is_made_as_it_is_told(square: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Every option of the pattern reaches files and report; the document has the same values."""
+    options = {
+        "--seal-width": "4mm", "--allowance": "3mm", "--corner-relief": "2mm", "--intake": "film-valve",
+        "--intake-along": "250mm", "--notches": "12", "--notch-depth": "2mm", "--tie-tab": "0",
+        "--label": "B1", "--label-height": "8mm", "--copies": "2",
+    }  # fmt: skip
+    options["--material"] = "nylon-foil"  # to which the valve welds
+    assert run(square, *(word for pair in options.items() for word in pair), "--mirror") == 0
+    told = json.loads((square.parent / "out" / "report.json").read_text())
+    intake = told["pattern"]["intake"]
+    assert (intake["kind"], intake["width_mm"]) == ("film-valve", pytest.approx(24.0))
+    assert intake["along_mm"] == pytest.approx(250.0, abs=0.5)
+    assert "strips" in intake["how_to_fill"]
+    text = (square.parent / "out" / "pattern.svg").read_text()
+    layers = {layer: part.count("<path") for layer, part in
+              ((part.split('"')[0], part) for part in text.split('<g id="')[1:])}  # fmt: skip
+    assert layers["CUT"] == 2 * 2
+    assert layers["CUT_INNER"] == 2 * 2
+    assert layers["NOTCH"] >= 2 * 2 * 8
+    # the box of 200 mm, both welds and allowances, the tab beside it
+    assert told["pattern"]["width_mm"] > 200 + 2 * (4 + 3)
+    assert "Wrote" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("options", "text"),
+    [
+        (("--intake", "funnel"), "film-valve"),
+        (("--copies", "0"), "copies"),
+        (("--corner-relief", "60mm"), "relief"),
+        (("--intake-angle", "0", "--intake-along", "3mm"), "not allowed"),
+        (("--notches", "4", "--notch-depth", "5mm"), "weld"),
+    ],
+)
+def test_senseless_patterns_are_told(
+    square: Path, options: tuple[str, ...], text: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(square, *options) == 2
+    assert text in capsys.readouterr().err
+    assert not (square.parent / "out").exists()

@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The sealed band: what bends it costs energy, what crumples it does not."""
+
+import numpy as np
+import pytest
+from drawn_shapes import NAMED
+from solver_cases import PRESSURE, circle, film, panel
+
+from BalloonWorkbench.core.mesh.triangulate import triangulate
+from BalloonWorkbench.core.solver.element.seam_band import SeamBand, hinge_rigidities, seam_hinges
+from BalloonWorkbench.core.solver.model import HOLE_FLOOR, SEAM_CEILING, film_problem, typical_width
+from BalloonWorkbench.core.types import Floats, Ints
+
+
+def lifted(points: Floats) -> Floats:
+    return np.column_stack([points, np.zeros(len(points))])
+
+
+def loop(count: int) -> tuple[Ints, ...]:
+    return (np.arange(count, dtype=np.int32),)
+
+
+def energy(rest: Floats, now: Floats, rigidity: float = 1.0) -> float:
+    return SeamBand(rest, loop(len(rest)), (rigidity,)).energy(lifted(now))
+
+
+STAR = NAMED["star"].outer
+
+
+def test_rigid_motion_costs_nothing() -> None:
+    turn = np.array([[0.6, -0.8], [0.8, 0.6]])
+    assert energy(STAR, STAR @ turn.T + (3.0, 1.0)) == pytest.approx(0.0, abs=1e-20)
+
+
+@pytest.mark.parametrize("scale", [0.3, 0.9, 1.05])
+def test_even_shrinking_costs_nothing(scale: float) -> None:
+    """Corners and all: the turning angles stay."""
+    assert energy(STAR, scale * STAR) == pytest.approx(0.0, abs=1e-20)
+
+
+def test_circle_bent_into_an_ellipse() -> None:
+    """r = 1 + e cos 2 s changes the curvature by 3 e cos 2 s; the integral of E I / 2 times its square."""
+    rest = circle(1.0, 2000)
+    turn = np.arctan2(rest[:, 1], rest[:, 0])
+    e = 1e-3
+    # the film of the rim keeps its length: u_r = e cos 2 s, u_t = - e sin(2 s) / 2
+    radial, around = e * np.cos(2.0 * turn), -0.5 * e * np.sin(2.0 * turn)
+    now = rest * (1.0 + radial)[:, None] + np.column_stack([-rest[:, 1], rest[:, 0]]) * around[:, None]
+    assert energy(rest, now, 2.5) == pytest.approx(2.5 * 4.5 * np.pi * e**2, rel=0.002)
+
+
+def test_straight_band_bent_into_a_circle() -> None:
+    """A straight band bent by 1 / r all along: E I / 2 times 2 pi / r, but for the ends."""
+    count, radius = 400, 0.7
+    straight = np.column_stack([np.linspace(0.0, 2.0 * np.pi * radius, count + 1), np.zeros(count + 1)])
+    bent = np.vstack([circle(radius, count), circle(radius, count)[:1]])
+    band = SeamBand(straight, loop(count + 1), (3.0,))
+    inner = slice(1, -1)  # the hinges over the ends join what is far apart
+    band.hinges, band._operator, band._stiffness = (
+        part[inner] for part in (band.hinges, band._operator, band._stiffness)
+    )
+    expected = 0.5 * 3.0 * 2.0 * np.pi / radius * (count - 1) / count
+    assert band.energy(lifted(bent)) == pytest.approx(expected, rel=1e-3)
+
+
+def test_same_energy_on_any_spacing() -> None:
+    turn = np.linspace(0.0, 2.0 * np.pi, 1500, endpoint=False)
+    uneven = turn + 0.3 * np.sin(turn)
+    found = []
+    for angle in (turn, uneven):
+        rest = np.column_stack([np.cos(angle), np.sin(angle)])
+        found.append(energy(rest, rest * (1.0 + 0.01 * np.cos(3.0 * angle))[:, None]))
+    assert found[1] == pytest.approx(found[0], rel=0.002)
+
+
+def test_forces_and_stiffness_are_derivatives() -> None:
+    rest = circle(1.0, 12) * (1.0, 0.6)
+    band = SeamBand(rest, loop(12), (0.7,))
+    now = lifted(rest + np.random.default_rng(2).normal(0.0, 0.05, rest.shape))
+    force, stiffness = band.derivatives(now)
+    total = np.zeros((12, 2))
+    np.add.at(total, band.hinges, force.reshape(-1, 3, 2))
+    step = 1e-6
+    for vertex in range(12):
+        for axis in range(2):
+            change = np.zeros_like(now)
+            change[vertex, axis] = step
+            slope = (band.energy(now + change) - band.energy(now - change)) / (2.0 * step)
+            assert total[vertex, axis] == pytest.approx(slope, abs=1e-8)
+    # quadratic: the force is the stiffness times the positions
+    flat = now[band.hinges][:, :, :2].reshape(-1, 6)
+    assert force == pytest.approx(np.einsum("hij,hj->hi", stiffness, flat), abs=1e-12)
+
+
+def test_hinges_follow_each_seam() -> None:
+    seams = (np.array([4, 7, 9], dtype=np.int32), np.array([1, 3, 2], dtype=np.int32))
+    assert seam_hinges(seams).tolist() == [[9, 4, 7], [4, 7, 9], [7, 9, 4], [2, 1, 3], [1, 3, 2], [3, 2, 1]]
+    assert hinge_rigidities(seams, (2.0, 5.0)).tolist() == [2.0] * 3 + [5.0] * 3
+    assert seam_hinges(()).shape == (0, 3)
+
+
+def test_band_of_a_film() -> None:
+    """Two films welded over the seal width, half for each panel: E t s^3 / 12; limits; more at holes."""
+    disc = panel("disc", 400)
+    width = typical_width(disc)
+    assert width == pytest.approx(2.0, rel=0.005)
+    sealed = film_problem(disc, film(100, seal_width=0.017), PRESSURE)
+    own = 100.0 * 0.017**3 / 12.0  # over p L
+    assert sealed.seam_rigidities[0] * 2.0**4 == pytest.approx(own, rel=0.01)
+    broad = film_problem(disc, film(100, seal_width=0.2), PRESSURE)
+    assert broad.seam_rigidities[0] == pytest.approx(SEAM_CEILING, rel=0.02)
+    ring = triangulate(NAMED["ring"], 0.02)
+    outer, hole = film_problem(ring, film(100, seal_width=1e-4), PRESSURE).seam_rigidities
+    assert hole / outer == pytest.approx(HOLE_FLOOR / 1e-6)
+    assert film_problem(disc, film(100), PRESSURE).seams == ()

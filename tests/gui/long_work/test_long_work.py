@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Long work: the status bar shows it and stops it, the window answers, the document stays as it was."""
+
+import threading
+import time
+
+import FreeCADGui as Gui
+import hands
+import pytest
+from heartbeat import Heartbeat
+
+from BalloonWorkbench.app.border import hooks, status
+from BalloonWorkbench.core.errors import Cancelled, MeshError
+from BalloonWorkbench.gui.long_work.worker import Worker
+
+
+def shown():
+    """The stop button of the work that the status bar shows; None when there is none."""
+    return next(
+        (b for b in hands.visible(hands.QtWidgets.QPushButton) if b.objectName() == "BalloonStop"), None
+    )
+
+
+def when_shown(action):
+    """Do something once, as soon as the status bar shows work; returns the timer."""
+    timer = hands.QtCore.QTimer()
+
+    def look():
+        if shown() is not None:
+            timer.stop()
+            action()
+
+    timer.timeout.connect(look)
+    timer.start(10)
+    return timer
+
+
+@pytest.mark.parametrize("how", ["key", "button"])
+def test_a_recompute_is_stopped_and_keeps_what_was(made, how, monkeypatch):
+    doc, volume = made.balloon.Document, made.balloon.Volume.Value
+    made.balloon.MeshSize = 1
+    steps, report = [], Worker._report
+
+    def count(worker, fraction, text):
+        steps.append(worker._stop)
+        return report(worker, fraction, text)
+
+    monkeypatch.setattr(Worker, "_report", count)
+
+    def stop():
+        hands.screenshot(f"long-work-{how}")
+        beat.skip()
+        if how == "key":
+            hands.key(Gui.getMainWindow(), hands.QtCore.Qt.Key_Escape)
+        else:
+            hands.click(shown())
+
+    timer, beat = when_shown(stop), Heartbeat()
+    doc.recompute()
+    beat.stop()
+    assert not timer.isActive()
+    assert made.balloon.Status.startswith(status.STALE)
+    assert made.balloon.Volume.Value == volume
+    assert steps.index(True) == len(steps) - 1  # the engine asks at each step, and goes no further
+    assert beat.answers()
+    hands.wait(0.05)
+    assert shown() is None
+
+
+def test_nobody_edits_meanwhile(made):
+    """A click on a widget and a key press wait in vain until the recompute is over."""
+    pressed = []
+    button = hands.QtWidgets.QPushButton("x", Gui.getMainWindow())
+    button.clicked.connect(lambda: pressed.append(1))
+    button.show()
+    made.balloon.MeshSize = 1.2
+    timer = when_shown(lambda: hands.click(button))
+    made.balloon.Document.recompute()
+    assert not timer.isActive()
+    assert not pressed
+    assert status.is_ready(made.balloon)
+    hands.click(button)
+    assert pressed
+    button.deleteLater()
+
+
+def test_work_runs_beside_the_window_and_its_error_comes_back(doc):
+    def job(progress):
+        assert progress(0.5, "half")
+        return threading.current_thread() is threading.main_thread()
+
+    assert hooks.work("Testing", job) is False
+
+    def broken(progress):
+        raise MeshError("too thin")
+
+    with pytest.raises(MeshError, match="too thin"):
+        hooks.work("Testing", broken)
+
+    def endless(progress):
+        while progress(0.1, ""):
+            time.sleep(0.01)
+        raise Cancelled("Stopped.")
+
+    timer = when_shown(lambda: hands.key(Gui.getMainWindow(), hands.QtCore.Qt.Key_Escape))
+    with pytest.raises(Cancelled):
+        hooks.work("Testing", endless)
+    assert not timer.isActive()
