@@ -12,7 +12,7 @@ def _start() -> int:
         except OSError:
             os.open(os.devnull, os.O_RDWR)
     try:
-        from BalloonWorkbench.cli import main
+        from BalloonWorkbench.cli.command_line import main
     except KeyboardInterrupt:
         return 130
     except ImportError as error:

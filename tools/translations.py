@@ -30,16 +30,8 @@ OURS, PROPERTY = "BalloonWorkbench", "App::Property"
 _SILENT = ("pictures/preview.py", "results/vtu.py", "machines/writers/svg.py", "pictures/render.py")
 _SILENT += ("machines/writers/hpgl.py", "core/report.py", "app/host.py")
 _SILENT += ("core/language/fonts.py",)
-#: Of the window and the command line, but in plain sentences like the engine.
-_SPOKEN = (
-    "equipment.py",
-    "cli/command_line.py",
-    "cli/bed.py",
-    "cli/summary.py",
-    "cli/making.py",
-    "cli/options.py",
-    "cli/document.py",
-)
+#: Layers that say plain sentences, and a file of the window that does as they do.
+_SPOKEN, _SPOKEN_FILE = ("core", "app", "cli"), "/equipment.py"
 #: Keys of the data files that people read, by folder or file.
 _DATA = {
     "advice/rules.json": ("title", "sentence"),
@@ -71,7 +63,7 @@ def texts() -> list[Text]:
         tree = ast.parse(path.read_text(encoding="utf-8"))
         found |= set(_named(tree))
         layer = path.relative_to(PACKAGE).parts[0] if PACKAGE in path.parents else ""
-        if (layer in ("core", "app") or path.name in _SPOKEN) and not str(path).endswith(_SILENT):
+        if (layer in _SPOKEN or str(path).endswith(_SPOKEN_FILE)) and not str(path).endswith(_SILENT):
             found |= {Text(OURS, source, True) for source in (*_sentences(tree), *_said(tree))}
         if layer == "app":
             found |= {Text(OURS, source, True) for source in _choices(tree)}

@@ -62,7 +62,7 @@ def numbers_formatted(tree: ast.AST) -> Iterator[int]:
 
 
 def test_numbers_become_text_in_one_place() -> None:
-    """One rule for digits, exponents and units: core/units.py, with the user's units gui/window/user_units.py."""
+    """One rule for digits, exponents and units: core/units.py, and gui/window/user_units.py."""
     wrong = []
     for path in sorted(PACKAGE.rglob("*.py")):
         if not any(path.match(pattern) for pattern in FOR_PROGRAMS):

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Whatever the engine raises: the window answers, the document is as it was, a sentence tells, and the same
-thing works the next time.
-
-BALLOON_FAULTS sets how many faults are tried (`make fuzz`: 200).
+thing works the next time. BALLOON_FAULTS sets how many faults are tried (`make fuzz`: 200).
 """
 
 import faulthandler
@@ -93,8 +91,7 @@ class Run:
     def __init__(self, listener, folder, made_file):
         Run.made += 1
         self.listener, self.folder = listener, folder
-        path = folder / f"Test{Run.made}.FCStd"
-        self.doc = App.openDocument(str(shutil.copy(made_file, path)))
+        self.doc = App.openDocument(str(shutil.copy(made_file, folder / f"Test{Run.made}.FCStd")))
         self.doc.clearUndos()
         hands.wait(0.05)
         self.turn = 10 * Run.made

@@ -328,7 +328,7 @@ def test_tutorial_sketch(user, story, says, tmp_path):
 
 def test_tutorial_pictures(says):
     tests = Path(__file__).resolve().parents[1] / "gui"
-    code = "".join(path.read_text(encoding="utf-8") for path in tests.glob("test_*.py"))
+    code = "".join(path.read_text(encoding="utf-8") for path in tests.rglob("test_*.py"))
     pictures = re.findall(r"images/([\w-]+)\.png", TUTORIAL.read_text(encoding="utf-8"))
     taken = [picture for picture in pictures if f'"{picture}"' in code]
     says("All pictures below were taken by the tests.", bool(pictures) and taken == pictures)

@@ -201,7 +201,7 @@ def test_make_it_says_why_it_cannot_go_on_and_goes_on_the_next_time(doc, monkeyp
     if window.card.isVisible():
         brush.press("PaintSizeDone")
     hands.wait_until(window.live.is_settled, 60)
-    for place in ("app.create.compute", "core.results.stl.balloon_mesh"):
+    for place in ("app.document.create.compute", "core.results.stl.balloon_mesh"):
         monkeypatch.setattr(f"BalloonWorkbench.{place}", broken)
         brush.press("PaintMake")
         hands.wait_until(lambda: FAULT in window.form.hint.text(), 20)
