@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The same balloon in Surface Evolver (Brakke 1992, "The Surface Evolver", Experimental Mathematics 1).
 
-Its facet energy `relaxed_elastic_A` is the tension field of core/solver/element/membrane.py: energy density of a St
-Venant-Kirchhoff film in plane stress with E t = 1, uniaxial where it is wrinkled, times the rest area, from
-the Gram matrix of the flat triangle (`form_factors`). So
+Its facet energy `relaxed_elastic_A` is the tension field of core/solver/element/membrane.py: energy density
+of a St Venant-Kirchhoff film in plane stress with E t = 1, uniaxial where it is wrinkled, times the rest
+area, from the Gram matrix of the flat triangle (`form_factors`). So
 
     quantity film  modulus E t / (p L)   method relaxed_elastic_A
     quantity gas   modulus -1            method facet_volume

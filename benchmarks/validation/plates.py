@@ -14,7 +14,7 @@ from BalloonWorkbench.core.solver.element.kinematics import deformation_gradient
 from BalloonWorkbench.core.solver.element.membrane import principal_stresses, tension_field
 from BalloonWorkbench.core.solver.element.shell import Shell, tangent_frames
 from BalloonWorkbench.core.solver.equilibrium import newton
-from BalloonWorkbench.core.solver.native import load
+from BalloonWorkbench.core.solver.native import c_interface
 from BalloonWorkbench.core.solver.problem import FilmProblem, NewtonSettings
 from BalloonWorkbench.core.solver.start import vertex_normals
 from BalloonWorkbench.core.types import Bools, Floats, Ints
@@ -30,7 +30,9 @@ def hencky() -> Section:
     start = np.column_stack([rest, deflection * (1.0 - (rest**2).sum(axis=1))])
     start[rim, 2] = 0.0
     problem = FilmProblem(rest, disc.triangles, fixed, stiffness, 0.3, 1e-9)
-    state = load.solve(problem, start, vertex_normals(start, disc), (stiffness,), NewtonSettings(1e-10))
+    state = c_interface.solve(
+        problem, start, vertex_normals(start, disc), (stiffness,), NewtonSettings(1e-10)
+    )
     corners = rest[disc.triangles]
     strain = green_strains(deformation_gradients(state.positions, disc.triangles, gradients(corners)[0]))
     tensions = stiffness * principal_stresses(tension_field(strain, 0.3).stress)
@@ -204,7 +206,7 @@ def _deflection(points: Floats, triangles: Ints, fixed: Bools, load: Floats, at:
     loads = np.zeros((len(points), 3))
     loads[:, 2] = 1e-5 * load
     problem = FilmProblem(points, triangles, fixed, 1.0, 0.3, 1.0, 0.0, loads)
-    state = load.solve(problem, *flat_state(points), (1.0,), NewtonSettings(1e-12))
+    state = c_interface.solve(problem, *flat_state(points), (1.0,), NewtonSettings(1e-12))
     return float(state.positions[at, 2]) / 1e-5
 
 

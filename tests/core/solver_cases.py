@@ -20,11 +20,11 @@ from BalloonWorkbench.core.solver.element.dkt import gradients
 from BalloonWorkbench.core.solver.equilibrium import newton
 from BalloonWorkbench.core.solver.inflate import inflate
 from BalloonWorkbench.core.solver.inflation import Inflation
-from BalloonWorkbench.core.solver.native import load
+from BalloonWorkbench.core.solver.native import c_interface, load
 from BalloonWorkbench.core.types import Bools, Floats, Ints
 
 PRESSURE = 100.0  # Pa
-NATIVE = Backend("native", load.solve, load.energies)
+NATIVE = Backend("native", c_interface.solve, c_interface.energies)
 NUMPY = Backend("numpy", newton.solve, newton.energies)
 
 #: Where nothing can be compiled the native solver cannot be tested; anywhere else it has to be there.

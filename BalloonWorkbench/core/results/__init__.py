@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a simulation gives: state and load of the film, maps, files. Nothing is solved here."""
+"""What is read from an inflated balloon: states and loads of film and seams; nothing is solved here."""

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Inflation: tension-field membrane and DKT bending under pressure."""
+"""From an assembly and a pressure to the balloon at rest: the dimensionless problem and its two solvers."""

@@ -51,7 +51,9 @@ def available() -> tuple[Backend, ...]:
     """The solvers that work here, best first."""
     found = []
     if load.problem_with_library() is None:
-        found.append(Backend("native", load.solve, load.energies))
+        from BalloonWorkbench.core.solver.native import c_interface
+
+        found.append(Backend("native", c_interface.solve, c_interface.energies))
     if _scipy_is_there():
         found.append(Backend("numpy", newton.solve, newton.energies))
     if not found and packages.lacks_ctypes():

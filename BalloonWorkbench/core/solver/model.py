@@ -59,7 +59,7 @@ def film_problem(
     """The dimensionless problem of the upper panel: rim held in z = 0, free in the plane, directors free.
 
     Welds are held like the rim. Of both panels where the model asks for it.
-    tied  (n,) for a panel slit along its welds, see folds.py
+    tied  (n,) for a panel slit along its welds, see split_along_welds.py
     """
     model = model or Model()
     if not 0.0 <= model.bending_floor <= 1.0:

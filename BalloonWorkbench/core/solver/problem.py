@@ -80,7 +80,7 @@ class NewtonSettings:
     """When Newton's method stops.
 
     tolerance   converged when a step would lower the energy by less than this part of it, or when two steps
-    in a row left the balloon as it was, as far as the eye can tell (sight.py)
+    in a row left the balloon as it was, as far as the eye can tell (convergence.py)
     max_steps   over all stiffness levels; the best state is kept when they are used up
     """
 

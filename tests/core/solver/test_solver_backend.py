@@ -14,7 +14,7 @@ from BalloonWorkbench.core.errors import InputError, MissingPackageError, Solver
 from BalloonWorkbench.core.solver import backend
 from BalloonWorkbench.core.solver.equilibrium import newton
 from BalloonWorkbench.core.solver.inflate import inflate
-from BalloonWorkbench.core.solver.native import load
+from BalloonWorkbench.core.solver.native import c_interface, load
 from BalloonWorkbench.core.solver.problem import FilmProblem, NewtonSettings
 from BalloonWorkbench.core.types import no_progress
 
@@ -91,7 +91,7 @@ def test_unknown_solver() -> None:
         inflate(panel("disc", 100), film(100), PRESSURE, backend="abacus")
 
 
-@pytest.mark.parametrize("solver", [pytest.param(load, marks=needs_native), newton])
+@pytest.mark.parametrize("solver", [pytest.param(c_interface, marks=needs_native), newton])
 @pytest.mark.parametrize("case", ["not finite", "lonely vertex"])
 def test_broken_meshes_are_refused(solver: object, case: str) -> None:
     points = np.array([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]])
@@ -113,4 +113,4 @@ def test_wrong_index_is_an_error_not_a_crash() -> None:
     points = np.array([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])
     problem = FilmProblem(points, np.array([[0, 1, 7]], dtype=np.int32), held(3), 10.0, 0.3, 1e-6)
     with pytest.raises(SolverError, match="index is out of range"):
-        load.energies(problem, np.zeros((3, 3)), np.tile([0.0, 0.0, 1.0], (3, 1)))
+        c_interface.energies(problem, np.zeros((3, 3)), np.tile([0.0, 0.0, 1.0], (3, 1)))

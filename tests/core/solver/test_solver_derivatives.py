@@ -13,7 +13,7 @@ from BalloonWorkbench.core.solver.element.orthotropic import Grain
 from BalloonWorkbench.core.solver.element.shell import Shell, tangent_frames, turned
 from BalloonWorkbench.core.solver.equilibrium import newton
 from BalloonWorkbench.core.solver.model import film_problem
-from BalloonWorkbench.core.solver.native import load
+from BalloonWorkbench.core.solver.native import c_interface
 from BalloonWorkbench.core.solver.problem import FilmProblem
 from BalloonWorkbench.core.solver.start import dome
 from BalloonWorkbench.core.types import Floats
@@ -122,7 +122,7 @@ def test_energy_does_not_see_a_rigid_motion() -> None:
 def test_both_solvers_see_the_same_energy(seed: int, tension_field: bool, grain: Grain | None) -> None:
     one_film = replace(problem(), tension_field=tension_field, grain=grain)
     state = random_state(seed, one_film)
-    one, other = (parts(solver.energies(one_film, *state)) for solver in (load, newton))
+    one, other = (parts(solver.energies(one_film, *state)) for solver in (c_interface, newton))
     assert one == pytest.approx(other, rel=1e-9)
     assert all(abs(part) > 1e-6 for part in one)
 

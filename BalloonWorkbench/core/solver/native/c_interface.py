@@ -9,12 +9,12 @@ from __future__ import annotations
 import ctypes
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from pathlib import Path
 
 import numpy as np
 
 from BalloonWorkbench.core.errors import Cancelled, SolverError
 from BalloonWorkbench.core.solver.element.seam_band import hinge_rigidities, seam_hinges
+from BalloonWorkbench.core.solver.native.load import library as loaded_library
 from BalloonWorkbench.core.solver.problem import Energies, Equilibrium, FilmProblem, NewtonSettings
 from BalloonWorkbench.core.types import Floats, Progress, no_progress
 
@@ -56,16 +56,6 @@ class _Failure:
     def __exit__(self, kind: object, error: BaseException | None, trace: object) -> bool:
         self.error = error
         return True
-
-
-def opened(path: Path) -> tuple[ctypes.CDLL, int]:
-    """A library and the version of its interface. Raises OSError, AttributeError."""
-    library = ctypes.CDLL(str(path))
-    version = int(library.film_abi_version())
-    library.film_last_error.restype = ctypes.c_char_p
-    library.film_destroy.argtypes = [ctypes.c_void_p]
-    library.film_destroy.restype = None
-    return library, version
 
 
 def _pointer(array: np.ndarray | None) -> ctypes.c_void_p | None:  # type: ignore[type-arg]
@@ -125,7 +115,6 @@ def _check(library: ctypes.CDLL, status: int) -> None:
 
 
 def solve(
-    library: ctypes.CDLL,
     problem: FilmProblem,
     positions: Floats,
     directors: Floats,
@@ -137,7 +126,7 @@ def solve(
     positions = np.array(positions, dtype=np.float64, order="C")
     directors = np.array(directors, dtype=np.float64, order="C")
     stiffnesses = np.array(levels, dtype=np.float64)
-    result = _Result()
+    library, result = loaded_library(), _Result()
     failure = _Failure()
 
     def report(fraction: float, _: object) -> int:
@@ -164,9 +153,9 @@ def solve(
     return Equilibrium(positions, directors, result.steps, result.factorisations, bool(result.converged))
 
 
-def energies(library: ctypes.CDLL, problem: FilmProblem, positions: Floats, directors: Floats) -> Energies:
+def energies(problem: FilmProblem, positions: Floats, directors: Floats) -> Energies:
     """Parts of the energy of a state."""
-    parts = np.zeros(5)
+    library, parts = loaded_library(), np.zeros(5)
     positions = np.ascontiguousarray(positions, dtype=np.float64)
     directors = np.ascontiguousarray(directors, dtype=np.float64)
     with _solver(library, problem) as handle:

@@ -22,7 +22,7 @@ from contextlib import suppress
 from pathlib import Path
 
 #: Of the workbench's own libraries.
-FOLDER = Path(__file__).resolve().parents[2] / "native" / "lib"
+FOLDER = Path(__file__).resolve().parents[3] / "native" / "lib"
 #: A Python package with the library of this platform alone.
 PACKAGE = "film_balloon_native"
 #: What it costs to go on without one, for all who say so.

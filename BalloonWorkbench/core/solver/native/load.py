@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -18,8 +17,6 @@ from BalloonWorkbench.core.solver.native.library import (
     to_load,
     unusable,
 )
-from BalloonWorkbench.core.solver.problem import Energies, Equilibrium, FilmProblem, NewtonSettings
-from BalloonWorkbench.core.types import Floats, Progress, no_progress
 
 if TYPE_CHECKING:
     import ctypes
@@ -46,15 +43,24 @@ def _loaded(path: Path) -> tuple[ctypes.CDLL | None, str | None]:
         return None, damaged
     if packages.lacks_ctypes():
         return None, packages.NO_CTYPES
-    from BalloonWorkbench.core.solver.native import c_interface
-
     try:
-        loaded, version = c_interface.opened(to_load(path))
+        loaded, version = _opened(to_load(path))
     except (OSError, AttributeError) as error:
         return None, f"{path.name} cannot be loaded ({error})."
     if version != ABI_VERSION:
         return None, f"{path.name} has interface {version}, but {ABI_VERSION} is needed."
     return loaded, None
+
+
+def _opened(path: Path) -> tuple[ctypes.CDLL, int]:
+    import ctypes
+
+    library = ctypes.CDLL(str(path))
+    version = int(library.film_abi_version())
+    library.film_last_error.restype = ctypes.c_char_p
+    library.film_destroy.argtypes = [ctypes.c_void_p]
+    library.film_destroy.restype = None
+    return library, version
 
 
 def problem_with(path: Path) -> str | None:
@@ -73,31 +79,9 @@ def unusable_library() -> str | None:
     return why and unusable(why)
 
 
-def _library() -> ctypes.CDLL:
+def library() -> ctypes.CDLL:
+    """The library. Raises SolverError where there is none."""
     loaded, why = _load()
     if loaded is None:
         raise SolverError(f"The native solver is not available: {why} Use the NumPy solver.")
     return loaded
-
-
-def solve(
-    problem: FilmProblem,
-    positions: Floats,
-    directors: Floats,
-    levels: Sequence[float],
-    settings: NewtonSettings,
-    progress: Progress = no_progress,
-) -> Equilibrium:
-    """Bring the film to rest; the same contract and the same steps as newton.solve."""
-    library = _library()
-    from BalloonWorkbench.core.solver.native import c_interface
-
-    return c_interface.solve(library, problem, positions, directors, levels, settings, progress)
-
-
-def energies(problem: FilmProblem, positions: Floats, directors: Floats) -> Energies:
-    """Parts of the energy of a state."""
-    library = _library()
-    from BalloonWorkbench.core.solver.native import c_interface
-
-    return c_interface.energies(library, problem, positions, directors)
