@@ -24,7 +24,7 @@ from typing import Any
 from BalloonWorkbench.core import report
 from BalloonWorkbench.core.advice.advise import advise_design
 from BalloonWorkbench.core.advice.as_data import advice_report
-from BalloonWorkbench.core.correction.fit import fit, inflate_outline
+from BalloonWorkbench.core.correction.fit import Method, fit, inflate_outline
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.design.size_goal import START_WIDTH, Buoyancy, SizeGoal, design_to_size
 from BalloonWorkbench.core.design.to_volume import design_to_volume
@@ -256,7 +256,7 @@ def _design_to_goal(outline: Outline, settings: Settings, goal: SizeGoal, progre
             mesh_size=settings.mesh_size,
             backend=settings.backend,
             model=settings.model,
-            start=start,
+            method=Method(start=start),
             progress=progress,
         )
 

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from BalloonWorkbench.core.design.design import Design, Stretch
+from BalloonWorkbench.core.design.design import Design, UnreachedStretch
 from BalloonWorkbench.core.design.size_goal import Buoyancy, SizeGoal, scaling_of
 from BalloonWorkbench.core.film.filling import Filling
 from BalloonWorkbench.core.film.film import Film
@@ -204,7 +204,7 @@ def _options(model: Model) -> dict[str, Any]:
     return {name: value for name, value in asdict(model).items() if value != usual[name]}
 
 
-def _stretch(stretch: Stretch) -> dict[str, Any]:
+def _stretch(stretch: UnreachedStretch) -> dict[str, Any]:
     return {
         "loop": stretch.loop,
         "start_mm": to_mm(stretch.start),

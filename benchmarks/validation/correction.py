@@ -6,18 +6,19 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from drawn_shapes import generated
 from validation import figures
-from validation.gauss_newton import instead_of_mixing
+from validation.gauss_newton import GaussNewton
 from validation.report import Section, paragraphs, table
 
-from BalloonWorkbench.core.correction import iterate as attempt
-from BalloonWorkbench.core.correction import mixing
-from BalloonWorkbench.core.correction.fit import fit
+from BalloonWorkbench.core.correction import iterate
+from BalloonWorkbench.core.correction.fit import Method, fit
+from BalloonWorkbench.core.correction.mixing import AndersonMixing, RuleOfGain
 from BalloonWorkbench.core.design.compare import alignment, residual
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.film.library import film
@@ -34,6 +35,11 @@ VERTICES = 2000
 SHOWN = 6
 GROWTH = 1.28  # of a drawing to its pattern, about
 COMPARED = ("bear", "star", "generated 5, smooth", "generated 2, spiky")
+RULES: dict[str, RuleOfGain] = {
+    "Anderson mixing": AndersonMixing,
+    "plain fixed point": partial(AndersonMixing, depth=0),
+    "Gauss-Newton": lambda gain: GaussNewton(film("mylar"), PRESSURE),
+}
 _KINDS = ("smooth", "star", "spiky", "thin", "with holes")
 
 
@@ -121,17 +127,16 @@ def _methods(outlines: dict[str, Outline]) -> str:
     rows = []
     for name in COMPARED:
         outline = outlines[name]
-        for method in ("Anderson mixing", "plain fixed point", "Gauss-Newton"):
-            with _method(method):
-                design, seconds = _seconds(
-                    lambda: fit(
-                        outline,  # noqa: B023
-                        film("mylar"),
-                        PRESSURE,
-                        mesh_size=_edge(outline, 600),  # noqa: B023
-                        symmetric=False,
-                    )
+        for method, rule in RULES.items():
+            design, seconds = _seconds(
+                lambda: fit(
+                    outline,  # noqa: B023
+                    film("mylar"),
+                    PRESSURE,
+                    mesh_size=_edge(outline, 600),  # noqa: B023
+                    method=Method(symmetric=False, update_rule=rule),  # noqa: B023
                 )
+            )
             error, size = design.residual, max(outline.size)
             cells = f"{100 * error.mean / size:.3f} %", f"{100 * error.p95 / size:.2f} %"
             rows.append((name, method, *cells, str(design.passes), f"{seconds:.2f}"))
@@ -140,20 +145,6 @@ def _methods(outlines: dict[str, Outline]) -> str:
     (`benchmarks/validation/gauss_newton.py`), whose processor time is that of unoptimised Python."""
     head = ("drawing", "method", "mean", "95 %", "passes", "processor s")
     return "\n" + paragraphs(intro) + "\n" + table(head, rows)
-
-
-@contextmanager
-def _method(name: str) -> Iterator[None]:
-    depth = mixing.DEPTH
-    if name == "Gauss-Newton":
-        with instead_of_mixing(film("mylar"), PRESSURE):
-            yield
-        return
-    mixing.DEPTH = 0 if name == "plain fixed point" else depth
-    try:
-        yield
-    finally:
-        mixing.DEPTH = depth
 
 
 @contextmanager
@@ -166,11 +157,11 @@ def _simulating() -> Iterator[list[float]]:
         spent.append(seconds)
         return result
 
-    attempt.inflate = counted  # type: ignore[attr-defined]
+    iterate.inflate = counted  # type: ignore[attr-defined]
     try:
         yield spent
     finally:
-        attempt.inflate = inflate  # type: ignore[attr-defined]
+        iterate.inflate = inflate  # type: ignore[attr-defined]
 
 
 def _edge(outline: Outline, vertices: int) -> float:
@@ -179,7 +170,7 @@ def _edge(outline: Outline, vertices: int) -> float:
 
 def _balloon(outline: Outline, edge: float) -> object:
     panel = triangulate(outline.map(lambda loop: GROWTH * loop), edge)
-    return attempt.inflate(panel, film("mylar"), PRESSURE)  # type: ignore[attr-defined]
+    return iterate.inflate(panel, film("mylar"), PRESSURE)  # type: ignore[attr-defined]
 
 
 def _seconds(work: Callable[[], Any]) -> tuple[Any, float]:

@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The pattern correction of Furuta et al. 2010: repeat until the inflated silhouette is the drawing.
 
-    1. inflate the panel
+    1. inflate the panel                                                            iterate.py
     2. align its seam with the drawing: barycentre, then least-squares rotation
-    3. v = drawing - inflated, from where each seam vertex is seen to its goal, turned back with the film
-       around it
-    4. smooth v along the seam, mix it with what the last passes taught, clamp it in proportion to the balloon
-    5. add it to the pattern, which grows where the balloon is too small
+    3. v = drawing - inflated, from where each seam vertex is seen to its goal,     step.py
+       turned back with the film around it
+    4. smooth v along the seam, mix it with what the last iterates taught, clamp    mixing.py
+       it in proportion to the balloon
+    5. add it to the pattern, which grows where the balloon is too small            seam_map.py
 
-The last balloon is brought to rest more exactly than the ones before. Where it moves on, so does the
-correction.
+The stages of the iteration, and when it is over: stages.py.
 
 Smoothing the correction rather than the pattern leaves the corners of the drawing alone and still lets no
 mesh-scale noise in: what is left of v at rest is shorter than the smoothing.
@@ -18,61 +18,58 @@ mesh-scale noise in: what is left of v at rest is shorter than the smoothing.
 from __future__ import annotations
 
 import time
-from dataclasses import replace
-from functools import partial
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from BalloonWorkbench.core.correction.clearance import CUT_ROOM
-from BalloonWorkbench.core.correction.iterate import Pass, Work, attempt, weld_error
-from BalloonWorkbench.core.correction.mixing import AndersonMixing
-from BalloonWorkbench.core.correction.seam_map import Course, seam_nodes
-from BalloonWorkbench.core.correction.seam_rotation import seam_turns, turned_back
-from BalloonWorkbench.core.correction.summary import verdict
-from BalloonWorkbench.core.correction.symmetric_pattern import nearer, twinned
-from BalloonWorkbench.core.correction.unreachable import Hopes
+from BalloonWorkbench.core.correction.clearance import CUT_CLEARANCE
+from BalloonWorkbench.core.correction.iterate import Iterate, Simulation, make_iterate, weld_error
+from BalloonWorkbench.core.correction.mixing import AndersonMixing, RuleOfGain, UpdateRule
+from BalloonWorkbench.core.correction.seam_map import SeamMap, seam_nodes
+from BalloonWorkbench.core.correction.stages import LIMITS, History, Stage, finished, first_stage, hands_over
+from BalloonWorkbench.core.correction.step import TIP, Scales, next_seam_map
+from BalloonWorkbench.core.correction.summary import summary
+from BalloonWorkbench.core.correction.symmetric_pattern import MirrorPairs, better_design, mirror_pairs
+from BalloonWorkbench.core.correction.unreachable import StallTracker
 from BalloonWorkbench.core.correction.weld_lines import weld_lines
-from BalloonWorkbench.core.design.correspondence import goals
 from BalloonWorkbench.core.design.design import Design
-from BalloonWorkbench.core.design.initial_pattern import grown
-from BalloonWorkbench.core.design.visible_seam import seen
+from BalloonWorkbench.core.design.initial_pattern import initial_displacements
 from BalloonWorkbench.core.errors import MeshError
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.mesh.triangulate import triangulate
 from BalloonWorkbench.core.outline.outline import Outline
-from BalloonWorkbench.core.outline.sampling import arc_lengths
-from BalloonWorkbench.core.outline.symmetry import exact_mirror, mirrored
+from BalloonWorkbench.core.outline.symmetry import Mirror, exact_mirror, mirrored
 from BalloonWorkbench.core.outline.validity import check
 from BalloonWorkbench.core.panels.panel import Panel
 from BalloonWorkbench.core.solver.model import Model
-from BalloonWorkbench.core.solver.problem import NewtonSettings
 from BalloonWorkbench.core.types import Progress, no_progress
 
 VERTICES = 1500  # of an automatic mesh
-MOST_PASSES = 12
-GUESS_VERTICES = 300  # of the mesh for the first pattern
+INITIAL_VERTICES = 300  # of the mesh for the first pattern
 SAMPLES = 400  # of the drawing and the pattern along the larger dimension
 GAIN = 1.3  # a pattern of a disc must grow by 1.311 for a silhouette that grows by 1
-CLAMP = 0.05  # of the larger dimension, for one pass
-SMOOTHING, UNSEALED = 1.0, 4.0  # mesh sizes; a rim without a sealed band crumples, and no pattern undoes that
-TURNING = 16.0  # mesh sizes over which the film's turning is averaged: of arms, not of folds
-DRIFT = 2.0  # mesh sizes that seam vertices may slide along the drawing,
-DRIFT_ROUND = 1.0 / 12.0  # but no more of the way round a small hole, which else closes
-TIP = 2.0  # mesh sizes from a tip to where its sides are film and not mesh
-ENOUGH = 5e-4  # mean error, of the breadth, at which nothing more is gained
-GOOD = 1e-3  # and at which a pass that brings nothing is the last one
-AT_REST = NewtonSettings(tolerance=1e-6)  # of the balloon that is shown
+SHORTER = 0.5  # gain after an iterate that is no better
+STALLED = 0.9  # an iterate that leaves more than this part of the best error brings nothing
 SAME = 1.1  # so much more error at rest is none
-OVERHANG = 0.0075  # of the larger dimension, that the silhouette may lie beside the seam
-COARSENING = 1.8  # of the mesh for the first passes
+SMOOTHING, UNSEALED = 1.0, 4.0  # mesh sizes; a rim without a sealed band crumples, and no pattern undoes that
 WORTHWHILE = 700.0  # squares of the mesh size in the area, from which a coarser mesh saves time
-CLOSE = 3e-3  # mean error, of the larger dimension, at which the wanted mesh takes over
-STALLED = 0.9  # a pass that leaves more than this part of the best error brings nothing
-PATIENCE = 2  # such passes in a row
-MOST_STEPS = 180  # of Newton on the wanted mesh, about ten times a cold inflation: then the best is shown
-SHORTER = 0.5  # gain after such a pass
 MOST_HALVINGS = 8  # of a step that leads to a pattern without a mesh
+
+
+@dataclass(frozen=True)
+class Method:
+    """How a pattern is corrected.
+
+    symmetric    a symmetric target gets a symmetric pattern, unless the balloon buckles and another comes
+                 nearer
+    start        a design of the same drawing at another size, from whose pattern the correction sets out
+    update_rule  leads from one iterate to the next
+    """
+
+    symmetric: bool = True
+    start: Design | None = None
+    update_rule: RuleOfGain = AndersonMixing
 
 
 def fit(
@@ -83,107 +80,35 @@ def fit(
     mesh_size: float | None = None,
     backend: str | None = None,
     model: Model | None = None,
-    symmetric: bool = True,
-    start: Design | None = None,
+    method: Method = Method(),
     progress: Progress = no_progress,
 ) -> Design:
     """The pattern whose inflated silhouette is the target, as nearly as film allows.
 
-    pressure [Pa]; mesh_size [m] of the pattern, None for about VERTICES vertices; symmetric: a symmetric
-    target gets a symmetric pattern, unless the balloon buckles and another comes nearer; start: a design of
-    the same drawing at another size, from whose pattern the correction sets out. Raises what check,
+    pressure [Pa]; mesh_size [m] of the pattern, None for about VERTICES vertices. Raises what check,
     triangulate and inflate raise; Cancelled when progress returns False.
     """
     began = time.perf_counter()
     target = check(target)
-    # a film with a grain aslant makes no symmetric balloon
-    mirror = exact_mirror(target) if symmetric and film.young_modulus_across is None else None
-    if target.welds or target.spots:  # which need not lie as the outline does
-        mirror = None
+    mirror = _mirror(target, film) if method.symmetric else None
     if mirror is not None:
         target = mirrored(target, mirror)
-    size = max(target.size)
-    smoothing = SMOOTHING if film.seal_width > 0.0 else UNSEALED
-    breadth = min(size, 2.0 * target.area / size)  # less than the size only for slender shapes
-    room = 2.0 * film.seal_width + CUT_ROOM
-    drawn, twins = twinned(Course.begun(target, size / SAMPLES), mirror)
-    known = None if start is None else drawn.resized(start.pattern, size / max(start.target.size))
-    course = twins.matched(known or _first(drawn, target, mesh_size, room))
-    fine = mesh_size or size_for(course.outline, VERTICES)
-    edge = COARSENING * fine if known is None and course.outline.area > WORTHWHILE * (fine * fine) else fine
-    mixing, hopes = AndersonMixing(GAIN), Hopes(course, size)
-    best: Pass | None = None
-    last: Pass | None = None
-    previous: Pass | None = None  # whose mesh may still serve
-    settings = None
-    stalled = passes = meshes = halvings = steps = 0
-    while True:
-        shown = _part(progress, passes)
-        work = Work(target, film, pressure, edge, backend, model, shown, hopes.lost, mirror, settings)
-        course = twins.matched(course, None if last is None else last.course)
-        try:
-            current = attempt(work, course, previous, last)
-        except MeshError as error:
-            if last is None and (error.place is None or halvings == MOST_HALVINGS):
-                raise
-            # a part is too thin for the coarse mesh, or the step made it so: take half of the step back there
-            if edge > fine:
-                edge, previous, hopes = fine, None, Hopes(course, size)
-            halvings += 1
-            earlier = drawn if last is None else last.course
-            course = course.taken_back(earlier, error.place, (2.0 + halvings) * edge)
-            if halvings > MOST_HALVINGS:
-                break
-            continue
-        halvings = 0
-        passes += 1
-        steps += current.inflation.report.newton_steps * (edge == fine)
-        meshes += previous is None or current.panel.triangles is not previous.panel.triangles
-        found, least = (hopes.mean(one.misfit) if one else np.inf for one in (current, best))
-        stalled = stalled + 1 if found > STALLED * least else 0
-        last = current
-        if best is None or found < least:
-            best = current
-        else:  # the step went too far: a shorter one from where it began
-            mixing, last = AndersonMixing(GAIN * SHORTER**stalled), best
-        over = passes >= MOST_PASSES or steps >= MOST_STEPS or stalled > PATIENCE
-        if over or (edge == fine and _good(best, hopes.mean(best.misfit) / breadth, stalled)):
-            if settings is not None:
-                break
-            settings, least = AT_REST, hopes.mean(best.misfit)
-            work = replace(work, settings=settings, progress=_part(progress, passes))
-            best = last = attempt(work, best.course, best, best)
-            passes += 1
-            found = hopes.mean(best.misfit)
-            if passes > MOST_PASSES or found <= max(SAME * least, ENOUGH * breadth):
-                break
-            mixing, stalled = AndersonMixing(GAIN), 0
-        given_up = hopes.given_up
-        course = _corrected(last, mixing, hopes, edge, smoothing * edge, size, room)
-        if hopes.given_up > given_up:  # the rest has its chance now
-            stalled = 0
-        previous = last
-        if edge > fine and (found <= CLOSE * size or stalled):
-            edge, previous, best, stalled = fine, None, None, 0
-            mixing, hopes = AndersonMixing(GAIN), Hopes(course, size)
-        elif settings is None and target.holes and (found <= CLOSE * size or stalled):
-            settings, best, stalled = AT_REST, None, 0  # round holes film may fold this way or that
-    if best is None:
-        raise MeshError(
-            "The pattern becomes too thin for its mesh. Widen the thin parts, or use a finer mesh."
-        )
-    design = verdict(target, best, passes, meshes, time.perf_counter() - began)
+    simulation = Simulation(target, film, pressure, backend, model, 0.0, mirror, progress=progress)
+    best, history = _iterated(*_begun(simulation, mesh_size, method))
+    design = summary(target, best, history.iterates, history.meshes, time.perf_counter() - began)
     if mirror is None or design.reached:
         return design
-    again = partial(fit, mesh_size=mesh_size, backend=backend, model=model, symmetric=False)
-    return nearer(design, again(target, film, pressure, progress=_later(progress, passes)))
-
-
-def _good(best: Pass, error: float, stalled: int) -> bool:
-    """Whether a correction with a mean error relative to its breadth is at its aim."""
-    if error > (GOOD if stalled else ENOUGH):
-        return False
-    return weld_error(best) <= CLOSE * max(best.shown.size)
+    again = fit(
+        target,
+        film,
+        pressure,
+        mesh_size=mesh_size,
+        backend=backend,
+        model=model,
+        method=replace(method, symmetric=False, start=None),
+        progress=_later(progress, history.iterates),
+    )
+    return better_design(design, again)
 
 
 def inflate_outline(
@@ -201,28 +126,210 @@ def inflate_outline(
     pattern = check(pattern)
     edge = mesh_size or size_for(pattern, VERTICES)
     lines = weld_lines(pattern, pattern.loops, 0.25 * edge)
-    course = Course(pattern.loops, pattern.loops, len(pattern.spots), lines)
-    lost = tuple(np.zeros(len(loop), dtype=np.bool_) for loop in pattern.loops)
-    work = Work(pattern, film, pressure, edge, backend, model, progress, lost)
-    return verdict(pattern, attempt(work, course, None, None), 0, 1, time.perf_counter() - began)
+    seam_map = SeamMap(pattern.loops, pattern.loops, len(pattern.spots), lines)
+    reachable = StallTracker(seam_map, max(pattern.size)).unreachable
+    simulation = Simulation(
+        pattern, film, pressure, backend, model, edge, unreachable=reachable, progress=progress
+    )
+    return summary(pattern, make_iterate(simulation, seam_map), 0, 1, time.perf_counter() - began)
 
 
-def _first(course: Course, target: Outline, mesh_size: float | None, room: float) -> Course:
-    """The course of a drawing with the first pattern for it."""
-    edge = min(float(np.sqrt(target.area / (0.87 * GUESS_VERTICES))), mesh_size or np.inf)
+def _mirror(target: Outline, film: Film) -> Mirror | None:
+    """The axis that the pattern may keep."""
+    if film.young_modulus_across is not None:  # a film with a grain aslant makes no symmetric balloon
+        return None
+    if target.welds or target.spots:  # which need not lie as the outline does
+        return None
+    return exact_mirror(target)
+
+
+@dataclass(frozen=True)
+class _Task:
+    """What stays the same in a correction.
+
+    drawn    the seam map whose pattern is the drawing; pairs: its symmetry
+    scales   on the wanted mesh
+    breadth  less than the size only for slender shapes [m]
+    """
+
+    simulation: Simulation
+    drawn: SeamMap
+    pairs: MirrorPairs
+    scales: Scales
+    breadth: float
+    method: Method
+
+    def scales_in(self, stage: Stage) -> Scales:
+        """The scales on the mesh of a stage."""
+        scales, coarsening = self.scales, stage.coarsening
+        return replace(scales, edge=coarsening * scales.edge, smoothing=coarsening * scales.smoothing)
+
+
+@dataclass
+class _State:
+    """Where the iteration is.
+
+    seam_map   of the next iterate
+    rule       that leads to it; stalls: what is not reached
+    last       the iterate from which it sets out; best: the nearest one of this stage
+    keep_mesh  the last mesh may still serve
+    halvings   of the step to it, which led to patterns without a mesh
+    """
+
+    stage: Stage
+    seam_map: SeamMap
+    rule: UpdateRule
+    stalls: StallTracker
+    last: Iterate | None = None
+    best: Iterate | None = None
+    keep_mesh: bool = False
+    halvings: int = 0
+    history: History = field(default_factory=History)
+
+
+def _begun(simulation: Simulation, mesh_size: float | None, method: Method) -> tuple[_Task, _State]:
+    """The correction of a target, before its first iterate."""
+    target, film, start = simulation.target, simulation.film, method.start
+    size = max(target.size)
+    clearance = 2.0 * film.seal_width + CUT_CLEARANCE
+    drawn, pairs = mirror_pairs(SeamMap.identity(target, size / SAMPLES), simulation.mirror)
+    known = None if start is None else drawn.resized(start.pattern, size / max(start.target.size))
+    seam_map = pairs.symmetrised(known or _initial(drawn, target, mesh_size, clearance))
+    fine = mesh_size or size_for(seam_map.outline, VERTICES)
+    coarse = known is None and seam_map.outline.area > WORTHWHILE * (fine * fine)
+    smoothing = SMOOTHING if film.seal_width > 0.0 else UNSEALED
+    scales = Scales(size, fine, smoothing * fine, clearance)
+    task = _Task(simulation, drawn, pairs, scales, min(size, 2.0 * target.area / size), method)
+    stage = first_stage(bool(target.holes), coarse)
+    return task, _State(stage, seam_map, method.update_rule(GAIN), StallTracker(seam_map, size))
+
+
+def _iterated(task: _Task, state: _State) -> tuple[Iterate, History]:
+    """The best iterate, and how it was reached."""
+    while state.halvings <= MOST_HALVINGS:
+        try:
+            current = _inflated(task, state)
+        except MeshError as error:
+            _step_back(task, state, error)
+            continue
+        _record(task, state, current)
+        if finished(state.stage, state.history) and _settled(task, state):
+            break
+        assert state.last is not None
+        given_up = state.stalls.given_up
+        state.seam_map = next_seam_map(state.last, state.rule, state.stalls, task.scales_in(state.stage))
+        if state.stalls.given_up > given_up:  # the rest has its chance now
+            state.history.stalled = 0
+        state.keep_mesh = True
+        if hands_over(state.stage, state.history):
+            _hand_over(task, state)
+    if state.best is None:
+        raise MeshError(
+            "The pattern becomes too thin for its mesh. Widen the thin parts, or use a finer mesh."
+        )
+    return state.best, state.history
+
+
+def _simulation(task: _Task, state: _State) -> Simulation:
+    return replace(
+        task.simulation,
+        edge=task.scales_in(state.stage).edge,
+        newton=state.stage.newton,
+        unreachable=state.stalls.unreachable,
+        progress=_part(task.simulation.progress, state.history.iterates),
+    )
+
+
+def _inflated(task: _Task, state: _State) -> Iterate:
+    """The next iterate."""
+    last = state.last
+    state.seam_map = task.pairs.symmetrised(state.seam_map, None if last is None else last.seam_map)
+    return make_iterate(_simulation(task, state), state.seam_map, last, state.keep_mesh)
+
+
+def _step_back(task: _Task, state: _State, error: MeshError) -> None:
+    """Take half of the step back: a part is too thin for the coarse mesh, or the step made it so.
+
+    Raises the error where nothing is left to take back.
+    """
+    if state.last is None and (error.place is None or state.halvings == MOST_HALVINGS):
+        raise error
+    if state.stage.coarsening > 1.0 and state.stage.following is not None:
+        state.stage, state.keep_mesh = state.stage.following, False
+        state.stalls = StallTracker(state.seam_map, task.scales.size)
+    state.halvings += 1
+    earlier = task.drawn if state.last is None else state.last.seam_map
+    reach = (2.0 + state.halvings) * task.scales_in(state.stage).edge
+    state.seam_map = state.seam_map.half_back(earlier, error.place, reach)
+
+
+def _record(task: _Task, state: _State, current: Iterate) -> None:
+    """Take note of an iterate, and choose the one from which the next step sets out."""
+    history, mean_error = state.history, state.stalls.mean_error
+    before = state.last if state.keep_mesh else None
+    state.halvings = 0
+    history.iterates += 1
+    history.meshes += before is None or current.panel.triangles is not before.panel.triangles
+    if state.stage.coarsening == 1.0:
+        history.newton_steps += current.inflation.report.newton_steps
+    error = mean_error(current.misfit)
+    least = np.inf if state.best is None else mean_error(state.best.misfit)
+    history.stalled = history.stalled + 1 if error > STALLED * least else 0
+    if state.best is None or error < least:
+        state.best = current
+    else:  # the step went too far: a shorter one from where it began
+        state.rule = task.method.update_rule(GAIN * SHORTER**history.stalled)
+    state.last = state.best
+    history.error = error / task.scales.size
+    history.best_error = min(error, least) / task.breadth
+    history.weld_error = weld_error(state.best)
+
+
+def _settled(task: _Task, state: _State) -> bool:
+    """Whether the best balloon stays as it is when it is brought to rest, or has no time to change."""
+    if state.stage.newton is not None:
+        return True
+    history, best = state.history, state.best
+    assert best is not None
+    state.stage = state.stage.at_rest
+    state.best = state.last = make_iterate(_simulation(task, state), best.seam_map, best, keep_mesh=True)
+    history.iterates += 1
+    error = state.stalls.mean_error(state.best.misfit)
+    if history.iterates > LIMITS.iterates:
+        return True
+    if error / task.breadth <= max(SAME * history.best_error, LIMITS.enough):
+        return True
+    state.rule, history.stalled = task.method.update_rule(GAIN), 0
+    history.error = error / task.scales.size
+    return False
+
+
+def _hand_over(task: _Task, state: _State) -> None:
+    """Begin the following stage; another mesh has another best, and nothing learnt on the last one counts."""
+    assert state.stage.following is not None
+    if state.stage.following.coarsening != state.stage.coarsening:
+        state.keep_mesh = False
+        state.rule = task.method.update_rule(GAIN)
+        state.stalls = StallTracker(state.seam_map, task.scales.size)
+    state.stage, state.best, state.history.stalled = state.stage.following, None, 0
+
+
+def _initial(drawn: SeamMap, target: Outline, mesh_size: float | None, clearance: float) -> SeamMap:
+    """The seam map of a drawing with the first pattern for it."""
+    edge = min(float(np.sqrt(target.area / (0.87 * INITIAL_VERTICES))), mesh_size or np.inf)
     panel = _meshed(target, edge)
-    shift = grown(panel)
+    shift = initial_displacements(panel)
     shift -= shift[np.concatenate(panel.seams)].mean(axis=0)
     fields = tuple(
         node.field(shift[seam], drawing, SMOOTHING * edge)
-        for node, seam, drawing in zip(seam_nodes(course, panel), panel.seams, course.drawing, strict=True)
+        for node, seam, drawing in zip(seam_nodes(drawn, panel), panel.seams, drawn.drawing, strict=True)
     )
     flat = panel.rest_positions
     lines = [
         line.corrected(flat[weld], flat[weld] - shift[weld], edge, max(target.size))
-        for line, weld in zip(course.lines, panel.welds, strict=True)
+        for line, weld in zip(drawn.lines, panel.welds, strict=True)
     ]
-    return replace(course, lines=tuple(lines)).moved(fields, TIP * edge, room)
+    return replace(drawn, lines=tuple(lines)).moved(fields, TIP * edge, clearance)
 
 
 def _meshed(outline: Outline, edge: float) -> Panel:
@@ -235,43 +342,8 @@ def _meshed(outline: Outline, edge: float) -> Panel:
     return triangulate(outline, 0.125 * edge)
 
 
-def _corrected(
-    current: Pass,
-    mixing: AndersonMixing,
-    hopes: Hopes,
-    edge: float,
-    width: float,
-    size: float,
-    room: float,
-) -> Course:
-    """The course with its pattern moved by the mixed and clamped differences, smoothed over a width [m]."""
-    course = current.course
-    differences = []
-    for drawing, node, seam in zip(course.drawing, current.nodes, current.panel.seams, strict=True):
-        points = current.inflation.positions[seam, :2]
-        reach = np.full(len(points), min(DRIFT * edge, DRIFT_ROUND * float(arc_lengths(drawing)[-1])))
-        places = seen(points, current.shown, OVERHANG * size)
-        places[node.corner_nodes] = points[node.corner_nodes]
-        v = goals(drawing, places, node.lengths, node.corner_nodes, node.corners, reach) - places
-        smooth = node.field(v, drawing, width)
-        turn = seam_turns(current.panel.rest_positions[seam], points)
-        differences.append(turned_back(smooth, node.field(turn, drawing, TURNING * edge)))
-    wanted = hopes.weighed(course, tuple(differences), 2.0 * edge)
-    step = mixing.step(np.concatenate(course.pattern).ravel(), np.concatenate(wanted).ravel()).reshape(-1, 2)
-    # the whole step becomes smaller: parts cut off singly would bend the pattern where it should turn
-    step *= min(1.0, CLAMP * size / max(float(np.linalg.norm(step, axis=1).max()), 1e-300))
-    panel, positions = current.panel, current.inflation.positions[:, :2]
-    lines = [
-        line.corrected(panel.rest_positions[weld], positions[weld], edge, CLAMP * size)
-        for line, weld in zip(course.lines, panel.welds, strict=True)
-    ]
-    course = replace(course, lines=tuple(lines))
-    stops = np.cumsum([len(loop) for loop in course.pattern])[:-1]
-    return course.moved(tuple(np.split(step, stops)), TIP * edge, room)
-
-
 def _part(progress: Progress, number: int) -> Progress:
-    """Progress of one pass within the whole correction, which seldom needs all its passes."""
+    """Progress of one iterate within the whole correction, which seldom needs all of them."""
 
     def report(fraction: float, text: str) -> bool:
         # an exception would be lost in the native solver: the answer alone goes through it
@@ -281,6 +353,6 @@ def _part(progress: Progress, number: int) -> Progress:
 
 
 def _later(progress: Progress, passes: int) -> Progress:
-    """Progress of a second correction, after so many passes of the first."""
+    """Progress of a second correction, after so many iterates of the first."""
     before: float = 1.0 - 0.7**passes
     return lambda fraction, text: progress(before + (1.0 - before) * fraction, text)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""One pass of the pattern correction: a pattern is meshed, inflated and laid over the drawing."""
+"""One iterate of the pattern correction: a pattern is meshed, inflated and laid over the drawing."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from BalloonWorkbench.core.correction.seam_map import Course, SeamNodes, seam_nodes
-from BalloonWorkbench.core.correction.transfer import carried
+from BalloonWorkbench.core.correction.seam_map import SeamMap, SeamNodes, seam_nodes
+from BalloonWorkbench.core.correction.transfer import transferred
 from BalloonWorkbench.core.design.compare import Misfit, alignment, loop_weights, misfit
 from BalloonWorkbench.core.design.silhouette import silhouette
 from BalloonWorkbench.core.design.visible_seam import trimmed
@@ -23,38 +23,40 @@ from BalloonWorkbench.core.solver.inflate import inflate
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.solver.model import Model
 from BalloonWorkbench.core.solver.problem import NewtonSettings
-from BalloonWorkbench.core.types import Bools, Progress
+from BalloonWorkbench.core.types import Bools, Progress, no_progress
 
 
 @dataclass(frozen=True)
-class Work:
-    """What stays the same from pass to pass, but for edge, lost and settings.
+class Simulation:
+    """How a pattern is simulated, and what its balloon is compared with.
 
-    edge [m] of the mesh; lost: points of the course that are given up; mirror: of a symmetric
-    pattern; settings: when the film is at rest
+    edge         [m] of the mesh
+    unreachable  for each loop of the seam map its points (n,) that are given up: they do not count
+    mirror       of a symmetric pattern
+    newton       when the film is at rest; None: as usual
     """
 
     target: Outline
     film: Film
     pressure: float
-    edge: float
     backend: str | None
     model: Model | None
-    progress: Progress
-    lost: tuple[Bools, ...]
+    edge: float
     mirror: Mirror | None = None
-    settings: NewtonSettings | None = None
+    newton: NewtonSettings | None = None
+    unreachable: tuple[Bools, ...] = ()
+    progress: Progress = no_progress
 
 
 @dataclass(frozen=True)
-class Pass:
+class Iterate:
     """A pattern and what it inflates to, placed over the drawing.
 
-    nodes   the seam vertices along each loop of the course
+    nodes   the seam vertices along each loop of the seam map
     shown   the silhouette of the film that the facets stand for; misfit: how far it is from the drawing
     """
 
-    course: Course
+    seam_map: SeamMap
     panel: Panel
     nodes: tuple[SeamNodes, ...]
     inflation: Inflation
@@ -62,73 +64,78 @@ class Pass:
     misfit: Misfit
 
 
-def attempt(work: Work, course: Course, previous: Pass | None, last: Pass | None) -> Pass:
-    """Inflate the pattern of a course, on the mesh of the previous pass where that still serves.
+def make_iterate(
+    simulation: Simulation, seam_map: SeamMap, last: Iterate | None = None, keep_mesh: bool = False
+) -> Iterate:
+    """Inflate the pattern of a seam map, starting from the last balloon.
 
-    Where it does not, the last balloon is carried over to a new mesh. Raises as triangulate and inflate do.
+    keep_mesh  on the last mesh, where that still serves; else the last balloon is transferred to a new one
+    Raises as triangulate and inflate do.
     """
-    panel = None if previous is None else _moved(previous, course)
+    panel = _moved(last, seam_map) if last is not None and keep_mesh else None
     start: Inflation | None
-    if previous is not None and panel is not None:
-        nodes, start = previous.nodes, previous.inflation
+    if last is not None and panel is not None:
+        nodes, start = last.nodes, last.inflation
     else:
-        panel = _meshed(course.outline, work)
-        nodes = seam_nodes(course, panel)
-        start = None if last is None else carried(last.inflation, panel)
+        panel = _meshed(seam_map.outline, simulation)
+        nodes = seam_nodes(seam_map, panel)
+        start = None if last is None else transferred(last.inflation, panel)
     inflation = inflate(
         panel,
-        work.film,
-        work.pressure,
+        simulation.film,
+        simulation.pressure,
         start=start,
-        backend=work.backend,
-        model=work.model,
-        progress=work.progress,
-        settings=work.settings,
+        backend=simulation.backend,
+        model=simulation.model,
+        progress=simulation.progress,
+        settings=simulation.newton,
     )
-    placed = _aligned(course, nodes, inflation, work.lost)
+    placed = _aligned(seam_map, nodes, inflation, simulation.unreachable)
     shown = silhouette(trimmed(placed))
-    return Pass(course, panel, nodes, placed, shown, misfit(work.target, shown))
+    return Iterate(seam_map, panel, nodes, placed, shown, misfit(simulation.target, shown))
 
 
-def _meshed(pattern: Outline, work: Work) -> Panel:
-    found = None if work.mirror is None else triangulate_mirrored(pattern, work.edge, work.mirror)
-    return found or triangulate(pattern, work.edge)
+def _meshed(pattern: Outline, simulation: Simulation) -> Panel:
+    edge, mirror = simulation.edge, simulation.mirror
+    mirrored = None if mirror is None else triangulate_mirrored(pattern, edge, mirror)
+    return mirrored or triangulate(pattern, edge)
 
 
-def weld_error(current: Pass) -> float:
-    """Largest mean distance of a weld of the balloon from where it was drawn [m]; 0 without welds."""
+def weld_error(current: Iterate) -> float:
+    """Largest mean distance of a weld from where it was drawn, of the balloon's size; 0 without welds."""
     positions = current.inflation.positions[:, :2]
-    lines = zip(current.course.lines, current.panel.welds, strict=True)
-    return max((line.mean_distance(positions[weld]) for line, weld in lines), default=0.0)
+    lines = zip(current.seam_map.lines, current.panel.welds, strict=True)
+    error = max((line.mean_distance(positions[weld]) for line, weld in lines), default=0.0)
+    return error / max(current.shown.size)
 
 
-def _moved(previous: Pass, course: Course) -> Panel | None:
-    """The panel of the previous pass with its rim on the new pattern; None when it has to be meshed anew."""
-    loops = zip(previous.nodes, course.pattern, strict=True)
+def _moved(last: Iterate, seam_map: SeamMap) -> Panel | None:
+    """The panel of the last iterate with its rim on the new pattern; None when it has to be meshed anew."""
+    loops = zip(last.nodes, seam_map.pattern, strict=True)
     welds = [
-        line.at(before.along(previous.panel.rest_positions[weld]))
-        for line, before, weld in zip(course.lines, previous.course.lines, previous.panel.welds, strict=True)
+        line.at(before.along(last.panel.rest_positions[weld]))
+        for line, before, weld in zip(seam_map.lines, last.seam_map.lines, last.panel.welds, strict=True)
     ]
-    return move_rim(previous.panel, [node.placed_on(loop) for node, loop in loops], welds)
+    return move_rim(last.panel, [node.placed_on(loop) for node, loop in loops], welds)
 
 
 def _aligned(
-    course: Course, nodes: tuple[SeamNodes, ...], inflation: Inflation, lost: tuple[Bools, ...]
+    seam_map: SeamMap, nodes: tuple[SeamNodes, ...], inflation: Inflation, unreachable: tuple[Bools, ...]
 ) -> Inflation:
     """The balloon moved in its plane of symmetry to where the drawing is, by what is not given up."""
     seams = inflation.panel.seams
-    wanted = np.concatenate([node.placed_on(loop) for node, loop in zip(nodes, course.drawing, strict=True)])
+    drawn = np.concatenate([node.placed_on(loop) for node, loop in zip(nodes, seam_map.drawing, strict=True)])
     seam = np.concatenate([inflation.positions[loop, :2] for loop in seams])
     weights = loop_weights([inflation.panel.rest_positions[loop] for loop in seams])
     sure = np.concatenate(
         [
-            ~gone[np.rint(node.index).astype(np.int64) % len(gone)]
-            for node, gone in zip(nodes, lost, strict=True)
+            ~given_up[np.rint(node.index).astype(np.int64) % len(given_up)]
+            for node, given_up in zip(nodes, unreachable, strict=True)
         ]
     )
     if sure.any():
         weights = weights * sure
-    rotation, shift = alignment(seam, wanted, weights)
+    rotation, shift = alignment(seam, drawn, weights)
     positions, directors = inflation.positions.copy(), inflation.directors.copy()
     positions[:, :2] = positions[:, :2] @ rotation.T + shift
     directors[:, :2] = directors[:, :2] @ rotation.T

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The course of a design: the drawing and the pattern, point by point beside each other.
+"""The seam map of a design: the drawing and the pattern, point by point beside each other.
 
 Both are finely sampled loops with the same number of points; point j of the pattern is the place of the seam
 that shall appear at point j of the drawing. The pattern is moved by smooth fields, so that it keeps the
@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from BalloonWorkbench.core.correction.clearance import parted
+from BalloonWorkbench.core.correction.clearance import enforce_clearance
 from BalloonWorkbench.core.correction.weld_lines import WeldLine, weld_lines
 from BalloonWorkbench.core.design.correspondence import locate
 from BalloonWorkbench.core.outline.crossings import first_crossing
@@ -25,7 +25,7 @@ _CORNER = np.radians(30.0)
 
 
 @dataclass(frozen=True)
-class Course:
+class SeamMap:
     """drawing and pattern: loops (n, 2) m, one beside the other.
 
     The last `spots` of the loops are spot welds; lines: the welds inside.
@@ -37,10 +37,10 @@ class Course:
     lines: tuple[WeldLine, ...] = ()
 
     @staticmethod
-    def begun(target: Outline, spacing: float) -> Course:
-        """The course whose pattern is the drawing itself, sampled `spacing` apart with its corners kept."""
+    def identity(target: Outline, spacing: float) -> SeamMap:
+        """The map whose pattern is the drawing itself, sampled `spacing` apart with its corners kept."""
         drawing = tuple(resample(loop, spacing) for loop in target.loops)
-        return Course(drawing, drawing, len(target.spots), weld_lines(target, drawing, spacing))
+        return SeamMap(drawing, drawing, len(target.spots), weld_lines(target, drawing, spacing))
 
     @property
     def outline(self) -> Outline:
@@ -53,9 +53,8 @@ class Course:
             spots=self.pattern[last:],
         )
 
-    def resized(self, pattern: Outline, scale: float) -> Course | None:
-        """The course with the pattern of the same course at another size; None where that was sampled
-        otherwise."""
+    def resized(self, pattern: Outline, scale: float) -> SeamMap | None:
+        """The map with the pattern of the same map at another size; None where that was sampled otherwise."""
         if [len(loop) for loop in pattern.loops] != [len(loop) for loop in self.pattern]:
             return None
         lines = [
@@ -63,34 +62,34 @@ class Course:
         ]
         return replace(self, pattern=tuple(scale * loop for loop in pattern.loops), lines=tuple(lines))
 
-    def moved(self, fields: tuple[Floats, ...], zone: float, room: float) -> Course:
-        """The course with its pattern moved by fields, one (n, 2) for each loop.
+    def moved(self, fields: tuple[Floats, ...], zone: float, clearance: float) -> SeamMap:
+        """The map with its pattern moved by fields, one (n, 2) for each loop.
 
-        Within `zone` [m] of a tip the pattern is bridged, and facing parts are kept `room` [m] apart. Where
-        the pattern would still cross itself, or turn so far that its neighbourhood would, the field is
+        Within `zone` [m] of a tip the pattern is bridged, and facing parts are kept `clearance` [m] apart.
+        Where the pattern would still cross itself, or turn so far that its neighbourhood would, the field is
         weakened until it does not.
         """
         strength = [np.ones(len(loop)) for loop in self.pattern]
-        for attempt in range(40):
+        for trial in range(40):
             moved = tuple(
                 _bridged(drawing, loop + share[:, None] * field, zone)
                 for drawing, loop, share, field in zip(
                     self.drawing, self.pattern, strength, fields, strict=True
                 )
             )
-            loops = parted(self.drawing, moved, room)
+            loops = enforce_clearance(self.drawing, moved, clearance)
             place = first_crossing(loops)
             if place is None:
                 return replace(self, pattern=loops, lines=tuple(line.tied(loops) for line in self.lines))
-            reach = 0.01 * (1.0 + attempt) * float(np.ptp(loops[0], axis=0).max())
+            reach = 0.01 * (1.0 + trial) * float(np.ptp(loops[0], axis=0).max())
             strength = [
                 share * (1.0 - 0.5 * np.exp(-(np.linalg.norm(loop - place, axis=1) ** 2) / reach**2))
                 for loop, share in zip(loops, strength, strict=True)
             ]
         return self
 
-    def taken_back(self, earlier: Course, place: tuple[float, float] | None, reach: float) -> Course:
-        """The course with its pattern half way back to an earlier one, around a place or everywhere.
+    def half_back(self, earlier: SeamMap, place: tuple[float, float] | None, reach: float) -> SeamMap:
+        """The map with its pattern half way back to an earlier one, around a place or everywhere.
 
         Where a part that went back would cross one that did not, more of it goes back.
         """
@@ -144,7 +143,7 @@ def _tips(drawing: Floats, reach: float) -> Ints:
 
 @dataclass(frozen=True)
 class SeamNodes:
-    """Where the seam vertices of a panel lie along one loop of the course.
+    """Where the seam vertices of a panel lie along one loop of the seam map.
 
     index         (k,) fractional index along the sampled loops
     lengths       (k,) arc length along the drawing
@@ -174,10 +173,10 @@ class SeamNodes:
         return np.asarray(weight @ values / weight.sum(axis=1)[:, None])
 
 
-def seam_nodes(course: Course, panel: Panel) -> tuple[SeamNodes, ...]:
-    """The seam vertices of a panel that was meshed from the course's pattern, loop by loop."""
+def seam_nodes(seam_map: SeamMap, panel: Panel) -> tuple[SeamNodes, ...]:
+    """The seam vertices of a panel that was meshed from the map's pattern, loop by loop."""
     found = []
-    for drawing, pattern, seam in zip(course.drawing, course.pattern, panel.seams, strict=True):
+    for drawing, pattern, seam in zip(seam_map.drawing, seam_map.pattern, panel.seams, strict=True):
         lengths = arc_lengths(pattern)
         counter = np.arange(len(pattern) + 1, dtype=np.float64)
         index = np.interp(locate(pattern, panel.rest_positions[seam]), lengths, counter)

@@ -3,9 +3,9 @@
 
 from __future__ import annotations
 
-from BalloonWorkbench.core.correction.iterate import Pass
-from BalloonWorkbench.core.correction.unreachable import stretches
-from BalloonWorkbench.core.design.design import Design, Stretch
+from BalloonWorkbench.core.correction.iterate import Iterate
+from BalloonWorkbench.core.correction.unreachable import unreached_stretches
+from BalloonWorkbench.core.design.design import Design, UnreachedStretch
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.units import length_text, place_text
 
@@ -13,7 +13,7 @@ REACHED = 1e-2
 MOST_SENTENCES = 3  # about single stretches that are not reached
 
 
-def verdict(target: Outline, best: Pass, passes: int, meshes: int, seconds: float) -> Design:
+def summary(target: Outline, best: Iterate, passes: int, meshes: int, seconds: float) -> Design:
     """The design of the best pass, with what is to be said about it."""
     size = max(target.size)
     error = best.misfit.over()
@@ -28,11 +28,11 @@ def verdict(target: Outline, best: Pass, passes: int, meshes: int, seconds: floa
             f"The inflated outline stays {length_text(error.mean)} from the drawing on average:"
             " film cannot follow this shape everywhere. Round off notches and widen thin parts."
         )
-    unreached = stretches(target, best.misfit) if passes else ()
+    unreached = unreached_stretches(target, best.misfit) if passes else ()
     warnings += [_sentence(stretch) for stretch in unreached[:MOST_SENTENCES]]
     return Design(
         target,
-        best.course.outline,
+        best.seam_map.outline,
         best.inflation,
         best.shown,
         error,
@@ -45,7 +45,7 @@ def verdict(target: Outline, best: Pass, passes: int, meshes: int, seconds: floa
     )
 
 
-def _sentence(stretch: Stretch) -> str:
+def _sentence(stretch: UnreachedStretch) -> str:
     return (
         f"Near {place_text(stretch.middle)} the inflated outline stays up to {length_text(stretch.max, 3)}"
         f" from the drawing, over a length of {length_text(stretch.end - stretch.start, 3)}: film cannot"

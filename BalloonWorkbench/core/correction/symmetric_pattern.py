@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A symmetric drawing gets a symmetric pattern: each point of the course has a twin beyond the axis.
+"""A symmetric drawing gets a symmetric pattern: each point of the seam map has its mirror image.
 
 The mesh is not symmetric, so the balloon and what is left between it and the drawing are so only nearly. Each
-point of the pattern and the image of its twin are therefore replaced by their mean before every pass.
+point of the pattern and the image of its counterpart are therefore replaced by their mean before they are
+inflated.
 """
 
 from __future__ import annotations
@@ -11,7 +12,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from BalloonWorkbench.core.correction.seam_map import Course
+from BalloonWorkbench.core.correction.seam_map import SeamMap
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.outline.crossings import first_crossing
 from BalloonWorkbench.core.outline.sampling import point_at
@@ -22,46 +23,46 @@ _ON_AXIS = 1e-9  # of the size
 
 
 @dataclass(frozen=True)
-class Twins:
-    """loops: which loop mirrors each loop; points: for each loop, the twins of its points in that loop."""
+class MirrorPairs:
+    """loops: which loop mirrors each loop; points: for each loop, the counterparts of its points in that."""
 
     mirror: Mirror | None
     loops: tuple[int, ...]
     points: tuple[Ints, ...]
 
-    def matched(self, course: Course, earlier: Course | None = None) -> Course:
-        """The course with its pattern exactly symmetric; as it is where there is no axis.
+    def symmetrised(self, seam_map: SeamMap, earlier: SeamMap | None = None) -> SeamMap:
+        """The map with its pattern exactly symmetric; as it is where there is no axis.
 
         Where the two halves would then cross, it goes back to an earlier one, which is symmetric too.
         """
         if self.mirror is None:
-            return course
+            return seam_map
         pattern = [
-            0.5 * (mine + self.mirror.reflect(course.pattern[other][points]))
-            for mine, other, points in zip(course.pattern, self.loops, self.points, strict=True)
+            0.5 * (mine + self.mirror.reflect(seam_map.pattern[other][points]))
+            for mine, other, points in zip(seam_map.pattern, self.loops, self.points, strict=True)
         ]
-        even = replace(course, pattern=tuple(pattern))
+        even = replace(seam_map, pattern=tuple(pattern))
         if earlier is None or first_crossing(pattern) is None:
             return even
-        return even.taken_back(earlier, None, 0.0)
+        return even.half_back(earlier, None, 0.0)
 
 
-FREE = Twins(None, (), ())
+NO_MIRROR = MirrorPairs(None, (), ())
 """No symmetry."""
 
 
-def twinned(course: Course, mirror: Mirror | None) -> tuple[Course, Twins]:
-    """The course of a symmetric drawing sampled anew, so that every point has its twin, and the twins.
+def mirror_pairs(seam_map: SeamMap, mirror: Mirror | None) -> tuple[SeamMap, MirrorPairs]:
+    """The map of a symmetric drawing sampled anew, so that every point has a counterpart, and the pairs.
 
     Of each loop across the axis, and of each pair of loops beside it, the left half is taken and mirrored.
-    Without an axis the course stays as it is.
+    Without an axis the map stays as it is.
     """
     if mirror is None:
-        return course, FREE
-    size = float(np.ptp(course.drawing[0], axis=0).max())
-    left = [((loop - mirror.point) @ mirror.frame)[:, 0] for loop in course.drawing]
+        return seam_map, NO_MIRROR
+    size = float(np.ptp(seam_map.drawing[0], axis=0).max())
+    left = [((loop - mirror.point) @ mirror.frame)[:, 0] for loop in seam_map.drawing]
     crossing = [bool(across.min() < -_ON_AXIS * size and across.max() > _ON_AXIS * size) for across in left]
-    drawing, pattern = list(course.drawing), list(course.pattern)
+    drawing, pattern = list(seam_map.drawing), list(seam_map.pattern)
     loops = list(range(len(drawing)))
     points = [np.arange(len(loop), dtype=np.int32) for loop in drawing]
     for number, across in enumerate(left):
@@ -78,11 +79,11 @@ def twinned(course: Course, mirror: Mirror | None) -> tuple[Course, Twins]:
             pattern[other] = mirror.reflect(pattern[number])[::-1]
             loops[number], loops[other] = other, number
             points[number] = points[other] = np.arange(len(image), dtype=np.int32)[::-1]
-    twins = Twins(mirror, tuple(loops), tuple(points))
-    return twins.matched(Course(tuple(drawing), tuple(pattern))), twins
+    pairs = MirrorPairs(mirror, tuple(loops), tuple(points))
+    return pairs.symmetrised(SeamMap(tuple(drawing), tuple(pattern))), pairs
 
 
-def nearer(symmetric: Design, free: Design) -> Design:
+def better_design(symmetric: Design, free: Design) -> Design:
     """The better of two designs for a symmetric drawing, with a remark where its pattern is not symmetric."""
     passes, seconds = symmetric.passes + free.passes, symmetric.seconds + free.seconds
     if free.residual.mean >= symmetric.residual.mean:

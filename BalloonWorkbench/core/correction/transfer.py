@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Carrying a balloon over to another mesh of nearly the same pattern: the start of the next simulation."""
+"""Transferring a balloon to another mesh of nearly the same pattern: the start of the next simulation."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def delaunay(points: Floats) -> Any:
     return Delaunay(points)
 
 
-def carried(inflation: Inflation, panel: Panel) -> Inflation:
+def transferred(inflation: Inflation, panel: Panel) -> Inflation:
     """The balloon on another panel, as a start only: linear between the vertices of its own."""
     rest, places = inflation.panel.rest_positions, panel.rest_positions
     moves = inflation.positions.copy()

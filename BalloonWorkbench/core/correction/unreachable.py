@@ -5,9 +5,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from BalloonWorkbench.core.correction.seam_map import Course
+from BalloonWorkbench.core.correction.seam_map import SeamMap
 from BalloonWorkbench.core.design.compare import Misfit
-from BalloonWorkbench.core.design.design import Stretch
+from BalloonWorkbench.core.design.design import UnreachedStretch
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.outline.sampling import arc_lengths, point_at
 from BalloonWorkbench.core.types import Bools, Floats
@@ -21,63 +21,67 @@ _FAR_OFF = 3.0  # medians of the distance, beyond which a place counts no more
 _GAIN = 0.9  # a pass that leaves more than this part of the least distance is no gain
 
 
-class Hopes:
-    """What each point of the course still gains from correction."""
+class StallTracker:
+    """What each point of the seam map still gains from correction: a point that gains nothing is given up."""
 
-    def __init__(self, course: Course, size: float) -> None:
+    def __init__(self, seam_map: SeamMap, size: float) -> None:
         self._size = size
         self._least_mean = np.inf
-        self._least = [np.full(len(loop), np.inf) for loop in course.pattern]
-        self._idle = [np.zeros(len(loop), dtype=np.int32) for loop in course.pattern]
+        self._least = [np.full(len(loop), np.inf) for loop in seam_map.pattern]
+        self._idle = [np.zeros(len(loop), dtype=np.int32) for loop in seam_map.pattern]
         self._tried: list[tuple[tuple[Floats, ...], list[Floats]]] = []  # patterns, distances
-        self.lost: tuple[Bools, ...] = tuple(np.zeros(len(loop), dtype=np.bool_) for loop in course.pattern)
+        self.unreachable: tuple[Bools, ...] = tuple(
+            np.zeros(len(loop), dtype=np.bool_) for loop in seam_map.pattern
+        )
 
     @property
     def given_up(self) -> int:
         """Number of points that are given up."""
-        return sum(int(lost.sum()) for lost in self.lost)
+        return sum(int(unreachable.sum()) for unreachable in self.unreachable)
 
-    def weighed(self, course: Course, wanted: tuple[Floats, ...], width: float) -> tuple[Floats, ...]:
-        """The wanted moves (n, 2) of a course, none where they have not paid for some passes.
+    def reachable_moves(
+        self, seam_map: SeamMap, moves: tuple[Floats, ...], width: float
+    ) -> tuple[Floats, ...]:
+        """The moves (n, 2) of a seam map, none where they have not paid for some passes.
 
         There the pattern goes back to that pass which came nearest. Neighbours within about `width` [m] along
         the drawing take part, so that the pattern stays smooth.
         """
-        away = [np.linalg.norm(move, axis=1) for move in wanted]
+        away = [np.linalg.norm(move, axis=1) for move in moves]
         mean = float(np.concatenate(away).mean())
         if mean > FAR * self._size and mean < _GAIN * self._least_mean:
             self._least_mean = mean
-            return wanted
-        self._tried.append((course.pattern, away))
-        moves, lost = [], []
+            return moves
+        self._tried.append((seam_map.pattern, away))
+        kept, unreachable = [], []
         for k, (drawing, pattern, move) in enumerate(
-            zip(course.drawing, course.pattern, wanted, strict=True)
+            zip(seam_map.drawing, seam_map.pattern, moves, strict=True)
         ):
             gained = away[k] < _GAIN * self._least[k]
             self._idle[k] = np.where(gained, 0, self._idle[k] + 1)
             self._least[k] = np.where(gained, away[k], self._least[k])
-            hopeless = (self._idle[k] >= IDLE) & (away[k] > UNREACHED * self._size) & ~self.lost[k]
-            lost.append(self.lost[k] | hopeless)
-            moved = (1.0 - _nearness(drawing, lost[k], width)[:, None]) * move
+            hopeless = (self._idle[k] >= IDLE) & (away[k] > UNREACHED * self._size) & ~self.unreachable[k]
+            unreachable.append(self.unreachable[k] | hopeless)
+            moved = (1.0 - _nearness(drawing, unreachable[k], width)[:, None]) * move
             if hopeless.any():
                 distances = [float(tried[k][hopeless].mean()) for _, tried in self._tried]
                 nearest, _ = self._tried[int(np.argmin(distances))]
                 moved += _nearness(drawing, hopeless, width)[:, None] * (nearest[k] - pattern)
-            moves.append(moved)
-        self.lost = tuple(lost)
-        return tuple(moves)
+            kept.append(moved)
+        self.unreachable = tuple(unreachable)
+        return tuple(kept)
 
-    def mean(self, misfit: Misfit) -> float:
+    def mean_error(self, misfit: Misfit) -> float:
         """Mean distance [m] at the places that are not given up.
 
         Single far places, perhaps out of reach, count as much as others at most: else they hide what the rest
         gains.
         """
         used = np.ones(len(misfit.distances), dtype=np.bool_)
-        for k, lost in enumerate(self.lost):
+        for k, unreachable in enumerate(self.unreachable):
             mine = misfit.loop == k
-            index = (misfit.share[mine] * len(lost)).astype(np.int64) % len(lost)
-            used[mine] = ~lost[index]
+            index = (misfit.share[mine] * len(unreachable)).astype(np.int64) % len(unreachable)
+            used[mine] = ~unreachable[index]
         away = misfit.distances[used] if used.any() else misfit.distances
         return float(np.minimum(away, max(UNREACHED * self._size, _FAR_OFF * float(np.median(away)))).mean())
 
@@ -91,10 +95,10 @@ def _nearness(drawing: Floats, marked: Bools, width: float) -> Floats:
     return np.asarray(np.exp(-0.5 * (np.minimum(gap, lengths[-1] - gap).min(axis=1) / width) ** 2))
 
 
-def stretches(drawing: Outline, misfit: Misfit) -> tuple[Stretch, ...]:
+def unreached_stretches(drawing: Outline, misfit: Misfit) -> tuple[UnreachedStretch, ...]:
     """The stretches of the drawing that are not reached, the farthest first."""
     size = max(drawing.size)
-    found = []
+    stretches = []
     for number, loop in enumerate(drawing.loops):
         mine = misfit.loop == number
         lengths = arc_lengths(loop)
@@ -105,10 +109,12 @@ def stretches(drawing: Outline, misfit: Misfit) -> tuple[Stretch, ...]:
             points = point_at(
                 loop, lengths, np.linspace(first, last, max(2, int(400 * (last - first) / size)))
             )
-            found.append(
-                Stretch(number, first, last, points, float(away[inside].mean()), float(away[inside].max()))
+            stretches.append(
+                UnreachedStretch(
+                    number, first, last, points, float(away[inside].mean()), float(away[inside].max())
+                )
             )
-    return tuple(sorted(found, key=lambda stretch: -stretch.max))
+    return tuple(sorted(stretches, key=lambda stretch: -stretch.max))
 
 
 def _runs(along: Floats, away: Floats, around: float, size: float) -> list[tuple[float, float]]:

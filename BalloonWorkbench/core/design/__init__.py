@@ -1,2 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Pattern correction: from the drawing to the panel that inflates to it."""
+"""Designs: a pattern with its balloon, how far that is from the drawing, its first pattern, and its size.
+
+The iteration that corrects a pattern lies in core/correction; the film itself in core/solver.
+"""

@@ -22,7 +22,7 @@ class Residual:
 
 
 @dataclass(frozen=True)
-class Stretch:
+class UnreachedStretch:
     """A stretch of the drawing that the inflated outline does not reach.
 
     loop        number of the drawing's loop: 0 the outer one, then the holes
@@ -68,7 +68,7 @@ class Design:
     seconds: float
     reached: bool
     warnings: tuple[str, ...]
-    unreached: tuple[Stretch, ...] = ()
+    unreached: tuple[UnreachedStretch, ...] = ()
 
     def of_drawing(self, outline: Outline) -> Design:
         """The same design for another drawing of the same outline: with what that one's notes say."""

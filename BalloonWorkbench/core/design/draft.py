@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A quick look at the balloon of a drawing, while it is still being drawn: coarse, and not corrected.
 
-The first pattern of the correction (growth.py) is inflated and then enlarged to the drawn width and height.
-How much its arms are still too narrow or too wide is seen in the area of the silhouette: thickness and volume
-follow it, between the closed forms of a strip and of a disc.
+The first pattern of the correction (initial_pattern.py) is inflated and then enlarged to the drawn width and
+height. How much its arms are still too narrow or too wide is seen in the area of the silhouette: thickness
+and volume follow it, between the closed forms of a strip and of a disc.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from BalloonWorkbench.core.design.correspondence import locate
-from BalloonWorkbench.core.design.initial_pattern import grown
+from BalloonWorkbench.core.design.initial_pattern import initial_displacements
 from BalloonWorkbench.core.errors import MeshError
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.mesh.triangulate import triangulate
@@ -62,7 +62,7 @@ def draft(
     drawing = _meshed(outline, vertices)
     if not corrected:
         return Draft(inflate(drawing, film, pressure, progress=progress), outline)
-    pattern = replace(drawing, rest_positions=drawing.rest_positions + grown(drawing))
+    pattern = replace(drawing, rest_positions=drawing.rest_positions + initial_displacements(drawing))
     inflation = inflate(pattern, film, pressure, progress=progress)
     seam = drawing.seams[0]
     drawn, shown = (_box(points[seam, :2]) for points in (drawing.rest_positions, inflation.positions))

@@ -25,7 +25,7 @@ STIFFNESS = 0.02
 TRIALS = 5  # of finding where film would have to stretch
 
 
-def grown(panel: Panel) -> Floats:
+def initial_displacements(panel: Panel) -> Floats:
     """Displacements (n, 2) [m] of the vertices of a meshed drawing that make it a first pattern."""
     try:
         from scipy.sparse import coo_matrix

@@ -95,7 +95,7 @@ class Scaling:
         return high
 
 
-class Work(Protocol):
+class DesignAtSize(Protocol):
     """A way of designing an outline; `start` is a design of the same drawing at another size."""
 
     def __call__(self, outline: Outline, *, start: Design | None, progress: Progress) -> Design:
@@ -123,7 +123,7 @@ def foretold(outline: Outline, corrected: bool) -> Scaling:
 
 
 def design_to_size(
-    work: Work,
+    work: DesignAtSize,
     outline: Outline,
     goal: SizeGoal,
     buoyancy: Buoyancy,

@@ -15,14 +15,16 @@ from BalloonWorkbench.core.types import Progress
 TOLERANCE = 1e-3  # of the volume
 
 
-class Work(Protocol):
+class DesignAtPressure(Protocol):
     """A way to design at a pressure: fit.fit or fit.inflate_outline with its options."""
 
     def __call__(self, target: Outline, film: Film, pressure: float, *, progress: Progress) -> Design:
         """The design of an outline."""
 
 
-def design_to_volume(work: Work, target: Outline, film: Film, volume: float, *, progress: Progress) -> Design:
+def design_to_volume(
+    work: DesignAtPressure, target: Outline, film: Film, volume: float, *, progress: Progress
+) -> Design:
     """The design of an outline whose balloon has a volume [m3]; its inflation's report tells the pressure.
 
     Raises what the work raises, and InputError when no sensible pressure gives that volume.

@@ -44,7 +44,7 @@ def trimmed(inflation: Inflation) -> Inflation:
     return replace(inflation, positions=positions, lower=lower)
 
 
-def seen(points: Floats, shown: Outline, reach: float) -> Floats:
+def visible_places(points: Floats, shown: Outline, reach: float) -> Floats:
     """Where points (k, 2) of the seam are seen: at the nearest place of the silhouette within `reach` [m].
 
     Farther ones are hidden, as deep in a slit that the film has closed, and stay where they are.

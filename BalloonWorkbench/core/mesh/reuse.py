@@ -37,7 +37,7 @@ def move_rim(
     free = np.setdiff1d(np.arange(len(moved)), seam)
     if len(free):
         shift = moved[seam] - panel.rest_positions[seam]
-        moved[free] += _harmonic(panel, seam, free, shift)
+        moved[free] += harmonic(panel, seam, free, shift)
     result = replace(panel, rest_positions=moved)
     if flipped(result).any() or (worn(result) & ~worn(panel)).any():
         return None
@@ -48,7 +48,7 @@ def move_rim(
     return result
 
 
-def _harmonic(panel: Panel, seam: Ints, free: Ints, shift: Floats) -> Floats:
+def harmonic(panel: Panel, seam: Ints, free: Ints, shift: Floats) -> Floats:
     """Displacements of the free vertices for given ones (k, 2) of the seam."""
     try:
         from scipy.sparse import coo_matrix

@@ -142,7 +142,7 @@ def test_a_draft_is_shown_before_the_balloon(doc, monkeypatch):
     assert sizes == pytest.approx([length.Value for length in fitted], rel=0.2)
     assert 1e9 * made[-1].inflation.volume == pytest.approx(
         doc.Balloon.Volume.Value, rel=0.3
-    )  # how near a draft is: test_design_draft.py
+    )  # how near a draft is: tests/core/design/test_draft.py
     hands.press("Ok")
     hands.wait_until(hands.panel_is_closed)
 

@@ -35,7 +35,7 @@ from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.tracing.picture import read_picture
 from BalloonWorkbench.core.types import Progress, no_progress
 
-PICTURES = Path(__file__).parents[2] / "resources" / "examples" / "pictures"
+PICTURES = Path(__file__).parents[3] / "resources" / "examples" / "pictures"
 INCH, FOOT = 0.0254, 0.3048
 #: Two discs of film that does not stretch: rim 1/A of the flat radius a, volume (2 pi/3) a^3/A^2.
 A = 1.311028777146

@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 from drawn_shapes import NAMED
 
-from BalloonWorkbench.core.correction.fit import fit, inflate_outline
-from BalloonWorkbench.core.correction.seam_rotation import seam_turns, turned_back
+from BalloonWorkbench.core.correction.fit import Method, fit, inflate_outline
+from BalloonWorkbench.core.correction.step import rotated_back, seam_rotations
 from BalloonWorkbench.core.design.compare import alignment, residual
 from BalloonWorkbench.core.errors import Cancelled, InputError, MeshError, OutlineError
 from BalloonWorkbench.core.film.film import Film
@@ -21,7 +21,7 @@ from BalloonWorkbench.core.outline.outline import Outline, signed_area
 from BalloonWorkbench.core.solver.backend import available
 from BalloonWorkbench.core.tracing.picture import read_picture
 
-PICTURES = Path(__file__).parents[2] / "resources" / "examples" / "pictures"
+PICTURES = Path(__file__).parents[3] / "resources" / "examples" / "pictures"
 NAMES = sorted(path.stem for path in PICTURES.glob("*.png"))
 # stiff enough to be inextensible: E t / (p L) is about 10 000
 STIFF = replace(custom_film(2.4e10, 0.3, 25e-6), seal_width=0.0)
@@ -120,7 +120,9 @@ def test_an_unreachable_drawing_is_marked() -> None:
     for tooth in range(9):
         right = 0.3 - tooth / 30
         comb += [[right - 1 / 60, 0.03], [right - 1 / 30, 0.1]]
-    design = fit(Outline(np.array(comb)), film("kraft-paper"), 500.0, mesh_size=0.012, symmetric=False)
+    design = fit(
+        Outline(np.array(comb)), film("kraft-paper"), 500.0, mesh_size=0.012, method=Method(symmetric=False)
+    )
     assert first_crossing(design.pattern.loops) is None
     assert design.reached == (design.residual.mean <= 0.01 * 0.3)
     assert design.reached or any("film cannot follow" in text for text in design.warnings)
@@ -195,6 +197,6 @@ def test_turning_is_undone() -> None:
     """A square turned by a quarter, and what is missing above it is missing on its right in the pattern."""
     flat = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
     quarter = np.column_stack([-flat[:, 1], flat[:, 0]])
-    turn = seam_turns(flat, quarter)
+    turn = seam_rotations(flat, quarter)
     np.testing.assert_allclose(turn, [[1.0, 0.0]] * 4, atol=1e-15)
-    np.testing.assert_allclose(turned_back(np.array([[0.0, 2.0]] * 4), 3.0 * turn), [[2.0, 0.0]] * 4)
+    np.testing.assert_allclose(rotated_back(np.array([[0.0, 2.0]] * 4), 3.0 * turn), [[2.0, 0.0]] * 4)

@@ -14,7 +14,7 @@ from scipy.spatial import cKDTree
 from BalloonWorkbench.core.correction.fit import fit, inflate_outline
 from BalloonWorkbench.core.design.compare import residual
 from BalloonWorkbench.core.design.silhouette import silhouette
-from BalloonWorkbench.core.design.visible_seam import seen, trimmed
+from BalloonWorkbench.core.design.visible_seam import trimmed, visible_places
 from BalloonWorkbench.core.film.library import custom_film, film
 from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.mesh.triangulate import triangulate
@@ -23,7 +23,7 @@ from BalloonWorkbench.core.outline.sampling import resample
 from BalloonWorkbench.core.solver.inflate import inflate
 from BalloonWorkbench.core.tracing.picture import read_picture
 
-PICTURES = Path(__file__).parents[2] / "resources" / "examples" / "pictures"
+PICTURES = Path(__file__).parents[3] / "resources" / "examples" / "pictures"
 STIFF = replace(custom_film(2.4e10, 0.3, 25e-6), seal_width=0.005)
 
 
@@ -57,4 +57,6 @@ def test_a_pattern_of_few_vertices_fits_the_drawing_on_many(name: str) -> None:
 def test_seen_is_the_nearest_edge_of_the_silhouette() -> None:
     square = Outline(np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]))
     points = np.array([[0.5, 0.01], [0.5, -0.01], [0.5, 0.3]])
-    np.testing.assert_allclose(seen(points, square, 0.05), [[0.5, 0.0], [0.5, 0.0], [0.5, 0.3]], atol=1e-12)
+    np.testing.assert_allclose(
+        visible_places(points, square, 0.05), [[0.5, 0.0], [0.5, 0.0], [0.5, 0.3]], atol=1e-12
+    )

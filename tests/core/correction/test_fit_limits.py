@@ -10,12 +10,12 @@ import numpy as np
 import pytest
 from drawn_shapes import NAMED, generated
 
-from BalloonWorkbench.core.correction.clearance import parted
-from BalloonWorkbench.core.correction.fit import fit
-from BalloonWorkbench.core.correction.unreachable import stretches
+from BalloonWorkbench.core.correction.clearance import enforce_clearance
+from BalloonWorkbench.core.correction.fit import Method, fit
+from BalloonWorkbench.core.correction.unreachable import unreached_stretches
 from BalloonWorkbench.core.design.compare import alignment, misfit, residual
 from BalloonWorkbench.core.design.design import Design
-from BalloonWorkbench.core.design.initial_pattern import grown
+from BalloonWorkbench.core.design.initial_pattern import initial_displacements
 from BalloonWorkbench.core.film.library import film
 from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.mesh.triangulate import triangulate
@@ -26,7 +26,7 @@ from BalloonWorkbench.core.pattern.build import build_pattern
 from BalloonWorkbench.core.pictures.preview import preview_png
 from BalloonWorkbench.core.tracing.picture import read_picture
 
-PICTURES = Path(__file__).parents[2] / "resources" / "examples" / "pictures"
+PICTURES = Path(__file__).parents[3] / "resources" / "examples" / "pictures"
 
 
 def circle(radius: float, count: int = 3000) -> np.ndarray:
@@ -40,10 +40,10 @@ def circle(radius: float, count: int = 3000) -> np.ndarray:
 def test_first_pattern_of_a_disc_and_of_an_arm() -> None:
     """A disc grows by 1.311, an arm by pi / 2 across and hardly along."""
     disc = triangulate(Outline(circle(0.1, 240)), 0.01)
-    rim = (disc.rest_positions + grown(disc))[disc.seams[0]]
+    rim = (disc.rest_positions + initial_displacements(disc))[disc.seams[0]]
     assert np.sqrt(signed_area(rim) / np.pi) / 0.1 == pytest.approx(1.311028777, rel=0.02)
     arm = triangulate(NAMED["rectangle"].map(lambda loop: loop * (1.0, 0.5)), 0.006)  # 300 x 50 mm
-    before, after = arm.rest_positions, arm.rest_positions + grown(arm)
+    before, after = arm.rest_positions, arm.rest_positions + initial_displacements(arm)
     middle = np.abs(before[:, 0] - 0.15) < 0.05
     upper, lower = (middle & (np.abs(before[:, 1] - side) < 1e-9) for side in (0.05, 0.0))
     across = after[upper, 1].mean() - after[lower, 1].mean()
@@ -53,7 +53,7 @@ def test_first_pattern_of_a_disc_and_of_an_arm() -> None:
 def test_first_pattern_keeps_the_hole_of_a_ring() -> None:
     """Round its hole a ring is taut: there it may not shrink, and hardly has to grow."""
     ring = triangulate(NAMED["ring"], 0.012)
-    hole = (ring.rest_positions + grown(ring))[ring.seams[1]]
+    hole = (ring.rest_positions + initial_displacements(ring))[ring.seams[1]]
     assert np.sqrt(-signed_area(hole) / np.pi) == pytest.approx(0.075, rel=0.05)
 
 
@@ -138,7 +138,7 @@ def test_bays_keep_room_for_two_welds_and_a_cut() -> None:
     drawing = Outline(np.array([*bay, (0.0, 0.1)]))
     sampled = point_at(drawing.outer, np.arange(9.0), np.arange(0.0, 8.0, 0.02))
     narrow = sampled + np.where(sampled[:, :1] < 0.063, (0.008, 0.0), (-0.008, 0.0))
-    pushed = Outline(parted((sampled,), (narrow,), 0.015)[0])
+    pushed = Outline(enforce_clearance((sampled,), (narrow,), 0.015)[0])
     assert gap_between(narrow, 0.05, 0.076, 0.08) == pytest.approx(0.010)
     assert gap_between(pushed.outer, 0.05, 0.076, 0.08) == pytest.approx(0.015, rel=0.05)
     design = fit(drawing, film("mylar"), 2000.0, mesh_size=0.012)
@@ -173,7 +173,7 @@ def slit() -> Design:
     angle = np.linspace(0.5 * np.pi + half, 2.5 * np.pi - half, 400)
     rim = 0.12 * np.column_stack([np.cos(angle), np.sin(angle)])
     drawing = Outline(np.concatenate([rim, [[0.0005, 0.0], [-0.0005, 0.0]]]))
-    return fit(drawing, film("mylar"), 2000.0, mesh_size=0.014, symmetric=False)
+    return fit(drawing, film("mylar"), 2000.0, mesh_size=0.014, method=Method(symmetric=False))
 
 
 def test_what_cannot_be_reached_is_marked(slit: Design) -> None:
@@ -199,7 +199,7 @@ def test_the_rest_of_the_outline_is_not_distorted(slit: Design) -> None:
 
 def test_a_reached_drawing_has_no_marks() -> None:
     outline = Outline(circle(0.1))
-    assert stretches(outline, misfit(outline, Outline(circle(0.1005)))) == ()
+    assert unreached_stretches(outline, misfit(outline, Outline(circle(0.1005)))) == ()
 
 
 def test_a_stretch_over_the_start_of_a_loop_is_one() -> None:
@@ -207,7 +207,7 @@ def test_a_stretch_over_the_start_of_a_loop_is_one() -> None:
     drawing = Outline(circle(0.1))
     angle = np.arctan2(drawing.outer[:, 1], drawing.outer[:, 0])
     bump = 1.0 + 0.1 * np.clip(1.0 - (angle / 0.4) ** 2, 0.0, None)
-    (found,) = stretches(drawing, misfit(drawing, Outline(drawing.outer * bump[:, None])))
+    (found,) = unreached_stretches(drawing, misfit(drawing, Outline(drawing.outer * bump[:, None])))
     assert found.max == pytest.approx(0.01, rel=0.01)
     assert found.end > 0.2 * np.pi > found.start
     assert found.end - found.start == pytest.approx(0.075, rel=0.1)

@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 from drawn_shapes import NAMED, corners_of, hole
 
-from BalloonWorkbench.core.correction.fit import fit
-from BalloonWorkbench.core.correction.seam_map import Course
-from BalloonWorkbench.core.correction.symmetric_pattern import nearer, twinned
+from BalloonWorkbench.core.correction.fit import Method, fit
+from BalloonWorkbench.core.correction.seam_map import SeamMap
+from BalloonWorkbench.core.correction.symmetric_pattern import better_design, mirror_pairs
 from BalloonWorkbench.core.design.compare import residual
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.film.library import film
@@ -24,7 +24,7 @@ from BalloonWorkbench.core.pattern.build import build_pattern
 from BalloonWorkbench.core.pattern.fairing import LIMIT
 from BalloonWorkbench.core.tracing.picture import read_picture
 
-PICTURES = Path(__file__).parents[2] / "resources" / "examples" / "pictures"
+PICTURES = Path(__file__).parents[3] / "resources" / "examples" / "pictures"
 
 
 def designed(outline: Outline) -> Design:
@@ -80,7 +80,8 @@ def test_welds_and_cuts_are_symmetric_within_their_simplification() -> None:
 def test_pattern_of_another_shape_is_left_alone() -> None:
     uneven = corners_of((0.0, 0.0), (0.3, 0.0), (0.3, 0.1), (0.12, 0.1), (0.12, 0.2), (0.0, 0.2))
     free, held = (
-        fit(uneven, film("mylar"), 2000.0, mesh_size=0.02, symmetric=choice) for choice in (False, True)
+        fit(uneven, film("mylar"), 2000.0, mesh_size=0.02, method=Method(symmetric=choice))
+        for choice in (False, True)
     )
     assert free.pattern.outer.tobytes() == held.pattern.outer.tobytes()
 
@@ -89,16 +90,16 @@ def test_where_the_balloon_buckles_the_nearer_pattern_wins_and_says_so() -> None
     design = fit(NAMED["disc"], film("mylar"), 2000.0, mesh_size=0.06)
     off = design.residual
     better, worse = (replace(design, residual=replace(off, mean=factor * off.mean)) for factor in (0.5, 2.0))
-    assert nearer(design, worse).warnings == design.warnings
-    assert any("not symmetric" in text for text in nearer(design, better).warnings)
-    assert nearer(design, better).residual == better.residual
+    assert better_design(design, worse).warnings == design.warnings
+    assert any("not symmetric" in text for text in better_design(design, better).warnings)
+    assert better_design(design, better).residual == better.residual
 
 
 def test_what_is_taken_back_crosses_nothing() -> None:
     """A strip 20 mm wide whose earlier place is 60 mm away: one side may not go back through the other."""
     strip = resample(corners_of((0.0, 0.0), (0.3, 0.0), (0.3, 0.02), (0.0, 0.02)).outer, 0.002)
-    now, earlier = Course((strip,), (strip,)), Course((strip,), (strip + np.array([0.0, 0.06]),))
-    back = now.taken_back(earlier, (0.15, 0.06), 0.005)
+    now, earlier = SeamMap((strip,), (strip,)), SeamMap((strip,), (strip + np.array([0.0, 0.06]),))
+    back = now.half_back(earlier, (0.15, 0.06), 0.005)
     assert first_crossing(back.pattern) is None
     assert not np.allclose(back.pattern[0], strip)
 
@@ -106,13 +107,13 @@ def test_what_is_taken_back_crosses_nothing() -> None:
 def test_halves_that_would_cross_go_back_together() -> None:
     """A bow tie whose two points are pulled past each other, on one side more than on the other."""
     drawing = corners_of((-0.1, -0.05), (0.1, -0.05), (0.02, 0.0), (0.1, 0.05), (-0.1, 0.05), (-0.02, 0.0))
-    course, twins = twinned(Course.begun(drawing, 0.004), find_mirror(drawing))
-    across = course.pattern[0].copy()
-    near = np.abs(course.drawing[0][:, 1]) < 0.02
+    seam_map, pairs = mirror_pairs(SeamMap.identity(drawing, 0.004), find_mirror(drawing))
+    across = seam_map.pattern[0].copy()
+    near = np.abs(seam_map.drawing[0][:, 1]) < 0.02
     left, right = near & (across[:, 0] < 0.0), near & (across[:, 0] > 0.0)
     across[left, 0] += 0.07
     across[right, 0] -= 0.03
-    even = twins.matched(replace(course, pattern=(across,)), course)
+    even = pairs.symmetrised(replace(seam_map, pattern=(across,)), seam_map)
     assert first_crossing(even.pattern) is None
     assert away(even.outline, find_mirror(drawing)) < 1e-12
 

@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The stages of the pattern correction, and when each of them is over.
+
+    stage           mesh     Newton    hands over to      when
+    coarse          coarser  as usual  fine               the drawing is near, or an iterate brings nothing
+    fine            wanted   as usual  (at rest, at last) the pattern is good, or nothing more is gained
+    fine, holes     wanted   as usual  at rest            the drawing is near, or an iterate brings nothing
+    at rest         wanted   exact     -                  the pattern is good, or nothing more is gained
+
+Film may fold one way or another round a hole, so a drawing with holes is corrected with balloons at rest as
+soon as it is near. Without holes only the best balloon is brought to rest, and the correction goes on where
+it then has moved.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from BalloonWorkbench.core.solver.problem import NewtonSettings
+
+NEAR = 3e-3  # mean error, of the larger dimension, at which the next stage takes over
+
+
+@dataclass(frozen=True)
+class Stage:
+    """How the balloons of a stage are simulated.
+
+    coarsening  of the mesh
+    newton      when the film is at rest; None: as usual
+    following   the stage that takes over when the drawing is near; None: this one goes on to its end
+    """
+
+    coarsening: float = 1.0
+    newton: NewtonSettings | None = None
+    following: Stage | None = None
+
+    @property
+    def at_rest(self) -> Stage:
+        """The last stage, on the mesh of this one."""
+        return replace(AT_REST, coarsening=self.coarsening)
+
+
+AT_REST = Stage(newton=NewtonSettings(tolerance=1e-6))
+FINE = Stage()
+FINE_WITH_HOLES = Stage(following=AT_REST)
+COARSENING = 1.8
+
+
+def first_stage(holes: bool, coarse: bool) -> Stage:
+    """Where the correction of a drawing with or without holes begins; coarse: a coarse mesh saves time."""
+    fine = FINE_WITH_HOLES if holes else FINE
+    return Stage(COARSENING, following=fine) if coarse else fine
+
+
+@dataclass(frozen=True)
+class Limits:
+    """When a correction ends.
+
+    iterates      balloons at most
+    newton_steps  of Newton on the wanted mesh, about ten times a cold inflation: then the best is shown
+    stalled       iterates in a row that bring nothing
+    enough, good  mean error, of the breadth, at which nothing more is gained, and at which an iterate that
+                  brings nothing is the last one
+    welds         mean error of a weld, of the balloon's larger dimension
+    """
+
+    iterates: int = 12
+    newton_steps: int = 180
+    stalled: int = 2
+    enough: float = 5e-4
+    good: float = 1e-3
+    welds: float = NEAR
+
+
+LIMITS = Limits()
+
+
+@dataclass
+class History:
+    """What has come out so far.
+
+    iterates, meshes  how many were made
+    newton_steps      on the wanted mesh
+    stalled           iterates in a row that brought nothing
+    error             mean, of the last balloon, of the drawing's larger dimension
+    best_error        mean, of the best balloon, of the drawing's breadth
+    weld_error        of the best balloon, of its larger dimension
+    """
+
+    iterates: int = 0
+    meshes: int = 0
+    newton_steps: int = 0
+    stalled: int = 0
+    error: float = float("inf")
+    best_error: float = float("inf")
+    weld_error: float = 0.0
+
+
+def finished(stage: Stage, history: History, limits: Limits = LIMITS) -> bool:
+    """Whether no further correction is worth its balloon."""
+    if history.iterates >= limits.iterates or history.newton_steps >= limits.newton_steps:
+        return True
+    if history.stalled > limits.stalled:
+        return True
+    enough = limits.good if history.stalled else limits.enough
+    good = history.best_error <= enough and history.weld_error <= limits.welds
+    return good and stage.coarsening == 1.0
+
+
+def hands_over(stage: Stage, history: History) -> bool:
+    """Whether the following stage takes over."""
+    return stage.following is not None and (history.error <= NEAR or history.stalled > 0)
