@@ -19,10 +19,10 @@ from BalloonWorkbench.core.artwork.picture import Pixels, covering, mirrored, of
 from BalloonWorkbench.core.artwork.sheet import DPI, Print, Sheet, artwork_sheets
 from BalloonWorkbench.core.assembly_sheet.page import Subject, assembly_pdf
 from BalloonWorkbench.core.design.design import Design
+from BalloonWorkbench.core.geometry.polyline import signed_area
 from BalloonWorkbench.core.job import Balloon
 from BalloonWorkbench.core.nesting.layout import Layout, Piece, Stock
 from BalloonWorkbench.core.nesting.nest import nest
-from BalloonWorkbench.core.outline.outline import signed_area
 from BalloonWorkbench.core.pattern.layout import beside
 from BalloonWorkbench.core.pattern.make import sheet_of
 from BalloonWorkbench.core.pattern.pattern import Pattern, Role

@@ -13,7 +13,8 @@ from BalloonWorkbench.core.design.design import Design, UnreachedStretch
 from BalloonWorkbench.core.design.size_goal import Buoyancy, SizeGoal, scaling_of
 from BalloonWorkbench.core.film.filling import Filling
 from BalloonWorkbench.core.film.film import Film
-from BalloonWorkbench.core.mesh.quality import min_angles, signed_areas
+from BalloonWorkbench.core.geometry.triangulation import signed_areas
+from BalloonWorkbench.core.mesh.quality import min_angles
 from BalloonWorkbench.core.outline.drawing import Drawing
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.pattern.intake.kinds import intake_kind

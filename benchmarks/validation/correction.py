@@ -19,9 +19,10 @@ from validation.report import Section, paragraphs, table
 from BalloonWorkbench.core.correction import iterate
 from BalloonWorkbench.core.correction.fit import Method, fit
 from BalloonWorkbench.core.correction.mixing import AndersonMixing, RuleOfGain
-from BalloonWorkbench.core.design.compare import alignment, residual
+from BalloonWorkbench.core.design.compare import residual
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.film.library import film
+from BalloonWorkbench.core.geometry.vectors import alignment
 from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.mesh.triangulate import triangulate
 from BalloonWorkbench.core.outline.outline import Outline

@@ -18,8 +18,8 @@ from BalloonWorkbench.core.correction.iterate import Iterate
 from BalloonWorkbench.core.correction.step import DRIFT
 from BalloonWorkbench.core.design.correspondence import goals
 from BalloonWorkbench.core.film.film import Film
+from BalloonWorkbench.core.geometry.polyline import arc_lengths
 from BalloonWorkbench.core.mesh.reuse import harmonic
-from BalloonWorkbench.core.outline.sampling import arc_lengths
 from BalloonWorkbench.core.solver.element.shell import Shell, tangent_frames
 from BalloonWorkbench.core.solver.model import film_problem
 from BalloonWorkbench.core.types import Floats

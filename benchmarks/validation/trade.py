@@ -15,7 +15,8 @@ from validation.report import Row, Section, section
 from BalloonWorkbench.core.correction.fit import fit
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.film.library import custom_film, film
-from BalloonWorkbench.core.outline.outline import Outline, signed_area
+from BalloonWorkbench.core.geometry.polyline import signed_area
+from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.solver.inflate import inflate
 from BalloonWorkbench.core.tracing.picture import read_picture
 

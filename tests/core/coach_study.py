@@ -29,7 +29,7 @@ from BalloonWorkbench.core.advice.advise import advise
 from BalloonWorkbench.core.advice.findings import Advice, Finding
 from BalloonWorkbench.core.correction.fit import fit
 from BalloonWorkbench.core.film.library import film
-from BalloonWorkbench.core.mesh.quality import signed_areas
+from BalloonWorkbench.core.geometry.triangulation import signed_areas
 from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.mesh.triangulate import triangulate
 from BalloonWorkbench.core.pattern.make import Wanted, intake_of

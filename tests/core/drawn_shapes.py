@@ -7,7 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from BalloonWorkbench.core.outline.outline import Outline, signed_area
+from BalloonWorkbench.core.geometry.polyline import signed_area
+from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.types import Floats
 

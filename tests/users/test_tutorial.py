@@ -22,7 +22,7 @@ from test_child import opened
 from user import on_paper
 
 from BalloonWorkbench.app.border import status
-from BalloonWorkbench.app.drawings.painting import is_painting
+from BalloonWorkbench.app.drawings.drawing_file import is_painting
 from BalloonWorkbench.app.drawings.qt_picture import pixels
 from BalloonWorkbench.gui.view3d.fit_view import is_whole
 

@@ -47,8 +47,8 @@ def _wire(obj, contour):
 
 def _nested(outer, inner) -> list:
     """Each outer cut with the inner ones that lie in it and in no smaller one."""
-    from BalloonWorkbench.core.outline.crossings import contains
-    from BalloonWorkbench.core.outline.outline import signed_area
+    from BalloonWorkbench.core.geometry.crossings import contains
+    from BalloonWorkbench.core.geometry.polyline import signed_area
 
     smallest_first = sorted(outer, key=lambda cut: abs(signed_area(cut.points)))
     holes = {id(cut): [] for cut in outer}

@@ -8,13 +8,12 @@ from abc import ABC, abstractmethod
 import numpy as np
 
 from BalloonWorkbench.core.advice.findings import ThicknessMap
-from BalloonWorkbench.core.advice.inside import Located
-from BalloonWorkbench.core.mesh.quality import signed_areas
+from BalloonWorkbench.core.geometry.nearest import locate
+from BalloonWorkbench.core.geometry.polyline import arc_lengths, point_at
+from BalloonWorkbench.core.geometry.triangulation import Located, signed_areas
 from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.mesh.triangulate import triangulate
 from BalloonWorkbench.core.outline.outline import Outline
-from BalloonWorkbench.core.outline.sampling import line_lengths
-from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.solver.element.dkt import gradients
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.solver.start import DOME, dome
@@ -142,9 +141,7 @@ class Measured(Gauge):
         self.map = ThicknessMap(flat, panel.triangles, 2.0 * inflation.positions[:, 2])
         self._positions = inflation.positions
         rim = panel.seams[0]
-        self._cut, self._seen = (
-            np.vstack([line[rim], line[rim[:1]]]) for line in (panel.rest_positions, flat)
-        )
+        self._cut, self._seen = panel.rest_positions[rim], flat[rim]
         self._located = Located(flat, panel.triangles)
         self._centres = flat[panel.triangles].mean(axis=1)
         self._areas = areas
@@ -164,10 +161,7 @@ class Measured(Gauge):
 
     def drawn(self, place: Floats) -> Floats:
         """The place of the outline that the same vertices of the seam are near to."""
-        package = shapely()
-        along = package.line_locate_point(package.linestrings(self._cut), package.Point(place))
-        lengths = line_lengths(self._cut)
-        return np.array([np.interp(along, lengths, self._seen[:, k]) for k in range(2)])
+        return point_at(self._seen, arc_lengths(self._cut), locate(self._cut, place[None]))[0]
 
     def peak(self, place: Floats, reach: float, radius: float) -> float:
         """Mean tension round a place over the median."""

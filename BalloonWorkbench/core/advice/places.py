@@ -11,8 +11,10 @@ from typing import Any
 import numpy as np
 
 from BalloonWorkbench.core.advice.sections import Sections, chained, sections
+from BalloonWorkbench.core.geometry.normals import turns_at
+from BalloonWorkbench.core.geometry.polyline import arc_lengths, length, point_at, ring
+from BalloonWorkbench.core.geometry.vectors import turn
 from BalloonWorkbench.core.outline.outline import Outline
-from BalloonWorkbench.core.outline.sampling import arc_lengths, point_at
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.types import Floats
 
@@ -84,7 +86,7 @@ def thin_parts(outline: Outline, width: float) -> list[ThinPart]:
     """The parts narrower than `width` [m]: what is lost when the area is opened with a disc (Serra 1982)."""
     area = whole(outline)
     width = min(width, max(outline.size))  # wider discs see no more
-    around = sum(float(arc_lengths(loop)[-1]) for loop in outline.loops)
+    around = outline.perimeter
     across = sections(outline, max(width / 6.0, around / 4000.0))
     rooms = bodies(area, width)
     if not rooms:
@@ -127,7 +129,7 @@ def _judged(area: Any, piece: Any, touched: list[Any], inside: Sections, slack: 
     tapers = not len(outer) or (len(inner) > 0 and outer.mean() < _TAPER * inner.mean())
     if tapers:
         middle = np.vstack([apex, part.middle])
-        return ThinPart(Kind.TIP, piece, inside, middle, _length(middle))
+        return ThinPart(Kind.TIP, piece, inside, middle, length(middle))
     return part
 
 
@@ -138,7 +140,7 @@ def _part(kind: Kind, piece: Any, inside: Sections, body: Any, behind: float = 0
     else:
         start = int(np.argmax(shapely().distance(shapely().points(middles), body)))
     line = chained(middles, start)
-    return ThinPart(kind, piece, inside, line, _length(line), behind)
+    return ThinPart(kind, piece, inside, line, length(line), behind)
 
 
 def _farthest(piece: Any, body: Any) -> tuple[Floats, float]:
@@ -158,15 +160,10 @@ def _polygons(area: Any) -> list[Any]:
     return [part for part in parts if part.geom_type == "Polygon" and not part.is_empty]
 
 
-def _length(line: Floats) -> float:
-    return float(np.linalg.norm(np.diff(line, axis=0), axis=1).sum())
-
-
 def rim_near(outline: Outline, area: Any, reach: float) -> tuple[Floats, ...]:
     """The stretches (k, 2) of the outline that bound an area, or come within `reach` [m] of it."""
     package = shapely()
-    rings = [package.linestrings(np.vstack([loop, loop[:1]])) for loop in outline.loops]
-    loops = package.multilinestrings(rings)
+    loops = package.MultiLineString([ring(loop) for loop in outline.loops])
     lines = package.line_merge(loops.intersection(area.buffer(reach)))
     return tuple(
         package.get_coordinates(line)
@@ -184,29 +181,23 @@ def notches(outline: Outline) -> Iterator[Notch]:
         count = max(24, int(np.ceil(6.0 * lengths[-1] / reach)))
         at = np.arange(count) * lengths[-1] / count
         points = point_at(loop, lengths, at)
-        before, after = (
-            points - point_at(loop, lengths, at - reach),
-            point_at(loop, lengths, at + reach) - points,
-        )
-        turn = -np.arctan2(
-            before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0], np.einsum("ij,ij->i", before, after)
-        )
+        turns = -turns_at(loop, lengths, at, reach)
         taken = np.zeros(count, dtype=bool)
         # a round hole turns everywhere; its corners turn more
         least = _NOTCH_TURN + (0.0 if loop is outline.outer else 3.0 * np.pi * reach / float(lengths[-1]))
         spread = int(np.ceil(1.5 * reach / (lengths[-1] / count)))
-        for k in np.argsort(-turn, kind="stable"):
-            if turn[k] < least:
+        for k in np.argsort(-turns, kind="stable"):
+            if turns[k] < least:
                 break
             if taken[k]:
                 continue
             taken[(k + np.arange(-spread, spread + 1)) % count] = True
             # the middle of a bend that turns evenly
-            same = [j for j in range(-spread, spread + 1) if turn[(k + j) % count] > turn[k] - 0.03]
+            same = [j for j in range(-spread, spread + 1) if turns[(k + j) % count] > turns[k] - 0.03]
             middle = (k + same[len(same) // 2]) % count
             place = points[middle]
             extent = point_at(loop, lengths, at[middle] + np.linspace(-reach, reach, 13))
-            yield Notch(place, float(turn[middle]), _radius(loop, lengths, at[middle], reach), extent)
+            yield Notch(place, float(turns[middle]), _radius(loop, lengths, at[middle], reach), extent)
 
 
 def _radius(loop: Floats, lengths: Floats, at: float, reach: float) -> float:
@@ -215,10 +206,9 @@ def _radius(loop: Floats, lengths: Floats, at: float, reach: float) -> float:
     for share in (0.25, 0.5, 1.0):
         step = share * reach
         places = point_at(loop, lengths, at + step * np.array([-1.0, -0.5, 0.5, 1.0]))
-        before, after = places[1] - places[0], places[3] - places[2]
-        turn = abs(float(np.arctan2(before[0] * after[1] - before[1] * after[0], float(before @ after))))
-        radius = 1.5 * step / max(turn, 1e-9)
-        if share == 0.25 and turn > np.radians(60.0):
+        bend = abs(float(turn(places[1] - places[0], places[3] - places[2])))
+        radius = 1.5 * step / max(bend, 1e-9)
+        if share == 0.25 and bend > np.radians(60.0):
             return 0.0
         best = radius
     return best

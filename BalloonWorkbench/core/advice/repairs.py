@@ -11,6 +11,7 @@ import numpy as np
 from BalloonWorkbench.core.advice.findings import Finding, Repair, RepairKind
 from BalloonWorkbench.core.advice.places import whole
 from BalloonWorkbench.core.errors import OutlineError
+from BalloonWorkbench.core.geometry.vectors import perpendicular, unit
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.outline.validity import check
 from BalloonWorkbench.core.packages import shapely
@@ -97,10 +98,7 @@ def _across(area: Any, line: Any) -> Floats:
     at = np.linspace(0.2, 0.8, 9)
     places = package.get_coordinates(package.line_interpolate_point(line, at, normalized=True))
     ahead = package.get_coordinates(package.line_interpolate_point(line, at + 0.05, normalized=True)) - places
-    side = np.stack([-ahead[:, 1], ahead[:, 0]], axis=1)
-    side *= np.hypot(*np.ptp(package.get_coordinates(area.envelope), axis=0)) / np.linalg.norm(
-        side, axis=1, keepdims=True
-    )
+    side = np.hypot(*np.ptp(package.get_coordinates(area.envelope), axis=0)) * unit(perpendicular(ahead))
     cuts = package.intersection(package.linestrings(np.stack([places - side, places + side], axis=1)), area)
     widths = [
         min(package.get_parts(cut), key=package.Point(place).distance).length

@@ -12,9 +12,10 @@ from itertools import pairwise
 
 import numpy as np
 
+from BalloonWorkbench.core.geometry.normals import left_normals
+from BalloonWorkbench.core.geometry.sampling import evenly
 from BalloonWorkbench.core.mesh.delaunay import triangulate_points
 from BalloonWorkbench.core.mesh.quality import interior_edges
-from BalloonWorkbench.core.mesh.thickness import sampled
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.types import Bools, Floats
 
@@ -45,12 +46,12 @@ class Sections:
 
 def sections(outline: Outline, spacing: float) -> Sections:
     """The sections of an outline from points on its rim at most `spacing` [m] apart."""
-    loops = [sampled(loop, spacing) for loop in outline.loops]
+    loops = [evenly(loop, spacing) for loop in outline.loops]
     points = np.concatenate(loops)
     starts = np.cumsum([0, *(len(loop) for loop in loops)])
     numbers = tuple(np.arange(first, last, dtype=np.int32) for first, last in pairwise(starts))
     edges, _ = interior_edges(triangulate_points(points, numbers))
-    inward = np.concatenate([_inward(loop) for loop in loops])
+    inward = np.concatenate([left_normals(loop) for loop in loops])
     across = points[edges[:, 1]] - points[edges[:, 0]]
     across /= np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-300)
     square = (np.einsum("ij,ij->i", across, inward[edges[:, 0]]) > _SQUARE) & (
@@ -69,10 +70,3 @@ def chained(points: Floats, start: int) -> Floats:
         order.append(int(np.argmin(away)))
         left[order[-1]] = False
     return np.asarray(points[order])
-
-
-def _inward(loop: Floats) -> Floats:
-    """Unit normals (n, 2) to the left of a loop."""
-    along = np.roll(loop, -1, axis=0) - np.roll(loop, 1, axis=0)
-    normal = np.stack([-along[:, 1], along[:, 0]], axis=1)
-    return np.asarray(normal / np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-300))

@@ -13,8 +13,10 @@ from BalloonWorkbench.core.advice.findings import Finding, Repair, RepairKind
 from BalloonWorkbench.core.advice.places import NOTCH_REACH, bodies, notches, whole
 from BalloonWorkbench.core.advice.rules import rules
 from BalloonWorkbench.core.advice.subject import Subject
+from BalloonWorkbench.core.geometry.polyline import signed_area
+from BalloonWorkbench.core.geometry.vectors import direction
 from BalloonWorkbench.core.outline.chambers import chambers
-from BalloonWorkbench.core.outline.outline import Outline, signed_area
+from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.pattern.intake.places import FARTHEST, LOW
 from BalloonWorkbench.core.types import Floats
@@ -152,6 +154,6 @@ def _delicate(subject: Subject, at: Floats) -> Iterator[Finding]:
 def _thickness_round(subject: Subject, at: Floats) -> float:
     """Greatest thickness within reach of a place, over that of the balloon."""
     away, turn = np.meshgrid(np.linspace(0.0, _HELD_BY, 13), _ANGLES)
-    points = at + subject.size * (away * np.array([np.cos(turn), np.sin(turn)])).reshape(2, -1).T
+    points = at + subject.size * (away[..., None] * direction(turn)).reshape(-1, 2)
     inside = points[np.asarray(shapely().contains_xy(whole(subject.outline), points[:, 0], points[:, 1]))]
     return float(subject.gauge.thickness(inside).max() / subject.gauge.thickest) if len(inside) else 0.0

@@ -11,6 +11,7 @@ from BalloonWorkbench.core.advice.findings import Finding, Repair, RepairKind, S
 from BalloonWorkbench.core.advice.places import Kind, ThinPart, rim_near, simple_line
 from BalloonWorkbench.core.advice.rules import rules
 from BalloonWorkbench.core.advice.subject import Subject
+from BalloonWorkbench.core.geometry.vectors import direction
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import length_text, percent_text
 
@@ -114,9 +115,8 @@ def _flat_length(subject: Subject, part: ThinPart, enough: float) -> float:
     """Distance [m] from the point of a tip to where the balloon is thick enough."""
     apex = part.middle[0]
     inward = part.middle.mean(axis=0) - apex
-    angles = np.arctan2(inward[1], inward[0]) + _FAN
+    directions = direction(np.arctan2(inward[1], inward[0]) + _FAN)
     away = np.linspace(0.0, _FARTHEST * subject.size, 76)
-    directions = np.stack([np.cos(angles), np.sin(angles)], axis=1)
     thickness = subject.gauge.thickness((apex + away[:, None, None] * directions).reshape(-1, 2))
     thick = (thickness.reshape(len(away), -1) >= enough).any(axis=1)
     return float(away[np.argmax(thick)]) if thick.any() else part.length

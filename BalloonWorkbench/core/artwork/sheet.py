@@ -14,6 +14,7 @@ from BalloonWorkbench.core.artwork.carry import GRID, Film, back, front, seen_fr
 from BalloonWorkbench.core.artwork.picture import Picture, Pixels
 from BalloonWorkbench.core.artwork.sample import sampled
 from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.geometry.crossings import crossed_at
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
 from BalloonWorkbench.core.pattern.placement import back_of
 from BalloonWorkbench.core.solver.inflation import Inflation
@@ -196,17 +197,9 @@ def _inside(frame: _Frame, borders: Sequence[Contour], left: int, right: int, to
     inside = np.zeros((bottom - top, right - left), dtype=np.bool_)
     middles = np.arange(left, right)
     for row, y in enumerate(frame.y(np.arange(top, bottom))):
-        at = np.sort(frame.columns(np.concatenate([_crossed(border.points, y) for border in borders])))
+        at = np.sort(frame.columns(np.concatenate([crossed_at(border.points, y) for border in borders])))
         inside[row] = np.searchsorted(at, middles) % 2 == 1
     return inside
-
-
-def _crossed(loop: Floats, y: float) -> Floats:
-    """Where a closed line (n, 2) crosses a height."""
-    x0, y0 = loop.T
-    x1, y1 = np.roll(loop, -1, axis=0).T
-    over = (y0 > y) != (y1 > y)
-    return np.asarray(x0[over] + (y - y0[over]) / (y1[over] - y0[over]) * (x1[over] - x0[over]))
 
 
 def _draw(sheet: Pixels, frame: _Frame, contour: Contour) -> None:

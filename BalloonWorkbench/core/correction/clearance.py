@@ -7,8 +7,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from BalloonWorkbench.core.mesh.thickness import kd_tree
-from BalloonWorkbench.core.outline.sampling import arc_lengths
+from BalloonWorkbench.core.geometry.nearest import kd_tree
+from BalloonWorkbench.core.geometry.polyline import arc_lengths
 from BalloonWorkbench.core.types import Floats, Ints
 
 #: Between two seams lie two welds, two allowances of 2 mm (pattern/build.py) and a strip of 1 mm that a blade

@@ -9,10 +9,12 @@ import numpy as np
 
 from BalloonWorkbench.core.correction.seam_map import SeamMap, SeamNodes, seam_nodes
 from BalloonWorkbench.core.correction.transfer import transferred
-from BalloonWorkbench.core.design.compare import Misfit, alignment, loop_weights, misfit
+from BalloonWorkbench.core.design.compare import Misfit, misfit
 from BalloonWorkbench.core.design.silhouette import silhouette
 from BalloonWorkbench.core.design.visible_seam import trimmed
 from BalloonWorkbench.core.film.film import Film
+from BalloonWorkbench.core.geometry.polyline import point_weights
+from BalloonWorkbench.core.geometry.vectors import alignment
 from BalloonWorkbench.core.mesh.halves import triangulate_mirrored
 from BalloonWorkbench.core.mesh.reuse import move_rim
 from BalloonWorkbench.core.mesh.triangulate import triangulate
@@ -126,7 +128,7 @@ def _aligned(
     seams = inflation.panel.seams
     drawn = np.concatenate([node.placed_on(loop) for node, loop in zip(nodes, seam_map.drawing, strict=True)])
     seam = np.concatenate([inflation.positions[loop, :2] for loop in seams])
-    weights = loop_weights([inflation.panel.rest_positions[loop] for loop in seams])
+    weights = np.concatenate([point_weights(inflation.panel.rest_positions[loop]) for loop in seams])
     sure = np.concatenate(
         [
             ~given_up[np.rint(node.index).astype(np.int64) % len(given_up)]

@@ -14,10 +14,12 @@ import numpy as np
 
 from BalloonWorkbench.core.correction.clearance import enforce_clearance
 from BalloonWorkbench.core.correction.weld_lines import WeldLine, weld_lines
-from BalloonWorkbench.core.design.correspondence import locate
-from BalloonWorkbench.core.outline.crossings import first_crossing
+from BalloonWorkbench.core.geometry.crossings import first_crossing
+from BalloonWorkbench.core.geometry.nearest import locate
+from BalloonWorkbench.core.geometry.normals import corners
+from BalloonWorkbench.core.geometry.polyline import arc_lengths, point_at
+from BalloonWorkbench.core.geometry.sampling import resample
 from BalloonWorkbench.core.outline.outline import Outline
-from BalloonWorkbench.core.outline.sampling import arc_lengths, corners, point_at, resample
 from BalloonWorkbench.core.panels.panel import Panel
 from BalloonWorkbench.core.types import Floats, Ints
 

@@ -18,7 +18,7 @@ from BalloonWorkbench.core.correction.seam_map import SeamMap
 from BalloonWorkbench.core.correction.unreachable import StallTracker
 from BalloonWorkbench.core.design.correspondence import goals
 from BalloonWorkbench.core.design.visible_seam import visible_places
-from BalloonWorkbench.core.outline.sampling import arc_lengths
+from BalloonWorkbench.core.geometry.polyline import arc_lengths
 from BalloonWorkbench.core.types import Floats
 
 CLAMP = 0.05  # of the larger dimension, for one step

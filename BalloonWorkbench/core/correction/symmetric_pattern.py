@@ -14,8 +14,8 @@ import numpy as np
 
 from BalloonWorkbench.core.correction.seam_map import SeamMap
 from BalloonWorkbench.core.design.design import Design
-from BalloonWorkbench.core.outline.crossings import first_crossing
-from BalloonWorkbench.core.outline.sampling import point_at
+from BalloonWorkbench.core.geometry.crossings import first_crossing
+from BalloonWorkbench.core.geometry.polyline import point_at
 from BalloonWorkbench.core.outline.symmetry import Mirror
 from BalloonWorkbench.core.types import Floats, Ints
 

@@ -8,8 +8,8 @@ import numpy as np
 from BalloonWorkbench.core.correction.seam_map import SeamMap
 from BalloonWorkbench.core.design.compare import Misfit
 from BalloonWorkbench.core.design.design import UnreachedStretch
+from BalloonWorkbench.core.geometry.polyline import arc_lengths, point_at
 from BalloonWorkbench.core.outline.outline import Outline
-from BalloonWorkbench.core.outline.sampling import arc_lengths, point_at
 from BalloonWorkbench.core.types import Bools, Floats
 
 #: Distance from which a stretch of the drawing counts as unreached, and what may remain at its ends, in parts

@@ -11,9 +11,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from BalloonWorkbench.core.design.correspondence import locate
+from BalloonWorkbench.core.geometry.nearest import locate
+from BalloonWorkbench.core.geometry.polyline import arc_lengths, line_lengths, point_at, point_on
 from BalloonWorkbench.core.outline.outline import Outline
-from BalloonWorkbench.core.outline.sampling import arc_lengths, line_lengths, point_at, point_on
 from BalloonWorkbench.core.types import Floats
 
 #: An end this near to a loop is at it, and this is how far it then stays away, relative to the outline.

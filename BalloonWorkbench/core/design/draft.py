@@ -12,13 +12,14 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from BalloonWorkbench.core.design.correspondence import locate
 from BalloonWorkbench.core.design.initial_pattern import initial_displacements
 from BalloonWorkbench.core.errors import MeshError
 from BalloonWorkbench.core.film.film import Film
+from BalloonWorkbench.core.geometry.nearest import locate
+from BalloonWorkbench.core.geometry.polyline import arc_lengths, signed_area
+from BalloonWorkbench.core.geometry.sampling import simplify
 from BalloonWorkbench.core.mesh.triangulate import triangulate
-from BalloonWorkbench.core.outline.outline import Outline, signed_area
-from BalloonWorkbench.core.outline.sampling import arc_lengths, simplify
+from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.panels.panel import Panel
 from BalloonWorkbench.core.solver.inflate import inflate
 from BalloonWorkbench.core.solver.inflation import Inflation

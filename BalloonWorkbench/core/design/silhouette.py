@@ -8,7 +8,10 @@ from typing import Any
 import numpy as np
 
 from BalloonWorkbench.core.errors import SolverError
-from BalloonWorkbench.core.outline.outline import Outline, signed_area
+from BalloonWorkbench.core.geometry.crossings import winding
+from BalloonWorkbench.core.geometry.polyline import signed_area
+from BalloonWorkbench.core.geometry.vectors import cross
+from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.types import Floats, Ints
@@ -40,29 +43,18 @@ def _shadow(positions: Floats, triangles: Ints) -> Any:
     lines = package.union_all(package.linestrings(np.stack([starts, ends], axis=1)))
     faces = package.get_parts(package.polygonize(package.get_parts(lines)))
     inside = package.get_coordinates(package.point_on_surface(faces))
-    return package.union_all(faces[_winding(starts, ends, inside) > 0])
+    return package.union_all(faces[winding(starts, ends, inside) > 0])
 
 
 def _rim_of_upward_film(flat: Floats, triangles: Ints) -> tuple[Floats, Floats]:
     """Directed edges (k, 2), (k, 2) with film that faces up on their left and none on their right."""
     a, b, c = (flat[triangles[:, k]] for k in range(3))
-    one, other = b - a, c - a
-    up = triangles[one[:, 0] * other[:, 1] - one[:, 1] * other[:, 0] > 0.0].astype(np.int64)
+    up = triangles[cross(b - a, c - a) > 0.0].astype(np.int64)
     edges = np.concatenate([up[:, [0, 1]], up[:, [1, 2]], up[:, [2, 0]]])
     count = len(flat)
     forth, back = edges @ (count, 1), edges @ (1, count)
     rim = edges[~np.isin(forth, back)]
     return flat[rim[:, 0]], flat[rim[:, 1]]
-
-
-def _winding(starts: Floats, ends: Floats, points: Floats) -> Ints:
-    """How often directed edges (k, 2), (k, 2) that make closed loops go round points (n, 2), each: (n,)."""
-    x, y = points.T[:, :, None]
-    (x1, y1), (x2, y2) = starts.T, ends.T
-    rising, falling = (y1 <= y) & (y < y2), (y2 <= y) & (y < y1)
-    left = (x2 - x1) * (y - y1) - (x - x1) * (y2 - y1)  # the point is left of the edge's line
-    turns = (rising & (left > 0.0)).astype(np.int32) - (falling & (left < 0.0)).astype(np.int32)
-    return np.asarray(turns.sum(axis=1), dtype=np.int32)
 
 
 def _loop(ring: Any) -> Floats:

@@ -15,8 +15,8 @@ from typing import Protocol
 
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.geometry.polyline import arc_lengths
 from BalloonWorkbench.core.outline.outline import Outline
-from BalloonWorkbench.core.outline.sampling import arc_lengths
 from BalloonWorkbench.core.types import Progress, no_progress
 from BalloonWorkbench.core.units import length_text, mass_text, percent_text, volume_text
 

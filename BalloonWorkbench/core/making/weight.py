@@ -7,8 +7,9 @@ from dataclasses import replace
 
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film.film import Film
+from BalloonWorkbench.core.geometry.polyline import signed_area
 from BalloonWorkbench.core.making.trade_figures import making
-from BalloonWorkbench.core.outline.outline import Outline, signed_area
+from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.pattern.build import usual_pattern
 from BalloonWorkbench.core.pattern.make import Wanted, intake_of, make_pattern, sheet_of
 from BalloonWorkbench.core.pattern.pattern import Pattern, Role

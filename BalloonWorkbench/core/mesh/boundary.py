@@ -9,9 +9,11 @@ from itertools import pairwise
 import numpy as np
 
 from BalloonWorkbench.core.errors import MeshError
+from BalloonWorkbench.core.geometry.crossings import first_crossing
+from BalloonWorkbench.core.geometry.normals import corners
+from BalloonWorkbench.core.geometry.polyline import arc_lengths, line_lengths, point_at, point_on
+from BalloonWorkbench.core.geometry.vectors import turn
 from BalloonWorkbench.core.mesh.sizing import SizeField
-from BalloonWorkbench.core.outline.crossings import first_crossing
-from BalloonWorkbench.core.outline.sampling import arc_lengths, corners, line_lengths, point_at, point_on
 from BalloonWorkbench.core.types import Floats, Ints
 from BalloonWorkbench.core.units import place_text
 
@@ -91,15 +93,15 @@ def weld_points(welds: tuple[Floats, ...], seams: tuple[Floats, ...], field: Siz
 def _resampled_line(line: Floats, field: SizeField) -> Floats:
     """An open line (n, 2) with even edges, two at least, its ends and corners kept."""
     at = line_lengths(line)
-    turn = np.diff(np.unwrap(np.arctan2(*np.diff(line, axis=0).T[::-1])))
-    stops = np.concatenate([at[:1], at[1:-1][np.abs(turn) > _CORNER], at[-1:]])
+    edges = np.diff(line, axis=0)
+    stops = np.concatenate([at[:1], at[1:-1][np.abs(turn(edges[:-1], edges[1:])) > _CORNER], at[-1:]])
     pieces = []
     for low, high in pairwise(stops):
         fine = np.linspace(low, high, max(64, int(4.0 * (high - low) / field.smallest)))
         density = 1.0 / field.at(point_on(line, at, fine))
         count = np.append(0.0, np.cumsum(0.5 * (density[1:] + density[:-1]) * np.diff(fine)))
-        edges = max(round(float(count[-1])), 2 if len(stops) == 2 else 1)
-        even = np.interp(np.linspace(0.0, count[-1], edges + 1)[:-1], count, fine)
+        parts = max(round(float(count[-1])), 2 if len(stops) == 2 else 1)
+        even = np.interp(np.linspace(0.0, count[-1], parts + 1)[:-1], count, fine)
         pieces.append(point_on(line, at, even))
     return np.concatenate([*pieces, line[-1:]])
 

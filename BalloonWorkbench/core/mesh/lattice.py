@@ -7,9 +7,10 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from BalloonWorkbench.core.geometry.crossings import inside
+from BalloonWorkbench.core.geometry.nearest import kd_tree
 from BalloonWorkbench.core.mesh.sizing import SizeField
-from BalloonWorkbench.core.mesh.thickness import kd_tree
-from BalloonWorkbench.core.types import Bools, Floats, Ints
+from BalloonWorkbench.core.types import Floats
 
 _ROW = np.sqrt(3.0) / 2.0
 #: Lattice points closer to the seam than this share of the local size are left out.
@@ -34,51 +35,32 @@ def lattice(seams: tuple[Floats, ...], field: SizeField, lines: Sequence[Floats]
     kept = []
     for level in range(levels + 1):
         size = field.size * 2.0 ** (-0.5 * level)
-        points, row = _hexagons(low, high, size)
+        points = _hexagons(low, high, size)
         upper = np.inf if level == 0 else size * 2.0**0.25
         lower = 0.0 if level == levels else size * 2.0**-0.25
         if levels:  # a coarse look first: the field changes slowly
             cell = ((points - low) / field.size).astype(int).clip(0, cells - 1)
             near = in_cell[cell[:, 0] * cells[1] + cell[:, 1]]
             wanted = (near < upper + 0.2 * field.size) & (near >= lower - 0.2 * field.size)
-            points, row = points[wanted], row[wanted]
+            points = points[wanted]
             local = field.at(points)
             wanted = (local < upper) & (local >= lower)
-            points, row = points[wanted], row[wanted]
+            points = points[wanted]
         if len(points):
-            points = points[_inside(points, row, seams)]
+            points = points[inside(seams, points)]
         if len(points):
             distance, _ = tree.query(points)
             kept.append(points[distance > _CLEARANCE * field.at(points)])
     return np.concatenate(kept) if kept else np.empty((0, 2))
 
 
-def _hexagons(low: Floats, high: Floats, size: float) -> tuple[Floats, Ints]:
-    """Lattice points (n, 2) over a box and the row (n,) of each."""
+def _hexagons(low: Floats, high: Floats, size: float) -> Floats:
+    """Lattice points (n, 2) over a box."""
     columns, rows = np.ceil((high - low) / (size * np.array([1.0, _ROW]))).astype(int) + 1
     row, column = np.divmod(np.arange(columns * rows), columns)
     # Centred in the box, so that a symmetric outline has a symmetric start.
     start = 0.5 * (low + high - size * np.array([columns - 0.5, (rows - 1) * _ROW]))
-    points = np.stack([start[0] + size * (column + 0.5 * (row % 2)), start[1] + size * _ROW * row], axis=1)
-    return points, row.astype(np.int32)
-
-
-def _inside(points: Floats, row: Ints, loops: tuple[Floats, ...]) -> Bools:
-    """Which points (n, 2) lie inside the loops; points of one row have the same y."""
-    rows, first = np.unique(row, return_index=True)
-    heights = points[first, 1]
-    starts = np.concatenate(loops)
-    ends = np.concatenate([np.roll(loop, -1, axis=0) for loop in loops])
-    line, edge = np.nonzero((starts[:, 1] > heights[:, None]) != (ends[:, 1] > heights[:, None]))
-    share = (heights[line] - starts[edge, 1]) / (ends[edge, 1] - starts[edge, 1])
-    crossing = starts[edge, 0] + share * (ends[edge, 0] - starts[edge, 0])
-    # One sorted list for all rows: each row lives in its own interval.
-    left = min(float(points[:, 0].min()), float(starts[:, 0].min()))
-    width = 2.0 * (max(float(points[:, 0].max()), float(starts[:, 0].max())) - left)
-    keys = np.sort(line * width + (crossing - left))
-    own = np.searchsorted(rows, row)
-    here = np.searchsorted(keys, own * width + (points[:, 0] - left))
-    return (here - np.searchsorted(keys, own * width)) % 2 == 1
+    return np.stack([start[0] + size * (column + 0.5 * (row % 2)), start[1] + size * _ROW * row], axis=1)
 
 
 def subdivided(loop: Floats, parts: int) -> Floats:

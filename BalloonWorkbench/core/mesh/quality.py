@@ -5,40 +5,13 @@ from __future__ import annotations
 
 import numpy as np
 
+from BalloonWorkbench.core.geometry.triangulation import corner_angles, side_lengths, signed_areas
 from BalloonWorkbench.core.panels.panel import Panel
 from BalloonWorkbench.core.types import Bools, Floats, Ints
 
 #: A triangle is worn out when its longest edge exceeds this multiple of its inscribed radius
 #: (the mesh reuse rule of the balloon design paper, 15 R < L; an equilateral one has 3.5).
 WORN_RATIO = 15.0
-
-
-def edge_lengths(points: Floats, triangles: Ints) -> Floats:
-    """Lengths (m, 3); column k is the edge opposite to corner k."""
-    corners = points[triangles]
-    return np.linalg.norm(np.roll(corners, -2, axis=1) - np.roll(corners, -1, axis=1), axis=2)
-
-
-def signed_areas(points: Floats, triangles: Ints) -> Floats:
-    """Areas (m,), negative where a triangle is turned over."""
-    a, b, c = (points[triangles[:, k]] for k in range(3))
-    u, v = b - a, c - a
-    return 0.5 * (u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0])
-
-
-def corner_angles(points: Floats, triangles: Ints) -> Floats:
-    """Angles (m, 3) at the corners [rad]; 0 and pi for degenerate triangles."""
-    a, b, c = edge_lengths(points, triangles).T
-    tiny = np.finfo(float).tiny
-    cosines = np.stack(
-        [
-            (b * b + c * c - a * a) / np.maximum(2.0 * b * c, tiny),
-            (c * c + a * a - b * b) / np.maximum(2.0 * c * a, tiny),
-            (a * a + b * b - c * c) / np.maximum(2.0 * a * b, tiny),
-        ],
-        axis=1,
-    )
-    return np.arccos(np.clip(cosines, -1.0, 1.0))
 
 
 def min_angles(panel: Panel) -> Floats:
@@ -53,7 +26,7 @@ def flipped(panel: Panel) -> Bools:
 
 def worn(panel: Panel) -> Bools:
     """Which triangles (m,) break the reuse rule: longest edge above 15 inscribed radii."""
-    edges = edge_lengths(panel.rest_positions, panel.triangles)
+    edges = side_lengths(panel.rest_positions, panel.triangles)
     areas = np.abs(signed_areas(panel.rest_positions, panel.triangles))
     inscribed = 2.0 * areas / edges.sum(axis=1)
     return WORN_RATIO * inscribed < edges.max(axis=1)

@@ -12,6 +12,7 @@ from collections import deque
 import numpy as np
 
 from BalloonWorkbench.core.errors import MeshError
+from BalloonWorkbench.core.geometry.triangulation import signed_areas
 from BalloonWorkbench.core.packages import without_scipy
 from BalloonWorkbench.core.types import Floats, Ints
 
@@ -40,9 +41,7 @@ class _Swapper:
     """Triangles with neighbours in plain lists: few edges are swapped, one at a time."""
 
     def __init__(self, points: Floats, triangles: Ints, neighbours: Ints) -> None:
-        corners = points[triangles]
-        u, v = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
-        clockwise = u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0] < 0.0
+        clockwise = signed_areas(points, triangles) < 0.0
         triangles, neighbours = triangles.copy(), neighbours.copy()
         triangles[clockwise] = triangles[clockwise][:, [0, 2, 1]]
         neighbours[clockwise] = neighbours[clockwise][:, [0, 2, 1]]

@@ -5,10 +5,11 @@ from __future__ import annotations
 
 import numpy as np
 
+from BalloonWorkbench.core.geometry.nearest import kd_tree
+from BalloonWorkbench.core.geometry.triangulation import corner_angles, side_lengths, signed_areas
+from BalloonWorkbench.core.geometry.vectors import direction
 from BalloonWorkbench.core.mesh.delaunay import triangulate_points
-from BalloonWorkbench.core.mesh.quality import corner_angles, edge_lengths, signed_areas
 from BalloonWorkbench.core.mesh.sizing import SizeField
-from BalloonWorkbench.core.mesh.thickness import kd_tree
 from BalloonWorkbench.core.types import Bools, Floats, Ints
 
 #: A corner of the seam below this angle is a sharp tip: it keeps one triangle with all vertices on the seam.
@@ -65,7 +66,7 @@ def chord_middles(
     starts, ends = np.roll(near, -1, axis=1), np.roll(near, -2, axis=1)  # the edge opposite to each corner
     joins = (starts < fixed) & (ends < fixed)
     on_seam = joins & (following[:, np.where(joins, starts, 0)] == ends).any(axis=0)
-    length = np.where(joins & ~on_seam, edge_lengths(points, near), 0.0)
+    length = np.where(joins & ~on_seam, side_lengths(points, near), 0.0)
     longest, row = length.argmax(axis=1), np.arange(len(near))
     tip = (on_seam.sum(axis=1) == 2) & (corner_angles(points, near)[row, longest] < SHARP)
     chord = np.sort(np.stack([starts[row, longest], ends[row, longest]], axis=1), axis=1)
@@ -142,7 +143,7 @@ def _missing(
     middle = points[triangles].mean(axis=1)
     areas = signed_areas(points, triangles)
     sizes = field.at(middle)
-    circumradius = edge_lengths(points, triangles).prod(axis=1) / (4.0 * np.maximum(areas, _TINY))
+    circumradius = side_lengths(points, triangles).prod(axis=1) / (4.0 * np.maximum(areas, _TINY))
     wide = (circumradius > 0.95 * sizes) & (areas > 0.6 * sizes**2) & (triangles >= fixed).any(axis=1)
     return _spread(np.concatenate([chord_middles(points, loops, triangles, lines), middle[wide]]), field)
 
@@ -164,8 +165,7 @@ def _repaired(
 ) -> tuple[Floats, Ints]:
     """Move the vertices of the worst triangles, one by one, to where their smallest angle grows."""
     fixed = _fixed(loops, lines)
-    directions = np.radians(np.arange(0.0, 360.0, 30.0))
-    compass = np.stack([np.cos(directions), np.sin(directions)], axis=1)
+    compass = direction(np.radians(np.arange(0.0, 360.0, 30.0)))
     for _ in range(6):
         angles = corner_angles(points, triangles).min(axis=1)
         bad = np.flatnonzero(angles < np.radians(30.0))

@@ -8,7 +8,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from BalloonWorkbench.core.mesh.quality import corner_angles, delaunay_loss, flipped, min_angles, worn
+from BalloonWorkbench.core.geometry.triangulation import corner_angles
+from BalloonWorkbench.core.mesh.quality import delaunay_loss, flipped, min_angles, worn
 from BalloonWorkbench.core.packages import without_scipy
 from BalloonWorkbench.core.panels.panel import Panel
 from BalloonWorkbench.core.types import Floats, Ints

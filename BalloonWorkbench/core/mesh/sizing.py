@@ -8,9 +8,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from BalloonWorkbench.core.errors import MeshError
-from BalloonWorkbench.core.mesh.thickness import fine_spacing, kd_tree, sampled, thickness
+from BalloonWorkbench.core.geometry.nearest import kd_tree
+from BalloonWorkbench.core.geometry.polyline import arc_lengths, line_lengths, point_on
+from BalloonWorkbench.core.geometry.sampling import evenly
+from BalloonWorkbench.core.mesh.thickness import fine_spacing, thickness
 from BalloonWorkbench.core.outline.outline import Outline
-from BalloonWorkbench.core.outline.sampling import arc_lengths, line_lengths, point_on
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import length_text, place_text
 
@@ -74,7 +76,7 @@ def size_field(outline: Outline, size: float, rough: bool = False) -> SizeField:
     spacing = size / _SAMPLES_PER_SIZE if rough else _sample_spacing(outline, size)
     walls = thickness(outline, 1.1 * _MORE_ACROSS * size, spacing)
     thinnest, place = walls.thinnest
-    mean = 2.0 * outline.area / sum(float(arc_lengths(loop)[-1]) for loop in outline.loops)
+    mean = 2.0 * outline.area / outline.perimeter
     if mean < thinnest:  # walls nearer to each other than the samples do not see each other
         thinnest, place = mean, walls.points[0]
     coarsest = thinnest / (_FEWEST_ACROSS * _CHANNEL_SHARE)
@@ -89,11 +91,11 @@ def size_field(outline: Outline, size: float, rough: bool = False) -> SizeField:
     lengths = _lengths(outline, walls.across, share * size, size)
     field = SizeField(size).limited(walls.points, lengths)
     for loop in outline.loops:  # a small hole still gets eight edges
-        points = sampled(loop, size)
+        points = evenly(loop, size)
         field = field.limited(points, np.full(len(points), arc_lengths(loop)[-1] / 8.0))
     if not rough:
         for hole in outline.holes:
-            rim = sampled(hole, size / _SAMPLES_PER_SIZE)
+            rim = evenly(hole, size / _SAMPLES_PER_SIZE)
             field = field.limited(rim, np.full(len(rim), _HOLE_SHARE * size), _HOLE_GRADING)
     return _beside_welds(outline, field)
 
@@ -101,7 +103,7 @@ def size_field(outline: Outline, size: float, rough: bool = False) -> SizeField:
 def _lengths(outline: Outline, across: Floats, least: Floats, size: float) -> Floats:
     """Edge lengths (n,) for walls so thick; arms that hardly fill lean one way or another on few elements."""
     usual, fine = (np.clip(across / elements, least, size) for elements in (_ACROSS, _MORE_ACROSS))
-    spacing = sum(float(arc_lengths(loop)[-1]) for loop in outline.loops) / len(across)
+    spacing = outline.perimeter / len(across)
     thick = np.where(np.isfinite(across), across, 0.0)
     more = 0.5 * spacing * float((thick * (fine**-2 - usual**-2)).sum())
     return fine if more < _COST * outline.area / size**2 else usual
@@ -115,7 +117,7 @@ def _beside_welds(outline: Outline, field: SizeField) -> SizeField:
         lengths = line_lengths(weld)
         count = int(np.ceil(lengths[-1] / step)) + 1
         welds.append(point_on(weld, lengths, np.linspace(0.0, lengths[-1], count)))
-    walls = [sampled(loop, step) for loop in outline.loops]
+    walls = [evenly(loop, step) for loop in outline.loops]
     for number, points in enumerate(welds):
         others = np.concatenate([*walls, *welds[:number], *welds[number + 1 :]])
         away, _ = kd_tree(others).query(points)
@@ -133,13 +135,13 @@ def size_for(outline: Outline, vertices: int) -> float:
 
 def _sample_spacing(outline: Outline, size: float) -> float:
     """Fine enough for the mesh and the thinnest part."""
-    around = sum(float(arc_lengths(loop)[-1]) for loop in outline.loops)
+    around = outline.perimeter
     return fine_spacing(outline, size / _SAMPLES_PER_SIZE, around / _MOST_SAMPLES)
 
 
 def _even_size(outline: Outline, vertices: int) -> float:
     # Equilateral triangles: one vertex per sqrt(3)/2 size^2, and half a vertex more per seam edge.
-    half = 0.5 * sum(float(arc_lengths(loop)[-1]) for loop in outline.loops)
+    half = 0.5 * outline.perimeter
     cell = 2.0 / np.sqrt(3.0) * outline.area
     return float(half + np.sqrt(half * half + 4.0 * cell * vertices)) / (2.0 * vertices)
 

@@ -4,13 +4,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
-from BalloonWorkbench.core.outline.outline import Outline, signed_area
-from BalloonWorkbench.core.outline.sampling import arc_lengths, point_at
-from BalloonWorkbench.core.packages import without_scipy
+from BalloonWorkbench.core.geometry.nearest import kd_tree
+from BalloonWorkbench.core.geometry.normals import left_normals, turns
+from BalloonWorkbench.core.geometry.polyline import arc_lengths, signed_area
+from BalloonWorkbench.core.geometry.sampling import evenly
+from BalloonWorkbench.core.geometry.vectors import cross
+from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.types import Bools, Floats, Ints
 
 #: Walls face each other where their normals, or their directions from between them, differ by more [rad].
@@ -45,32 +47,16 @@ class Thickness:
         return float(narrow[worst]), self.points[worst]
 
 
-def kd_tree(points: Floats) -> Any:
-    """scipy's k-d tree of points (n, 2)."""
-    try:
-        from scipy.spatial import cKDTree
-    except ImportError as error:
-        raise without_scipy("Meshing needs scipy: install it with pip install scipy.") from error
-    return cKDTree(points)
-
-
-def sampled(loop: Floats, spacing: float) -> Floats:
-    """Points (k, 2) along a closed loop at even distances of at most `spacing`, twelve at least."""
-    lengths = arc_lengths(loop)
-    count = max(12, int(np.ceil(lengths[-1] / spacing)))
-    return point_at(loop, lengths, np.arange(count) * (lengths[-1] / count))
-
-
 def fine_spacing(outline: Outline, spacing: float, finest: float) -> float:
     """The spacing [m], halved until it shows facing walls however near they are, but not below the finest.
 
     Walls nearer than half of the distance between their samples would not be seen as such.
     """
     while spacing > finest:
-        loops = [sampled(loop, spacing) for loop in outline.loops]
+        loops = [evenly(loop, spacing) for loop in outline.loops]
         points = np.concatenate(loops)
         one, other = kd_tree(points).query_pairs(2.0 * spacing, output_type="ndarray").T
-        normals = np.concatenate([_inward(loop)[0] for loop in loops])
+        normals = np.concatenate([left_normals(loop) for loop in loops])
         across = points[other] - points[one]
         distance = np.linalg.norm(across, axis=1)
         ahead = (across * normals[one]).sum(axis=1) > _AHEAD * distance
@@ -99,9 +85,9 @@ def thickness(outline: Outline, reach: float, spacing: float) -> Thickness:
 
     By shrinking tangent balls (Ma, Bae & Choi, The Visual Computer 28 (2012) 7-19).
     """
-    loops = [sampled(loop, spacing) for loop in outline.loops]
+    loops = [evenly(loop, spacing) for loop in outline.loops]
     points = np.concatenate(loops)
-    normals, turn = (np.concatenate(parts) for parts in zip(*(_inward(loop) for loop in loops)))
+    normals, turn = (np.concatenate([of(loop) for loop in loops]) for of in (left_normals, turns))
     tree = kd_tree(points)
     radius = np.full(len(points), 0.5 * reach)
     partner = np.full(len(points), -1)
@@ -132,16 +118,6 @@ def thickness(outline: Outline, reach: float, spacing: float) -> Thickness:
     return Thickness(points, across, channel)
 
 
-def _inward(loop: Floats) -> tuple[Floats, Floats]:
-    """Unit normals (n, 2) to the left of a loop, and how it turns (n,) at each sample, inward corners < 0."""
-    before, after = loop - np.roll(loop, 1, axis=0), np.roll(loop, -1, axis=0) - loop
-    tangent = before + after
-    normal = np.stack([-tangent[:, 1], tangent[:, 0]], axis=1)
-    length = np.linalg.norm(normal, axis=1, keepdims=True)
-    turn = np.arctan2(before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0], (before * after).sum(axis=1))
-    return normal / np.maximum(length, np.finfo(float).tiny), turn
-
-
 def _seen_apart(p: Floats, q: Floats, centre: Floats) -> Floats:
     """Angle (n,) between p and q seen from a centre."""
     u, v = p - centre, q - centre
@@ -161,10 +137,8 @@ def _tapers(loops: list[Floats], first: Ints, second: Ints, across: Floats) -> B
     for index, loop in enumerate(loops):
         mine = np.flatnonzero((owner == index) & (second >= starts[index]) & (second < starts[index + 1]))
         i, j = np.sort([first[mine], second[mine]], axis=0) - starts[index]
-        following = np.roll(loop, -1, axis=0)
-        swept = np.cumsum(np.append(0.0, loop[:, 0] * following[:, 1] - loop[:, 1] * following[:, 0]))
-        closing = loop[j, 0] * loop[i, 1] - loop[j, 1] * loop[i, 0]
-        piece = 0.5 * np.abs(swept[j] - swept[i] + closing)
+        swept = np.cumsum(np.append(0.0, cross(loop, np.roll(loop, -1, axis=0))))
+        piece = 0.5 * np.abs(swept[j] - swept[i] + cross(loop[j], loop[i]))
         lengths = arc_lengths(loop)
         arc = lengths[j] - lengths[i]
         longer = 2.0 * arc > lengths[-1]

@@ -12,9 +12,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from BalloonWorkbench.core.geometry.vectors import rotation
 from BalloonWorkbench.core.nesting.layout import Piece, Place, Stock, Unit, outline_of
 from BalloonWorkbench.core.packages import shapely
-from BalloonWorkbench.core.pattern.placement import turning
 from BalloonWorkbench.core.types import Floats
 
 _BANDS = 250
@@ -108,7 +108,7 @@ def _ways(pieces: Sequence[Piece], stock: Stock, unit: Unit) -> list[_Way]:
     found = []
     for degrees in pieces[number].angles(mirrored, stock.grain):
         angle = float(np.radians(degrees))
-        points = outline @ turning(angle)
+        points = outline @ rotation(angle)
         low = points.min(axis=0)
         width, height = np.ptp(points, axis=0).tolist()
         fits = height <= stock.width - stock.spacing + _EXACT

@@ -9,8 +9,9 @@ from typing import Any
 import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.geometry.polyline import line_lengths, part_of, point_on
+from BalloonWorkbench.core.geometry.vectors import perpendicular, unit
 from BalloonWorkbench.core.outline.outline import Outline
-from BalloonWorkbench.core.outline.sampling import line_lengths, point_on
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import from_mm, length_text, place_text
@@ -61,8 +62,8 @@ def linked(outline: Outline, width: float = PASSAGE) -> Outline:
         lengths = line_lengths(weld)
         middle = np.round(point_on(weld, lengths, np.array([along]))[0], 6) + 0.0
         pieces = [
-            _part(weld, lengths, 0.0, along - 0.5 * width),
-            _part(weld, lengths, along + 0.5 * width, float(lengths[-1])),
+            part_of(weld, 0.0, along - 0.5 * width),
+            part_of(weld, along + 0.5 * width, float(lengths[-1])),
         ]
         welds = (*outline.welds[:number], *pieces, *outline.welds[number + 1 :])
         outline = replace(outline, welds=welds)
@@ -87,7 +88,7 @@ def _best_passage(outline: Outline, rooms: list[Any], width: float) -> tuple[int
         places = np.linspace(clear, lengths[-1] - clear, count)
         points = point_on(weld, lengths, places)
         ahead = point_on(weld, lengths, places + 0.1 * width) - point_on(weld, lengths, places - 0.1 * width)
-        side = np.stack([-ahead[:, 1], ahead[:, 0]], axis=1) / np.hypot(*ahead.T)[:, None]
+        side = unit(perpendicular(ahead))
         beside = [_room_at(rooms, points + sign * 1e-3 * size * side) for sign in (1.0, -1.0)]
         others = [package.LineString(other) for k, other in enumerate(outline.welds) if k != number]
         free = package.distance(package.union_all([rim, *others]), package.points(points))
@@ -112,13 +113,6 @@ def _room_at(rooms: list[Any], points: Floats) -> Any:
     for number, room in enumerate(rooms):
         where[package.contains_xy(room, points[:, 0], points[:, 1])] = number
     return where
-
-
-def _part(weld: Floats, lengths: Floats, start: float, end: float) -> Floats:
-    """A line from one place along a weld to another."""
-    ends = point_on(weld, lengths, np.array([start, end]))
-    inner = weld[(lengths > start + 1e-9) & (lengths < end - 1e-9)]
-    return np.concatenate([ends[:1], inner, ends[1:]])
 
 
 def joined_welds(outline: Outline, past: float) -> list[Floats]:

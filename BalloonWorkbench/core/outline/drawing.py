@@ -9,9 +9,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from BalloonWorkbench.core.errors import OutlineError
+from BalloonWorkbench.core.geometry.crossings import box_pairs, contains, first_crossing
+from BalloonWorkbench.core.geometry.polyline import signed_area
 from BalloonWorkbench.core.outline.budget import Budget
-from BalloonWorkbench.core.outline.crossings import box_pairs, contains, first_crossing
-from BalloonWorkbench.core.outline.outline import Outline, signed_area
+from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.outline.validity import check
 from BalloonWorkbench.core.outline.welds import spot
 from BalloonWorkbench.core.types import Floats
@@ -56,7 +57,7 @@ def checked(drawing: Drawing, budget: Budget | None = None) -> Drawing:
     budget = budget or Budget()
     parts = tuple(check(part, budget) for part in drawing.parts)
     every = [loop for part in parts for loop in part.loops]
-    place = first_crossing(every, (), budget) if len(parts) > 1 else None
+    place = first_crossing(every, (), budget.check_time) if len(parts) > 1 else None
     if place is not None:
         raise OutlineError(f"Two shapes meet at {place_text(place)}; part them, or join them into one.")
     return Drawing(parts)
@@ -137,7 +138,7 @@ def _overlapped(loops: Sequence[Floats], budget: Budget) -> list[list[int]]:
     low = np.array([loop.min(axis=0) for loop in loops])
     high = np.array([loop.max(axis=0) for loop in loops])
     later: list[list[int]] = [[] for _ in loops]
-    for one, two in box_pairs(low, high, budget):
+    for one, two in box_pairs(low, high, budget.check_time):
         for first, second in zip(np.minimum(one, two).tolist(), np.maximum(one, two).tolist()):
             later[first].append(second)
     return [sorted(numbers) for numbers in later]

@@ -8,13 +8,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from BalloonWorkbench.core.geometry.polyline import arc_lengths, signed_area
 from BalloonWorkbench.core.types import Floats
-
-
-def signed_area(loop: Floats) -> float:
-    """Area inside a closed loop (n, 2), positive when it runs counter-clockwise [m2]."""
-    x, y = loop.T
-    return 0.5 * float(np.dot(x, np.roll(y, -1)) - np.dot(np.roll(x, -1), y))
 
 
 @dataclass(frozen=True)
@@ -43,6 +38,11 @@ class Outline:
     def area(self) -> float:
         """Area of the free film [m2]."""
         return sum(signed_area(loop) for loop in self.loops)
+
+    @property
+    def perimeter(self) -> float:
+        """Length of all loops [m]."""
+        return sum(float(arc_lengths(loop)[-1]) for loop in self.loops)
 
     @property
     def size(self) -> tuple[float, float]:

@@ -12,9 +12,16 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from BalloonWorkbench.core.errors import InputError, OutlineError
+from BalloonWorkbench.core.geometry.nearest import nearest_edges
+from BalloonWorkbench.core.geometry.polyline import (
+    centroid,
+    edge_vectors,
+    oriented,
+)
+from BalloonWorkbench.core.geometry.sampling import evenly
+from BalloonWorkbench.core.geometry.vectors import perpendicular, unit
 from BalloonWorkbench.core.outline.drawing import Drawing
-from BalloonWorkbench.core.outline.outline import Outline, signed_area
-from BalloonWorkbench.core.outline.sampling import arc_lengths, point_at
+from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.outline.validity import check
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.types import Floats
@@ -71,9 +78,9 @@ def find_mirror(outline: Outline) -> Mirror:
     The nearest to the vertical of those that are about as good.
     """
     size = max(outline.size)
-    around = sum(float(arc_lengths(loop)[-1]) for loop in outline.loops)
-    samples = np.concatenate([_evenly(loop, around / _SAMPLES) for loop in outline.loops])
-    centre = _centroid(outline)
+    spacing = outline.perimeter / _SAMPLES
+    samples = np.concatenate([evenly(loop, spacing) for loop in outline.loops])
+    centre = centroid(outline.loops)
     angles = np.pi * np.arange(1, _ANGLES + 1) / _ANGLES
     rough = np.array([_rough_error(samples, Mirror(centre, angle, 0.0)) for angle in angles])
     valley = (rough <= np.roll(rough, 1)) & (rough <= np.roll(rough, -1))
@@ -153,28 +160,9 @@ def _rings(outline: Outline, mirror: Mirror) -> tuple[Floats, list[Floats]]:
 def _from_axis(loop: Floats, near: float, sign: int) -> Floats:
     """The loop with an area of this sign, begun at the lowest of its points on the y axis, if it has any."""
     loop = loop[(loop[:, 0] == 0.0) | (np.abs(loop[:, 0]) > near)]
-    if signed_area(loop) * sign < 0.0:
-        loop = loop[::-1]
+    loop = oriented(loop, sign > 0)
     on_axis = np.flatnonzero(loop[:, 0] == 0.0)
     return np.roll(loop, -int(on_axis[np.argmin(loop[on_axis, 1])]), axis=0) if len(on_axis) else loop
-
-
-def _evenly(loop: Floats, spacing: float) -> Floats:
-    lengths = arc_lengths(loop)
-    count = max(8, round(lengths[-1] / spacing))
-    return point_at(loop, lengths, lengths[-1] * np.arange(count) / count)
-
-
-def _centroid(outline: Outline) -> Floats:
-    """Centre of area (2,) [m]."""
-    moment = np.zeros(2)
-    origin = outline.outer.mean(axis=0)
-    for loop in outline.loops:
-        here = loop - origin
-        ahead = np.roll(here, -1, axis=0)
-        cross = here[:, 0] * ahead[:, 1] - here[:, 1] * ahead[:, 0]
-        moment += (cross[:, None] * (here + ahead)).sum(axis=0) / 6.0
-    return np.asarray(origin + moment / sum(signed_area(loop) for loop in outline.loops))
 
 
 def _rough_error(samples: Floats, mirror: Mirror) -> float:
@@ -210,15 +198,7 @@ def _settled(outline: Outline, samples: Floats, mirror: Mirror, size: float) -> 
 
 def _nearest(outline: Outline, points: Floats) -> tuple[Floats, Floats]:
     """Nearest places (k, 2) of the outline to points (k, 2), and its unit normals (k, 2) there."""
-    start = np.concatenate(outline.loops)
-    ahead = np.concatenate([np.roll(loop, -1, axis=0) - loop for loop in outline.loops])
-    lengths = np.linalg.norm(ahead, axis=1)
-    tangents = ahead / lengths[:, None]
-    x, y = (points[:, None, axis] - start[:, axis] for axis in (0, 1))
-    along = np.clip(x * tangents[:, 0] + y * tangents[:, 1], 0.0, lengths)
-    x -= along * tangents[:, 0]
-    y -= along * tangents[:, 1]
-    near = np.argmin(x * x + y * y, axis=1)
-    row = np.arange(len(points))
-    places = points - np.stack([x[row, near], y[row, near]], axis=1)
-    return places, np.stack([tangents[near, 1], -tangents[near, 0]], axis=1)
+    starts = np.concatenate(outline.loops)
+    edges = np.concatenate([edge_vectors(loop) for loop in outline.loops])
+    edge, share, _ = nearest_edges(points, starts, starts + edges)
+    return starts[edge] + share[:, None] * edges[edge], -perpendicular(unit(edges[edge]))

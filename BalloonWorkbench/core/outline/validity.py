@@ -3,38 +3,20 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Sequence
-from typing import TYPE_CHECKING, TypeVar
+from collections.abc import Callable, Sequence
+from typing import Protocol, TypeVar
 
 import numpy as np
 
 from BalloonWorkbench.core.errors import InputError, OutlineError
+from BalloonWorkbench.core.geometry.cleaning import clean
+from BalloonWorkbench.core.geometry.crossings import box_pairs, contains, first_crossing
+from BalloonWorkbench.core.geometry.polyline import extent, oriented, perimeter, signed_area
 from BalloonWorkbench.core.outline.budget import Budget
-from BalloonWorkbench.core.outline.crossings import box_pairs, contains, first_crossing
-from BalloonWorkbench.core.outline.outline import Outline, signed_area
-from BalloonWorkbench.core.outline.sampling import CORNER_ANGLE, corners, resample, simplify, smooth
+from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.outline.welds import valid_welds
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import length_text, place_text
-
-if TYPE_CHECKING:
-    from BalloonWorkbench.core.outline.drawing import Drawing
-
-Sized = TypeVar("Sized", Outline, "Drawing")
-
-__all__ = [
-    "CORNER_ANGLE",
-    "LARGEST",
-    "SMALLEST",
-    "check",
-    "clean",
-    "corners",
-    "resample",
-    "scale_to",
-    "simplify",
-    "smooth",
-]
 
 SMALLEST = 1e-3
 """Smallest width or height of an outline [m]."""
@@ -47,6 +29,20 @@ _SAME_POINT = 1e-6
 _NO_AREA = 1e-9
 
 
+Sized = TypeVar("Sized", bound="HasSize")
+
+
+class HasSize(Protocol):
+    """An outline, or a drawing of several."""
+
+    @property
+    def size(self) -> tuple[float, float]:
+        """Width and height of the bounding box [m]."""
+
+    def map(self: Sized, transform: Callable[[Floats], Floats], /) -> Sized:
+        """It with a map of (n, 2) points applied to each loop."""
+
+
 def check(outline: Outline, budget: Budget | None = None) -> Outline:
     """The outline with repeated points and spikes removed, outer loop counter-clockwise, holes clockwise.
 
@@ -57,7 +53,7 @@ def check(outline: Outline, budget: Budget | None = None) -> Outline:
     if not all(np.isfinite(line).all() for line in (*outline.loops, *outline.welds)):
         raise OutlineError("The outline has a coordinate that is not a number; correct it in the drawing.")
     budget = budget or Budget()
-    tolerance = _SAME_POINT * float(np.max(np.ptp(outline.outer, axis=0))) if len(outline.outer) else 0.0
+    tolerance = _SAME_POINT * extent(outline.outer) if len(outline.outer) else 0.0
     cleaned = []
     for loop in outline.loops:
         budget.check_time()
@@ -80,7 +76,7 @@ def _check_places(outer: Floats, holes: Sequence[Floats], budget: Budget) -> Non
     low = np.array([hole.min(axis=0) for hole in holes])
     high = np.array([hole.max(axis=0) for hole in holes])
     inner = np.zeros(len(holes), dtype=np.bool_)
-    for one, two in box_pairs(low, high, budget):
+    for one, two in box_pairs(low, high, budget.check_time):
         for small, large in ((one, two), (two, one)):
             boxed = ((low[large] <= low[small]) & (high[small] <= high[large])).all(axis=1)
             for hole, other in zip(small[boxed].tolist(), large[boxed].tolist()):
@@ -94,77 +90,14 @@ def _check_places(outer: Floats, holes: Sequence[Floats], budget: Budget) -> Non
         raise OutlineError(f"The hole at {place} lies in another hole; remove one of them.")
 
 
-def clean(loop: Floats, tolerance: float) -> Floats:
-    """The closed loop (n, 2) without repeated points and without spikes that run out and back on one line.
-
-    tolerance  distance at which two points following each other are one [unit of the loop]
-    """
-    loop = _distinct(np.asarray(loop, dtype=np.float64).reshape(-1, 2), tolerance)
-    if len(loop) < 3:
-        return loop
-    before = loop - np.roll(loop, 1, axis=0)
-    after = np.roll(loop, -1, axis=0) - loop
-    longer = np.maximum(np.linalg.norm(before, axis=1), np.linalg.norm(after, axis=1))
-    turn = np.abs(before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0])
-    spike = (np.einsum("ij,ij->i", before, after) < 0) & (turn <= tolerance * longer)
-    return _without_spikes(loop, tolerance, int(np.argmax(spike))) if spike.any() else loop
-
-
-def _without_spikes(loop: Floats, tolerance: float, first: int) -> Floats:
-    """The loop without its spikes, from the first one on.
-
-    One at a time: without its tip, the feet of a spike may be the same point, or tips themselves. Only they
-    are looked at again.
-    """
-    points = loop.tolist()
-    count = len(points)
-    before, after = [count - 1, *range(count - 1)], [*range(1, count), 0]
-    here, unchanged = first, 0
-    while count > 2 and unchanged < count:
-        back, ahead = before[here], after[here]
-        if math.dist(points[back], points[here]) <= tolerance:
-            gone = max(back, here)
-        elif _is_tip(points[back], points[here], points[ahead], tolerance):
-            gone = here
-        else:
-            here, unchanged = ahead, unchanged + 1
-            continue
-        back, ahead = before[gone], after[gone]
-        after[back], before[ahead] = ahead, back
-        here, unchanged, count = back, 0, count - 1
-    kept = {here}
-    while (here := after[here]) not in kept:
-        kept.add(here)
-    return np.asarray(loop[sorted(kept)])
-
-
-def _is_tip(back: list[float], tip: list[float], ahead: list[float], tolerance: float) -> bool:
-    """Whether the way from `back` over `tip` to `ahead` goes out and back on one line."""
-    x, y, u, v = tip[0] - back[0], tip[1] - back[1], ahead[0] - tip[0], ahead[1] - tip[1]
-    return x * u + y * v < 0 and abs(x * v - y * u) <= tolerance * max(math.hypot(x, y), math.hypot(u, v))
-
-
-def _distinct(loop: Floats, tolerance: float) -> Floats:
-    steps = np.linalg.norm(np.roll(loop, -1, axis=0) - loop, axis=1)
-    if (steps > tolerance).all():
-        return loop
-    kept, points = [0], loop.tolist()
-    for k in range(1, len(loop)):
-        if math.dist(points[k], points[kept[-1]]) > tolerance:
-            kept.append(k)
-    while len(kept) > 1 and np.linalg.norm(loop[kept[-1]] - loop[0]) <= tolerance:
-        kept.pop()
-    return np.asarray(loop[kept])
-
-
 def _check_crossings(loops: Sequence[Floats], kinds: Sequence[str], budget: Budget) -> None:
     """OutlineError where one of the loops of these kinds crosses itself, or two of them meet."""
     whole = [(loop, kind) for loop, kind in zip(loops, kinds) if len(loop) > 2]
-    meeting = first_crossing([loop for loop, _ in whole], (), budget) if whole else None
+    meeting = first_crossing([loop for loop, _ in whole], (), budget.check_time) if whole else None
     if meeting is None:
         return
     for loop, kind in whole:
-        crossing = first_crossing([loop], (), budget)
+        crossing = first_crossing([loop], (), budget.check_time)
         if crossing is not None:
             raise OutlineError(
                 f"The {kind} crosses or touches itself at {place_text(crossing)}; part the lines there."
@@ -177,9 +110,9 @@ def _check_crossings(loops: Sequence[Floats], kinds: Sequence[str], budget: Budg
 def _turned(loop: Floats, sign: int, kind: str) -> Floats:
     """The loop with an area of the given sign; OutlineError where it has none."""
     area = signed_area(loop) if len(loop) > 2 else 0.0
-    if abs(area) <= _NO_AREA * float(np.linalg.norm(np.roll(loop, -1, axis=0) - loop, axis=1).sum()) ** 2:
+    if abs(area) <= _NO_AREA * perimeter(loop) ** 2:
         raise OutlineError(f"The {kind} encloses no area; draw a closed shape with at least three corners.")
-    return loop if area * sign > 0 else np.ascontiguousarray(loop[::-1])
+    return oriented(loop, sign > 0)
 
 
 def scale_to(outline: Sized, width: float | None, height: float | None) -> Sized:

@@ -8,9 +8,11 @@ from collections.abc import Sequence
 import numpy as np
 
 from BalloonWorkbench.core.errors import OutlineError
+from BalloonWorkbench.core.geometry.crossings import contains, first_crossing
+from BalloonWorkbench.core.geometry.nearest import nearest_on_line
+from BalloonWorkbench.core.geometry.polyline import extent, length, part_of, ring
+from BalloonWorkbench.core.geometry.vectors import direction
 from BalloonWorkbench.core.outline.budget import Budget
-from BalloonWorkbench.core.outline.crossings import contains, first_crossing
-from BalloonWorkbench.core.outline.sampling import line_lengths, point_on
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import from_mm, place_text
 
@@ -24,8 +26,7 @@ _AT_RIM = 2e-3
 
 def spot(centre: Floats, diameter: float = SPOT) -> Floats:
     """A round closed weld (n, 2), clockwise."""
-    turn = -np.arange(24) * np.pi / 12.0
-    return np.asarray(centre + 0.5 * diameter * np.column_stack([np.cos(turn), np.sin(turn)]))
+    return np.asarray(centre + 0.5 * diameter * direction(-np.arange(24) * np.pi / 12.0))
 
 
 def valid_welds(
@@ -36,7 +37,7 @@ def valid_welds(
     loops: the outer loop, then the holes. OutlineError where a weld has no length, leaves the film, or meets
     itself or another one; the text gives the place in millimetres.
     """
-    hair = _AT_RIM * float(np.ptp(loops[0], axis=0).max())
+    hair = _AT_RIM * extent(loops[0])
     welds = []
     for drawn in lines:
         budget.check_time()
@@ -52,7 +53,7 @@ def valid_welds(
                     f"A weld leaves the film at {place_text(line[np.argmax(astray)])}; keep it inside."
                 )
         welds.append(np.ascontiguousarray(line))
-    place = first_crossing(loops, welds, budget) if welds else None
+    place = first_crossing(loops, welds, budget.check_time) if welds else None
     if place is not None:
         raise OutlineError(
             f"A weld meets the outline, itself or another weld at {place_text(place)};"
@@ -63,20 +64,8 @@ def valid_welds(
 
 def _drawn_back(line: Floats, loops: Sequence[Floats], hair: float) -> Floats:
     """The line without what lies within a hair of a loop at its first end."""
-    if len(line) < 2 or _distance(line[0], loops) > hair:
+    away = (nearest_on_line(ring(loop), line[:1]).distance[0] for loop in loops)
+    if len(line) < 2 or min(away) > hair:
         return line
-    lengths = line_lengths(line)
-    start = min(2.0 * hair, 0.5 * float(lengths[-1]))
-    first = point_on(line, lengths, np.array([start]))
-    return np.concatenate([first, line[lengths > start * (1.0 + 1e-9)]])
-
-
-def _distance(point: Floats, loops: Sequence[Floats]) -> float:
-    """From a point (2,) to the nearest of closed loops."""
-    nearest = np.inf
-    for loop in loops:
-        along = np.roll(loop, -1, axis=0) - loop
-        share = np.einsum("ij,ij->i", point - loop, along) / np.einsum("ij,ij->i", along, along)
-        foot = loop + np.clip(share, 0.0, 1.0)[:, None] * along
-        nearest = min(nearest, float(np.linalg.norm(foot - point, axis=1).min()))
-    return nearest
+    whole = length(line)
+    return part_of(line, min(2.0 * hair, 0.5 * whole), whole)

@@ -8,7 +8,7 @@ from enum import Enum
 
 import numpy as np
 
-from BalloonWorkbench.core.outline.outline import signed_area
+from BalloonWorkbench.core.geometry.polyline import ring, signed_area
 from BalloonWorkbench.core.types import Floats
 
 
@@ -45,6 +45,11 @@ class Contour:
     closed: bool
     front: bool = False
     stock: str = ""
+
+    @property
+    def line(self) -> Floats:
+        """Points (k, 2) m from its beginning to its end: of a closed one the first point is repeated."""
+        return ring(self.points, self.closed)
 
 
 @dataclass(frozen=True)

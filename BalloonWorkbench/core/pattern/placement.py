@@ -7,6 +7,8 @@ from dataclasses import replace
 
 import numpy as np
 
+from BalloonWorkbench.core.geometry.polyline import length
+from BalloonWorkbench.core.geometry.vectors import rotation
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.pattern.pattern import Contour, Intake, Pattern, Role
 from BalloonWorkbench.core.types import Floats
@@ -64,27 +66,12 @@ def split(pattern: Pattern) -> list[Pattern]:
 
 
 def _seams(lines: list[Contour]) -> float:
-    seals = [line for line in lines if line.role is Role.SEAL]
-    ends = [np.concatenate([seal.points, seal.points[:1]]) if seal.closed else seal.points for seal in seals]
-    return float(sum(np.hypot(*np.diff(points, axis=0).T).sum() for points in ends))
-
-
-def turning(angle: float) -> Floats:
-    """The matrix (2, 2) by which rows of points are multiplied to turn by an angle [rad], counter-clockwise.
-
-    Quarter turns are exact.
-    """
-    quarters = angle / (0.5 * np.pi)
-    if abs(quarters - round(quarters)) < 1e-9:
-        cosine, sine = ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))[round(quarters) % 4]
-    else:
-        cosine, sine = float(np.cos(angle)), float(np.sin(angle))
-    return np.array([[cosine, sine], [-sine, cosine]])
+    return float(sum(length(seal.line) for seal in lines if seal.role is Role.SEAL))
 
 
 def turned(pattern: Pattern, angle: float, shift: Floats) -> Pattern:
-    """The pattern turned about the origin by an angle [rad], see `turning`, then moved by a shift (2,) m."""
-    turn = turning(angle)
+    """The pattern turned about the origin by an angle [rad], then moved by a shift (2,) m."""
+    turn = rotation(angle)
 
     def moved(intake: Intake) -> Intake:
         return replace(intake, at=intake.at @ turn + shift, angle=intake.angle + angle)

@@ -12,11 +12,11 @@ from itertools import product
 import numpy as np
 
 from BalloonWorkbench.core.errors import OutlineError
+from BalloonWorkbench.core.geometry.cleaning import clean
+from BalloonWorkbench.core.geometry.crossings import contains
+from BalloonWorkbench.core.geometry.polyline import length, ring, signed_area
 from BalloonWorkbench.core.outline.budget import Budget
-from BalloonWorkbench.core.outline.crossings import contains
 from BalloonWorkbench.core.outline.drawing import Drawing, arranged, with_welds
-from BalloonWorkbench.core.outline.outline import signed_area
-from BalloonWorkbench.core.outline.validity import clean
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import from_mm, length_text, place_text
 
@@ -78,7 +78,7 @@ def drawing_from(
         drawing = Drawing((first, *drawing.parts[1:]))
     points = [line for line in welds if len(line) == 1]
     closed, lines = join([line for line in welds if len(line) > 1], SAME_END, budget)
-    rings = [np.concatenate([ring, ring[:1]]) for ring in closed]
+    rings = [ring(loop) for loop in closed]
     return with_welds(drawing, [*lines, *rings, *points], budget)
 
 
@@ -189,7 +189,7 @@ class _Ends:
 def _length(line: Floats) -> float:
     if len(line) == 2:
         return math.dist(*line.tolist())
-    return float(np.linalg.norm(np.diff(line, axis=0), axis=1).sum())
+    return length(line)
 
 
 def _without_twins(loops: list[Floats], budget: Budget) -> list[Floats]:

@@ -15,9 +15,10 @@ from typing import Any, NoReturn
 import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.geometry.polyline import signed_area
 from BalloonWorkbench.core.outline.budget import MOST_ELEMENTS, Budget
 from BalloonWorkbench.core.outline.drawing import Drawing, sealed
-from BalloonWorkbench.core.outline.outline import Outline, signed_area
+from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import LENGTH_UNITS
 

@@ -14,11 +14,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from BalloonWorkbench.core.design.compare import evenly
 from BalloonWorkbench.core.design.silhouette import silhouette
 from BalloonWorkbench.core.design.visible_seam import trimmed
+from BalloonWorkbench.core.geometry.polyline import arc_lengths
+from BalloonWorkbench.core.geometry.sampling import evenly
 from BalloonWorkbench.core.outline.outline import Outline
-from BalloonWorkbench.core.outline.sampling import arc_lengths
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.results.result_files import Results
 from BalloonWorkbench.core.solver.inflation import Inflation

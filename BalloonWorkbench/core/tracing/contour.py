@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from BalloonWorkbench.core.outline.outline import signed_area
+from BalloonWorkbench.core.geometry.polyline import signed_area
 from BalloonWorkbench.core.tracing.raster import Pixels
 from BalloonWorkbench.core.types import Floats
 

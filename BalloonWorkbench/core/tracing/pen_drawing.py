@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from BalloonWorkbench.core.geometry.vectors import foot
 from BalloonWorkbench.core.tracing.pen_stroke_ends import meeting_ends
 from BalloonWorkbench.core.tracing.raster import Pixels, distance, grow, label, neighbours
 from BalloonWorkbench.core.types import Bools, Floats
@@ -118,9 +119,7 @@ def draw_line(coverage: Pixels, one: Floats, other: Floats, width: float) -> Non
     right, bottom = np.ceil(ends.max(axis=0) + width).astype(int) + 1
     part = coverage[top:bottom, left:right]
     y, x = np.mgrid[top : top + part.shape[0], left : left + part.shape[1]]
-    along = other - one
-    t = np.clip(((x - one[0]) * along[0] + (y - one[1]) * along[1]) / max(float(along @ along), 1e-9), 0, 1)
-    away = np.hypot(x - one[0] - t * along[0], y - one[1] - t * along[1])
+    _, away = foot(x - one[0], y - one[1], *(other - one))
     np.maximum(part, np.clip(0.5 * width + 0.5 - away, 0, 1), out=part)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from BalloonWorkbench.core.geometry.vectors import direction
 from BalloonWorkbench.core.tracing.raster import distance, label
 from BalloonWorkbench.core.types import Bools, Floats
 
@@ -29,7 +30,7 @@ def free_ends(ink: Bools, width: float) -> tuple[Floats, Floats]:
     outward = np.zeros((len(x), 2))
     before = None
     for angle in 2 * np.pi * np.arange(_DIRECTIONS + 1) / _DIRECTIONS:
-        ray = np.array([np.cos(angle), np.sin(angle)])
+        ray = direction(angle)
         to_x, to_y = np.rint(_CIRCLE * width * ray).astype(int)
         here = ink[np.clip(y + to_y, 0, ink.shape[0] - 1), np.clip(x + to_x, 0, ink.shape[1] - 1)]
         if before is not None:

@@ -12,8 +12,9 @@ from numpy.typing import NDArray
 
 from BalloonWorkbench.core.errors import InputError, PictureError
 from BalloonWorkbench.core.files.foreign_reader import foreign_reader
+from BalloonWorkbench.core.geometry.crossings import contains, first_crossing
+from BalloonWorkbench.core.geometry.polyline import extent, perimeter
 from BalloonWorkbench.core.outline.budget import Budget
-from BalloonWorkbench.core.outline.crossings import contains, first_crossing
 from BalloonWorkbench.core.outline.drawing import SPECK, Drawing, checked, speck_note
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.outline.validity import scale_to
@@ -105,7 +106,7 @@ def placed_drawing(
     shapes = [(loop, own) for loop, own in seen if own > 0]
     owners = [shape for shape in shapes if shape[1] >= _SMALLEST_HOLE * area]
     parts = [shape for shape in shapes if shape[1] >= SPECK * area]
-    large = max(float(np.ptp(loop, axis=0).max()) for loop, _ in parts)
+    large = max(extent(loop) for loop, _ in parts)
     lines = [loop for loop, own in parts if loop is not main and _mean_width(loop, own) < _THIN * large]
     parts = [(loop, own) for loop, own in parts if not any(loop is line for line in lines)]
     holes = []
@@ -143,7 +144,7 @@ def _holes_of(
 
 def _mean_width(loop: Floats, area: float) -> float:
     """Of a strip with this boundary and area."""
-    return 2.0 * area / float(np.linalg.norm(np.roll(loop, -1, axis=0) - loop, axis=1).sum())
+    return 2.0 * area / perimeter(loop)
 
 
 def _simple(shapes: list[list[Floats]], radius: float, budget: Budget) -> list[list[Floats]]:

@@ -11,9 +11,10 @@ short.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-from BalloonWorkbench.core.outline.sampling import arc_lengths, corners, point_at, simplify, smooth
+from BalloonWorkbench.core.geometry.normals import corners
+from BalloonWorkbench.core.geometry.polyline import arc_lengths, point_at, ring
+from BalloonWorkbench.core.geometry.sampling import simplify, smooth, with_points_at
 from BalloonWorkbench.core.types import Floats
 
 #: Radius of the circle, relative to the longer side of the picture: 10 px of 1000.
@@ -28,7 +29,7 @@ def walk(boundary: Floats, radius: float) -> Floats:
     total = float(lengths[-1])
     # A loop smaller than the circle is walked with a circle that goes round it in about a dozen steps.
     radius = min(radius, total / 12)
-    round_twice = np.vstack([boundary, boundary, boundary[:1]])
+    round_twice = np.concatenate([boundary, ring(boundary)])
     at = np.concatenate([lengths[:-1], lengths + total])
     steps = [0.0]
     while True:
@@ -74,11 +75,5 @@ def trace(boundary: Floats, radius: float, ripple: float = 1.0, tolerance: float
         return simplify(boundary, tolerance)
     lengths = arc_lengths(boundary)
     steps = walk(boundary, radius)
-    inserted, keep = _with_points_at(boundary, lengths, steps)
+    inserted, keep = with_points_at(boundary, lengths, steps)
     return simplify(inserted, tolerance, keep) if tolerance > 0 else boundary
-
-
-def _with_points_at(loop: Floats, lengths: Floats, at: Floats) -> tuple[Floats, NDArray[np.intp]]:
-    """The loop with points added at the given arc lengths, and their indices."""
-    everywhere = np.union1d(lengths[:-1], at)
-    return point_at(loop, lengths, everywhere), np.searchsorted(everywhere, at)

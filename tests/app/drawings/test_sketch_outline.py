@@ -11,7 +11,7 @@ import sketches
 
 from BalloonWorkbench.app.drawings.sketch import drawing_of
 from BalloonWorkbench.core.errors import OutlineError
-from BalloonWorkbench.core.outline.outline import signed_area
+from BalloonWorkbench.core.geometry.polyline import signed_area
 
 
 def loops_of(source, elements=()):

@@ -12,12 +12,14 @@ from drawn_shapes import NAMED
 
 from BalloonWorkbench.core.correction.fit import Method, fit, inflate_outline
 from BalloonWorkbench.core.correction.step import rotated_back, seam_rotations
-from BalloonWorkbench.core.design.compare import alignment, residual
+from BalloonWorkbench.core.design.compare import residual
 from BalloonWorkbench.core.errors import Cancelled, InputError, MeshError, OutlineError
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.film.library import custom_film, film
-from BalloonWorkbench.core.outline.crossings import first_crossing
-from BalloonWorkbench.core.outline.outline import Outline, signed_area
+from BalloonWorkbench.core.geometry.crossings import first_crossing
+from BalloonWorkbench.core.geometry.polyline import signed_area
+from BalloonWorkbench.core.geometry.vectors import alignment
+from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.solver.backend import available
 from BalloonWorkbench.core.tracing.picture import read_picture
 

@@ -8,9 +8,9 @@ from drawn_shapes import LETTERS, NAMED, generated, letter
 
 from BalloonWorkbench.core.correction.fit import fit
 from BalloonWorkbench.core.film.library import film
+from BalloonWorkbench.core.geometry.polyline import arc_lengths
 from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.outline.outline import Outline
-from BalloonWorkbench.core.outline.sampling import arc_lengths
 
 SHAPES: dict[str, Outline] = {**{name: letter(name) for name in LETTERS}, "ring": NAMED["ring"]}
 LIMIT = 0.006  # of the larger dimension, for the mean error

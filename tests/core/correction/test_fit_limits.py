@@ -13,15 +13,16 @@ from drawn_shapes import NAMED, generated
 from BalloonWorkbench.core.correction.clearance import enforce_clearance
 from BalloonWorkbench.core.correction.fit import Method, fit
 from BalloonWorkbench.core.correction.unreachable import unreached_stretches
-from BalloonWorkbench.core.design.compare import alignment, misfit, residual
+from BalloonWorkbench.core.design.compare import misfit, residual
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.design.initial_pattern import initial_displacements
 from BalloonWorkbench.core.film.library import film
+from BalloonWorkbench.core.geometry.crossings import first_crossing
+from BalloonWorkbench.core.geometry.polyline import arc_lengths, point_at, signed_area
+from BalloonWorkbench.core.geometry.vectors import alignment
 from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.mesh.triangulate import triangulate
-from BalloonWorkbench.core.outline.crossings import first_crossing
-from BalloonWorkbench.core.outline.outline import Outline, signed_area
-from BalloonWorkbench.core.outline.sampling import arc_lengths, point_at
+from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.pattern.build import build_pattern
 from BalloonWorkbench.core.pictures.preview import preview_png
 from BalloonWorkbench.core.tracing.picture import read_picture

@@ -16,9 +16,9 @@ from BalloonWorkbench.core.correction.symmetric_pattern import better_design, mi
 from BalloonWorkbench.core.design.compare import residual
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.film.library import film
-from BalloonWorkbench.core.outline.crossings import first_crossing
+from BalloonWorkbench.core.geometry.crossings import first_crossing
+from BalloonWorkbench.core.geometry.sampling import resample
 from BalloonWorkbench.core.outline.outline import Outline
-from BalloonWorkbench.core.outline.sampling import resample
 from BalloonWorkbench.core.outline.symmetry import AUTO, Mirror, find_mirror, symmetric
 from BalloonWorkbench.core.pattern.build import build_pattern
 from BalloonWorkbench.core.pattern.fairing import LIMIT

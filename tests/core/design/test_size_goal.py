@@ -19,9 +19,9 @@ from BalloonWorkbench.core.design.size_goal import (
     LARGEST,
     TOLERANCE,
     Buoyancy,
+    DesignAtSize,
     Scaling,
     SizeGoal,
-    Work,
     design_to_size,
     foretold,
     scaling_of,
@@ -192,7 +192,7 @@ class Never:
     ],
 )
 def test_goals_out_of_reach_are_refused_with_advice(goal: SizeGoal, buoyancy: Buoyancy, text: str) -> None:
-    never: Work = Never()
+    never: DesignAtSize = Never()
     with pytest.raises(InputError, match=text):
         design_to_size(never, DISC, goal, buoyancy)
 

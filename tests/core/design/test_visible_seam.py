@@ -16,10 +16,11 @@ from BalloonWorkbench.core.design.compare import residual
 from BalloonWorkbench.core.design.silhouette import silhouette
 from BalloonWorkbench.core.design.visible_seam import trimmed, visible_places
 from BalloonWorkbench.core.film.library import custom_film, film
+from BalloonWorkbench.core.geometry.polyline import signed_area
+from BalloonWorkbench.core.geometry.sampling import resample
 from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.mesh.triangulate import triangulate
-from BalloonWorkbench.core.outline.outline import Outline, signed_area
-from BalloonWorkbench.core.outline.sampling import resample
+from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.solver.inflate import inflate
 from BalloonWorkbench.core.tracing.picture import read_picture
 

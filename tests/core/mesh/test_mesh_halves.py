@@ -7,11 +7,13 @@ import numpy as np
 import pytest
 from drawn_shapes import NAMED, corners_of, hole, letter, star
 
+from BalloonWorkbench.core.geometry.polyline import signed_area
+from BalloonWorkbench.core.geometry.triangulation import signed_areas
 from BalloonWorkbench.core.mesh.halves import triangulate_mirrored
-from BalloonWorkbench.core.mesh.quality import min_angles, signed_areas
+from BalloonWorkbench.core.mesh.quality import min_angles
 from BalloonWorkbench.core.mesh.relax import chord_middles
 from BalloonWorkbench.core.mesh.triangulate import triangulate
-from BalloonWorkbench.core.outline.outline import Outline, signed_area
+from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.outline.symmetry import exact_mirror, mirrored
 from BalloonWorkbench.core.panels.panel import Panel
 

@@ -6,13 +6,13 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from BalloonWorkbench.core.geometry.triangulation import signed_areas
 from BalloonWorkbench.core.mesh.quality import (
     delaunay_loss,
     flipped,
     interior_edges,
     locked,
     min_angles,
-    signed_areas,
     worn,
 )
 from BalloonWorkbench.core.panels.panel import Panel

@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 from BalloonWorkbench.core.errors import MeshError
-from BalloonWorkbench.core.mesh.quality import signed_areas
+from BalloonWorkbench.core.geometry.polyline import signed_area
+from BalloonWorkbench.core.geometry.triangulation import signed_areas
 from BalloonWorkbench.core.mesh.recovery import recovered_delaunay
-from BalloonWorkbench.core.outline.outline import signed_area
 
 
 def comb(teeth: int) -> np.ndarray:

@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 from drawn_shapes import NAMED
 
-from BalloonWorkbench.core.mesh.quality import min_angles, signed_areas
+from BalloonWorkbench.core.geometry.triangulation import signed_areas
+from BalloonWorkbench.core.mesh.quality import min_angles
 from BalloonWorkbench.core.mesh.reuse import move_rim
 from BalloonWorkbench.core.mesh.triangulate import triangulate
 from BalloonWorkbench.core.panels.panel import Panel

@@ -11,11 +11,12 @@ import pytest
 from drawn_shapes import NAMED, Outline, corners_of, generated, hole, oriented, polar
 
 from BalloonWorkbench.core.errors import MeshError
+from BalloonWorkbench.core.geometry.polyline import signed_area
+from BalloonWorkbench.core.geometry.triangulation import signed_areas
 from BalloonWorkbench.core.mesh import delaunay
-from BalloonWorkbench.core.mesh.quality import delaunay_loss, interior_edges, locked, min_angles, signed_areas
+from BalloonWorkbench.core.mesh.quality import delaunay_loss, interior_edges, locked, min_angles
 from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.mesh.triangulate import triangulate
-from BalloonWorkbench.core.outline.outline import signed_area
 from BalloonWorkbench.core.panels.panel import Panel
 
 

@@ -5,10 +5,10 @@ import numpy as np
 import pytest
 
 from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.geometry import crossings
+from BalloonWorkbench.core.geometry.crossings import box_pairs, contains
 from BalloonWorkbench.core.outline import budget as limits
-from BalloonWorkbench.core.outline import crossings
 from BalloonWorkbench.core.outline.budget import Budget
-from BalloonWorkbench.core.outline.crossings import box_pairs, contains
 
 
 def test_points_elements_levels_and_time_have_an_end(monkeypatch):

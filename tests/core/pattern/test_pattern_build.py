@@ -10,7 +10,7 @@ from drawn_shapes import NAMED, Outline, corners_of, generated, hole, polar
 from shapely import LineString, Point, Polygon
 
 from BalloonWorkbench.core.errors import InputError, OutlineError
-from BalloonWorkbench.core.outline.outline import signed_area
+from BalloonWorkbench.core.geometry.polyline import signed_area
 from BalloonWorkbench.core.pattern.build import build_pattern
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
 

@@ -10,7 +10,7 @@ from drawn_shapes import NAMED, generated
 
 from BalloonWorkbench.core.arcs.fit_arcs import fit_curve
 from BalloonWorkbench.core.errors import InputError
-from BalloonWorkbench.core.outline.outline import signed_area
+from BalloonWorkbench.core.geometry.polyline import signed_area
 from BalloonWorkbench.core.pattern.make import Wanted, make_pattern, sheet_of
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
 

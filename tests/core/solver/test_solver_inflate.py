@@ -8,10 +8,10 @@ from solver_cases import PRESSURE, both_backends, film, needs_native, panel
 
 from BalloonWorkbench.core.errors import Cancelled, InputError
 from BalloonWorkbench.core.film.library import films
+from BalloonWorkbench.core.geometry.polyline import signed_area
 from BalloonWorkbench.core.mesh.reuse import move_rim
 from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.mesh.triangulate import triangulate
-from BalloonWorkbench.core.outline.outline import signed_area
 from BalloonWorkbench.core.panels.panel import Panel
 from BalloonWorkbench.core.solver.inflate import inflate
 from BalloonWorkbench.core.solver.model import stiffness_levels

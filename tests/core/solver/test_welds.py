@@ -13,8 +13,9 @@ from drawn_shapes import corners_of, hole, polar
 from BalloonWorkbench.core.correction.fit import fit
 from BalloonWorkbench.core.errors import OutlineError
 from BalloonWorkbench.core.film.library import custom_film, film
+from BalloonWorkbench.core.geometry.triangulation import signed_areas
 from BalloonWorkbench.core.mesh import delaunay
-from BalloonWorkbench.core.mesh.quality import min_angles, signed_areas
+from BalloonWorkbench.core.mesh.quality import min_angles
 from BalloonWorkbench.core.mesh.reuse import move_rim
 from BalloonWorkbench.core.mesh.triangulate import triangulate
 from BalloonWorkbench.core.outline.outline import Outline

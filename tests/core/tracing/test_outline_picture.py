@@ -12,7 +12,7 @@ import pytest
 import shapely
 
 from BalloonWorkbench.core.errors import InputError, MissingPackageError, PictureError
-from BalloonWorkbench.core.outline.outline import signed_area
+from BalloonWorkbench.core.geometry.polyline import signed_area
 from BalloonWorkbench.core.tracing import picture_file as decoding
 from BalloonWorkbench.core.tracing import raster
 from BalloonWorkbench.core.tracing.picture import drawing_of, picture_drawing, read_picture

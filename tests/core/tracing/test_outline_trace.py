@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 import shapely
 
-from BalloonWorkbench.core.outline.crossings import first_crossing
-from BalloonWorkbench.core.outline.sampling import arc_lengths, point_at
+from BalloonWorkbench.core.geometry.crossings import first_crossing
+from BalloonWorkbench.core.geometry.polyline import arc_lengths, point_at
 from BalloonWorkbench.core.tracing.contour import contours
 from BalloonWorkbench.core.tracing.segment import segment
 from BalloonWorkbench.core.tracing.trace import trace, walk

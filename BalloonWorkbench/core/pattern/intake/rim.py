@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from BalloonWorkbench.core.outline.outline import signed_area
+from BalloonWorkbench.core.geometry.polyline import signed_area
 from BalloonWorkbench.core.types import Floats
 
 #: Rightmost points within this share of the size count as equally far right; the lowest is taken.

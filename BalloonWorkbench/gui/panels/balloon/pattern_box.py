@@ -6,7 +6,8 @@ from __future__ import annotations
 import FreeCADGui as Gui
 
 from BalloonWorkbench.app.border import status
-from BalloonWorkbench.app.pattern import PLACE, choose_kind
+from BalloonWorkbench.app.pattern import choose_kind
+from BalloonWorkbench.app.shapes.pattern_shape import PLACE
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.pattern.sheet import MOST_COPIES
 from BalloonWorkbench.gui.panels.widgets.fields import Fields

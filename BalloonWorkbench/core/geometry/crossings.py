@@ -1,44 +1,46 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where closed loops and open lines cross or touch themselves or each other."""
+"""Where closed loops and open lines cross or touch, which boxes overlap, what lies inside.
+
+Ours, not shapely's: it must work where shapely is missing, give the first place, and ask on the way whether
+to go on.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
-from BalloonWorkbench.core.outline.budget import Budget
-from BalloonWorkbench.core.types import Floats
+from BalloonWorkbench.core.geometry.polyline import ring
+from BalloonWorkbench.core.geometry.vectors import cross
+from BalloonWorkbench.core.types import Floats, Ints
 
-# Pairs of segments compared at once: keeps the memory of a loop of 20 000 points below 100 MB.
+# Pairs of edges compared at once: keeps the memory of a loop of 20 000 points below 100 MB.
 _CHUNK = 1_000_000
 
 
+def _go_on() -> None:
+    """Never end the search."""
+
+
 def first_crossing(
-    loops: Sequence[Floats], lines: Sequence[Floats] = (), budget: Budget | None = None
+    loops: Sequence[Floats], lines: Sequence[Floats] = (), check: Callable[[], None] = _go_on
 ) -> Floats | None:
-    """A point (2,) where two segments of closed loops or open lines (n, 2) meet that should not, or None.
+    """A point (2,) where two edges of closed loops or open lines (n, 2) meet that should not, or None.
 
-    Segments may share an end with their neighbour in the same loop; any other contact counts, also touching.
+    Edges may share an end with their neighbour in the same loop; any other contact counts, also touching.
 
-    budget  of reading the drawing, whose time this takes
+    check  is called now and then; what it raises ends the search
     """
-    start = np.concatenate([*loops, *(line[:-1] for line in lines)])
-    end = np.concatenate([*(np.roll(loop, -1, axis=0) for loop in loops), *(line[1:] for line in lines)])
-    following = np.concatenate(
-        [
-            *(
-                offset + np.roll(np.arange(len(loop)), -1)
-                for loop, offset in zip(loops, _offsets(loops), strict=True)
-            ),
-            *(
-                offset + np.append(np.arange(1, len(line) - 1), -1 - offset)
-                for line, offset in zip(lines, sum(map(len, loops)) + _offsets([n[1:] for n in lines]))
-            ),
-        ]
-    )
-    for near, other in box_pairs(np.minimum(start, end), np.maximum(start, end), budget):
+    chains = [*map(ring, loops), *(line for line in lines if len(line) > 1)]
+    start, end = (np.concatenate([chain[part] for chain in chains]) for part in (slice(-1), slice(1, None)))
+    stops = np.cumsum([len(chain) - 1 for chain in chains])
+    following = np.arange(1, len(start) + 1)
+    following[stops - 1] = -1
+    for loop, stop in zip(loops, stops):
+        following[stop - 1] = stop - len(loop)
+    for near, other in box_pairs(np.minimum(start, end), np.maximum(start, end), check):
         apart = (following[near] != other) & (following[other] != near)
         one, two = near[apart], other[apart]
         meet = _meet(start[one], end[one], start[two], end[two])
@@ -48,12 +50,8 @@ def first_crossing(
     return None
 
 
-def _offsets(loops: Sequence[Floats]) -> NDArray[np.intp]:
-    return np.cumsum([0, *(len(loop) for loop in loops[:-1])], dtype=np.intp)
-
-
 def box_pairs(
-    low: Floats, high: Floats, budget: Budget | None = None
+    low: Floats, high: Floats, check: Callable[[], None] = _go_on
 ) -> Iterator[tuple[NDArray[np.intp], NDArray[np.intp]]]:
     """Pairs of overlapping boxes, each once, from their corners (n, 2): in the order of their left sides.
 
@@ -74,8 +72,7 @@ def box_pairs(
     order = np.argsort(left, kind="stable")
     counts = np.searchsorted(left[order], right[order], side="right") - np.arange(len(order)) - 1
     for begin, end in _chunks(counts):
-        if budget is not None:
-            budget.check_time()
+        check()
         repeats = counts[begin:end]
         before = np.repeat(np.arange(begin, end), repeats)
         here, there = order[before], order[before + 1 + _ramp(repeats)]
@@ -119,41 +116,63 @@ def _ramp(counts: NDArray[np.intp]) -> NDArray[np.intp]:
 def _side(a: Floats, b: Floats, c: Floats) -> NDArray[np.int8]:
     """Side of c seen from a towards b: 1 left, -1 right, 0 on the line within rounding."""
     ab, ac = b - a, c - a
-    cross = ab[:, 0] * ac[:, 1] - ab[:, 1] * ac[:, 0]
+    side = cross(ab, ac)
     scale = np.abs(ab[:, 0] * ac[:, 1]) + np.abs(ab[:, 1] * ac[:, 0])
-    return np.where(np.abs(cross) <= 1e-12 * scale, 0, np.sign(cross)).astype(np.int8)
+    return np.where(np.abs(side) <= 1e-12 * scale, 0, np.sign(side)).astype(np.int8)
 
 
 def _meet(a: Floats, b: Floats, c: Floats, d: Floats) -> NDArray[np.bool_]:
-    """Whether segments ab and cd have a point in common, given that their bounding boxes overlap."""
+    """Whether edges ab and cd have a point in common, given that their bounding boxes overlap."""
     return (_side(a, b, c) * _side(a, b, d) <= 0) & (_side(c, d, a) * _side(c, d, b) <= 0)
 
 
 def _where(a: Floats, b: Floats, c: Floats, d: Floats) -> Floats:
-    """The common point of two segments that meet; the middle of the overlap where they are parallel."""
+    """The common point of two edges that meet; the middle of the overlap where they are parallel."""
     ab, cd = b - a, d - c
-    cross = float(ab[0] * cd[1] - ab[1] * cd[0])
-    if abs(cross) > 1e-12 * float(np.linalg.norm(ab) * np.linalg.norm(cd)):
-        t = float((c - a)[0] * cd[1] - (c - a)[1] * cd[0]) / cross
-        return np.asarray(a + t * ab)
+    across = float(cross(ab, cd))
+    if abs(across) > 1e-12 * float(np.linalg.norm(ab) * np.linalg.norm(cd)):
+        return np.asarray(a + float(cross(c - a, cd)) / across * ab)
     along = sorted((a, b, c, d), key=lambda point: float(point @ ab))
     return np.asarray(0.5 * (along[1] + along[2]))
 
 
 def contains(loop: Floats, points: Floats) -> NDArray[np.bool_]:
     """Which points (k, 2) lie inside the closed loop (n, 2); even-odd rule."""
-    start, end = loop, np.roll(loop, -1, axis=0)
+    return inside([loop], points)
+
+
+def inside(loops: Sequence[Floats], points: Floats) -> NDArray[np.bool_]:
+    """Which points (k, 2) lie inside an odd number of closed loops (n, 2)."""
+    start = np.concatenate(loops)
+    end = np.concatenate([np.roll(loop, -1, axis=0) for loop in loops])
     order = np.argsort(points[:, 1], kind="stable")
     heights = points[order, 1]
-    # each segment is compared with the points at its height only
+    # each edge is compared with the points at its height only
     first = np.searchsorted(heights, np.minimum(start[:, 1], end[:, 1]))
     counts = np.searchsorted(heights, np.maximum(start[:, 1], end[:, 1])) - first
     crossed = np.zeros(len(points), dtype=np.intp)
     for begin, stop in _chunks(counts):
         repeats = counts[begin:stop]
-        segment = np.repeat(np.arange(begin, stop), repeats)
-        point = order[first[segment] + _ramp(repeats)]
-        (x1, y1), (x2, y2) = start[segment].T, end[segment].T
+        edge = np.repeat(np.arange(begin, stop), repeats)
+        point = order[first[edge] + _ramp(repeats)]
+        (x1, y1), (x2, y2) = start[edge].T, end[edge].T
         x, y = points[point].T
         crossed += np.bincount(point[x < (x2 - x1) * (y - y1) / (y2 - y1) + x1], minlength=len(points))
     return crossed % 2 == 1
+
+
+def crossed_at(loop: Floats, height: float) -> Floats:
+    """Where (k,) in x the closed loop (n, 2) crosses a height."""
+    x0, y0 = loop.T
+    x1, y1 = np.roll(loop, -1, axis=0).T
+    over = (y0 > height) != (y1 > height)
+    return np.asarray(x0[over] + (height - y0[over]) / (y1[over] - y0[over]) * (x1[over] - x0[over]))
+
+
+def winding(starts: Floats, ends: Floats, points: Floats) -> Ints:
+    """How often directed edges (k, 2), (k, 2) that make closed loops go round points (n, 2), each: (n,)."""
+    y, (y1, y2) = points[:, 1, None], (starts[:, 1], ends[:, 1])
+    rising, falling = (y1 <= y) & (y < y2), (y2 <= y) & (y < y1)
+    left = cross(ends - starts, points[:, None] - starts)  # where the point is left of the edge's line
+    turns = (rising & (left > 0.0)).astype(np.int32) - (falling & (left < 0.0)).astype(np.int32)
+    return np.asarray(turns.sum(axis=1), dtype=np.int32)

@@ -1,79 +1,45 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Points along loops and lines: corners, even spacing, simplification, smoothing that spares corners."""
+"""Other points on the same line: evenly spaced, divided, few enough, smoothed."""
 
 from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
 
+from BalloonWorkbench.core.geometry.normals import CORNER_ANGLE, corners
+from BalloonWorkbench.core.geometry.polyline import arc_lengths, edge_lengths, edge_vectors, point_at
+from BalloonWorkbench.core.geometry.vectors import foot
 from BalloonWorkbench.core.types import Floats
 
-#: A turn sharper than this is a corner: well above the facets of a flattened curve, below an octagon's 45
-#: degrees.
-CORNER_ANGLE = np.radians(35.0)
 
+def evenly(loop: Floats, spacing: float) -> Floats:
+    """Points (k, 2) along a closed loop from its first one, at even distances of at most `spacing`.
 
-def arc_lengths(loop: Floats) -> Floats:
-    """Length along the closed loop (n, 2) up to each point, and at last all the way round: (n + 1,)."""
-    steps = np.linalg.norm(np.roll(loop, -1, axis=0) - loop, axis=1)
-    return np.concatenate([[0.0], np.cumsum(steps)])
-
-
-def point_at(loop: Floats, lengths: Floats, at: Floats) -> Floats:
-    """Points (k, 2) of the closed loop at arc lengths `at` (k,), which may run past the start.
-
-    lengths  what `arc_lengths(loop)` gives
-    """
-    around = np.mod(at, lengths[-1])
-    closed = np.vstack([loop, loop[:1]])
-    return np.column_stack([np.interp(around, lengths, closed[:, k]) for k in (0, 1)])
-
-
-def line_lengths(line: Floats) -> Floats:
-    """Length along the open line (n, 2) up to each point: (n,)."""
-    return np.append(0.0, np.cumsum(np.linalg.norm(np.diff(line, axis=0), axis=1)))
-
-
-def point_on(line: Floats, lengths: Floats, at: Floats) -> Floats:
-    """Points (k, 2) of the open line at lengths `at` (k,); `lengths` is what `line_lengths(line)` gives."""
-    return np.column_stack([np.interp(at, lengths, line[:, k]) for k in (0, 1)])
-
-
-def corners(loop: Floats, angle: float = CORNER_ANGLE, reach: float = 0.0) -> NDArray[np.intp]:
-    """Indices of the corners of a closed loop (n, 2), in order.
-
-    angle  turn that makes a corner [rad]
-    reach  distance along the loop over which the directions before and after are taken, so that a corner cut
-           off by the pixels of a picture is still one; 0 compares neighbouring segments [unit of the loop]
+    Twelve at least.
     """
     lengths = arc_lengths(loop)
-    here = lengths[:-1]
-    if reach > 0:
-        before = loop - point_at(loop, lengths, here - reach)
-        after = point_at(loop, lengths, here + reach) - loop
-    else:
-        before = loop - np.roll(loop, 1, axis=0)
-        after = np.roll(loop, -1, axis=0) - loop
-    turn = np.abs(
-        np.arctan2(
-            before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0], np.einsum("ij,ij->i", before, after)
-        )
-    )
-    sharp = np.flatnonzero(turn > angle)
-    if reach <= 0:
-        return sharp
-    # The sharpest first; whatever else turns within its reach is the same corner. Bins keep the search short.
-    bins: dict[int, list[float]] = {}
-    count = max(1, int(lengths[-1] // reach))
-    found: list[int] = []
-    for k in sharp[np.argsort(-turn[sharp], kind="stable")]:
-        at = float(here[k])
-        own = int(at / lengths[-1] * count)
-        near = [other for shift in (-1, 0, 1) for other in bins.get((own + shift) % count, ())]
-        if all(reach < abs(at - other) < lengths[-1] - reach for other in near):
-            found.append(int(k))
-            bins.setdefault(own % count, []).append(at)
-    return np.array(sorted(found), dtype=np.intp)
+    count = max(12, int(np.ceil(lengths[-1] / spacing)))
+    return point_at(loop, lengths, np.arange(count) * (lengths[-1] / count))
+
+
+def divided(loop: Floats, spacing: float) -> Floats:
+    """The closed loop (n, 2) with each edge that is longer than `spacing` divided evenly."""
+    pieces = np.maximum(np.ceil(edge_lengths(loop) / spacing), 1.0).astype(np.int64)
+    share = np.concatenate([np.arange(count) / count for count in pieces])
+    edge = np.repeat(np.arange(len(loop)), pieces)
+    return np.asarray(loop[edge] + share[:, None] * edge_vectors(loop)[edge])
+
+
+def with_points_at(loop: Floats, lengths: Floats, at: Floats) -> tuple[Floats, NDArray[np.intp]]:
+    """The closed loop with points added at arc lengths `at`, and their indices."""
+    everywhere = np.union1d(lengths[:-1], at)
+    return point_at(loop, lengths, everywhere), np.searchsorted(everywhere, at)
+
+
+def _stretches(lengths: Floats, fixed: NDArray[np.intp]) -> tuple[Floats, Floats]:
+    """Arc lengths (k,) at which the stretches between fixed points begin, and how long they are (k,)."""
+    starts = lengths[fixed] if len(fixed) else np.zeros(1)
+    return starts, np.diff(np.append(starts, starts[0] + lengths[-1]))
 
 
 def resample(loop: Floats, spacing: float, corner_angle: float = CORNER_ANGLE) -> Floats:
@@ -84,8 +50,7 @@ def resample(loop: Floats, spacing: float, corner_angle: float = CORNER_ANGLE) -
     """
     lengths = arc_lengths(loop)
     fixed = corners(loop, corner_angle, reach=0.5 * spacing)
-    starts = lengths[fixed] if len(fixed) else np.zeros(1)
-    spans = np.diff(np.append(starts, starts[0] + lengths[-1]))
+    starts, spans = _stretches(lengths, fixed)
     least = 3 if len(spans) == 1 else 2 if len(spans) == 2 else 1
     pieces = [
         start + span * np.arange(count) / count
@@ -120,15 +85,9 @@ def _significant(points: Floats, first: int, last: int, tolerance: float) -> lis
         a, b = stack.pop()
         if b - a < 2:
             continue
-        chord = points[b] - points[a]
-        offset = points[a + 1 : b] - points[a]
-        length2 = float(chord @ chord)
-        # on so few numbers np.clip and np.linalg.norm take several times as long
-        along = (
-            np.maximum(np.minimum(offset @ chord / length2, 1.0), 0.0) if length2 > 0 else 0.0 * offset[:, 0]
-        )
-        x, y = (offset - along[:, None] * chord).T
-        away = np.sqrt(x * x + y * y)
+        start, chord = points[a], points[b] - points[a]
+        x, y = points[a + 1 : b].T
+        _, away = foot(x - start[0], y - start[1], chord[0], chord[1])
         far = int(np.argmax(away))
         if away[far] > tolerance:
             middle = a + 1 + far
@@ -145,8 +104,7 @@ def smooth(loop: Floats, width: float, fixed: NDArray[np.intp]) -> Floats:
     A circle of radius r shrinks by width^2 / (2 r).
     """
     lengths = arc_lengths(loop)
-    starts = lengths[fixed] if len(fixed) else np.zeros(1)
-    spans = np.diff(np.append(starts, starts[0] + lengths[-1]))
+    starts, spans = _stretches(lengths, fixed)
     pieces = []
     for start, span in zip(starts, spans, strict=True):
         count = max(4, int(np.ceil(3 * span / width)))
