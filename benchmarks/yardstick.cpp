@@ -12,13 +12,14 @@
 #include <cholmod.h>
 #include <malloc.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <fstream>
 #include <stdexcept>
 #include <string>
 
-#include "cholesky.h"
+#include "cholesky/cholesky.h"
 #include "stopwatch.h"
 
 namespace {
@@ -27,7 +28,7 @@ struct Matrix {
     std::vector<std::int64_t> starts;
     std::vector<std::int32_t> rows;
     std::vector<double> values;
-    film::Blocks blocks; // none when the file does not tell
+    cholesky::Blocks blocks; // none when the file does not tell
 
     explicit Matrix(const char* path) {
         std::ifstream file(path, std::ios::binary);
@@ -59,14 +60,8 @@ private:
     }
 };
 
-film::SymmetricMatrix lower_triangle(const Matrix& matrix) {
-    const auto count = static_cast<Eigen::Index>(matrix.count());
-    film::SymmetricMatrix lower(count, count);
-    lower.resizeNonZeros(static_cast<Eigen::Index>(matrix.values.size()));
-    std::copy(matrix.starts.begin(), matrix.starts.end(), lower.outerIndexPtr());
-    std::copy(matrix.rows.begin(), matrix.rows.end(), lower.innerIndexPtr());
-    std::copy(matrix.values.begin(), matrix.values.end(), lower.valuePtr());
-    return lower;
+cholesky::Pattern pattern_of(const Matrix& matrix) {
+    return {{matrix.starts.begin(), matrix.starts.end()}, matrix.rows};
 }
 
 // A line of /proc/self/status, in bytes.
@@ -82,13 +77,13 @@ long long status(const std::string& name) {
 
 // How much memory this process needs for our factorisation, from the analysis on.
 long long peak_of_ours(const Matrix& matrix) {
-    const film::SymmetricMatrix lower = lower_triangle(matrix);
-    Eigen::VectorXd right = Eigen::VectorXd::Ones(lower.cols());
+    cholesky::Pattern pattern = pattern_of(matrix);
+    std::vector<double> right(matrix.count(), 1.0);
     malloc_trim(0);
     std::ofstream("/proc/self/clear_refs") << 5; // forgets the peak
     const long long before = status("VmRSS");
-    film::Cholesky cholesky(lower, matrix.blocks, film::Workers::usual_count());
-    cholesky.factorise_and_solve(lower.valuePtr(), nullptr, right.data());
+    cholesky::Factorisation ours(std::move(pattern), matrix.blocks, cholesky::default_threads());
+    ours.factorise_and_solve(matrix.values.data(), nullptr, right.data());
     return status("VmHWM") - before;
 }
 
@@ -137,20 +132,21 @@ void time_cholmod(const Matrix& matrix) {
 
 // The solver's own: on one thread, and on two by the clock.
 void time_ours(const Matrix& matrix, long long peak) {
-    const film::SymmetricMatrix lower = lower_triangle(matrix);
-    const double analyse = processor_seconds([&] { film::Cholesky(lower, matrix.blocks, 1); });
-    film::Cholesky alone(lower, matrix.blocks, 1), both(lower, matrix.blocks, 2);
-    Eigen::VectorXd right = Eigen::VectorXd::Ones(lower.cols());
-    const double factorise = median_processor_seconds([&] { alone.factorise(lower.valuePtr(), nullptr); });
+    const cholesky::Pattern pattern = pattern_of(matrix);
+    const double* const values = matrix.values.data();
+    const double analyse = processor_seconds([&] { cholesky::Factorisation(pattern, matrix.blocks, 1); });
+    cholesky::Factorisation alone(pattern, matrix.blocks, 1), both(pattern, matrix.blocks, 2);
+    std::vector<double> right(matrix.count());
+    const double factorise = median_processor_seconds([&] { alone.factorise(values, nullptr); });
     const double together = median_processor_seconds([&] {
-        right.setOnes();
-        alone.factorise_and_solve(lower.valuePtr(), nullptr, right.data());
+        std::fill(right.begin(), right.end(), 1.0);
+        alone.factorise_and_solve(values, nullptr, right.data());
     });
     const double solve = median_processor_seconds([&] {
-        right.setOnes();
+        std::fill(right.begin(), right.end(), 1.0);
         alone.solve(right.data());
     });
-    const double shared = median_clock_seconds([&] { both.factorise(lower.valuePtr(), nullptr); });
+    const double shared = median_clock_seconds([&] { both.factorise(values, nullptr); });
     std::printf(", \"ours\": {\"analyse_seconds\": %.6g, \"factor_seconds\": %.6g, \"solve_seconds\": %.6g, "
                 "\"factor_and_solve_seconds\": %.6g, \"two_threads_clock_seconds\": %.6g, "
                 "\"factor_entries\": %zu, \"peak_bytes\": %lld}",

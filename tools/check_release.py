@@ -29,9 +29,11 @@ from native_libraries import PLATFORMS, ROOT, build, zig
 from release import PARTS_LIST, SUMS
 
 sys.path.insert(0, str(ROOT))
+from BalloonWorkbench.core.solver.native.c_interface import CONSTANTS
 from BalloonWorkbench.core.solver.native.library import damage
 
 _HEADER = ROOT / "BalloonWorkbench" / "native" / "include" / "film_solver.h"
+_CONSTANTS = f"-DCONSTANTS={','.join(map(repr, CONSTANTS.values()))}"
 INTERFACE = set(re.findall(r"\b(film_\w+)\(", _HEADER.read_text(encoding="utf-8")))
 # The C++ runtime of macOS replaces these in every program by one common set; they cannot be hidden.
 _REPLACEABLE = re.compile(r"_Z(n|d)[aw]|_Z(n|d)l|_mh_dylib_header|__dso_handle")
@@ -100,7 +102,7 @@ def run(name: str, path: Path, folder: Path) -> str:
     rpath = () if name.startswith("windows") else (f"-Wl,-rpath,{path.parent}",)
     source = ROOT / "tests" / "native" / "small_disc.c"
     zig(
-        *("cc", "-target", PLATFORMS[name].target, "-std=c99", "-O1", "-Iinclude", source, path),
+        *("cc", "-target", PLATFORMS[name].target, "-std=c99", "-O1", "-Iinclude", _CONSTANTS, source, path),
         *(*rpath, "-lm", "-o", program),
     )
     if not rpath:

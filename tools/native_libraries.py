@@ -53,7 +53,7 @@ PLATFORMS = {
 _FLAGS = (
     *("-std=c++17", "-O3", "-DNDEBUG", "-DFILM_SOLVER_BUILD", "-DEIGEN_MPL2_ONLY"),
     *("-fvisibility=hidden", "-fvisibility-inlines-hidden", "-ffile-prefix-map=.=native", "-w"),
-    *("-isystem", str(EIGEN), "-Iinclude", "-shared", "-s"),
+    *("-isystem", str(EIGEN), "-Iinclude", "-I.", "-shared", "-s"),
 )
 
 
@@ -72,7 +72,7 @@ def build(name: str, folder: Path, cache: Path = CACHE) -> Path:
     platform = PLATFORMS[name]
     path = folder.resolve() / name / platform.file
     path.parent.mkdir(parents=True, exist_ok=True)
-    sources = sorted(str(source.relative_to(NATIVE)) for source in (NATIVE / "src").glob("*.cpp"))
+    sources = sorted(str(source.relative_to(NATIVE)) for source in NATIVE.rglob("*.cpp"))
     zig("c++", "-target", platform.target, *_FLAGS, *platform.link, "-o", path, *sources, cache=cache)
     for beside in path.parent.iterdir():  # import libraries and debugging files
         if beside != path:

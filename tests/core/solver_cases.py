@@ -21,9 +21,12 @@ from BalloonWorkbench.core.solver.equilibrium import newton
 from BalloonWorkbench.core.solver.inflate import inflate
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.solver.native import c_interface, load
+from BalloonWorkbench.core.solver.native.c_interface import CONSTANTS
 from BalloonWorkbench.core.types import Bools, Floats, Ints
 
 PRESSURE = 100.0  # Pa
+#: For programs in C that use the native solver: the constants that Python declares.
+WITH_CONSTANTS = f"-DCONSTANTS={','.join(map(repr, CONSTANTS.values()))}"
 NATIVE = Backend("native", c_interface.solve, c_interface.energies)
 NUMPY = Backend("numpy", newton.solve, newton.energies)
 

@@ -12,6 +12,8 @@
 
 #include "film_solver.h"
 
+/* CONSTANTS, from the compiler's command line: those of core/solver/c_interface.py in their order. */
+
 enum { SIDE = 5, VERTICES = SIDE * SIDE, TRIANGLES = 2 * (SIDE - 1) * (SIDE - 1), RIM = 4 * (SIDE - 1) };
 
 /* What a call is given; each round begins with a good square pillow. */
@@ -23,6 +25,7 @@ typedef struct {
     uint8_t fixed[VERTICES][5];
     film_material material;
     film_newton settings;
+    film_constants constants;
 } problem;
 
 static uint64_t state = 1;
@@ -104,68 +107,88 @@ static void make_pillow(problem* p) {
     p->material.tension_field = (int32_t)pick(4) > 0;
     p->settings.tolerance = 1e-5;
     p->settings.max_steps = 12;
+    p->constants = (film_constants){CONSTANTS};
 }
 
-/* Spoils one thing; what was too large for its array would be the caller's lie and is left alone. */
+/* What was too large for its array would be the caller's lie and is left alone. */
+static void spoil_size(problem* p) {
+    switch (pick(5)) {
+    case 0:
+        p->vertices = (int32_t)pick(VERTICES + 1) - (int32_t)pick(2) * VERTICES;
+        break;
+    case 1:
+        p->triangles = (int32_t)pick(TRIANGLES + 1) - (int32_t)pick(2) * TRIANGLES;
+        break;
+    case 2:
+        p->hinges = (int32_t)pick(RIM + 1) - (int32_t)pick(2) * RIM;
+        break;
+    case 3:
+        p->level_count = (int32_t)pick(4) - 1;
+        break;
+    default:
+        p->settings.max_steps = pick(2) ? 0 : -(int32_t)pick(100);
+    }
+}
+
+static void spoil_number(problem* p) {
+    const struct {
+        double* numbers;
+        uint32_t count;
+    } arrays[] = {{p->rest[0], 2 * VERTICES},
+                  {p->positions[0], 3 * VERTICES},
+                  {p->directors[0], 3 * VERTICES},
+                  {p->loads[0], 3 * VERTICES},
+                  {p->rigidities, RIM},
+                  {p->levels, 2},
+                  {&p->material.membrane_stiffness, 7},
+                  {&p->constants.level_tolerance, 17},
+                  {&p->settings.tolerance, 1}};
+    const uint32_t k = pick(sizeof arrays / sizeof *arrays);
+    arrays[k].numbers[pick(arrays[k].count)] = odd_number();
+}
+
+static void spoil_index(problem* p) {
+    switch (pick(4)) {
+    case 0:
+        p->corners[pick(TRIANGLES)][pick(3)] = odd_index();
+        break;
+    case 1:
+        p->seam[pick(RIM)][pick(3)] = odd_index();
+        break;
+    case 2:
+        p->tied[pick(VERTICES)] = odd_index();
+        break;
+    default:
+        (&p->constants.still_steps)[pick(3)] = -(int32_t)pick(3);
+    }
+}
+
+/* Spoils one thing. */
 static void spoil(problem* p, const void* missing[16]) {
-    double* const material = &p->material.membrane_stiffness;
     switch (pick(18)) {
     case 0:
         missing[pick(16)] = p;
         break;
     case 1:
-        p->vertices = (int32_t)pick(VERTICES + 1) - (int32_t)pick(2) * VERTICES;
-        break;
-    case 2:
-        p->triangles = (int32_t)pick(TRIANGLES + 1) - (int32_t)pick(2) * TRIANGLES;
-        break;
-    case 3:
-        p->hinges = (int32_t)pick(RIM + 1) - (int32_t)pick(2) * RIM;
-        break;
-    case 4:
-        p->level_count = (int32_t)pick(4) - 1 > 2 ? 2 : (int32_t)pick(3) - 1;
-        break;
-    case 5:
-        p->rest[pick(VERTICES)][pick(2)] = odd_number();
-        break;
-    case 6:
-        p->positions[pick(VERTICES)][pick(3)] = odd_number();
-        break;
-    case 7:
-        p->directors[pick(VERTICES)][pick(3)] = odd_number();
-        break;
-    case 8:
-        p->loads[pick(VERTICES)][pick(3)] = odd_number();
-        break;
-    case 9:
-        p->corners[pick(TRIANGLES)][pick(3)] = odd_index();
-        break;
-    case 10:
-        p->seam[pick(RIM)][pick(3)] = odd_index();
-        break;
-    case 11:
-        p->tied[pick(VERTICES)] = odd_index();
-        break;
-    case 12:
-        p->rigidities[pick(RIM)] = odd_number();
-        break;
-    case 13:
-        p->levels[pick(2)] = odd_number();
-        break;
-    case 14:
         memset(p->fixed, (int)pick(256), sizeof p->fixed);
         break;
-    case 15:
+    case 2:
         p->fixed[pick(VERTICES)][pick(5)] ^= 1;
         break;
-    case 16:
-        material[pick(7)] = odd_number();
+    case 3:
+    case 4:
+    case 5:
+    case 6:
+    case 7:
+        spoil_size(p);
+        break;
+    case 8:
+    case 9:
+    case 10:
+        spoil_index(p);
         break;
     default:
-        if (pick(2))
-            p->settings.tolerance = odd_number();
-        else
-            p->settings.max_steps = pick(2) ? 0 : -(int32_t)pick(100);
+        spoil_number(p);
     }
 }
 
@@ -190,7 +213,7 @@ static int try_once(unsigned long round, unsigned long counts[5]) {
     film_status status = film_create(p.vertices, GIVEN(0, p.rest[0]), p.triangles, GIVEN(1, p.corners[0]),
                                      GIVEN(2, p.fixed[0]), GIVEN(3, p.loads[0]), GIVEN(4, p.tied), p.hinges,
                                      GIVEN(5, p.seam[0]), GIVEN(6, p.rigidities), GIVEN(7, &p.material),
-                                     missing[8] ? NULL : &solver);
+                                     GIVEN(15, &p.constants), missing[8] ? NULL : &solver);
     if (status == FILM_OK) {
         film_energies(solver, GIVEN(9, p.positions[0]), GIVEN(10, p.directors[0]), parts);
         status = film_solve(missing[11] ? NULL : solver, GIVEN(9, p.positions[0]), GIVEN(10, p.directors[0]),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 //
 // The sparse factorisation against Eigen's dense one. Prints what fails; exits 0 when all is well.
-#include "cholesky.h"
+#include "cholesky/cholesky.h"
 
 #include <Eigen/SparseCholesky>
 #include <algorithm>
@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <new>
 
+#include "cholesky/src/front_kernels.h"
 #include "mesh_matrix.h"
 
 static std::atomic<long> allocations{0};
@@ -29,6 +30,7 @@ static std::atomic<long> allocations{0};
 
 namespace {
 
+using cholesky::Factorisation;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
@@ -46,7 +48,7 @@ VectorXd right_hand_side(Eigen::Index count) {
                                  [](Eigen::Index k) { return std::sin(0.37 * static_cast<double>(k)); });
 }
 
-VectorXd solved(film::Cholesky& cholesky, const VectorXd& b) {
+VectorXd solved(Factorisation& cholesky, const VectorXd& b) {
     VectorXd x = b;
     cholesky.solve(x.data());
     return x;
@@ -55,7 +57,7 @@ VectorXd solved(film::Cholesky& cholesky, const VectorXd& b) {
 void agrees_with_dense(const MeshMatrix& matrix, const char* name) {
     const VectorXd b = right_hand_side(matrix.lower.cols());
     const VectorXd diagonal = 0.01 * (b.array() + 2.0);
-    film::Cholesky cholesky(matrix.lower, matrix.blocks, 1);
+    Factorisation cholesky(matrix.pattern(), matrix.blocks, 1);
     for (const bool shifted : {false, true}) {
         MatrixXd full = matrix.dense();
         if (shifted)
@@ -72,7 +74,7 @@ void agrees_with_dense(const MeshMatrix& matrix, const char* name) {
 // One part in a million on either side of the smallest eigenvalue.
 void tells_definite_from_not(const MeshMatrix& matrix, const char* name) {
     const double smallest = Eigen::SelfAdjointEigenSolver<MatrixXd>(matrix.dense()).eigenvalues()[0];
-    film::Cholesky cholesky(matrix.lower, matrix.blocks, 1);
+    Factorisation cholesky(matrix.pattern(), matrix.blocks, 1);
     const Eigen::Index count = matrix.lower.cols();
     const VectorXd below = VectorXd::Constant(count, -smallest * (1.0 - 1e-6));
     const VectorXd above = VectorXd::Constant(count, -smallest * (1.0 + 1e-6));
@@ -90,7 +92,7 @@ void tells_definite_from_not(const MeshMatrix& matrix, const char* name) {
 
 // A pivot fails in a late front while other threads work.
 void stops_on_every_thread(const MeshMatrix& matrix, const char* name) {
-    film::Cholesky cholesky(matrix.lower, matrix.blocks, 3);
+    Factorisation cholesky(matrix.pattern(), matrix.blocks, 3);
     const VectorXd b = right_hand_side(matrix.lower.cols());
     check(cholesky.factorise(matrix.lower.valuePtr(), nullptr), "definite", name);
     const VectorXd expected = solved(cholesky, b);
@@ -109,7 +111,7 @@ void same_on_any_number_of_threads(const MeshMatrix& matrix, const char* name) {
     const VectorXd b = right_hand_side(matrix.lower.cols());
     VectorXd first;
     for (const int threads : {1, 2, 3, 4}) {
-        film::Cholesky cholesky(matrix.lower, matrix.blocks, threads);
+        Factorisation cholesky(matrix.pattern(), matrix.blocks, threads);
         for (int again = 0; again < 5; ++again) {
             const long before = allocations;
             VectorXd x = b, y = b;
@@ -140,21 +142,21 @@ void needs_no_good_points(MeshMatrix matrix, const char* name) {
 
 // Against the usual minimum degree ordering; larger fronts with some zeros are wanted, many are not.
 void fills_little(const MeshMatrix& matrix, const char* name) {
-    const Eigen::SimplicialLLT<film::SymmetricMatrix> reference(matrix.lower);
+    const Eigen::SimplicialLLT<LowerTriangle> reference(matrix.lower);
     const auto entries = static_cast<double>(reference.matrixL().nestedExpression().nonZeros());
-    const film::Cholesky cholesky(matrix.lower, matrix.blocks, 1);
+    const Factorisation cholesky(matrix.pattern(), matrix.blocks, 1);
     check(static_cast<double>(cholesky.factor_entries()) < 1.4 * entries, "fill", name);
     check(static_cast<double>(cholesky.bytes()) < 2.0 * 8.0 * entries, "memory", name);
 }
 
 void takes_the_smallest(const char* name) {
-    film::SymmetricMatrix one(1, 1), none(0, 0);
+    LowerTriangle one(1, 1), none(0, 0);
     one.insert(0, 0) = 4.0;
     one.makeCompressed();
-    film::Cholesky cholesky(one, {{0}, {{0.0, 0.0}}}, 2);
+    Factorisation cholesky(pattern_of(one), {{0}, {{0.0, 0.0}}}, 2);
     double x = 6.0;
     check(cholesky.factorise_and_solve(one.valuePtr(), nullptr, &x) && x == 1.5, "one unknown", name);
-    film::Cholesky empty(none, {{}, {{0.0, 0.0}, {1.0, 0.0}}}, 2);
+    Factorisation empty(pattern_of(none), {{}, {{0.0, 0.0}, {1.0, 0.0}}}, 2);
     check(empty.factorise(nullptr, nullptr), "no unknown", name);
     empty.solve(nullptr);
 }
@@ -162,17 +164,18 @@ void takes_the_smallest(const char* name) {
 // The kernels of every processor and those of this one, front by front.
 void kernels_agree(const char* name) {
     for (const auto& [pivots, updates] : {std::pair(1, 0), {3, 2}, {5, 40}, {20, 61}, {61, 20}, {130, 75}}) {
-        const film::FrontShape shape(pivots, updates);
+        const cholesky::FrontShape shape(pivots, updates);
         const int columns = shape.columns(), rest = shape.height() - columns;
         Random random(pivots);
         const MatrixXd root =
             MatrixXd::NullaryExpr(shape.height(), shape.height(), [&] { return random.number(); });
         MatrixXd panel = (root * root.transpose() + MatrixXd::Identity(shape.height(), shape.height()));
         const MatrixXd lower = panel.llt().matrixL();
-        for (const film::FrontKernels* kernels : {&film::front_kernels(), &film::portable_front_kernels()}) {
+        for (const cholesky::FrontKernels* kernels :
+             {&cholesky::front_kernels(), &cholesky::portable_front_kernels()}) {
             std::vector<double> factor(shape.factor_size());
             MatrixXd update(rest, rest);
-            const film::Groups block{0, shape.pivot_groups}, below{shape.pivot_groups, shape.groups()};
+            const cholesky::Groups block{0, shape.pivot_groups}, below{shape.pivot_groups, shape.groups()};
             check(kernels->factor_block(shape, block, panel.data(), factor.data()), "definite", name);
             kernels->solve_rows(shape, block, below, panel.data(), factor.data());
             kernels->multiply(shape, block, below, below, true, factor.data(), shape.pivot_groups,

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <Eigen/Sparse>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -11,8 +12,7 @@
 #include <random>
 #include <vector>
 
-#include "blocks.h"
-#include "symmetric_matrix.h"
+#include "cholesky/cholesky.h"
 
 // The same numbers with every compiler, unlike the distributions of the standard library.
 class Random {
@@ -25,9 +25,18 @@ private:
     std::mt19937 engine_;
 };
 
+using LowerTriangle = Eigen::SparseMatrix<double>;
+
+inline cholesky::Pattern pattern_of(const LowerTriangle& lower) {
+    return {{lower.outerIndexPtr(), lower.outerIndexPtr() + lower.cols() + 1},
+            {lower.innerIndexPtr(), lower.innerIndexPtr() + lower.nonZeros()}};
+}
+
 struct MeshMatrix {
-    film::Blocks blocks;
-    film::SymmetricMatrix lower;
+    cholesky::Blocks blocks;
+    LowerTriangle lower;
+
+    cholesky::Pattern pattern() const { return pattern_of(lower); }
 
     Eigen::MatrixXd dense() const { return Eigen::MatrixXd(lower).selfadjointView<Eigen::Lower>(); }
 };

@@ -9,6 +9,9 @@
 
 #include "film_solver.h"
 
+/* CONSTANTS, from the compiler's command line: those of core/solver/c_interface.py in their order. */
+static const film_constants constants = {CONSTANTS};
+
 enum { RINGS = 6, VERTICES = 1 + 3 * RINGS * (RINGS + 1), TRIANGLES = 6 * RINGS * RINGS, RIM = 6 * RINGS };
 
 static double rest[VERTICES][2], positions[VERTICES][3], directors[VERTICES][3];
@@ -84,14 +87,14 @@ static int32_t stop(double fraction, void* user) {
     return 0;
 }
 
-static film_status create(const int32_t* corners, film_solver** solver) {
+static film_status create(const int32_t* corners, const film_constants* numbers, film_solver** solver) {
     const film_material material = {.membrane_stiffness = 50.0,
                                     .poisson_ratio = 0.3,
                                     .flexural_rigidity = 1e-6,
                                     .pressure = 1.0,
                                     .tension_field = 1};
     return film_create(VERTICES, rest[0], TRIANGLES, corners, fixed[0], NULL, NULL, RIM, hinges[0],
-                       rigidities, &material, solver);
+                       rigidities, &material, numbers, solver);
 }
 
 static void inflate(void) {
@@ -100,7 +103,7 @@ static void inflate(void) {
     film_solver* solver = NULL;
     film_result result = {0, 0, 0};
     double parts[5] = {0.0};
-    check(create(triangles[0], &solver) == FILM_OK, "create");
+    check(create(triangles[0], &constants, &solver) == FILM_OK, "create");
 
     check(film_solve(solver, positions[0], directors[0], 3, levels, &settings, stop, NULL, &result)
               == FILM_CANCELLED,
@@ -148,12 +151,20 @@ static void refuse(void) {
     film_solver* solver = NULL;
     memcpy(wrong, triangles, sizeof wrong);
     wrong[3][1] = VERTICES;
-    check(create(wrong[0], &solver) == FILM_BAD_ARGUMENT, "index out of range");
+    check(create(wrong[0], &constants, &solver) == FILM_BAD_ARGUMENT, "index out of range");
     wrong[3][1] = -1;
-    check(create(wrong[0], &solver) == FILM_BAD_ARGUMENT, "negative index");
-    check(create(NULL, &solver) == FILM_BAD_ARGUMENT, "missing triangles");
-    check(solver == NULL, "no solver after a failure");
+    check(create(wrong[0], &constants, &solver) == FILM_BAD_ARGUMENT, "negative index");
+    check(create(NULL, &constants, &solver) == FILM_BAD_ARGUMENT, "missing triangles");
+    check(create(triangles[0], NULL, &solver) == FILM_BAD_ARGUMENT, "missing constants");
     check(strstr(film_last_error(), "missing") != NULL, "text names the cause");
+    const double nonsense[] = {0.0, -1.0, NAN, INFINITY, 1.0};
+    for (size_t k = 0; k < sizeof nonsense / sizeof *nonsense; ++k) {
+        film_constants numbers = constants;
+        numbers.tension_growth = nonsense[k];
+        check(create(triangles[0], &numbers, &solver) == FILM_BAD_ARGUMENT, "growth that does not grow");
+    }
+    check(strstr(film_last_error(), "constant") != NULL, "text names the cause");
+    check(solver == NULL, "no solver after a failure");
     film_destroy(NULL);
 }
 

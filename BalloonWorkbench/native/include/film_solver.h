@@ -21,7 +21,7 @@
 extern "C" {
 #endif
 
-enum { FILM_ABI_VERSION = 4 };
+enum { FILM_ABI_VERSION = 5 };
 
 typedef enum {
     FILM_OK = 0,
@@ -44,6 +44,18 @@ typedef struct {
     int32_t orthotropic;   // 0: isotropic
     int32_t tension_field; // 0: a plain shell, which carries compression
 } film_material;
+
+// The numbers that steer the iteration, all positive. They are the caller's, so that two solvers can take the
+// same steps; the workbench declares them once, with the solver in NumPy, and says there what each one does.
+typedef struct {
+    double level_tolerance, shift, director_shift;
+    double first_tension, least_tension, held_back, largest_tension;
+    double tension_growth, tension_decay, need_decay; // the growth above 1
+    double sufficient, shortest, short_step, middling_step;
+    double still_decrement, still_volume, still_seam;
+    int32_t still_steps;
+    int32_t directions, direction_steps;
+} film_constants;
 
 typedef struct {
     double tolerance;  // on the predicted decrease of the energy, relative
@@ -74,7 +86,7 @@ FILM_API film_status film_create(int32_t vertices, const double* rest_positions,
                                  const int32_t* triangle_corners, const uint8_t* fixed, const double* loads,
                                  const int32_t* tied, int32_t hinges, const int32_t* seam_hinges,
                                  const double* hinge_rigidities, const film_material* material,
-                                 film_solver** solver);
+                                 const film_constants* constants, film_solver** solver);
 FILM_API void film_destroy(film_solver* solver);
 
 // parts[5]: membrane, bending, pressure, load, seam.

@@ -10,17 +10,20 @@ from pathlib import Path
 
 import pytest
 from drawn_shapes import NAMED
-from solver_cases import PRESSURE, film, needs_native
+from solver_cases import PRESSURE, WITH_CONSTANTS, film, needs_native
 
-from BalloonWorkbench.core.errors import Cancelled
+from BalloonWorkbench.core.errors import Cancelled, SolverError
 from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.mesh.triangulate import triangulate
 from BalloonWorkbench.core.solver.inflate import inflate
 from BalloonWorkbench.core.solver.native import load
+from BalloonWorkbench.core.solver.native.c_interface import CONSTANTS
 
 ROOT = Path(__file__).resolve().parents[3]
 NATIVE = ROOT / "BalloonWorkbench" / "native"
 LIBRARY = NATIVE / "lib" / "libfilm_solver.so"
+#: Numbers of the formulas of the element, beside those that every formula has.
+ELASTICITY = {"dkt.h": {"1.5", "3.0"}}
 
 pytestmark = [
     needs_native,
@@ -40,7 +43,7 @@ def test_program_in_c(tmp_path: Path) -> None:
     run(
         shutil.which("cc") or "cc",
         *("-std=c99", "-Wall", "-Wextra", "-Wshadow", "-Wpedantic", "-Werror", "-O1"),
-        *("-I", NATIVE / "include", ROOT / "tests" / "native" / "small_disc.c"),
+        *("-I", NATIVE / "include", WITH_CONSTANTS, ROOT / "tests" / "native" / "small_disc.c"),
         *("-o", program, LIBRARY, f"-Wl,-rpath,{LIBRARY.parent}", "-lm"),
     )
     assert run(program).startswith("volume 0.15")
@@ -65,6 +68,39 @@ def test_needs_no_cpp_runtime() -> None:
 def test_header_and_python_agree_on_the_version() -> None:
     header = (NATIVE / "include" / "film_solver.h").read_text(encoding="utf-8")
     assert f"FILM_ABI_VERSION = {load.ABI_VERSION} " in header
+
+
+def test_constants_are_declared_once() -> None:
+    """In Python, which hands them over: each is a field of the header in its place; C++ has none of its own.
+
+    What is left in the sources of the iteration are halves, powers of two and guards against zero.
+    """
+    header = (NATIVE / "include" / "film_solver.h").read_text(encoding="utf-8")
+    body = re.search(r"typedef struct \{([^}]*)\} film_constants;", header)
+    assert body is not None
+    fields = [
+        (name, kind)
+        for kind, names in re.findall(r"(double|int32_t) ([\w, ]+);", body[1])
+        for name in names.split(", ")
+    ]
+    kinds = {float: "double", int: "int32_t"}
+    assert fields == [(name, kinds[type(value)]) for name, value in CONSTANTS.items()]
+
+    harmless = {"0.0", "1.0", "0.5", "0.25", "2.0", "4.0", "6.0", "1e-300"}
+    for source in sorted((NATIVE / "film").glob("*")):
+        text = re.sub(r"//.*|\bkPi = [\d.]+", "", source.read_text(encoding="utf-8"))
+        numbers = set(re.findall(r"(?<![\w.])\d+\.\d+(?:e[-+]?\d+)?|(?<![\w.])\d+e[-+]?\d+", text))
+        assert numbers <= harmless | ELASTICITY.get(source.name, set()), source.name
+
+
+@pytest.mark.parametrize("name", sorted(CONSTANTS))
+def test_each_constant_reaches_the_native_solver(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A value that makes no sense is refused by it."""
+    monkeypatch.setitem(CONSTANTS, name, 0 if isinstance(CONSTANTS[name], int) else 0.0)
+    with pytest.raises(SolverError, match="constant"):
+        inflate(
+            triangulate(NAMED["disc"], size_for(NAMED["disc"], 60)), film(100), PRESSURE, backend="native"
+        )
 
 
 def test_cancel_does_not_wait_for_a_large_factorisation() -> None:

@@ -19,9 +19,9 @@ import numpy as np
 from BalloonWorkbench.core.solver.element.membrane import MembraneResponse
 from BalloonWorkbench.core.types import Floats
 
-# The native solver has the same numbers (native/src/orthotropic.cpp).
-_TRIALS = 24  # directions tried before Newton's method finds the best
-_NEWTON_STEPS = 8
+# The native solver is given these numbers (c_interface.py).
+DIRECTIONS = 24  # directions tried before Newton's method finds the best
+DIRECTION_STEPS = 8
 
 
 @dataclass(frozen=True)
@@ -83,16 +83,16 @@ def _wrinkled(strain: Floats, grain: Grain) -> tuple[Floats, Floats]:
     """Stress (m, 3) and tangent (m, 3, 3) of wrinkled triangles, in the grain's axes."""
     # the direction of the longest fibre is tried too: where a film hardly lengthens, only its neighbours do
     longest = 0.5 * np.arctan2(strain[:, 2], strain[:, 0] - strain[:, 1])
-    spread = np.pi * np.arange(_TRIALS) / _TRIALS
-    trials = np.column_stack([longest, np.broadcast_to(spread, (len(strain), _TRIALS))])
+    spread = np.pi * np.arange(DIRECTIONS) / DIRECTIONS
+    trials = np.column_stack([longest, np.broadcast_to(spread, (len(strain), DIRECTIONS))])
     c, s = np.cos(trials), np.sin(trials)
     lengthening = c * c * strain[:, :1] + s * s * strain[:, 1:2] + c * s * strain[:, 2:]
     merit = np.where(lengthening > 0.0, _modulus(trials, grain)[0] * lengthening**2, -1.0)
     angle = trials[np.arange(len(strain)), np.argmax(merit, axis=1)]
-    for _ in range(_NEWTON_STEPS):
+    for _ in range(DIRECTION_STEPS):
         slope, bend, _, _ = _merit(angle, strain, grain)
         step = np.where(bend < 0.0, -slope / np.where(bend < 0.0, bend, 1.0), 0.0)
-        angle = angle + np.clip(step, -0.5 * np.pi / _TRIALS, 0.5 * np.pi / _TRIALS)
+        angle = angle + np.clip(step, -0.5 * np.pi / DIRECTIONS, 0.5 * np.pi / DIRECTIONS)
     _, bend, stress, mixed = _merit(angle, strain, grain)
     c, s = np.cos(angle), np.sin(angle)
     along = np.column_stack([c * c, s * s, c * s])

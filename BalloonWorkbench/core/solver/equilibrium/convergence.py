@@ -12,12 +12,12 @@ import numpy as np
 from BalloonWorkbench.core.solver.problem import Energies
 from BalloonWorkbench.core.types import Bools, Floats
 
-# The native solver has the same numbers (native/src/sight.cpp): both must take the same steps. In units of
+# The native solver is given these numbers (c_interface.py): both must take the same steps. In units of
 # the tolerance on the energy, or of its root for the seam, whose movements the energy grows with squared.
-ENERGY = 100.0  # predicted decrease, relative
-VOLUME = 10.0  # change in a whole step, relative
-SEAM = 0.1  # movement in a whole step, root mean square
-STEPS = 2  # in a row
+STILL_DECREMENT = 100.0  # predicted decrease, relative
+STILL_VOLUME = 10.0  # change in a whole step, relative
+STILL_SEAM = 0.1  # movement in a whole step, root mean square
+STILL_STEPS = 2  # in a row
 
 
 class Sight:
@@ -47,12 +47,13 @@ class Sight:
         still = (
             not held_back
             and len(self._seam) > 0
-            and decrement <= ENERGY * self._tolerance * abs(next_energy.total)
-            and abs(next_energy.pressure - energy.pressure) <= VOLUME * whole * abs(next_energy.pressure)
-            and self._movement(before, after) <= SEAM * np.sqrt(self._tolerance) * length
+            and decrement <= STILL_DECREMENT * self._tolerance * abs(next_energy.total)
+            and abs(next_energy.pressure - energy.pressure)
+            <= STILL_VOLUME * whole * abs(next_energy.pressure)
+            and self._movement(before, after) <= STILL_SEAM * np.sqrt(self._tolerance) * length
         )
         self._steps = self._steps + 1 if still else 0
-        return self._steps >= STEPS
+        return self._steps >= STILL_STEPS
 
     def _movement(self, before: Floats, after: Floats) -> float:
         """Of the seam, root mean square, without what it moves and turns as a whole."""

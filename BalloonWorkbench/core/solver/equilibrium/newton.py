@@ -24,11 +24,12 @@ if TYPE_CHECKING:
     from scipy.sparse import csc_matrix
     from scipy.sparse.linalg import SuperLU
 
-# The native solver has the same numbers (native/src/newton.cpp): both must take the same steps.
+# The native solver is given these numbers (c_interface.py): both must take the same steps.
 LEVEL_TOLERANCE = 0.02  # a softer level is good enough at this relative decrement
 SHIFT = 1e-6  # of the area of each vertex, on the diagonal: holds what moves in the plane as a whole
 DIRECTOR_SHIFT = 0.1  # of the flexural rigidity, for a unit of shift
 FIRST_TENSION = 0.03  # in p L, tried when the Hessian is indefinite
+LEAST_TENSION = 0.1 * FIRST_TENSION  # after a short step
 HELD_BACK = 0.1  # a step with more tension than that says little about the rest
 LARGEST_TENSION = 1e12
 TENSION_GROWTH = 8.0
@@ -36,6 +37,8 @@ TENSION_DECAY = 0.2
 NEED_DECAY = 0.5  # of the tension that made the Hessian definite: it is not tried without it again at once
 SUFFICIENT = 2e-4  # part of the predicted decrease that a step must bring
 SHORTEST = 1e-3  # of a Newton step; shorter ones are rejected
+SHORT_STEP = 0.3  # after a step below that the tension grows,
+MIDDLING_STEP = 0.5  # so that the next may be as long as that
 
 
 def solve(
@@ -118,8 +121,8 @@ def _masses(shell: Shell) -> Floats:
 def _next_tension(tension: float, length: float) -> float:
     if length == 1.0:
         return TENSION_DECAY * tension
-    if length < 0.3:
-        return max(tension, 0.1 * FIRST_TENSION) * min(0.5 / length, TENSION_GROWTH)
+    if length < SHORT_STEP:
+        return max(tension, LEAST_TENSION) * min(MIDDLING_STEP / length, TENSION_GROWTH)
     return tension
 
 

@@ -13,12 +13,21 @@ from contextlib import contextmanager
 import numpy as np
 
 from BalloonWorkbench.core.errors import Cancelled, SolverError
+from BalloonWorkbench.core.solver.element import orthotropic
 from BalloonWorkbench.core.solver.element.seam_band import hinge_rigidities, seam_hinges
+from BalloonWorkbench.core.solver.equilibrium import newton
 from BalloonWorkbench.core.solver.native.load import library as loaded_library
 from BalloonWorkbench.core.solver.problem import Energies, Equilibrium, FilmProblem, NewtonSettings
 from BalloonWorkbench.core.types import Floats, Progress, no_progress
 
 _CANCELLED = 3
+#: The numbers that steer both solvers: those in capitals of these modules, in their order.
+CONSTANTS: dict[str, float] = {
+    name.lower(): value
+    for module in (newton, sight, orthotropic)
+    for name, value in vars(module).items()
+    if name.isupper() and type(value) in (int, float)
+}
 
 
 class _Material(ctypes.Structure):
@@ -37,6 +46,13 @@ class _Material(ctypes.Structure):
 
 class _Newton(ctypes.Structure):
     _fields_ = [("tolerance", ctypes.c_double), ("max_steps", ctypes.c_int32)]
+
+
+class _Constants(ctypes.Structure):
+    _fields_ = [
+        (name, ctypes.c_int32 if isinstance(value, int) else ctypes.c_double)
+        for name, value in CONSTANTS.items()
+    ]
 
 
 class _Result(ctypes.Structure):
@@ -96,6 +112,7 @@ def _solver(library: ctypes.CDLL, problem: FilmProblem) -> Iterator[ctypes.c_voi
             _pointer(hinges),
             _pointer(rigidities),
             ctypes.byref(material),
+            ctypes.byref(_Constants(**CONSTANTS)),
             ctypes.byref(handle),
         ),
     )

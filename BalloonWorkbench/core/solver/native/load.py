@@ -21,7 +21,7 @@ from BalloonWorkbench.core.solver.native.library import (
 if TYPE_CHECKING:
     import ctypes
 
-ABI_VERSION = 4
+ABI_VERSION = 5
 _FOLDER = FOLDER
 
 

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "film_solver.h"
+#include "orthotropic.h"
+
+namespace film {
+
+// The membrane law that a material asks for: with or without a grain, as a tension field or a plain shell.
+class FilmLaw {
+public:
+    FilmLaw(const film_material& material, const film_constants& constants);
+
+    // With whole, stress and tangent, else the energy density alone.
+    template <bool Whole>
+    SIMD_INLINE void respond(const Vec4 (&strain)[3], FourResponses& response) const {
+        if (tension_field_ && !orthotropic_)
+            tension_field<Whole>(strain, poisson_, response);
+        else
+            one_by_one(strain, response);
+    }
+
+private:
+    MembraneResponse response(const Eigen::Vector3d& strain) const;
+    void one_by_one(const Vec4 (&strain)[3], FourResponses& response) const;
+
+    double poisson_;
+    bool orthotropic_, tension_field_;
+    Grain grain_;
+    DirectionSearch search_;
+    Eigen::Matrix3d stiffness_; // of the plain shell
+};
+
+} // namespace film
