@@ -37,11 +37,11 @@ class BalloonWorkbench(Gui.Workbench):
 def _plug_in():
     """Let the document objects use the window."""
     from BalloonWorkbench.app.border import hooks
-    from BalloonWorkbench.gui import qt, view
+    from BalloonWorkbench.gui import attach_view, qt
     from BalloonWorkbench.gui.long_work import blocking
     from BalloonWorkbench.gui.window import borders, preferences_page, sentences
 
-    hooks.dress = view.dress
+    hooks.dress = attach_view.dress
     hooks.work = blocking.work
     hooks.say = sentences.tell
     hooks.tell = borders.tell

@@ -4,7 +4,7 @@
 In FreeCAD the functions of the Python API are here: BalloonWorkbench.from_picture(...), see docs/api.md.
 """
 
-_MANIFEST = ("__version__", "__date__")  # of package.xml, the one place for them
+_RELEASE = {"__version__": "VERSION", "__date__": "DATE"}
 _API = (
     *("from_picture", "from_sketch", "parts", "change", "inflate", "findings", "repair"),
     *("export", "artwork", "sketch", "nest", "assembly_sheet"),
@@ -13,12 +13,10 @@ _API = (
 
 def __getattr__(name: str) -> object:
     """The API needs FreeCAD, the engine does not: it is loaded when it is asked for. So is the version."""
-    if name in _MANIFEST:
-        from pathlib import Path
-        from xml.etree import ElementTree
+    if name in _RELEASE:
+        from BalloonWorkbench.core import version
 
-        manifest = ElementTree.parse(Path(__file__).resolve().parents[1] / "package.xml")
-        return manifest.findtext("{*}" + name.strip("_"))
+        return getattr(version, _RELEASE[name])
     if name not in _API:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     from BalloonWorkbench.app import api

@@ -17,10 +17,11 @@ from typing import TypeVar
 
 from BalloonWorkbench.app import balloon
 from BalloonWorkbench.app.document import create
-from BalloonWorkbench.app.document.create import Parts
-from BalloonWorkbench.app.document.parts import parts_of
+from BalloonWorkbench.app.document.kinds import is_artwork, is_balloon
+from BalloonWorkbench.app.document.parts import Parts, parts_of
 from BalloonWorkbench.app.engine import advice as coach
 from BalloonWorkbench.app.engine import export as writer
+from BalloonWorkbench.app.engine import repairs
 from BalloonWorkbench.app.properties import values
 from BalloonWorkbench.core import faults
 from BalloonWorkbench.core.errors import BalloonError, InputError
@@ -110,7 +111,7 @@ def repair(made: Parts, rule: str, near=(0.0, 0.0)) -> None:
         raise InputError(f'There is no "{rule}" to repair in {made.balloon.Label}: see its advice.')
     x, y = near
     nearest = min(found, key=lambda each: (to_mm(each.place[0]) - x) ** 2 + (to_mm(each.place[1]) - y) ** 2)
-    coach.take(made, nearest.repair)
+    repairs.take(made, nearest.repair)
     made.balloon.Document.recompute()
 
 
@@ -134,12 +135,12 @@ def export(
 
     if _done:
         return Path(path)
-    if prints.is_artwork(obj):
+    if is_artwork(obj):
         prints.write(obj, path)
         return Path(path)
     if machine:
         return writer.export_for(obj, machine, path, paper, bed, oversize)
-    results = isinstance(getattr(obj, "Proxy", None), balloon.BalloonProxy)
+    results = is_balloon(obj)
     return (writer.export_results if results else writer.export_pattern)(obj, path)
 
 
@@ -153,7 +154,7 @@ def artwork(pattern_obj, **wanted):
 
     if _done:
         return _done[-1]
-    found = [obj for obj in pattern_obj.InList if prints.is_artwork(obj) and obj.Pattern == pattern_obj]
+    found = [obj for obj in pattern_obj.InList if is_artwork(obj) and obj.Pattern == pattern_obj]
     made = found[0] if found else prints.make(pattern_obj)
     values.assign_to(made, prints.PROPERTIES, wanted)
     made.Document.recompute()

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.document import arrange
+from BalloonWorkbench.app.document.kinds import is_artwork, leader
 from BalloonWorkbench.app.document.proxy import DocumentProxy
 from BalloonWorkbench.app.properties.property_table import Property, results
 from BalloonWorkbench.core.errors import ExportError, InputError
@@ -65,11 +66,6 @@ class ArtworkProxy(DocumentProxy):
 
         front = _marked(obj)
         return back_of(front) if obj.Side == BACK else front
-
-
-def is_artwork(obj) -> bool:
-    """Whether a document object is an artwork."""
-    return isinstance(getattr(obj, "Proxy", None), ArtworkProxy)
 
 
 def make(pattern_obj, picture: str = "", back: str = ""):
@@ -209,7 +205,7 @@ def _pictures(obj):
 
     InputError where there is nothing to print.
     """
-    from BalloonWorkbench.app.outline import DRAWN_AS, leader
+    from BalloonWorkbench.app.outline import DRAWN_AS
     from BalloonWorkbench.core.artwork.picture import covering, mirrored
 
     low, size, drawing = _frame(obj.Pattern.Balloon)
@@ -232,7 +228,7 @@ def _frame(balloon):
 
     from BalloonWorkbench.app.drawings.drawing_file import read_drawing
     from BalloonWorkbench.app.engine import film_result
-    from BalloonWorkbench.app.outline import DRAWN_AS, SYMMETRY, leader
+    from BalloonWorkbench.app.outline import DRAWN_AS, SYMMETRY
 
     shown, first = film_result.drawing(balloon), leader(balloon.Outline)
     if first.Source or first.Kind != "picture":

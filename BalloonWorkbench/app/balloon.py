@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.document.proxy import DocumentProxy
-from BalloonWorkbench.app.engine import advice, film_result
+from BalloonWorkbench.app.engine import film_result
 from BalloonWorkbench.app.properties import film, size_goal
 from BalloonWorkbench.app.properties.property_table import Property, results, show_in_editor
 
@@ -88,7 +88,14 @@ PROPERTIES = (
     Property("Integer", "NewtonSteps", "Result", "Steps of the solver in the last inflation", result=True),
     Property("String", "ActiveBackend", "Result", "Solver that was used", result=True),
     *size_goal.RESULTS,
-    *advice.BALLOON_PROPERTIES,
+    Property(
+        "Float",
+        "Puffiness",
+        "Result",
+        "Air that it holds, as a share of what a round balloon of as much film would",
+        result=True,
+    ),
+    Property("StringList", "Advice", "Result", "What would make the balloon better", result=True),
     *film_result.PROPERTIES,
     Property("StringList", "Warnings", "Result", "Remarks made during the design", result=True),
     Property("String", "Status", "Result", "Up to date, or what is wrong", result=True),
@@ -155,7 +162,7 @@ class BalloonProxy(DocumentProxy):
                 if not obj.Live:
                     status.set_problem(obj, bool(obj.SolvedFor), _not_asked(obj))
                     return
-                design, told = hooks.work(f"Inflating {obj.Label}", lambda progress: solve(wanted, progress))
+                design, told = hooks.work(f"Inflating {obj.Label}", wanted.solve)
                 show(obj, wanted, design, told)
             size_goal.show_lift(obj)
             status.set_status(obj, _verdict(obj))
@@ -173,7 +180,7 @@ def inflate_now(obj) -> None:
     with status.reported(obj, bool(obj.SolvedFor)):
         wanted = request(obj)
         if wanted.key() != obj.SolvedFor:
-            design, told = hooks.work(f"Inflating {obj.Label}", lambda progress: solve(wanted, progress))
+            design, told = hooks.work(f"Inflating {obj.Label}", wanted.solve)
             show(obj, wanted, design, told)
         obj.touch()
         obj.Document.recompute()
@@ -220,30 +227,6 @@ def request(obj):
     )
 
 
-def solve(wanted, progress):
-    """A request's design and what there is to tell about it; touches no document."""
-    design = wanted.solve(progress)
-    return design, describe(wanted, design)
-
-
-def describe(wanted, design) -> dict:
-    """What there is to tell about a design, as plain data; touches no document."""
-    from dataclasses import replace
-
-    from BalloonWorkbench.core import report
-    from BalloonWorkbench.core.pattern.build import build_pattern
-
-    settings, source = wanted.settings, wanted.source
-    if settings.goal is not None:
-        source = replace(source, outline=design.target)
-    plain = build_pattern(design.pattern, settings.film.seal_width, intake=False)
-    told = report.build(source, settings.film, design, plain, settings.volume, goal=settings.goal)
-    told |= advice.told(design, settings.film, settings.wanted)
-    size_goal.prepare(design.pattern, settings.film, settings.wanted)
-    del told["pattern"], told["lift"]  # the Pattern object, and the properties, have their own
-    return told
-
-
 def show(obj, wanted, design, told: dict | None = None) -> None:
     """Write a design into the object; the next recompute finds it and does not solve again.
 
@@ -251,6 +234,7 @@ def show(obj, wanted, design, told: dict | None = None) -> None:
     """
     import json
 
+    from BalloonWorkbench.app.engine.solve import describe
     from BalloonWorkbench.app.host import mesh_from_arrays
     from BalloonWorkbench.app.shapes import part_shapes
     from BalloonWorkbench.core.results.stl import balloon_mesh
@@ -263,7 +247,8 @@ def show(obj, wanted, design, told: dict | None = None) -> None:
         part_shapes.store(found, "Seam", design.pattern)
         _show_measures(found, told)
         found.Warnings = list(design.warnings)
-        found.Advice, found.Puffiness = advice.sentences(told["advice"]), told["puffiness"]
+        found.Advice = [f"{finding['severity']}: {finding['text']}" for finding in told["advice"]]
+        found.Puffiness = told["puffiness"]
         found.Report = json.dumps(told, ensure_ascii=False)
         film_result.store(found, design.inflation, wanted.settings.film, _values(obj))
         found.SolvedFor = wanted.key()

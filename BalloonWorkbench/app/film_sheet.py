@@ -90,11 +90,6 @@ class FilmSheetProxy(DocumentProxy):
         return _layout(obj, stock, pieces).pattern(pieces)
 
 
-def is_film_sheet(obj) -> bool:
-    """Whether a document object is a sheet of film."""
-    return isinstance(getattr(obj, "Proxy", None), FilmSheetProxy)
-
-
 def make(doc, patterns):
     """A sheet of film with patterns; it gets a place below all of them. Nothing is laid out yet."""
     from BalloonWorkbench.app.border import hooks

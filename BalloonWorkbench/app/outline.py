@@ -7,8 +7,9 @@ from dataclasses import replace
 
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.document import arrange
+from BalloonWorkbench.app.document.kinds import leader
 from BalloonWorkbench.app.document.proxy import DocumentProxy
-from BalloonWorkbench.app.engine import advice
+from BalloonWorkbench.app.engine import repairs
 from BalloonWorkbench.app.properties.property_table import Property, results, show_in_editor
 
 SYMMETRY = {"Automatic": "auto", "Off": "off", "Forced": "force"}
@@ -50,7 +51,7 @@ PROPERTIES = (
         "Left open in welds that would cut off a part, so wide; 0 gives each part an intake of its own",
         10.0,
     ),
-    *advice.OUTLINE_PROPERTIES,
+    *repairs.PROPERTIES,
     *arrange.PROPERTIES,
     arrange.FROM_SKETCH,
     Property("String", "Kind", "Outline", "What the outline was read from", result=True),
@@ -108,7 +109,7 @@ class OutlineProxy(DocumentProxy):
             _trace_ahead(leader(obj))
             outline, kind, placement = read(obj)
             outline = linked(outline, metres(leader(obj).Passage))
-            outline = advice.repair_outline(obj, outline, scales=not leader(obj).Source)
+            outline = repairs.repair_outline(obj, outline, scales=not leader(obj).Source)
             show(obj, outline, kind)
             if placement is not None:
                 obj.Placement = placement * obj.FromSketch
@@ -147,11 +148,6 @@ def in_letters(path) -> str:
     import re
 
     return re.sub("[\\\\\ud800-\udfff]" if os.sep == "/" else "[\ud800-\udfff]", "_", os.fspath(path))
-
-
-def leader(obj):
-    """The outline that has the drawing: the object itself, or the one whose drawing it shares."""
-    return obj.Leader or obj
 
 
 def has_drawing(obj) -> bool:

@@ -7,7 +7,6 @@ from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.document import arrange
 from BalloonWorkbench.app.document.proxy import DocumentProxy
 from BalloonWorkbench.app.host import is_replaying
-from BalloonWorkbench.app.properties import size_goal
 from BalloonWorkbench.app.properties.property_table import Property, results, show_in_editor
 from BalloonWorkbench.app.shapes import pattern_shape
 from BalloonWorkbench.app.shapes.pattern_shape import DIRECTION, FARTHEST, LOW, PLACE
@@ -104,14 +103,14 @@ class PatternProxy(DocumentProxy):
             return
         if name in followed:
             self.follow_intake(obj)
-        own = any(item.name == name and not item.result for item in PROPERTIES)
-        edited = own and obj.Balloon is not None and not is_replaying(obj.Document)
-        if edited and size_goal.weighs_anew(obj.Balloon, values(obj)):
+        if _is_edited(obj, name) and (name == "Balloon" or _weighing(obj) != self.weighed_before):
             obj.Balloon.touch()  # it tells what it weighs, and may have its size from that
 
     def onBeforeChange(self, obj, name):
-        if name == "Balloon" and obj.Balloon is not None and not is_replaying(obj.Document):
-            obj.Balloon.touch()  # it weighs what the usual pattern weighs from now on
+        if _is_edited(obj, name):
+            self.weighed_before = _weighing(obj)
+            if name == "Balloon":
+                obj.Balloon.touch()  # it weighs what the usual pattern weighs from now on
 
     def follow_intake(self, obj):
         """Offer only what has an effect."""
@@ -138,14 +137,26 @@ class PatternProxy(DocumentProxy):
         with status.reported(obj, has_result):
             _work_out(obj)
             with results(obj) as found:
-                pattern_shape.show(found, sheet(obj), kind_of(obj).note if obj.Intake else "")
+                pattern_shape.show(found, self.cut_pattern(obj), kind_of(obj).note if obj.Intake else "")
             status.set_status(obj, status.READY)
         obj.positionBySupport()
 
+    def cut_pattern(self, obj):
+        """All that is cut: the panel with the pieces of its intake, the second panel, copies."""
+        return sheet(obj)
 
-def is_pattern(obj) -> bool:
-    """Whether a document object is a pattern."""
-    return isinstance(getattr(obj, "Proxy", None), PatternProxy)
+
+def _is_edited(obj, name: str) -> bool:
+    """A value of a balloon's pattern is changed, by the user or by what they have written."""
+    own = any(item.name == name and not item.result for item in PROPERTIES)
+    return own and bool(getattr(obj, "Balloon", None)) and not is_replaying(obj.Document)
+
+
+def _weighing(obj):
+    """What its weight depends on."""
+    from BalloonWorkbench.core.making.weight import weighing
+
+    return weighing(values(obj))
 
 
 def _choices() -> dict[str, list[str]]:

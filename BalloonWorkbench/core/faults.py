@@ -138,14 +138,14 @@ def _places(error: BaseException) -> str:
 
 def _heading(doing: str) -> str:
     """When, where and with what: nothing of the user's but that."""
-    from BalloonWorkbench import __version__
+    from BalloonWorkbench.core.version import VERSION
 
     now = datetime.datetime.now(datetime.timezone.utc)
-    versions = {"Film Balloon": __version__, **surroundings, "Python": platform.python_version()}
+    versions = {"Film Balloon": VERSION, **surroundings, "Python": platform.python_version()}
     for package in ABSENCES:
         module = sys.modules.get(package)
         if module is not None:
-            versions[package] = str(getattr(module, "__version__", None) or _installed(package))
+            versions[package] = str(getattr(module, "VERSION", None) or _installed(package))
     return "\n".join(
         (
             f"Film Balloon, fault ({doing})",

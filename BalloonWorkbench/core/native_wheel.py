@@ -22,7 +22,6 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import urlsplit
 
-from BalloonWorkbench import __version__
 from BalloonWorkbench.core import packages
 from BalloonWorkbench.core.errors import Cancelled, ExportError, FetchError
 from BalloonWorkbench.core.files.data_file import RESOURCES, UNUSABLE, read_data
@@ -38,6 +37,7 @@ from BalloonWorkbench.core.solver.native.library import (
     sum_file,
 )
 from BalloonWorkbench.core.types import Progress, no_progress
+from BalloonWorkbench.core.version import VERSION
 
 WHEELS = RESOURCES / "native-wheels.json"
 _NOWHERE = ".example"  # ends names that lead nowhere, which stand for an address that is not known yet
@@ -74,7 +74,7 @@ def wheel() -> Wheel:
         raise FetchError(packages.NO_CTYPES)
     try:
         listed = read_data(WHEELS)
-        known = (listed["version"], listed["interface"]) == (__version__, load.ABI_VERSION)
+        known = (listed["version"], listed["interface"]) == (VERSION, load.ABI_VERSION)
         if not known or (urlsplit(listed["address"]).hostname or _NOWHERE).endswith(_NOWHERE):
             raise FetchError(f"There is no native solver to be fetched for this version yet. {SLOWER}")
         entry = listed["wheels"].get(platform_name())
@@ -113,7 +113,7 @@ def place() -> Path:
 
 def open_address(address: str) -> Any:
     """What an address gives, to be read. Raises OSError, HTTPException, ValueError."""
-    request = urllib.request.Request(address, headers={"User-Agent": f"FilmBalloon/{__version__}"})
+    request = urllib.request.Request(address, headers={"User-Agent": f"FilmBalloon/{VERSION}"})
     return urllib.request.urlopen(request, timeout=_PATIENCE)
 
 

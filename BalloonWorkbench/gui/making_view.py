@@ -115,6 +115,3 @@ def _plane(sheet) -> list:
     places.point.setValues(0, 4, [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)])
     face.numVertices.setValue(4)
     return [light, material, picture, corners, places, face]
-
-
-VIEWS = {"ArtworkProxy": ArtworkView, "FilmSheetProxy": FilmSheetView}

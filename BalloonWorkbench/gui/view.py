@@ -72,7 +72,7 @@ class OutlineView(_View):
 
     def doubleClicked(self, vobj):
         """A painting goes back to the paint window."""
-        from BalloonWorkbench.gui.panels import paint_again
+        from BalloonWorkbench.gui.paint.window import paint_again
 
         return paint_again(vobj.Object) or super().doubleClicked(vobj)
 
@@ -153,38 +153,3 @@ def _layer_colour(role: str) -> tuple[float, ...]:
 
     rgb = next((layer.rgb for known, layer in LAYERS.items() if known.value == role), "#000000")
     return tuple(int(rgb[i : i + 2], 16) / 255 for i in (1, 3, 5))
-
-
-_VIEWS = {
-    "GroupProxy": GroupView,
-    "OutlineProxy": OutlineView,
-    "BalloonProxy": BalloonView,
-    "PatternProxy": PatternView,
-}
-
-
-def _view_of(proxy: str):
-    """The view provider of a kind of object; those for making come when they are wanted."""
-    if proxy in _VIEWS:
-        return _VIEWS[proxy]
-    from BalloonWorkbench.gui.making_view import VIEWS
-
-    return VIEWS[proxy]
-
-
-def dress(obj) -> None:
-    """Give an object its view provider unless it has one, as after loading a file saved without a window."""
-    from BalloonWorkbench.gui.window import tree_signs
-
-    vobj = obj.ViewObject
-    if vobj is None:
-        return
-    tree_signs.watch_trees()
-    if isinstance(vobj.Proxy, _View):
-        vobj.Proxy.restored(vobj)
-        return
-    _view_of(type(obj.Proxy).__name__)(vobj)
-    for shown in (obj, obj.getParentGroup()):  # FreeCAD hides what it loads without its looks
-        if shown is not None:
-            shown.ViewObject.Visibility = True
-    vobj.Proxy.updateData(obj, "Roles")  # colours of lines hold only for lines that are drawn already

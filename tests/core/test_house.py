@@ -160,6 +160,38 @@ for module in pkgutil.walk_packages(BalloonWorkbench.core.__path__, "BalloonWork
     assert ended.returncode == 0, ended.stderr
 
 
+def _imported() -> dict[str, set[str]]:
+    """Our modules, each with those of ours that it imports: at its top, inside functions, for type hints."""
+    modules = {".".join(path.relative_to(ROOT).with_suffix("").parts): path for path in layer()}
+    modules = {name.removesuffix(".__init__"): path for name, path in modules.items()}
+    edges = {}
+    for name, path in modules.items():
+        taken = {each if each in modules else each.rpartition(".")[0] for each in imports(path)}
+        edges[name] = taken & set(modules) - {name}
+    return edges
+
+
+def _circles(edges: dict[str, set[str]]) -> list[list[str]]:
+    """What is left when modules are taken away that use none of the others, or that none of them uses."""
+    left = dict(edges)
+    while True:
+        used = {name for each in left.values() for name in each}
+        kept = {name: each & set(left) for name, each in left.items() if each & set(left) and name in used}
+        if kept == left:
+            return [[name, *sorted(each)] for name, each in sorted(left.items())]
+        left = kept
+
+
+def test_circles_are_seen() -> None:
+    assert not _circles({"a": {"b"}, "b": {"c"}, "c": set()})
+    assert [name for name, *_ in _circles({"a": {"b"}, "b": {"c"}, "c": {"b"}, "d": {"c"}})] == ["b", "c"]
+
+
+def test_no_import_runs_in_a_circle() -> None:
+    """Also inside functions: a module can be read and changed after those that it uses."""
+    assert not _circles(_imported())
+
+
 def test_files_name_their_licence() -> None:
     silent = [
         named(path)

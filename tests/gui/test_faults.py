@@ -18,9 +18,9 @@ import injected
 import numpy as np
 import pytest
 
-from BalloonWorkbench.app import artwork, film_sheet
+from BalloonWorkbench.app import artwork
 from BalloonWorkbench.app.border import status
-from BalloonWorkbench.app.document import create
+from BalloonWorkbench.app.document import create, kinds
 from BalloonWorkbench.core.artwork.files import png_bytes
 from BalloonWorkbench.core.job import Settings
 from BalloonWorkbench.core.nesting import nest
@@ -188,7 +188,7 @@ def nesting(run):
     hands.click(hands.find("LayOut"))
     run.listener.settle(lambda: "used" in hands.find("NestResult").text())
     run.close()
-    assert all(status.is_ready(obj) for obj in run.doc.Objects if film_sheet.is_film_sheet(obj))
+    assert all(status.is_ready(obj) for obj in run.doc.Objects if kinds.is_film_sheet(obj))
 
 
 def assembly(run):

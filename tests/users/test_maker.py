@@ -6,8 +6,9 @@ from pathlib import Path
 import FreeCAD as App
 import hands
 
-from BalloonWorkbench.app import artwork, film_sheet
+from BalloonWorkbench.app import artwork
 from BalloonWorkbench.app.border import status
+from BalloonWorkbench.app.document import kinds
 
 HEART = Path("resources/examples/pictures/heart.png").resolve()
 
@@ -76,7 +77,7 @@ def test_maker(user, story, tmp_path):
     story.step("laid-out")
     user.panel("Ok")
     hands.wait_until(hands.panel_is_closed, 60)
-    assert any(film_sheet.is_film_sheet(obj) for obj in doc.Objects)
+    assert any(kinds.is_film_sheet(obj) for obj in doc.Objects)
     story.step("on-film")
 
     user.select(balloon)

@@ -13,7 +13,16 @@ from dataclasses import dataclass, field
 
 import FreeCAD as App
 
+from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.border.guard import Guarded
+from BalloonWorkbench.app.document.kinds import (
+    is_artwork,
+    is_film_sheet,
+    is_ours,
+    is_outline,
+    is_pattern,
+    leader,
+)
 from BalloonWorkbench.app.properties.property_table import Property
 
 PROPERTIES = (
@@ -70,10 +79,10 @@ def arrange(doc) -> None:
     new = [unit for unit in units if unit.state == _NEW]
     waiting = [obj for unit in new for obj in unit.everything]
     for unit in new:
-        there = [obj for obj in doc.Objects if obj not in waiting and (_is_ours(obj) or obj.Visibility)]
+        there = [obj for obj in doc.Objects if obj not in waiting and (is_ours(obj) or obj.Visibility)]
         if unit.follows_sketch:
             others = [obj for each in settled if each.follows_sketch for obj in each.everything]
-            there = [obj for obj in there if _is_ours(obj)] if _meets(unit, others) else []
+            there = [obj for obj in there if is_ours(obj)] if _meets(unit, others) else []
             settled.append(unit)
         _place(unit, there)
         waiting = [obj for obj in waiting if obj not in unit.everything]
@@ -153,22 +162,17 @@ class _Unit:
 
 def _units(doc) -> list[_Unit]:
     """All that has a shape and a place, in the order in which it was made."""
-    from BalloonWorkbench.app import artwork, film_sheet
-    from BalloonWorkbench.app.border import status
-    from BalloonWorkbench.app.outline import OutlineProxy, leader
-    from BalloonWorkbench.app.pattern import is_pattern
-
     outlines, patterns, units = [], [], {}
-    for obj in filter(_is_ours, doc.Objects):
+    for obj in filter(is_ours, doc.Objects):
         if "PlacedAt" not in obj.PropertiesList or not (status.is_ready(obj) and _has_shape(obj)):
             continue
-        if isinstance(obj.Proxy, OutlineProxy):
+        if is_outline(obj):
             outlines.append(obj)
         elif is_pattern(obj):
             patterns.append(obj)
-        elif artwork.is_artwork(obj):
+        elif is_artwork(obj):
             units[obj] = _Unit([obj], [obj.Pattern], way=_DOWN)
-        elif film_sheet.is_film_sheet(obj):
+        elif is_film_sheet(obj):
             units[obj] = _Unit([obj], list(obj.Patterns), way=_DOWN)
     for together in _alike(outlines, leader):
         units[together[0]] = _Unit(together, along=[mesh for obj in together for mesh in _balloons(obj)])
@@ -178,24 +182,18 @@ def _units(doc) -> list[_Unit]:
     return [units[obj] for obj in doc.Objects if obj in units]
 
 
-def _alike(objects, leader) -> list[list]:
+def _alike(objects, first) -> list[list]:
     """Objects of the same drawing that are placed together; one that the user has put somewhere is alone."""
     groups: dict = {}
     for obj in objects:
         state = _state(obj)
-        groups.setdefault(obj if state == _FIXED else (leader(obj), state), []).append(obj)
+        groups.setdefault(obj if state == _FIXED else (first(obj), state), []).append(obj)
     return list(groups.values())
 
 
 def _balloons(outline) -> list:
     """The balloons that lie in an outline's place."""
     return [obj for obj in outline.InList if getattr(obj, "Outline", None) == outline]
-
-
-def _is_ours(obj) -> bool:
-    from BalloonWorkbench.app.document.proxy import DocumentProxy
-
-    return isinstance(getattr(obj, "Proxy", None), DocumentProxy)
 
 
 def _has_shape(obj) -> bool:
@@ -213,7 +211,7 @@ def _state(obj) -> str:
 
 def _follows_sketch(obj) -> bool:
     """It lies on a sketch, or as far from it as it was put aside."""
-    return "KeepAspect" in obj.PropertiesList and bool((obj.Leader or obj).Source)
+    return "KeepAspect" in obj.PropertiesList and bool(leader(obj).Source)
 
 
 def _is_same(a: App.Placement, b: App.Placement) -> bool:
@@ -269,8 +267,6 @@ def _around(unit: _Unit, objects) -> list:
 
 def _starts(unit: _Unit) -> list:
     """Where each object is before it goes its way, in the unit's plane; None: where it lies."""
-    from BalloonWorkbench.app.film_sheet import is_film_sheet
-
     if not unit.owners:
         return [None] * len(unit.objects)
     corner = App.Vector()
@@ -283,11 +279,11 @@ def _starts(unit: _Unit) -> list:
 
 def _on_a_sheet(patterns: list) -> list:
     """Shifts that lay patterns of a drawing beside each other: 0 where they have room as drawn."""
-    from BalloonWorkbench.app.pattern import sheet
     from BalloonWorkbench.core.pattern.layout import beside
     from BalloonWorkbench.core.units import to_mm
 
-    return [App.Vector(*to_mm(shift).tolist(), 0.0) for shift in beside([sheet(obj) for obj in patterns])]
+    shifts = beside([obj.Proxy.cut_pattern(obj) for obj in patterns])
+    return [App.Vector(*to_mm(shift).tolist(), 0.0) for shift in shifts]
 
 
 def _is_apart(unit: _Unit) -> bool:
@@ -331,6 +327,6 @@ def _put(obj, place: App.Placement) -> None:
     if FROM_SKETCH.name in obj.PropertiesList and _follows_sketch(obj):
         obj.FromSketch = obj.FromSketch * before.inverse() * obj.Placement
     if not touched and all(
-        _is_ours(user) or user.isDerivedFrom("App::DocumentObjectGroup") for user in obj.InList
+        is_ours(user) or user.isDerivedFrom("App::DocumentObjectGroup") for user in obj.InList
     ):
         obj.purgeTouched()

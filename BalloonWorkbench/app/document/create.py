@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import os
 from contextlib import ExitStack
-from typing import NamedTuple
 
 from BalloonWorkbench.app import balloon, pattern
 from BalloonWorkbench.app.balloon import (
@@ -19,6 +18,7 @@ from BalloonWorkbench.app.balloon import (
 )
 from BalloonWorkbench.app.border import hooks, status
 from BalloonWorkbench.app.document import arrange
+from BalloonWorkbench.app.document.parts import Parts, companions
 from BalloonWorkbench.app.group import MEMBERS, make_group, name_group
 from BalloonWorkbench.app.outline import OutlineProxy, set_drawing, shape_count
 from BalloonWorkbench.app.pattern import PatternProxy
@@ -26,14 +26,6 @@ from BalloonWorkbench.app.properties import film
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.solver.model import BENDING_FLOOR, Model
 from BalloonWorkbench.core.units import number_text
-
-
-class Parts(NamedTuple):
-    """The three objects of one balloon."""
-
-    outline: object
-    balloon: object
-    pattern: object
 
 
 def make(doc, label: str = "Film balloon") -> Parts:
@@ -116,20 +108,6 @@ def match_companions(parts: Parts) -> None:
         else:
             _follow(parts, other)
     add_companions(parts)
-
-
-def companions(parts: Parts) -> list[Parts]:
-    """The other balloons of the same drawing, by the number of their shape."""
-    members = parts.balloon.getParentGroup().Group
-    found = [
-        Parts(obj.Balloon.Outline, obj.Balloon, obj)
-        for obj in members
-        if pattern.is_pattern(obj)
-        and obj.Balloon
-        and obj.Balloon.Outline
-        and obj.Balloon.Outline.Leader == parts.outline
-    ]
-    return sorted(found, key=lambda other: other.outline.Part)
 
 
 def balloon_from_sketch(doc, sketch, elements=(), **options) -> Parts:

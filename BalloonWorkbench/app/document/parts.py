@@ -1,36 +1,44 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""From any object of a balloon to all of them."""
+"""The three objects of a balloon: from any of them to all, and to the other balloons of the same drawing."""
 
 from __future__ import annotations
 
-from BalloonWorkbench.app.balloon import BalloonProxy
-from BalloonWorkbench.app.document.create import Parts
-from BalloonWorkbench.app.outline import OutlineProxy
-from BalloonWorkbench.app.pattern import PatternProxy
+from typing import NamedTuple
+
+from BalloonWorkbench.app.document.kinds import is_balloon, is_outline, is_pattern
 
 
-def _is(obj, kind) -> bool:
-    return isinstance(getattr(obj, "Proxy", None), kind)
+class Parts(NamedTuple):
+    """The three objects of one balloon."""
+
+    outline: object
+    balloon: object
+    pattern: object
 
 
 def patterns(doc) -> list:
     """The pattern objects of a document."""
-    return [obj for obj in doc.Objects if _is(obj, PatternProxy)]
+    return [obj for obj in doc.Objects if is_pattern(obj)]
 
 
 def parts_of(obj) -> Parts | None:
     """The balloon that an object or group belongs to; None for other objects and incomplete balloons."""
     if obj.isDerivedFrom("App::DocumentObjectGroup"):
-        found = [
-            parts_of(member) for member in obj.Group if not member.isDerivedFrom("App::DocumentObjectGroup")
-        ]
-        return next((parts for parts in found if parts), None)
-    if _is(obj, PatternProxy) and obj.Balloon is not None:
+        members = (each for each in obj.Group if not each.isDerivedFrom("App::DocumentObjectGroup"))
+        return next(filter(None, map(parts_of, members)), None)
+    if is_pattern(obj) and obj.Balloon is not None:
         return Parts(obj.Balloon.Outline, obj.Balloon, obj) if obj.Balloon.Outline else None
-    if _is(obj, BalloonProxy):
-        users = [user for user in obj.InList if _is(user, PatternProxy) and user.Balloon == obj]
+    if is_balloon(obj):
+        users = [user for user in obj.InList if is_pattern(user) and user.Balloon == obj]
         return parts_of(users[0]) if users else None
-    if _is(obj, OutlineProxy):
-        users = [user for user in obj.InList if _is(user, BalloonProxy) and user.Outline == obj]
+    if is_outline(obj):
+        users = [user for user in obj.InList if is_balloon(user) and user.Outline == obj]
         return parts_of(users[0]) if users else None
     return None
+
+
+def companions(parts: Parts) -> list[Parts]:
+    """The other balloons of the same drawing, by the number of their shape."""
+    made = filter(None, map(parts_of, filter(is_pattern, parts.balloon.getParentGroup().Group)))
+    others = [each for each in made if each.outline.Leader == parts.outline]
+    return sorted(others, key=lambda other: other.outline.Part)

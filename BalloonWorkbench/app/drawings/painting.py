@@ -14,9 +14,10 @@ import numpy as np
 from BalloonWorkbench.app import balloon, pattern
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.document import create
-from BalloonWorkbench.app.document.create import Parts
+from BalloonWorkbench.app.document.kinds import leader
+from BalloonWorkbench.app.document.parts import Parts, companions
 from BalloonWorkbench.app.drawings.drawing_file import is_painting, read_drawing
-from BalloonWorkbench.app.engine.solve import Request
+from BalloonWorkbench.app.engine.solve import Request, describe
 from BalloonWorkbench.app.outline import DRAWN_AS, set_drawing
 from BalloonWorkbench.core.checkpoint import checkpoint, stoppable
 from BalloonWorkbench.core.design.design import Design
@@ -32,7 +33,7 @@ _FITTING = 0.6  # of the work of `solve`
 class Solved:
     """The balloons of a painting, the largest shape first, free of the document.
 
-    told  what `balloon.describe` says about each
+    told  what `describe` says about each
     """
 
     requests: tuple[Request, ...]
@@ -66,8 +67,6 @@ def artwork(outline) -> Artwork | None:
 
     None where there is none: an outline from a sketch, a vector drawing, a photo.
     """
-    from BalloonWorkbench.app.outline import leader
-
     first = leader(outline)
     if first.Source or not is_painting(first.Drawing):
         return None
@@ -128,13 +127,13 @@ def solve(
         requests.append(request)
         same = known.get(request.key())
         designs.append(
-            request.solve(_share(progress, number, count)) if same is None else same.of_drawing(outline)
+            request.design(_share(progress, number, count)) if same is None else same.of_drawing(outline)
         )
     fitted(requests, designs)
     with stoppable(progress):
         for number, (request, design) in enumerate(zip(requests, designs)):
             checkpoint(_FITTING + (1.0 - _FITTING) * number / count)
-            told.append(balloon.describe(request, design))
+            told.append(describe(request, design))
             checkpoint(_FITTING + (1.0 - _FITTING) * (number + 0.5) / count)
             _prepare(design.pattern, settings)
         place(path, width, drawn_as=settings.drawn_as)  # the window will ask for it, and shall not wait
@@ -198,7 +197,7 @@ def _fill(parts: Parts, path: Path, width: float, solved: Solved, pause) -> list
     parts.outline.DrawnAs = next(title for title, choice in DRAWN_AS.items() if choice == drawn_as)
     create.match_companions(parts)
     pause()
-    everyone = [parts, *create.companions(parts)]
+    everyone = [parts, *companions(parts)]
     for each, request, design, told in zip(everyone, solved.requests, solved.designs, solved.told):
         parts.outline.Document.recompute([each.outline])
         pause()

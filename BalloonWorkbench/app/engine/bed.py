@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from BalloonWorkbench.app.document.kinds import leader
+from BalloonWorkbench.app.engine.cut_sheet import patterns_in, sheet
 from BalloonWorkbench.core.errors import ExportError
 
 
@@ -12,8 +14,6 @@ def hindrance(pattern_obj) -> str:
     pattern_obj  a pattern, the group of a drawing, an artwork, or a sheet of film
     """
     from BalloonWorkbench.app.balloon import VOLUME
-    from BalloonWorkbench.app.engine.export import patterns_in
-    from BalloonWorkbench.app.outline import leader
     from BalloonWorkbench.app.properties.size_goal import WIDTH
 
     patterns = patterns_in(pattern_obj)
@@ -38,8 +38,7 @@ def scale_to_bed(pattern_obj, machine_name: str, bed: str | None = None) -> floa
     weld and allowance keep their widths. Raises ExportError where something else decides the size or no size
     fits; the document is then as before.
     """
-    from BalloonWorkbench.app.engine.export import patterns_in, sheet
-    from BalloonWorkbench.app.outline import leader, read_all
+    from BalloonWorkbench.app.outline import read_all
     from BalloonWorkbench.core.machines.bed import scale_to_fit
     from BalloonWorkbench.core.machines.machine import machine
     from BalloonWorkbench.core.units import to_mm
@@ -68,8 +67,7 @@ def _resize(outline, size) -> None:
     """Bring the drawing to a width and height [mm], and all its balloons up to date."""
     from BalloonWorkbench.app import balloon
     from BalloonWorkbench.app.border import status
-    from BalloonWorkbench.app.document.create import companions
-    from BalloonWorkbench.app.document.parts import parts_of
+    from BalloonWorkbench.app.document.parts import companions, parts_of
 
     outline.Width, outline.Height = size
     first = parts_of(outline)

@@ -5,7 +5,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from BalloonWorkbench.app.border import status
+from BalloonWorkbench.app.engine.bed import scale_to_bed
+from BalloonWorkbench.app.engine.cut_sheet import insist_on_ready, patterns_in, sheet
 from BalloonWorkbench.core.errors import ExportError, InputError
 
 
@@ -24,35 +25,6 @@ def export_pattern(pattern_obj, target) -> Path:
     if kind not in ANY:
         raise ExportError(f"{path.name} is neither DXF nor SVG: let the name end in .dxf or .svg.")
     return export_for(pattern_obj, ANY[kind], path)
-
-
-def sheet(pattern_obj):
-    """The pattern of an object in full precision, or all patterns of a group on one sheet.
-
-    An artwork or a sheet of film gives what is cut for it.
-    Raises ExportError when there is none, or one is not up to date.
-    """
-    from BalloonWorkbench.app import pattern
-    from BalloonWorkbench.core.pattern.layout import on_one_sheet
-
-    own = getattr(getattr(pattern_obj, "Proxy", None), "cut_pattern", None)
-    if own is not None:
-        _insist_on_ready(pattern_obj)
-        return own(pattern_obj)
-    objects = [obj for obj in getattr(pattern_obj, "Group", [pattern_obj]) if pattern.is_pattern(obj)]
-    if not objects:
-        raise ExportError(f"{pattern_obj.Label} has no pattern: choose a balloon.")
-    for obj in objects:
-        _insist_on_ready(obj)
-    return on_one_sheet([pattern.sheet(obj) for obj in objects])
-
-
-def patterns_in(obj) -> list:
-    """The pattern objects of what can be exported: of itself, a group, an artwork or a sheet of film."""
-    from BalloonWorkbench.app import pattern
-
-    cut = getattr(obj, "Patterns", None) or [getattr(obj, "Pattern", None) or obj]
-    return [each for one in cut for each in getattr(one, "Group", [one]) if pattern.is_pattern(each)]
 
 
 def check_for(pattern_obj, machine_name: str, bed: str | None = None, oversize: str = "refuse"):
@@ -113,7 +85,6 @@ def export_for(
     Raises ExportError, and writes nothing, when the machine cannot make the pattern.
     """
     from BalloonWorkbench.app.border import hooks
-    from BalloonWorkbench.app.engine.bed import scale_to_bed
     from BalloonWorkbench.core.files.write import write_files
     from BalloonWorkbench.core.machines.bed import OVERSIZE, SCALE
     from BalloonWorkbench.core.machines.machine import machine
@@ -163,15 +134,8 @@ def export_results(balloon_obj, target) -> Path:
     kind = path.suffix.lower().lstrip(".")
     if kind not in (*KINDS, "stl"):
         raise ExportError(f"{path.name} is neither VTU, NPZ nor STL: let the name end in .vtu, .npz or .stl.")
-    _insist_on_ready(balloon_obj)
+    insist_on_ready(balloon_obj)
     inflation, film = film_result.stored(balloon_obj)
     content = stl_bytes([inflation]) if kind == "stl" else results_bytes(inflation, film, kind)
     write_files(path.parent, {path.name: content})
     return path
-
-
-def _insist_on_ready(obj) -> None:
-    if not status.is_ready(obj):
-        raise ExportError(
-            f"{obj.Label} is not up to date. {status.problem(obj)} Repair that, recompute and export again."
-        )

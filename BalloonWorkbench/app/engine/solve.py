@@ -5,13 +5,18 @@ from __future__ import annotations
 
 import hashlib
 import json
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 
 import numpy as np
 
+from BalloonWorkbench.app.properties import size_goal
+from BalloonWorkbench.core import report
+from BalloonWorkbench.core.advice.advise import advise_design
+from BalloonWorkbench.core.advice.as_data import advice_report
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.job import Settings, design_outline
 from BalloonWorkbench.core.making.weight import weighing
+from BalloonWorkbench.core.pattern.build import build_pattern
 from BalloonWorkbench.core.pattern.make import Wanted
 from BalloonWorkbench.core.report import Source
 from BalloonWorkbench.core.solver.model import Model
@@ -79,16 +84,24 @@ class Request:
         own, usual = (asdict(weighing(wanted)) for wanted in (self.settings.wanted, Wanted()))
         return [f"{name}={value}" for name, value in own.items() if value != usual[name]]
 
-    def solve(self, progress: Progress = no_progress) -> Design:
+    def design(self, progress: Progress = no_progress) -> Design:
         """The balloon and its seam; BalloonError when there is none, Cancelled when progress says stop."""
         return design_outline(self.source.outline, self.settings, progress)
 
-
-class Told(Request):
-    """A request that is answered with what `balloon.describe` says, too: that takes a while as well."""
-
     def solve(self, progress: Progress = no_progress) -> tuple[Design, dict]:
-        """The design, and what there is to tell about it; raises as a plain request does."""
-        from BalloonWorkbench.app.balloon import solve
+        """The design, and what `describe` says about it; raises as `design` does."""
+        design = self.design(progress)
+        return design, describe(self, design)
 
-        return solve(Request(self.source, self.settings), progress)
+
+def describe(request: Request, design: Design) -> dict:
+    """What there is to tell about a design, as plain data; touches no document."""
+    settings, source = request.settings, request.source
+    if settings.goal is not None:
+        source = replace(source, outline=design.target)
+    plain = build_pattern(design.pattern, settings.film.seal_width, intake=False)
+    told = report.build(source, settings.film, design, plain, settings.volume, goal=settings.goal)
+    told |= advice_report(advise_design(design, settings.film, wanted=settings.wanted))
+    size_goal.prepare(design.pattern, settings.film, settings.wanted)
+    del told["pattern"], told["lift"]  # the Pattern object, and the properties, have their own
+    return told

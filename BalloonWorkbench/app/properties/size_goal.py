@@ -7,6 +7,7 @@ its origin: the Outline stays as it is, the Balloon and its Pattern have the siz
 
 from __future__ import annotations
 
+from BalloonWorkbench.app.document.kinds import is_pattern
 from BalloonWorkbench.app.properties.property_table import Property, show_in_editor
 from BalloonWorkbench.core.recent import Recent
 
@@ -43,7 +44,6 @@ RESULTS = (
 
 
 _weights = Recent(8)
-_weighed = Recent(1000)  # what each balloon was weighed with, by its document and name
 
 
 def follow(obj) -> None:
@@ -107,7 +107,7 @@ def wanted_of(obj):
     from BalloonWorkbench.app import pattern
 
     for other in obj.InList:
-        if pattern.is_pattern(other) and other.Balloon == obj:
+        if is_pattern(other) and other.Balloon == obj:
             return pattern.values(other)
     return pattern.usual_values()
 
@@ -120,13 +120,6 @@ def film_and_valve(seam, film, wanted) -> tuple[float, float]:
     if key not in _weights:
         _weights[key] = weight.film_and_valve(seam, film, wanted)
     return _weights[key]
-
-
-def weighs_anew(obj, wanted) -> bool:
-    """Whether a balloon was weighed with a pattern that weighs something else, or not at all."""
-    from BalloonWorkbench.core.making.weight import weighing
-
-    return _weighed.get((obj.Document.Name, obj.Name)) != weighing(wanted)
 
 
 def _weight_key(seam, film, wanted) -> tuple:
@@ -154,11 +147,9 @@ def show_lift(obj) -> None:
     from BalloonWorkbench.app.properties.quantities import cubic_metres, metres, pascals
     from BalloonWorkbench.app.shapes import part_shapes
     from BalloonWorkbench.core.design.size_goal import Buoyancy, Scaling
-    from BalloonWorkbench.core.making.weight import weighing
     from BalloonWorkbench.core.units import to_grams, to_mm
 
     own, seam, wanted = read(obj), part_shapes.stored(obj, "Seam"), wanted_of(obj)
-    _weighed[obj.Document.Name, obj.Name] = weighing(wanted)
     if _weight_key(seam, own, wanted) in _weights:
         area, valve = film_and_valve(seam, own, wanted)
     else:

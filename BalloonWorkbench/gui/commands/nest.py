@@ -32,13 +32,14 @@ class Nest:
 
     def Activated(self):
         from BalloonWorkbench.app import film_sheet
+        from BalloonWorkbench.app.document import kinds
         from BalloonWorkbench.app.document.parts import parts_of, patterns
         from BalloonWorkbench.gui.panels import show
         from BalloonWorkbench.gui.panels.making.nest import NestPanel
 
         doc = App.ActiveDocument
         selected = Gui.Selection.getSelection()
-        sheets = [obj for obj in selected if film_sheet.is_film_sheet(obj)]
+        sheets = [obj for obj in selected if kinds.is_film_sheet(obj)]
         chosen = [parts.pattern for parts in map(parts_of, selected) if parts]
         known = list(dict.fromkeys(chosen)) or patterns(doc)
         with undo_step(doc, translate("Lay out on film")):

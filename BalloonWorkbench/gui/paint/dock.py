@@ -30,6 +30,9 @@ class PaintDock(QtWidgets.QDockWidget):
         self._watch = QtCore.QTimer(self)
         self._watch.setInterval(_LOOKS)
         self._watch.timeout.connect(self._mind_overlays)
+        self._closed = QtCore.QTimer(self)
+        self._closed.setSingleShot(True)
+        self._closed.timeout.connect(self.give_back)
 
     def fill(self, above, left, canvas, below) -> None:
         """Put the widgets in their places."""
@@ -49,7 +52,8 @@ class PaintDock(QtWidgets.QDockWidget):
         main = Gui.getMainWindow()
         if self.parent() is None or main.dockWidgetArea(self) == QtCore.Qt.NoDockWidgetArea:
             main.addDockWidget(QtCore.Qt.LeftDockWidgetArea, self, QtCore.Qt.Horizontal)
-        if not self.isVisible():
+        self._closed.stop()
+        if not self._neighbours:  # those that it has made narrow before are still to be given back
             others = [dock for dock in main.findChildren(QtWidgets.QDockWidget) if dock.isVisible()]
             self._neighbours = [
                 (dock, dock.width())
@@ -103,7 +107,7 @@ class PaintDock(QtWidgets.QDockWidget):
         """Put aside; the painting is kept for the next time."""
         self.leave()
         super().closeEvent(event)
-        QtCore.QTimer.singleShot(0, self.give_back)
+        self._closed.start(0)
 
     def leave(self) -> None:
         """What a window does when it closes."""
@@ -116,6 +120,7 @@ class PaintDock(QtWidgets.QDockWidget):
 
     def give_back(self) -> None:
         """The panels beside it are as wide as before, and the 3D view has the room."""
+        self._closed.stop()
         self._watch.stop()
         self._put_back()
         docks = [(dock, width) for dock, width in self._neighbours if dock.isVisible()]

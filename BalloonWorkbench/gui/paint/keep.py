@@ -10,8 +10,7 @@ from pathlib import Path
 import FreeCAD as App
 
 from BalloonWorkbench.app import balloon, pattern
-from BalloonWorkbench.app.document import create
-from BalloonWorkbench.app.document.create import Parts
+from BalloonWorkbench.app.document.parts import Parts, companions
 from BalloonWorkbench.app.drawings import painting as painted
 from BalloonWorkbench.app.group import name_group
 from BalloonWorkbench.app.outline import DRAWN_AS, SYMMETRY
@@ -46,7 +45,7 @@ def kept(parts: Parts) -> Kept:
         drawn_as=DRAWN_AS[outline.DrawnAs],
         wanted=pattern.values(parts.pattern),
     )
-    everything = [obj for each in (parts, *create.companions(parts)) for obj in each]
+    everything = [obj for each in (parts, *companions(parts)) for obj in each]
     shown = tuple(obj.Name for obj in everything if obj.ViewObject.Visibility)
     return Kept(Path(outline.Drawing), outline.Width.Value, settings, shown)
 
@@ -71,7 +70,7 @@ def keep(doc, parts: Parts | None, look, width: float, pause) -> Parts:
     parts = painted.make(doc, look.file, width, look.solved, pause, begin)
     _record(edits[0], look.file)
     name_group(parts.balloon.getParentGroup(), translate("Painted balloon"))
-    for each in (parts, *create.companions(parts)):
+    for each in (parts, *companions(parts)):
         each.balloon.ViewObject.DisplayMode = MODE
         pause()
     return parts

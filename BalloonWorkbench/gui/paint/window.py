@@ -11,6 +11,9 @@ from functools import partial
 import FreeCAD as App
 import FreeCADGui as Gui
 
+from BalloonWorkbench.app.document.kinds import leader
+from BalloonWorkbench.app.document.parts import parts_of
+from BalloonWorkbench.app.drawings.drawing_file import is_painting
 from BalloonWorkbench.core import faults
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.tracing.segment import KEEP_HOLES
@@ -59,6 +62,17 @@ def open_for(doc, parts=None) -> PaintWindow:
     _open.insert(0, window)
     window.reveal()
     return window
+
+
+def paint_again(outline) -> bool:
+    """Open the paint window on a painted outline; False for any other one."""
+    first = leader(outline)
+    parts = parts_of(first)
+    if first.Source or not is_painting(first.Drawing) or parts is None:
+        return False
+    if is_free():
+        open_for(first.Document, parts)
+    return True
 
 
 def _fit(document_name: str) -> None:

@@ -46,21 +46,6 @@ def _keep_in_sight(name: str) -> None:
         keep_in_sight(Gui.getDocument(name))
 
 
-def paint_again(outline) -> bool:
-    """Open the paint window on a painted outline; False for any other one."""
-    from BalloonWorkbench.app.document.parts import parts_of
-    from BalloonWorkbench.app.drawings.drawing_file import is_painting
-    from BalloonWorkbench.gui.paint.window import open_for
-
-    first = outline.Leader or outline
-    parts = parts_of(first)
-    if first.Source or not is_painting(first.Drawing) or parts is None:
-        return False
-    if is_free():
-        open_for(first.Document, parts)
-    return True
-
-
 def is_free() -> bool:
     """No other panel is open; says so in the status bar when one is."""
     if Gui.Control.activeDialog():

@@ -20,8 +20,8 @@ from BalloonWorkbench.gui.paint.preview.painting_display import PaintedFilm
 from BalloonWorkbench.gui.qt import QtCore, translate
 from BalloonWorkbench.gui.view3d.curves import curve_nodes
 from BalloonWorkbench.gui.view3d.film_display import FILM, MAP, FilmDisplay, look_of
-from BalloonWorkbench.gui.view3d.film_map import CHOICES, OFF
-from BalloonWorkbench.gui.view3d.legend_row import arrange
+from BalloonWorkbench.gui.view3d.film_map import CHOICES
+from BalloonWorkbench.gui.view3d.legend_row import OFF, arrange
 from BalloonWorkbench.gui.window.borders import undo_step
 
 MODES = [FILM, MAP, PAINTED]

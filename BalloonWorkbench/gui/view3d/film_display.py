@@ -7,7 +7,8 @@ from BalloonWorkbench.app.border import hooks
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.film.film import Look
 from BalloonWorkbench.gui.view3d.film_look import FilmLook
-from BalloonWorkbench.gui.view3d.film_map import OFF, map_nodes
+from BalloonWorkbench.gui.view3d.film_map import map_nodes
+from BalloonWorkbench.gui.view3d.legend_row import OFF
 from BalloonWorkbench.gui.view3d.skin import SkinNodes, skin_of
 
 FILM, MAP = "Film", "Colour map"

@@ -16,12 +16,11 @@ from BalloonWorkbench.core.results.result_files import results
 from BalloonWorkbench.core.units import number_text, percent_text, to_mm
 from BalloonWorkbench.gui.qt import translate
 from BalloonWorkbench.gui.view3d.legend import TOP, Legend, label_node
-from BalloonWorkbench.gui.view3d.legend_row import legend_node, title
+from BalloonWorkbench.gui.view3d.legend_row import OFF, legend_node, title
 from BalloonWorkbench.gui.view3d.skin import SkinNodes, skin_from
 from BalloonWorkbench.gui.window.sentences import tell
 from BalloonWorkbench.gui.window.user_units import lengths_text, pressure_text, user_unit
 
-OFF = "Off"
 CHOICES = [OFF, *colour_map.KINDS]
 _TITLES = {
     colour_map.TENSION: QT_TRANSLATE_NOOP("BalloonWorkbench", "Membrane tension"),

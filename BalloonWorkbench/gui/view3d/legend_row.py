@@ -8,6 +8,8 @@ import FreeCAD as App
 from BalloonWorkbench.gui.qt import QtGui
 from BalloonWorkbench.gui.view3d.legend import BOTTOM, TOP, Legend, corner_node, drawn, fill
 
+#: The colour map of a balloon that shows none.
+OFF = "Off"
 _GAP = 8  # px between two legends
 _rows: dict = {}  # by document and place, for each balloon: the node of its legend, and the picture of it
 
@@ -53,8 +55,6 @@ def width_of_row(document_name: str) -> int:
 
 
 def _is_shown(document, name: str, place: float) -> bool:
-    from BalloonWorkbench.gui.view3d.film_map import OFF
-
     obj = document.getObject(name) if document is not None else None
     if obj is None or not obj.ViewObject.Visibility:
         return False

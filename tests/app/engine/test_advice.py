@@ -11,7 +11,7 @@ import sketches
 
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.document import create
-from BalloonWorkbench.app.engine import advice
+from BalloonWorkbench.app.engine import advice, repairs
 from BalloonWorkbench.app.shapes import part_shapes
 from BalloonWorkbench.core.advice.findings import Repair, RepairKind
 
@@ -59,7 +59,7 @@ def test_repair_is_one_undo_step(solved):
     before = part_shapes.stored(solved.outline, "Loop").outer
     repair = arm_of(advice.findings(solved)).repair
     doc.openTransaction("repair")
-    advice.take(solved, repair)
+    repairs.take(solved, repair)
     solved.outline.recompute()
     doc.commitTransaction()
     assert solved.outline.Status == status.READY
@@ -72,7 +72,7 @@ def test_repair_is_one_undo_step(solved):
 
 def test_repair_grows_with_the_drawing(parts):
     repair = arm_of(advice.findings(parts)).repair
-    advice.take(parts, repair)
+    repairs.take(parts, repair)
     parts.outline.recompute()
     width = arm_width(parts.outline)
     parts.outline.Width = 240
@@ -81,7 +81,7 @@ def test_repair_grows_with_the_drawing(parts):
 
 
 def test_repair_that_does_not_fit_is_told(parts):
-    advice.take(parts, arm_of(advice.findings(parts)).repair)
+    repairs.take(parts, arm_of(advice.findings(parts)).repair)
     entry = json.loads(parts.outline.Repairs[0])
     entry["points_mm"] = [[5000.0, 5000.0], [5001.0, 5000.0]]
     parts.outline.Repairs = [json.dumps(entry), "nonsense"]
@@ -97,7 +97,7 @@ def test_sketch_stays_as_it_is(doc):
     sketch = sketches.sketch(doc, *sketches.polygon(*OUTLINE))
     parts = create.balloon_from_sketch(doc, sketch, mesh_size=6, correct=False)
     before = sketch.Shape.BoundBox.DiagonalLength
-    advice.take(parts, arm_of(advice.predicted(parts)).repair)
+    repairs.take(parts, arm_of(advice.predicted(parts)).repair)
     parts.outline.recompute()
     assert arm_width(parts.outline) > 1.2 * ARM
     assert sketch.Shape.BoundBox.DiagonalLength == before
@@ -105,7 +105,7 @@ def test_sketch_stays_as_it_is(doc):
 
 
 def test_intake_moves(parts):
-    advice.take(parts, Repair(RepairKind.MOVE_INTAKE, np.zeros((1, 2)), np.pi))
+    repairs.take(parts, Repair(RepairKind.MOVE_INTAKE, np.zeros((1, 2)), np.pi))
     assert not parts.pattern.IntakeAuto
     assert parts.pattern.IntakeAngle.Value == pytest.approx(180)
     parts.pattern.recompute()

@@ -11,7 +11,7 @@ import sketches
 
 from BalloonWorkbench.app import artwork, film_sheet
 from BalloonWorkbench.app.border import status
-from BalloonWorkbench.app.document import create
+from BalloonWorkbench.app.document import create, kinds
 from BalloonWorkbench.app.engine import maker
 from BalloonWorkbench.app.engine.export import check_for, export_for
 from BalloonWorkbench.core.artwork.files import png_bytes
@@ -197,8 +197,8 @@ def test_saved_and_opened(parts, rows, picture, tmp_path):
     doc.saveCopy(str(tmp_path / "making.FCStd"))
     again = App.openDocument(str(tmp_path / "making.FCStd"))
     try:
-        art = next(obj for obj in again.Objects if artwork.is_artwork(obj))
-        sheet = next(obj for obj in again.Objects if film_sheet.is_film_sheet(obj))
+        art = next(obj for obj in again.Objects if kinds.is_artwork(obj))
+        sheet = next(obj for obj in again.Objects if kinds.is_film_sheet(obj))
         assert Path(art.Picture).read_bytes() == picture.read_bytes()
         assert json.loads(sheet.Layouts)
         art.Pattern.Allowance = 3.0

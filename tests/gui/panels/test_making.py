@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 import sketches
 
-from BalloonWorkbench.app import artwork, film_sheet
+from BalloonWorkbench.app import artwork
 from BalloonWorkbench.app.border import status
-from BalloonWorkbench.app.document import create
+from BalloonWorkbench.app.document import create, kinds
 from BalloonWorkbench.core.artwork.files import png_bytes
 from BalloonWorkbench.core.nesting import nest as nesting
 
@@ -106,7 +106,7 @@ def test_layout_on_film(made, tmp_path, monkeypatch):
     """Six pieces on a roll; refused where they do not fit; offered for export."""
     monkeypatch.setattr(nesting, "PACKAGE", "no_such_package")
     run("Nest")
-    sheet = next(obj for obj in App.ActiveDocument.Objects if film_sheet.is_film_sheet(obj))
+    sheet = next(obj for obj in App.ActiveDocument.Objects if kinds.is_film_sheet(obj))
     hands.find("Balloons").setValue(3)
     hands.find("FilmWidth").setProperty("rawValue", 60.0)
     hands.click(hands.find("LayOut"))
@@ -139,7 +139,7 @@ def test_nesting_library_works_beside_the_window(made):
     assert not hands.find("NestMessage").text()
     hands.press("Cancel")
     hands.wait_until(hands.panel_is_closed)
-    assert not [obj for obj in App.ActiveDocument.Objects if film_sheet.is_film_sheet(obj)]
+    assert not [obj for obj in App.ActiveDocument.Objects if kinds.is_film_sheet(obj)]
 
 
 def test_assembly_sheet(made, tmp_path):

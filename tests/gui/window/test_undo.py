@@ -15,8 +15,8 @@ import hands
 import Part
 import pytest
 
-from BalloonWorkbench.app import artwork, film_sheet
-from BalloonWorkbench.app.document import create
+from BalloonWorkbench.app import artwork
+from BalloonWorkbench.app.document import create, kinds
 from BalloonWorkbench.core.nesting import nest as nesting
 from BalloonWorkbench.gui import commands
 
@@ -172,7 +172,7 @@ def edit_artwork(document):
 
 
 def edit_layout(document):
-    open_panel(next(obj for obj in document.Objects if film_sheet.is_film_sheet(obj)))
+    open_panel(next(obj for obj in document.Objects if kinds.is_film_sheet(obj)))
     hands.find("Balloons").setValue(3)
     keep()
 

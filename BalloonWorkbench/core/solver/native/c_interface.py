@@ -24,7 +24,7 @@ _CANCELLED = 3
 #: The numbers that steer both solvers: those in capitals of these modules, in their order.
 CONSTANTS: dict[str, float] = {
     name.lower(): value
-    for module in (newton, sight, orthotropic)
+    for module in (newton, convergence, orthotropic)
     for name, value in vars(module).items()
     if name.isupper() and type(value) in (int, float)
 }

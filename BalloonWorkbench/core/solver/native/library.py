@@ -48,12 +48,12 @@ def fetched_folders(folder: Path) -> list[Path]:
 
     That of another version is not looked at: it may know the interface, and compute something else.
     """
-    from BalloonWorkbench import __version__
+    from BalloonWorkbench.core.version import VERSION
 
     bases = [folder]
     with suppress(RuntimeError):  # nobody knows where home is
         bases.append(Path.home() / ".film-balloon" / "native")
-    return [base / str(__version__) / platform_name() for base in bases]
+    return [base / str(VERSION) / platform_name() for base in bases]
 
 
 def candidates(folder: Path) -> Iterator[Path]:

@@ -17,10 +17,9 @@ import FreeCADGui as Gui
 from BalloonWorkbench.app import balloon as balloon_object
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.document import create
-from BalloonWorkbench.app.document.create import Parts
-from BalloonWorkbench.app.engine.solve import Told
+from BalloonWorkbench.app.document.kinds import leader
+from BalloonWorkbench.app.document.parts import Parts, companions
 from BalloonWorkbench.app.group import name_group
-from BalloonWorkbench.app.outline import leader
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.gui.long_work.blocking import breathe
 from BalloonWorkbench.gui.long_work.worker import Worker
@@ -233,8 +232,7 @@ class BalloonPanel(Panel):
             return False
         if wanted.key() == self.parts.balloon.SolvedFor:
             return self.settle()
-        told = Told(wanted.source, wanted.settings)
-        self.worker = Worker(told, self.result, translate("Inflating"))
+        self.worker = Worker(wanted, self.result, translate("Inflating"))
         self.worker.progressed.connect(self.result.show_progress)
         self.worker.finished.connect(self.work_done)
         self.result.start()
@@ -290,7 +288,7 @@ class BalloonPanel(Panel):
     def _follow_document(self):
         if self.was_new and not self.parts.outline.Leader:
             create.match_companions(self.parts)  # the other shapes of the drawing
-        for other in create.companions(self.parts):  # Apply is meant for all of them
+        for other in companions(self.parts):  # Apply is meant for all of them
             other.outline.recompute()
             if not other.balloon.Live and status.is_ready(other.outline):
                 balloon_object.inflate_now(other.balloon)

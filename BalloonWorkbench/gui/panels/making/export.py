@@ -6,10 +6,11 @@ from __future__ import annotations
 import FreeCADGui as Gui
 
 from BalloonWorkbench.app.border import status
+from BalloonWorkbench.app.document.kinds import leader
 from BalloonWorkbench.app.document.parts import parts_of
 from BalloonWorkbench.app.engine import bed
-from BalloonWorkbench.app.engine.export import export_for, files_of, patterns_in
-from BalloonWorkbench.app.outline import leader
+from BalloonWorkbench.app.engine.cut_sheet import patterns_in
+from BalloonWorkbench.app.engine.export import export_for, files_of
 from BalloonWorkbench.app.properties import preferences
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.gui.panels.making.machine_box import MachineBox

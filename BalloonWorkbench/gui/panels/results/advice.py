@@ -11,7 +11,7 @@ import FreeCADGui as Gui
 
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.border.guard import Guarded
-from BalloonWorkbench.app.engine import advice
+from BalloonWorkbench.app.engine import advice, repairs
 from BalloonWorkbench.core.advice.as_data import repair_text
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.units import number_text, percent_text, to_mm
@@ -177,7 +177,7 @@ class AdvicePanel(Panel):
         repair = finding.repair
         self.overlay.clear()
         with undo_step(self.doc, tell(repair_text(repair))):
-            advice.take(self.parts, repair)
+            repairs.take(self.parts, repair)
             self.doc.recompute()
             self.doc.commitTransaction()
         near = "({}, {})".format(*(number_text(to_mm(value), 4) for value in finding.place))

@@ -11,7 +11,8 @@ from BalloonWorkbench.gui.panels.results.results_file import save_results
 from BalloonWorkbench.gui.panels.widgets.narrow import ElidedCombo, WrappedLabel
 from BalloonWorkbench.gui.panels.widgets.watch import Watch
 from BalloonWorkbench.gui.qt import QtWidgets, drawn_icon, translate
-from BalloonWorkbench.gui.view3d.film_map import CHOICES, OFF, choice_title
+from BalloonWorkbench.gui.view3d.film_map import CHOICES, choice_title
+from BalloonWorkbench.gui.view3d.legend_row import OFF
 from BalloonWorkbench.gui.window.borders import Panel
 from BalloonWorkbench.gui.window.sentences import tell
 

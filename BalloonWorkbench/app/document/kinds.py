@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Which kind of ours a document object is, and what it belongs to: told from proxy and links, for those who
+stand below the proxies."""
+
+from __future__ import annotations
+
+_KINDS = ("OutlineProxy", "BalloonProxy", "PatternProxy", "ArtworkProxy", "FilmSheetProxy")
+
+
+def _kind(obj) -> str:
+    return type(getattr(obj, "Proxy", None)).__name__
+
+
+def is_ours(obj) -> bool:
+    """One of ours, but no group."""
+    return _kind(obj) in _KINDS
+
+
+def is_outline(obj) -> bool:
+    """Whether a document object is an outline."""
+    return _kind(obj) == "OutlineProxy"
+
+
+def is_balloon(obj) -> bool:
+    """Whether a document object is a balloon."""
+    return _kind(obj) == "BalloonProxy"
+
+
+def is_pattern(obj) -> bool:
+    """Whether a document object is a pattern."""
+    return _kind(obj) == "PatternProxy"
+
+
+def is_artwork(obj) -> bool:
+    """Whether a document object is an artwork."""
+    return _kind(obj) == "ArtworkProxy"
+
+
+def is_film_sheet(obj) -> bool:
+    """Whether a document object is a sheet of film."""
+    return _kind(obj) == "FilmSheetProxy"
+
+
+def leader(outline):
+    """The outline that has the drawing: the object itself, or the one whose drawing it shares."""
+    return outline.Leader or outline
