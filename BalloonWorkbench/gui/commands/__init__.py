@@ -1,23 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The commands of the workbench, in the order of the work."""
+"""The commands of the workbench, in the order of the work; what they open is in the other rooms."""
 
 from __future__ import annotations
 
-import FreeCADGui as Gui
-
-from BalloonWorkbench.gui.commands import examples, help_pages
-from BalloonWorkbench.gui.commands.advice import Advice
-from BalloonWorkbench.gui.commands.animate import Animate
-from BalloonWorkbench.gui.commands.artwork import Artwork
-from BalloonWorkbench.gui.commands.assembly_sheet import AssemblySheet
-from BalloonWorkbench.gui.commands.colour_map import ColourMap
-from BalloonWorkbench.gui.commands.documented import documented
+from BalloonWorkbench.gui.commands import command, examples
+from BalloonWorkbench.gui.commands.create import FromPicture, FromSketch, Paint
 from BalloonWorkbench.gui.commands.equipment import Equipment
-from BalloonWorkbench.gui.commands.export_pattern import ExportPattern
-from BalloonWorkbench.gui.commands.from_picture import FromPicture
-from BalloonWorkbench.gui.commands.from_sketch import FromSketch
-from BalloonWorkbench.gui.commands.nest import Nest
-from BalloonWorkbench.gui.commands.paint import Paint
+from BalloonWorkbench.gui.commands.making import Artwork, AssemblySheet, ExportPattern, Nest
+from BalloonWorkbench.gui.commands.results import Advice, Animate, ColourMap
 
 _COMMANDS = {
     "BalloonWorkbench_Paint": Paint,
@@ -39,7 +29,7 @@ _RARE = {"BalloonWorkbench_Examples": examples.Examples, "BalloonWorkbench_Equip
 def register() -> tuple[list[str], list[str]]:
     """Make the commands known to FreeCAD; returns the names for the toolbar and those for the menu."""
     examples.register()
-    help_pages.follow_language()
-    for name, command in (_COMMANDS | _RARE).items():
-        Gui.addCommand(name, documented(name, command()))
+    command.follow_language()
+    for name, kind in (_COMMANDS | _RARE).items():
+        command.add(name, kind())
     return list(_COMMANDS), [*_COMMANDS, "Separator", *_RARE]

@@ -7,6 +7,7 @@ import FreeCADGui as Gui
 
 from BalloonWorkbench.app.properties.property_table import QT_TRANSLATE_NOOP
 from BalloonWorkbench.core.errors import FetchError
+from BalloonWorkbench.gui.commands.command import Command
 from BalloonWorkbench.gui.panels import show
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, icon, number_of, translate
 from BalloonWorkbench.gui.window import native_offer
@@ -14,21 +15,15 @@ from BalloonWorkbench.gui.window.borders import Panel
 from BalloonWorkbench.gui.window.sentences import tell
 
 
-class Equipment:
+class Equipment(Command):
     """Opens a panel that tells which solver is used, and what missing packages cost."""
 
-    def GetResources(self):
-        return {
-            "Pixmap": icon("workbench"),
-            "MenuText": QT_TRANSLATE_NOOP("BalloonWorkbench_Equipment", "What works here"),
-            "ToolTip": QT_TRANSLATE_NOOP(
-                "BalloonWorkbench_Equipment",
-                "Show the solver in use, and which packages are missing and what that costs",
-            ),
-        }
-
-    def IsActive(self):
-        return not Gui.Control.activeDialog()
+    drawing = "workbench"
+    menu_text = QT_TRANSLATE_NOOP("BalloonWorkbench_Equipment", "What works here")
+    tool_tip = QT_TRANSLATE_NOOP(
+        "BalloonWorkbench_Equipment",
+        "Show the solver in use, and which packages are missing and what that costs",
+    )
 
     def Activated(self):
         show(_Panel())

@@ -7,25 +7,18 @@ import FreeCADGui as Gui
 
 from BalloonWorkbench.app.document.examples import EXAMPLES, Example, open_copy
 from BalloonWorkbench.app.properties.property_table import QT_TRANSLATE_NOOP
-from BalloonWorkbench.gui.commands.documented import documented
-from BalloonWorkbench.gui.qt import icon, translate
+from BalloonWorkbench.gui.commands.command import Command, add
+from BalloonWorkbench.gui.qt import translate
 
 
-class OpenExample:
+class OpenExample(Command):
     """Opens a copy of one example."""
+
+    drawing = "balloon"
 
     def __init__(self, example: Example):
         self._example = example
-
-    def GetResources(self):
-        return {
-            "Pixmap": icon("balloon"),
-            "MenuText": translate(self._example.title),
-            "ToolTip": translate(self._example.tooltip),
-        }
-
-    def IsActive(self):
-        return not Gui.Control.activeDialog()
+        self.menu_text, self.tool_tip = translate(example.title), translate(example.tooltip)
 
     def Activated(self):
         from BalloonWorkbench.gui.view3d.fit_view import fit_all
@@ -35,23 +28,17 @@ class OpenExample:
         fit_all(Gui.getDocument(doc.Name))
 
 
-class Examples:
+class Examples(Command):
     """All of them."""
 
-    def GetResources(self):
-        return {
-            "Pixmap": icon("balloon"),
-            "MenuText": QT_TRANSLATE_NOOP("BalloonWorkbench_Examples", "Examples"),
-            "ToolTip": QT_TRANSLATE_NOOP(
-                "BalloonWorkbench_Examples", "Open a finished balloon, to look at it and to change it"
-            ),
-        }
+    drawing = "balloon"
+    menu_text = QT_TRANSLATE_NOOP("BalloonWorkbench_Examples", "Examples")
+    tool_tip = QT_TRANSLATE_NOOP(
+        "BalloonWorkbench_Examples", "Open a finished balloon, to look at it and to change it"
+    )
 
     def GetCommands(self):
         return tuple(_name(example) for example in EXAMPLES)
-
-    def IsActive(self):
-        return not Gui.Control.activeDialog()
 
 
 def _name(example: Example) -> str:
@@ -61,4 +48,4 @@ def _name(example: Example) -> str:
 def register() -> None:
     """Make the commands of the submenu known to FreeCAD."""
     for example in EXAMPLES:
-        Gui.addCommand(_name(example), documented(_name(example), OpenExample(example), "Examples"))
+        add(_name(example), OpenExample(example), "Examples")

@@ -15,7 +15,7 @@ import numpy as np
 from BalloonWorkbench.core.errors import Cancelled, SolverError
 from BalloonWorkbench.core.solver.element import orthotropic
 from BalloonWorkbench.core.solver.element.seam_band import hinge_rigidities, seam_hinges
-from BalloonWorkbench.core.solver.equilibrium import newton
+from BalloonWorkbench.core.solver.equilibrium import convergence, newton
 from BalloonWorkbench.core.solver.native.load import library as loaded_library
 from BalloonWorkbench.core.solver.problem import Energies, Equilibrium, FilmProblem, NewtonSettings
 from BalloonWorkbench.core.types import Floats, Progress, no_progress

@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""New balloons: painted, from a picture or another drawing file, from a sketch."""
+
+from __future__ import annotations
+
+import FreeCAD as App
+import FreeCADGui as Gui
+
+from BalloonWorkbench.app.properties.property_table import QT_TRANSLATE_NOOP
+from BalloonWorkbench.gui.commands.command import Command
+from BalloonWorkbench.gui.qt import translate
+from BalloonWorkbench.gui.window.borders import undo_step
+
+
+class Paint(Command):
+    """Opens the paint window."""
+
+    drawing = "paint"
+    menu_text = QT_TRANSLATE_NOOP("BalloonWorkbench_Paint", "Paint a balloon")
+    tool_tip = QT_TRANSLATE_NOOP(
+        "BalloonWorkbench_Paint",
+        "Draw with pen and brush, and watch the balloon and its pattern grow beside it",
+    )
+
+    def Activated(self):
+        from BalloonWorkbench.gui.paint.window import open_for
+
+        open_for(App.ActiveDocument or App.newDocument("Balloon"))
+
+
+class FromPicture(Command):
+    """Asks for a file, makes the objects of its balloon and opens their panel."""
+
+    drawing = "from_picture"
+    menu_text = QT_TRANSLATE_NOOP("BalloonWorkbench_FromPicture", "New balloon from picture")
+    tool_tip = QT_TRANSLATE_NOOP(
+        "BalloonWorkbench_FromPicture",
+        "Trace a picture, SVG, DXF or JSON file and design the balloon that looks like it",
+    )
+
+    def Activated(self):
+        from BalloonWorkbench.gui.panels import show
+        from BalloonWorkbench.gui.panels.balloon.balloon_panel import BalloonPanel
+        from BalloonWorkbench.gui.window import file_dialogs, macro_recorder
+
+        path = file_dialogs.ask_for_drawing(Gui.getMainWindow())
+        if path is None:
+            return
+        doc = App.ActiveDocument
+        fresh = doc is None
+        if fresh:
+            doc = App.newDocument("Balloon")
+        with undo_step(doc, translate("New balloon from picture")):
+            parts, edit = macro_recorder.begin(doc)
+            panel = BalloonPanel(parts, new_document=fresh, edit=edit)
+            show(panel)
+        if path:
+            panel.begin_with(path)
+
+
+class FromSketch(Command):
+    """Makes the objects of a balloon, links the selected sketch and opens their panel."""
+
+    drawing = "from_sketch"
+    menu_text = QT_TRANSLATE_NOOP("BalloonWorkbench_FromSketch", "New balloon from sketch")
+    tool_tip = QT_TRANSLATE_NOOP(
+        "BalloonWorkbench_FromSketch",
+        "Design the balloon that looks like the selected sketch, wire or face and follows it",
+    )
+
+    def IsActive(self):
+        return App.ActiveDocument is not None and super().IsActive()
+
+    def Activated(self):
+        from BalloonWorkbench.app.group import name_group
+        from BalloonWorkbench.gui.panels import show
+        from BalloonWorkbench.gui.panels.balloon.balloon_panel import BalloonPanel
+        from BalloonWorkbench.gui.window import macro_recorder
+        from BalloonWorkbench.gui.window.selection import selected_source
+
+        source = selected_source()
+        doc = App.ActiveDocument
+        with undo_step(doc, translate("New balloon from sketch")):
+            parts, edit = macro_recorder.begin(doc)
+            if source is not None:
+                parts.outline.Source = source
+                name_group(parts.balloon.getParentGroup(), f"{source[0].Label} balloon")
+                if source[0].isDerivedFrom("Sketcher::SketchObject"):
+                    source[0].ViewObject.Visibility = False  # the outline shows it
+            show(BalloonPanel(parts, sketch=True, edit=edit))

@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a finished balloon shows: advice, results as colours, its inflation."""
+
+from __future__ import annotations
+
+from BalloonWorkbench.app.properties.property_table import QT_TRANSLATE_NOOP
+from BalloonWorkbench.gui.commands.command import (
+    PatternCommand,
+    ResultCommand,
+    known_parts,
+    selected_parts,
+    solved_parts,
+)
+
+
+class Advice(PatternCommand):
+    """Opens the panel of the coach on the selected balloon."""
+
+    drawing = "advice"
+    menu_text = QT_TRANSLATE_NOOP("BalloonWorkbench_Advice", "Advice")
+    tool_tip = QT_TRANSLATE_NOOP(
+        "BalloonWorkbench_Advice",
+        "Show which parts of a shape will inflate badly, and repair them",
+    )
+
+    def Activated(self):
+        from BalloonWorkbench.gui.panels import show
+        from BalloonWorkbench.gui.panels.results.advice import AdvicePanel
+
+        for parts in (selected_parts() or known_parts())[:1]:
+            show(AdvicePanel(parts))
+
+
+class ColourMap(ResultCommand):
+    """Opens the panel that chooses what is shown on the selected balloon."""
+
+    drawing = "colour_map"
+    menu_text = QT_TRANSLATE_NOOP("BalloonWorkbench_ColourMap", "Colour map")
+    tool_tip = QT_TRANSLATE_NOOP(
+        "BalloonWorkbench_ColourMap",
+        "Show tension, wrinkles, thickness and other results as colours on the balloon",
+    )
+
+    def Activated(self):
+        from BalloonWorkbench.gui.panels import show
+        from BalloonWorkbench.gui.panels.results.colour_map import ColourMapPanel
+
+        show(ColourMapPanel(solved_parts()))
+
+
+class Animate(ResultCommand):
+    """Opens the panel that plays the inflation of the selected balloon."""
+
+    drawing = "animate"
+    menu_text = QT_TRANSLATE_NOOP("BalloonWorkbench_Animate", "Animate inflation")
+    tool_tip = QT_TRANSLATE_NOOP(
+        "BalloonWorkbench_Animate",
+        "Play how the balloon inflates, from the flat film to rest, with a slider",
+    )
+
+    def Activated(self):
+        from BalloonWorkbench.gui.panels import show
+        from BalloonWorkbench.gui.panels.results.animation import AnimationPanel
+
+        show(AnimationPanel(solved_parts()))
