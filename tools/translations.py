@@ -44,6 +44,7 @@ _DATA = {
 _WORDS = "words.json"
 #: Functions that are given what to say, and as which argument.
 _SAYING = {"say": 0, "work": 0, "progress": 1}
+_ENTRY = re.compile(r"[A-Z][a-z]+([ -][A-Za-z]+)*")  # of an enumeration
 _LETTERS = 7  # that a sentence with places must have, to be recognised
 
 
@@ -65,8 +66,9 @@ def texts() -> list[Text]:
         layer = path.relative_to(PACKAGE).parts[0] if PACKAGE in path.parents else ""
         if (layer in _SPOKEN or str(path).endswith(_SPOKEN_FILE)) and not str(path).endswith(_SILENT):
             found |= {Text(OURS, source, True) for source in (*_sentences(tree), *_said(tree))}
-        if layer == "app":
+        if layer == "app" or "options" in path.parts:
             found |= {Text(OURS, source, True) for source in _choices(tree)}
+        found |= {Text(OURS, source, True) for source in _titles(tree)}
     found |= {Text(OURS, source, True) for source in _data()}
     recognised = {text.source for text in found if text.sentence}
     kept = {text for text in found if text.sentence or text.context != OURS or text.source not in recognised}
@@ -91,6 +93,23 @@ def _named(tree: ast.AST) -> Iterator[Text]:
             yield Text(str(given[0]), str(given[1]))
         elif name == "Property" and len(given) > 3 and isinstance(given[3], str):
             yield Text(PROPERTY, given[3])
+            yield from _labels(node)
+        elif _is_option(node):
+            if not any(word.arg == "prop" and ast.unparse(word.value) == "''" for word in node.keywords):
+                yield Text(PROPERTY, str(given[2]))
+            yield from _labels(node)
+
+
+def _is_option(node: ast.AST) -> bool:
+    """A declaration of core/options: SECTION(Kind.LENGTH, default, "text", ...)."""
+    return isinstance(node, ast.Call) and len(node.args) > 2 and ast.unparse(node.args[0]).startswith("Kind.")
+
+
+def _labels(node: ast.AST) -> Iterator[Text]:
+    """The label of a field, and that of a preference."""
+    for word in node.keywords if isinstance(node, ast.Call) else []:
+        if word.arg in ("label", "preference") and isinstance(word.value, ast.Constant):
+            yield Text(OURS, str(word.value.value))
 
 
 def _called(node: ast.AST) -> str:
@@ -116,17 +135,22 @@ def _sentences(tree: ast.AST) -> Iterator[str]:
 
 
 def _not_for_people(tree: ast.AST) -> Iterator[ast.AST]:
-    """Docstrings, annotations, tooltips, what is looked up, and the help of the command line."""
+    """Docstrings, annotations, tooltips, keys, declarations of options, the help of the command line."""
     for node in ast.walk(tree):
         if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant):
             yield node.value
-        if isinstance(node, ast.Call) and getattr(node.func, "id", "") in ("Property", "QT_TRANSLATE_NOOP"):
+        if isinstance(node, ast.Call) and getattr(node.func, "id", "") in (
+            "Property",
+            "QT_TRANSLATE_NOOP",
+            "Section",
+        ):
+            yield node
+        if _is_option(node):
             yield node
         if isinstance(node, ast.Call) and _called(node) in (
             "_Parser",
             "_add_parser",
             "add_argument",
-            "length",
         ):
             yield node  # --help is in English, as the options are
 
@@ -191,9 +215,16 @@ def _choices(tree: ast.Module) -> Iterator[str]:
         names = [name.id for target in targets for name in ast.walk(target) if isinstance(name, ast.Name)]
         if not names or not all(name.isupper() for name in names):
             continue
-        for value in _constants(node.value):  # type: ignore[union-attr]
-            if re.fullmatch(r"[A-Z][a-z]+([ -][A-Za-z]+)*", value):
-                yield value
+        yield from filter(_ENTRY.fullmatch, _constants(node.value))  # type: ignore[union-attr]
+
+
+def _titles(tree: ast.AST) -> Iterator[str]:
+    """What people read for the choices of an option."""
+    for node in ast.walk(tree):
+        for word in node.keywords if isinstance(node, ast.Call) and _is_option(node) else []:
+            if word.arg == "choices":
+                values = getattr(word.value, "values", [])
+                yield from (value for each in values for value in _constants(each) if _ENTRY.fullmatch(value))
 
 
 def _constants(node: ast.AST) -> Iterator[str]:

@@ -10,29 +10,23 @@ from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.document import arrange
 from BalloonWorkbench.app.document.kinds import is_artwork, leader
 from BalloonWorkbench.app.document.proxy import DocumentProxy
-from BalloonWorkbench.app.properties.property_table import Property, results
+from BalloonWorkbench.app.properties.property_table import Property, properties_of, results
 from BalloonWorkbench.core.errors import ExportError, InputError
+from BalloonWorkbench.core.options.making import ArtworkOptions
 
 FRONT, BACK = "Front", "Back"
-CHOICES = {"Side": [FRONT, BACK]}
 
 PROPERTIES = (
     Property("Link", "Pattern", "Artwork", "The pattern that is printed"),
+    *properties_of(ArtworkOptions),
     Property(
-        "FileIncluded",
-        "Picture",
+        "Enumeration",
+        "Side",
         "Artwork",
-        "What is printed; empty takes the picture or painting of the outline",
+        "The side that is shown and exported for a cutter",
+        label="Shown side",
+        entries=lambda: (FRONT, BACK),
     ),
-    Property(
-        "FileIncluded",
-        "BackPicture",
-        "Artwork",
-        "Another picture for the back; empty takes that of the front",
-    ),
-    Property("Length", "Bleed", "Artwork", "How far the print goes past the cut", 3.0),
-    Property("Float", "Resolution", "Artwork", "Dots per inch of the files", 300.0),
-    Property("Enumeration", "Side", "Artwork", "The side that is shown and exported for a cutter"),
     Property("Length", "SeamLength", "Result", "Length of the weld", result=True),
     Property("Length", "PatternWidth", "Result", "Width of the print with its marks", result=True),
     Property("Length", "PatternHeight", "Result", "Height of the print with its marks", result=True),
@@ -46,9 +40,6 @@ class ArtworkProxy(DocumentProxy):
     """Behaviour of the Artwork object (Part::Part2DObjectPython)."""
 
     properties = PROPERTIES
-
-    def choices(self):
-        return CHOICES
 
     def compute(self, obj):
         if status.waits_for(obj, obj.Pattern, bool(obj.Roles), "Choose the pattern to print on."):
@@ -205,8 +196,8 @@ def _pictures(obj):
 
     InputError where there is nothing to print.
     """
-    from BalloonWorkbench.app.outline import DRAWN_AS
     from BalloonWorkbench.core.artwork.picture import covering, mirrored
+    from BalloonWorkbench.core.tracing.segment import DRAWN_AS
 
     low, size, drawing = _frame(obj.Pattern.Balloon)
     path = obj.Picture or drawing
@@ -228,7 +219,8 @@ def _frame(balloon):
 
     from BalloonWorkbench.app.drawings.drawing_file import read_drawing
     from BalloonWorkbench.app.engine import film_result
-    from BalloonWorkbench.app.outline import DRAWN_AS, SYMMETRY
+    from BalloonWorkbench.app.outline import SYMMETRY
+    from BalloonWorkbench.core.tracing.segment import DRAWN_AS
 
     shown, first = film_result.drawing(balloon), leader(balloon.Outline)
     if first.Source or first.Kind != "picture":

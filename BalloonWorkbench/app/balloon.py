@@ -7,63 +7,44 @@ from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.document.proxy import DocumentProxy
 from BalloonWorkbench.app.engine import film_result
 from BalloonWorkbench.app.properties import film, size_goal
-from BalloonWorkbench.app.properties.property_table import Property, results, show_in_editor
+from BalloonWorkbench.app.properties.property_table import (
+    Property,
+    options_from,
+    properties_of,
+    results,
+    show_in_editor,
+    with_switches,
+)
+from BalloonWorkbench.core.options.simulation import InflationOptions, ModelOptions
 
-FIT, INFLATE = "Fit to drawing", "Inflate as drawn"
+FIT = "Fit to drawing"
 PRESSURE, VOLUME = "Pressure", "Volume"
-TENSION_FIELD, PLAIN_SHELL = "Tension field", "Plain shell"
-BACKENDS = {"Automatic": None, "Native": "native", "NumPy": "numpy", "Newmark": "newmark"}
-CHOICES = {
-    "Mode": [FIT, INFLATE],
-    "Load": [PRESSURE, VOLUME],
-    "Model": [TENSION_FIELD, PLAIN_SHELL],
-    "Backend": list(BACKENDS),
-    **size_goal.CHOICES,
-    **film.CHOICES,
+SWITCHES = {
+    "TargetVolume": Property(
+        "Enumeration",
+        "Load",
+        "Inflation",
+        "What is given: the pressure, or the volume that it shall reach",
+        label="Given",
+        page="Solver",
+        entries=lambda: (PRESSURE, VOLUME),
+    )
 }
-DEFAULT_PRESSURE = 2.0  # kPa
 
 PROPERTIES = (
     Property("Link", "Outline", "Inflation", "The outline of the drawing"),
-    Property(
-        "Enumeration",
-        "Mode",
-        "Inflation",
-        "Correct the pattern until the balloon looks like the drawing, or not",
-    ),
+    *film.PROPERTIES,
     Property(
         "Bool",
         "Live",
         "Inflation",
         "Follow every change at once; switch it off for heavy models and inflate when you ask for it",
         True,
+        page="Solver",
+        preference="Follow every change at once",
     ),
-    Property("Pressure", "Pressure", "Inflation", "Pressure inside, above that outside", DEFAULT_PRESSURE),
-    Property(
-        "Enumeration", "Load", "Inflation", "What is given: the pressure, or the volume that it shall reach"
-    ),
-    Property("Volume", "TargetVolume", "Inflation", "Volume of the balloon, from which the pressure follows"),
-    Property("Length", "MeshSize", "Inflation", "Size of the triangles; 0 is automatic"),
-    Property(
-        "Enumeration",
-        "Backend",
-        "Inflation",
-        "Solver: compiled, NumPy, or the best of them; Newmark follows the inflation in time, slowly",
-    ),
-    Property(
-        "Enumeration",
-        "Model",
-        "Simulation",
-        "Film that wrinkles where it is compressed, or a shell that does not, for comparison",
-    ),
-    Property("Bool", "Bending", "Simulation", "The film resists bending", True),
-    Property(
-        "Float", "BendingFloor", "Simulation", "Least bending stiffness, in units of the usual least one", 1.0
-    ),
-    Property(
-        "Bool", "TwoPanels", "Simulation", "Simulate both panels instead of one and its mirror image", False
-    ),
-    *film.PROPERTIES,
+    *with_switches(properties_of(InflationOptions), SWITCHES),
+    *properties_of(ModelOptions),
     *size_goal.PROPERTIES,
     Property("Length", "InflatedWidth", "Result", "Width of the inflated balloon", result=True),
     Property("Length", "InflatedHeight", "Result", "Height of the inflated balloon", result=True),
@@ -127,9 +108,6 @@ class BalloonProxy(DocumentProxy):
         follow_load(obj)
         size_goal.follow(obj)
 
-    def choices(self):
-        return CHOICES
-
     def opened(self, obj):
         film.complete(obj)
         film.protect(obj)
@@ -146,7 +124,7 @@ class BalloonProxy(DocumentProxy):
             if edited and obj.Load == VOLUME and not obj.TargetVolume:
                 obj.TargetVolume = obj.Volume
             follow_load(obj)
-        if name in size_goal.CHOICES and "SolvedFor" in obj.PropertiesList:
+        if name in size_goal.DECIDING and "SolvedFor" in obj.PropertiesList:
             if edited and name == "SizeGoal":
                 size_goal.begin(obj)
             size_goal.follow(obj)
@@ -197,32 +175,24 @@ def request(obj):
     import os
 
     from BalloonWorkbench.app.engine.solve import Request
-    from BalloonWorkbench.app.properties.quantities import cubic_metres, metres, pascals
+    from BalloonWorkbench.app.properties.quantities import cubic_metres
     from BalloonWorkbench.app.shapes import part_shapes
     from BalloonWorkbench.core.job import Settings
     from BalloonWorkbench.core.report import Source
-    from BalloonWorkbench.core.solver.model import BENDING_FLOOR, Model
+    from BalloonWorkbench.core.solver.model import Model
 
     drawing = obj.Outline
+    volume = cubic_metres(obj.TargetVolume) if obj.Load == VOLUME else None
     name = drawing.Source[0].Label if drawing.Source else os.path.basename(drawing.Drawing)
     return Request(
         Source(name, drawing.Kind, part_shapes.stored(drawing, "Loop")),
         Settings(
+            **vars(options_from(obj, InflationOptions, volume=volume)),
             film=film.read(obj),
-            pressure=pascals(obj.Pressure),
-            mesh_size=metres(obj.MeshSize) or None,
-            backend=BACKENDS[obj.Backend],
-            correct=obj.Mode == FIT,
-            volume=cubic_metres(obj.TargetVolume) if obj.Load == VOLUME else None,
             goal=size_goal.goal(obj),
             filling=size_goal.filling(obj),
             wanted=size_goal.wanted_of(obj),
-            model=Model(
-                tension_field=obj.Model == TENSION_FIELD,
-                bending=obj.Bending,
-                bending_floor=obj.BendingFloor * BENDING_FLOOR,
-                two_panels=obj.TwoPanels,
-            ),
+            model=Model(**vars(options_from(obj, ModelOptions))),
         ),
     )
 

@@ -9,24 +9,24 @@ import json
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.document import arrange
 from BalloonWorkbench.app.document.proxy import DocumentProxy
-from BalloonWorkbench.app.properties.property_table import Property, results
+from BalloonWorkbench.app.properties.property_table import Property, options_from, properties_of, results
 from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.options.making import SheetOptions
 
-GRAINS = {"Along": "along", "Across": "across", "Any": "any"}
 #: What is laid out, and the name of its film in the core.
 FILMS = {"Balloon film": "", "Valve film": "valve"}
-CHOICES = {"Grain": list(GRAINS), "Film": list(FILMS)}
 
 PROPERTIES = (
     Property("LinkList", "Patterns", "Film", "The patterns that are laid out"),
     Property(
-        "Enumeration", "Film", "Film", "Which film is laid out: pieces of a valve are on one of their own"
+        "Enumeration",
+        "Film",
+        "Film",
+        "Which film is laid out: pieces of a valve are on one of their own",
+        label="Film",
+        entries=lambda: FILMS,
     ),
-    Property("Integer", "Balloons", "Film", "How many balloons of each pattern", 1),
-    Property("Length", "FilmWidth", "Film", "Width of the roll or sheet", 500.0),
-    Property("Length", "FilmLength", "Film", "Length of a sheet; 0 is a roll"),
-    Property("Length", "Spacing", "Film", "Film left between pieces, and at the edges", 3.0),
-    Property("Enumeration", "Grain", "Film", "How the grain of pieces lies, where their film has one"),
+    *properties_of(SheetOptions),
     Property("Integer", "Shown", "Film", "Number of the sheet that is shown and exported", 1),
     Property("Float", "Used", "Result", "Part of the film that the pieces take, in per cent", result=True),
     Property("Length", "UsedLength", "Result", "Length of the roll that is used", result=True),
@@ -48,9 +48,6 @@ class FilmSheetProxy(DocumentProxy):
     """Behaviour of the FilmSheet object (Part::Part2DObjectPython)."""
 
     properties = PROPERTIES
-
-    def choices(self):
-        return CHOICES
 
     def compute(self, obj):
         has_result = bool(obj.LaidOutFor)
@@ -160,11 +157,10 @@ def _by_film(obj) -> dict:
 
 
 def _stock(obj):
-    from BalloonWorkbench.app.properties.quantities import metres
     from BalloonWorkbench.core.nesting.layout import Grain, Stock
 
-    length = metres(obj.FilmLength) or None
-    return Stock(metres(obj.FilmWidth), length, metres(obj.Spacing), Grain(GRAINS[obj.Grain]))
+    told = options_from(obj, SheetOptions)
+    return Stock(told.film_width, told.film_length, told.spacing, Grain(told.grain))
 
 
 def _label(pieces, stock) -> str:

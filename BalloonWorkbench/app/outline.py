@@ -10,10 +10,14 @@ from BalloonWorkbench.app.document import arrange
 from BalloonWorkbench.app.document.kinds import leader
 from BalloonWorkbench.app.document.proxy import DocumentProxy
 from BalloonWorkbench.app.engine import repairs
-from BalloonWorkbench.app.properties.property_table import Property, results, show_in_editor
+from BalloonWorkbench.app.properties.property_table import Property, properties_of, results, show_in_editor
+from BalloonWorkbench.core.options.drawing import ReadingOptions, SizeOptions
+from BalloonWorkbench.core.options.option import option_of
 
-SYMMETRY = {"Automatic": "auto", "Off": "off", "Forced": "force"}
-DRAWN_AS = {"Automatic": "auto", "Filled shape": "shape", "Pen drawing": "pen"}
+SYMMETRY, DRAWN_AS = (
+    {title: value for value, title in option_of(ReadingOptions, name).titles.items()}
+    for name in ("symmetry", "drawn_as")
+)
 
 PROPERTIES = (
     Property(
@@ -25,32 +29,18 @@ PROPERTIES = (
         "Drawing",
         "Sketch, wire or face that the outline follows instead of a file",
     ),
-    Property("Length", "Width", "Drawing", "Width of the drawing; 0 follows from the height", 300.0),
+    *properties_of(SizeOptions),
     Property("Link", "Leader", "Drawing", "The outline whose drawing this one shares; empty: its own"),
     Property("Integer", "Part", "Drawing", "Which shape of the drawing it is; 1 is the largest", 1),
-    Property("Length", "Height", "Drawing", "Height of the drawing; 0 follows from the width"),
     Property(
-        "Bool", "KeepAspect", "Drawing", "Fit inside width and height instead of stretching to both", True
-    ),
-    Property(
-        "Enumeration",
-        "Symmetry",
+        "Bool",
+        "KeepAspect",
         "Drawing",
-        "Automatic evens out a nearly symmetric picture, Forced any drawing: its left half is mirrored",
+        "Fit inside width and height instead of stretching to both",
+        True,
+        label="Keep the proportions",
     ),
-    Property(
-        "Enumeration",
-        "DrawnAs",
-        "Drawing",
-        "How a picture is read: holes of a filled shape stay, lines of a pen drawing are filled inside",
-    ),
-    Property(
-        "Length",
-        "Passage",
-        "Drawing",
-        "Left open in welds that would cut off a part, so wide; 0 gives each part an intake of its own",
-        10.0,
-    ),
+    *properties_of(ReadingOptions),
     *repairs.PROPERTIES,
     *arrange.PROPERTIES,
     arrange.FROM_SKETCH,
@@ -71,9 +61,6 @@ PROPERTIES = (
 )
 
 
-CHOICES = {"Symmetry": list(SYMMETRY), "DrawnAs": list(DRAWN_AS)}
-
-
 class OutlineProxy(DocumentProxy):
     """Behaviour of the Outline object (Part::Part2DObjectPython)."""
 
@@ -82,9 +69,6 @@ class OutlineProxy(DocumentProxy):
     def __init__(self, obj):
         super().__init__(obj)
         self.follow_source(obj)
-
-    def choices(self):
-        return CHOICES
 
     def onChanged(self, obj, name):
         if name in ("Source", "Leader") and "Status" in obj.PropertiesList:

@@ -7,64 +7,64 @@ from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.document import arrange
 from BalloonWorkbench.app.document.proxy import DocumentProxy
 from BalloonWorkbench.app.host import is_replaying
-from BalloonWorkbench.app.properties.property_table import Property, results, show_in_editor
+from BalloonWorkbench.app.properties.property_table import (
+    Property,
+    follow_needs,
+    options_from,
+    properties_of,
+    results,
+    show_in_editor,
+    with_switches,
+    write_options,
+)
 from BalloonWorkbench.app.shapes import pattern_shape
-from BalloonWorkbench.app.shapes.pattern_shape import DIRECTION, FARTHEST, LOW, PLACE
+from BalloonWorkbench.app.shapes.pattern_shape import DIRECTION, PLACE
+from BalloonWorkbench.core.options.pattern import FARTHEST, PatternOptions
 from BalloonWorkbench.core.recent import Recent
 
-#: Where the intake sits by itself: what the core calls it.
-INTAKE_PLACES = {FARTHEST: "farthest", LOW: "low"}
 _made = Recent(8)  # patterns, by what they were made from
 
+#: What says in a document whether the property after it is given, by that property.
+SWITCHES = {
+    "IntakeAutoPlace": Property(
+        "Bool",
+        "IntakeAuto",
+        "Intake",
+        "Find the place of the intake",
+        True,
+        label="Find its place",
+        needs="Intake",
+    ),
+    "IntakeAngle": Property(
+        "Enumeration",
+        "IntakeBy",
+        "Intake",
+        "What tells where the intake is",
+        label="Place by",
+        entries=lambda: (DIRECTION, PLACE),
+    ),
+    "TieTabAngle": Property(
+        "Bool",
+        "TieTabAuto",
+        "Marks",
+        "Put the tab opposite the intake",
+        True,
+        label="Opposite the intake",
+        needs="TieTab",
+    ),
+}
 PROPERTIES = (
     Property("Link", "Balloon", "Pattern", "The balloon that is cut from this pattern"),
-    Property("Length", "SealWidth", "Pattern", "Width of the weld; 0 takes the film's"),
-    Property("Length", "Allowance", "Pattern", "Film left outside the weld", 2.0),
-    Property(
-        "Length",
-        "CornerRadius",
-        "Pattern",
-        "Corner relief: corners of the cuts are rounded so; the weld is not",
-    ),
-    Property(
-        "Bool", "Mirror", "Pattern", "The second panel beside the first, mirrored; else cut twice", False
-    ),
-    Property("Integer", "Copies", "Pattern", "How many balloons are cut from the sheet", 1),
+    *with_switches(properties_of(PatternOptions), SWITCHES),
     Property("Bool", "Arcs", "Pattern", "Lines and arcs within 0.02 mm in place of many short lines", True),
-    Property("Bool", "Splines", "Pattern", "Smooth stretches as single splines in place of arcs", False),
-    Property("Bool", "Intake", "Intake", "Add what the balloon is filled through", True),
-    Property("Enumeration", "IntakeKind", "Intake", "How the balloon is filled and closed"),
-    Property("Length", "IntakeWidth", "Intake", "Inner width of the neck, or bore of the nozzle", 10.0),
     Property(
-        "Length",
-        "IntakeLength",
-        "Intake",
-        "Length of the neck from the seam outward, or diameter of the flange; 0 takes the usual one",
+        "Bool",
+        "Splines",
+        "Pattern",
+        "Smooth stretches as single splines in place of arcs",
+        False,
+        needs="Arcs",
     ),
-    Property("Bool", "IntakeAuto", "Intake", "Find the place of the intake", True),
-    Property(
-        "Enumeration",
-        "IntakeAutoPlace",
-        "Intake",
-        "Where it is found: farthest from the centre, or low, where a tied balloon hangs straight",
-    ),
-    Property("Enumeration", "IntakeBy", "Intake", "What tells where the intake is"),
-    Property("Angle", "IntakeAngle", "Intake", "Direction of the neck, counter-clockwise from the x axis"),
-    Property(
-        "Length",
-        "IntakeAlong",
-        "Intake",
-        "Place of the intake: counter-clockwise along the outer seam from its rightmost point",
-    ),
-    Property(
-        "Integer", "Notches", "Marks", "Notches to lay both films on each other by, evenly along the cut", 0
-    ),
-    Property("Length", "NotchDepth", "Marks", "Length of a notch; at most the allowance", 1.5),
-    Property("Bool", "TieTab", "Marks", "A tab with a hole to tie the balloon to, outside the weld", False),
-    Property("Bool", "TieTabAuto", "Marks", "Put the tab opposite the intake", True),
-    Property("Angle", "TieTabAngle", "Marks", "Direction of the tab from the middle of the pattern"),
-    Property("String", "LabelText", "Marks", "A line of text where the film is widest, as outlines"),
-    Property("Length", "LabelHeight", "Marks", "Height of its capital letters", 6.0),
     Property("String", "HowToFill", "Result", "How the intake is made and used", result=True),
     Property("Length", "SeamLength", "Result", "Length of the weld", result=True),
     Property("Length", "PatternWidth", "Result", "Width of the piece of film", result=True),
@@ -74,6 +74,8 @@ PROPERTIES = (
     Property("String", "Status", "Result", "Up to date, or what is wrong", result=True),
     *arrange.PROPERTIES,
 )
+#: What decides which of the others have an effect.
+_DECIDING = {"IntakeAuto", "IntakeBy", "TieTabAuto"} | {item.needs for item in PROPERTIES}
 
 
 class PatternProxy(DocumentProxy):
@@ -85,23 +87,10 @@ class PatternProxy(DocumentProxy):
         super().__init__(obj)
         self.follow_intake(obj)
 
-    def choices(self):
-        return _choices()
-
     def onChanged(self, obj, name):
-        followed = (
-            "Intake",
-            "IntakeAuto",
-            "IntakeBy",
-            "Notches",
-            "TieTab",
-            "TieTabAuto",
-            "LabelText",
-            "Arcs",
-        )
         if not all(item.name in obj.PropertiesList for item in PROPERTIES):
             return
-        if name in followed:
+        if name in _DECIDING:
             self.follow_intake(obj)
         if _is_edited(obj, name) and (name == "Balloon" or _weighing(obj) != self.weighed_before):
             obj.Balloon.touch()  # it tells what it weighs, and may have its size from that
@@ -114,19 +103,13 @@ class PatternProxy(DocumentProxy):
 
     def follow_intake(self, obj):
         """Offer only what has an effect."""
+        follow_needs(obj, PROPERTIES)
         show_in_editor(
             obj,
-            **dict.fromkeys(
-                ("IntakeKind", "IntakeWidth", "IntakeLength", "IntakeAuto"), "edit" if obj.Intake else "hide"
-            ),
             IntakeAutoPlace="edit" if obj.Intake and obj.IntakeAuto else "hide",
             IntakeBy="edit" if obj.Intake and not obj.IntakeAuto else "hide",
             IntakeAngle=_mode(obj, DIRECTION),
             IntakeAlong=_mode(obj, PLACE),
-            Splines="edit" if obj.Arcs else "hide",
-            NotchDepth="edit" if obj.Notches else "hide",
-            LabelHeight="edit" if obj.LabelText else "hide",
-            TieTabAuto="edit" if obj.TieTab else "hide",
             TieTabAngle="edit" if obj.TieTab and not obj.TieTabAuto else "hide",
         )
 
@@ -159,16 +142,6 @@ def _weighing(obj):
     return weighing(values(obj))
 
 
-def _choices() -> dict[str, list[str]]:
-    from BalloonWorkbench.core.pattern.intake.kinds import intake_kinds
-
-    return {
-        "IntakeKind": [kind.title for kind in intake_kinds().values()],
-        "IntakeAutoPlace": list(INTAKE_PLACES),
-        "IntakeBy": [DIRECTION, PLACE],
-    }
-
-
 def _mode(obj, by: str) -> str:
     """How the direction or the place of the intake appears: what is not given is a result."""
     return "hide" if not obj.Intake else "edit" if not obj.IntakeAuto and obj.IntakeBy == by else "show"
@@ -192,65 +165,32 @@ def choose_kind(obj, title: str) -> None:
             setattr(obj, name, size)
 
 
-def values(obj):
-    """The object's own values, as the core's `Wanted`."""
+def values(obj) -> PatternOptions:
+    """The object's own values."""
     from BalloonWorkbench.app.properties.quantities import metres, radians
-    from BalloonWorkbench.core.pattern.make import Wanted
 
     by = None if obj.IntakeAuto else obj.IntakeBy
-    return Wanted(
-        seal_width=metres(obj.SealWidth) or None,
-        allowance=metres(obj.Allowance),
-        intake=obj.Intake,
-        intake_kind=kind_of(obj).name,
+    return options_from(
+        obj,
+        PatternOptions,
         intake_width=metres(obj.IntakeWidth),
-        intake_length=metres(obj.IntakeLength) or None,
         intake_angle=radians(obj.IntakeAngle) if by == DIRECTION else None,
         intake_along=metres(obj.IntakeAlong) if by == PLACE else None,
-        intake_place=INTAKE_PLACES[obj.IntakeAutoPlace if obj.IntakeAuto else FARTHEST],
-        corner_radius=metres(obj.CornerRadius),
-        notches=obj.Notches,
-        notch_depth=metres(obj.NotchDepth),
-        tie_tab=obj.TieTab,
+        **({} if obj.IntakeAuto else {"intake_place": FARTHEST}),
         tie_tab_angle=None if obj.TieTabAuto else radians(obj.TieTabAngle),
-        label=obj.LabelText,
-        label_height=metres(obj.LabelHeight),
-        mirror=obj.Mirror,
-        copies=obj.Copies,
     )
 
 
-def set_values(obj, wanted) -> None:
-    """Give the object the values of a core `Wanted`."""
-    from math import degrees
-
-    from BalloonWorkbench.core.pattern.intake.kinds import intake_kind
+def set_values(obj, options: PatternOptions) -> None:
+    """Give the object other values."""
     from BalloonWorkbench.core.units import to_mm
 
-    kind = intake_kind(wanted.intake_kind)
-    obj.SealWidth, obj.Allowance = to_mm(wanted.seal_width or 0.0), to_mm(wanted.allowance)
-    obj.Intake, obj.IntakeKind = wanted.intake, kind.title
-    obj.IntakeWidth = to_mm(kind.width if wanted.intake_width is None else wanted.intake_width)
-    obj.IntakeLength = to_mm(wanted.intake_length or 0.0)
-    obj.IntakeAuto = wanted.intake_angle is None and wanted.intake_along is None
-    obj.IntakeAutoPlace = next(
-        title for title, place in INTAKE_PLACES.items() if place == wanted.intake_place
-    )
-    obj.IntakeBy = DIRECTION if wanted.intake_along is None else PLACE
-    obj.IntakeAngle = degrees(wanted.intake_angle or 0.0)
-    obj.IntakeAlong = to_mm(wanted.intake_along or 0.0)
-    obj.CornerRadius, obj.Mirror, obj.Copies = to_mm(wanted.corner_radius), wanted.mirror, wanted.copies
-    obj.Notches, obj.NotchDepth = wanted.notches, to_mm(wanted.notch_depth)
-    obj.TieTab, obj.TieTabAuto = wanted.tie_tab, wanted.tie_tab_angle is None
-    obj.TieTabAngle = degrees(wanted.tie_tab_angle or 0.0)
-    obj.LabelText, obj.LabelHeight = wanted.label, to_mm(wanted.label_height)
-
-
-def usual_values():
-    """The values of a new pattern."""
-    from BalloonWorkbench.core.pattern.make import Wanted
-
-    return Wanted()
+    write_options(obj, options, PatternOptions)
+    if options.intake_width is None:
+        obj.IntakeWidth = to_mm(kind_of(obj).width)
+    obj.IntakeAuto = options.intake_angle is None and options.intake_along is None
+    obj.IntakeBy = DIRECTION if options.intake_along is None else PLACE
+    obj.TieTabAuto = options.tie_tab_angle is None
 
 
 def build(obj):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The options of the command line about a pattern that is larger than the bed of a machine."""
+"""A pattern from the command line that is larger than the bed of a machine."""
 
 from __future__ import annotations
 
@@ -8,29 +8,13 @@ from collections.abc import Callable, Sequence
 
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.job import Balloon
-from BalloonWorkbench.core.machines.bed import OVERSIZE, REFUSE, SCALE, fits, scale_to_fit
-from BalloonWorkbench.core.machines.machine import NO_LIMIT, Machine, machine
+from BalloonWorkbench.core.machines.bed import SCALE, fits, scale_to_fit
+from BalloonWorkbench.core.machines.machine import Machine, machine
+from BalloonWorkbench.core.options.making import REFUSE
 from BalloonWorkbench.core.pattern.pattern import Pattern
 from BalloonWorkbench.core.units import length_text
 
 Size = tuple[float | None, float | None]
-
-
-def add_bed(command: argparse.ArgumentParser) -> None:
-    """What the bed is, and what becomes of a larger pattern."""
-    command.add_argument(
-        "--bed",
-        metavar="WIDTH[xHEIGHT]",
-        help=f"what the machine can work on, such as 600mmx400mm, 600mm for a roll, or {NO_LIMIT}; by default"
-        " as its file has it",
-    )
-    command.add_argument(
-        "--oversize",
-        choices=OVERSIZE,
-        default=REFUSE,
-        help="for a pattern larger than the bed there is no file (refuse, the default), one all the same"
-        " (write), or the balloon is made smaller until it fits (scale)",
-    )
 
 
 def machines_of(options: argparse.Namespace) -> list[Machine]:

@@ -5,19 +5,19 @@ from __future__ import annotations
 
 import argparse
 import contextlib
-import math
 import os
 import stat
 import sys
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import Any
 
-from BalloonWorkbench.cli import bed, console, making, pattern
+from BalloonWorkbench.cli import bed, console, making
 from BalloonWorkbench.cli import document as cli_document
 from BalloonWorkbench.cli.home import home
-from BalloonWorkbench.cli.options import FETCH, language_of, parser
+from BalloonWorkbench.cli.options import FETCH, language_of, parser, typed
 from BalloonWorkbench.cli.summary import summary
 from BalloonWorkbench.core import native_wheel
 from BalloonWorkbench.core.design.size_goal import SizeGoal
@@ -32,7 +32,7 @@ from BalloonWorkbench.core.faults import UNFORESEEN, report_fault
 from BalloonWorkbench.core.files.write import check_folder, write_files
 from BalloonWorkbench.core.film.filling import Filling, gas
 from BalloonWorkbench.core.film.film import Film
-from BalloonWorkbench.core.film.library import DEFAULT_FILM, custom_film, film, with_grain
+from BalloonWorkbench.core.film.library import custom_film, film, with_grain
 from BalloonWorkbench.core.job import (
     Balloon,
     Settings,
@@ -46,18 +46,15 @@ from BalloonWorkbench.core.language.speech import speech
 from BalloonWorkbench.core.machines.bed import SCALE
 from BalloonWorkbench.core.machines.machine import Machine, left_out
 from BalloonWorkbench.core.machines.machine_file import checked_files, machines_for
+from BalloonWorkbench.core.options.drawing import FillingOptions, ReadingOptions
+from BalloonWorkbench.core.options.film import DEFAULT_FILM
+from BalloonWorkbench.core.options.pattern import PatternOptions
+from BalloonWorkbench.core.options.simulation import InflationOptions, ModelOptions
 from BalloonWorkbench.core.solver.model import Model
 from BalloonWorkbench.core.solver.native import load
 from BalloonWorkbench.core.tracing.raster import opencv
 from BalloonWorkbench.core.types import Made, Progress, Say, in_english
-from BalloonWorkbench.core.units import (
-    number_text,
-    parse_length,
-    parse_mass,
-    parse_pressure,
-    parse_temperature,
-    parse_volume,
-)
+from BalloonWorkbench.core.units import number_text
 
 FAULT, INTERRUPTED = 70, 130
 
@@ -114,7 +111,7 @@ class _Run:
 
     def command(self, options: argparse.Namespace) -> int:
         """Do what the options say."""
-        width, height = _length(options.width), _length(options.height)
+        width, height = options.width, options.height
         settings = _settings(options)
         for name in (options.input, options.artwork, options.artwork_back, *options.machine):
             _refuse_streams(name)
@@ -273,42 +270,26 @@ def _refuse_streams(name: str | None) -> None:
 
 
 def _settings(options: argparse.Namespace) -> Settings:
+    filling = typed(options, FillingOptions)
+    inflation = replace(typed(options, InflationOptions), correct=options.command == "design")
     return Settings(
-        _film(options),
-        parse_pressure(options.pressure),
-        _length(options.mesh_size),
-        options.solver,
-        options.command == "design",
-        volume=None if options.gas_volume is None else parse_volume(options.gas_volume),
-        model=Model(
-            not options.plain_shell, not options.no_bending, options.bending_floor, options.two_panels
-        ),
-        symmetry=options.symmetry,
-        drawn_as=options.drawn_as,
+        **vars(typed(options, ReadingOptions)),
+        **vars(inflation),
+        film=_film(options),
+        model=Model(**vars(typed(options, ModelOptions))),
         goal=_goal(options),
-        filling=Filling(
-            gas(options.gas),
-            None if options.gas_temperature is None else parse_temperature(options.gas_temperature),
-            parse_temperature(options.air_temperature),
-            parse_length(options.altitude),
-        ),
-        passage=pattern.passage(options),
-        wanted=pattern.wanted(options),
+        filling=Filling(**{**vars(filling), "gas": gas(filling.gas)}),
+        wanted=typed(options, PatternOptions),
     )
 
 
-def _length(text: str | None) -> float | None:
-    return None if text is None else parse_length(text)
-
-
 def _goal(options: argparse.Namespace) -> SizeGoal | None:
-    if options.target_volume is None and options.target_lift is None:
+    goal = typed(options, SizeGoal)
+    if goal == SizeGoal():
         return None
     if options.width is not None or options.height is not None:
         raise InputError("--target-volume and --target-lift decide the size: leave out --width and --height.")
-    if options.target_volume is not None:
-        return SizeGoal(volume=parse_volume(options.target_volume, "l"))
-    return SizeGoal(lift=parse_mass(options.target_lift, "g"))
+    return goal
 
 
 def _film(options: argparse.Namespace) -> Film:
@@ -320,8 +301,8 @@ def _film(options: argparse.Namespace) -> Film:
     else:
         plain = custom_film(*own)
     if options.young_across is not None:
-        return with_grain(plain, options.young_across, math.radians(options.grain or 0.0))
-    if options.grain is not None:
+        return with_grain(plain, options.young_across, options.grain)
+    if options.grain:
         raise InputError("Only a film with another stiffness across has a grain: give --young-across too.")
     return plain
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The options of the command line for making a balloon: prints, layout on film, assembly sheet."""
+"""Making a balloon from the command line: prints, layout on film, assembly sheet."""
 
 from __future__ import annotations
 
@@ -9,66 +9,20 @@ from pathlib import Path
 from typing import Any
 
 from BalloonWorkbench.cli.console import readable
-from BalloonWorkbench.core.artwork.marks import BLEED
-from BalloonWorkbench.core.artwork.sheet import DPI
-from BalloonWorkbench.core.assembly_sheet.page import PAGES
 from BalloonWorkbench.core.errors import ExportError, InputError
 from BalloonWorkbench.core.job import Balloon
 from BalloonWorkbench.core.machines.machine import ANY, Machine, machines
 from BalloonWorkbench.core.machines.machine_file import checked_files
-from BalloonWorkbench.core.nesting.layout import SPACING, Grain, Stock
+from BalloonWorkbench.core.nesting.layout import Grain, Stock
 from BalloonWorkbench.core.products import Artwork, assembly_files, nested, print_files
 from BalloonWorkbench.core.tracing.picture_file import decode, picture_size
 from BalloonWorkbench.core.types import Attempt, Progress, Say
 from BalloonWorkbench.core.units import (
-    length_text,
     number_text,
-    parse_length,
     parse_size,
     percent_text,
     size_text,
 )
-
-
-def add_making(command: argparse.ArgumentParser) -> None:
-    """Options for what is made beside the pattern."""
-    group = command.add_argument_group("making")
-    group.add_argument(
-        "--artwork",
-        metavar="PICTURE",
-        help="print this on the balloon; the input itself as it was drawn",
-    )
-    group.add_argument("--artwork-back", metavar="PICTURE", help="another picture for the back")
-    group.add_argument(
-        "--dpi",
-        metavar="N",
-        type=float,
-        default=DPI,
-        help=f"resolution of the prints (default {number_text(DPI)})",
-    )
-    group.add_argument(
-        "--bleed",
-        metavar="LENGTH",
-        help=f"how far the print goes past the cut (default {length_text(BLEED).replace(' ', '')})",
-    )
-    group.add_argument(
-        "--nest", metavar="WIDTH[xLENGTH]", help="lay all panels out on a roll of this width, or on sheets"
-    )
-    group.add_argument(
-        "--balloons", metavar="N", type=int, default=1, help="how many are laid out (default 1)"
-    )
-    group.add_argument(
-        "--spacing",
-        metavar="LENGTH",
-        help=f"between pieces laid out (default {length_text(SPACING).replace(' ', '')})",
-    )
-    group.add_argument(
-        "--grain-lies",
-        choices=[grain.value for grain in Grain],
-        default=Grain.ALONG.value,
-        help="how the grain of pieces lies on the roll, for films with one (default along)",
-    )
-    group.add_argument("--assembly", choices=list(PAGES), help="write an assembly sheet on this paper")
 
 
 def checked(
@@ -137,15 +91,13 @@ def _artwork(options: argparse.Namespace, reader: Callable[[Path], Any]) -> Artw
         picture_size(path)
     front, *back = (reader(path) for path in paths)
     traced = Path(options.input).exists() and paths[0].read_bytes() == Path(options.input).read_bytes()
-    bleed = BLEED if options.bleed is None else parse_length(options.bleed)
-    return Artwork(front, traced, back[0] if back else None, options.dpi, bleed, options.drawn_as)
+    return Artwork(front, traced, back[0] if back else None, options.dpi, options.bleed, options.drawn_as)
 
 
 def _stock(options: argparse.Namespace) -> Stock:
     """'500mm', '500mmx700mm' or '50 x 70 cm': width, and length of a sheet."""
     width, length = parse_size(options.nest)
-    spacing = SPACING if options.spacing is None else parse_length(options.spacing)
-    return Stock(width, length, spacing, Grain(options.grain_lies))
+    return Stock(width, length, options.spacing, Grain(options.grain_lies))
 
 
 def _nest(

@@ -1,32 +1,62 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What may be given on the command line."""
+"""What may be given on the command line: that of core/options, and what only a command has."""
 
 from __future__ import annotations
 
 import argparse
+import math
 import os
-from collections.abc import Sequence
-from typing import Any, NoReturn
+from collections.abc import Callable, Sequence
+from functools import partial
+from typing import Any, NoReturn, TypeVar
 
 from BalloonWorkbench import __version__
-from BalloonWorkbench.cli import making, pattern
-from BalloonWorkbench.cli.bed import add_bed
 from BalloonWorkbench.cli.console import UNSHOWN, complain, show
 from BalloonWorkbench.core.errors import InputError
-from BalloonWorkbench.core.film.filling import DEFAULT_GAS, gases
-from BalloonWorkbench.core.film.library import DEFAULT_FILM, films
-from BalloonWorkbench.core.job import DEFAULT_PRESSURE
 from BalloonWorkbench.core.language.speech import language_named, short_names, users_language
-from BalloonWorkbench.core.machines.machine import machines
-from BalloonWorkbench.core.machines.writers.pdf import TILES
-from BalloonWorkbench.core.outline.symmetry import AUTO, CHOICES
-from BalloonWorkbench.core.results.result_files import FORMATS
-from BalloonWorkbench.core.solver.backend import SOLVERS
-from BalloonWorkbench.core.solver.model import BENDING_FLOOR
-from BalloonWorkbench.core.tracing.segment import DRAWN_AS
+from BalloonWorkbench.core.options.option import Kind, Option, options_of
+from BalloonWorkbench.core.options.table import options
+from BalloonWorkbench.core.units import (
+    length_text,
+    parse_length,
+    parse_mass,
+    parse_pressure,
+    parse_temperature,
+    parse_volume,
+    pressure_text,
+    temperature_text,
+)
 
 #: The command that designs nothing.
 FETCH = "fetch-solver"
+#: Of these kinds 0 lets the engine find the value, as in documents.
+_MAY_BE_0 = (Kind.LENGTH, Kind.PRESSURE)
+#: What stands for "no" of an option that stands for a yes or no too.
+NONE = "none"
+
+_Declared = TypeVar("_Declared")
+
+
+def degrees(text: str) -> float:
+    """The angle [rad]; ValueError for what is no number."""
+    return math.radians(float(text))
+
+
+#: How a value is called in the help, how it is read, and how a default is written, of each kind.
+_KINDS: dict[Kind, tuple[str, Callable[..., Any], Callable[[Any], str]]] = {
+    Kind.LENGTH: ("LENGTH", parse_length, length_text),
+    Kind.HEIGHT: ("LENGTH", parse_length, length_text),
+    Kind.ANGLE: ("DEGREES", degrees, "{:g}".format),
+    Kind.PRESSURE: ("PRESSURE", parse_pressure, pressure_text),
+    Kind.VOLUME: ("VOLUME", parse_volume, str),
+    Kind.MASS: ("MASS", parse_mass, str),
+    Kind.TEMPERATURE: ("T", parse_temperature, temperature_text),
+    Kind.NUMBER: ("N", float, "{:g}".format),
+    Kind.COUNT: ("N", int, str),
+    Kind.CHOICE: ("NAME", str, str),
+    Kind.TEXT: ("TEXT", str, str),
+    Kind.FILE: ("PICTURE", str, str),
+}
 
 
 class _Parser(argparse.ArgumentParser):
@@ -77,46 +107,7 @@ def parser() -> argparse.ArgumentParser:
         )
         command.add_argument("--out", metavar="DIR", required=True, help="folder for the files")
         _add_language(command)
-        _add_size(command)
-        load = command.add_mutually_exclusive_group()
-        load.add_argument(
-            "--pressure", metavar="PRESSURE", default=str(DEFAULT_PRESSURE), help="such as 2kPa (the default)"
-        )
-        load.add_argument(
-            "--gas-volume",
-            metavar="VOLUME",
-            help="of gas that is filled in, such as 5l, instead of a pressure, which is found",
-        )
-        command.add_argument(
-            "--material", metavar="NAME", help=f"one of {', '.join(films())} (default {DEFAULT_FILM})"
-        )
-        command.add_argument(
-            "--young", metavar="E", type=float, help="Young's modulus of a film of your own [Pa]"
-        )
-        command.add_argument("--poisson", metavar="NU", type=float, help="its Poisson's ratio")
-        command.add_argument("--thickness", metavar="T", type=float, help="its thickness [m]")
-        command.add_argument(
-            "--young-across",
-            metavar="E",
-            type=float,
-            help="modulus across the grain, for films with one [Pa]",
-        )
-        command.add_argument(
-            "--grain", metavar="DEGREES", type=float, help="the grain's angle from the x axis (default 0)"
-        )
-        command.add_argument(
-            "--mesh-size", metavar="LENGTH", help="edge length of the triangles, such as 6mm"
-        )
-        command.add_argument(
-            "--results", choices=FORMATS, help="also write what each triangle does, for ParaView or NumPy"
-        )
-        command.add_argument(
-            "--frames", metavar="N", type=int, help="also write so many frames of the inflation, for ParaView"
-        )
-        _add_machines(command)
-        making.add_making(command)
-        pattern.add_pattern(command)
-        _add_simulation(command)
+        _add_options(command)
     commands.add_parser(
         FETCH,
         help="fetch the native solver from the network, where the workbench came without it",
@@ -132,90 +123,62 @@ def _add_parser(commands: Any, name: str, purpose: str) -> argparse.ArgumentPars
     return parser
 
 
-def _add_machines(command: argparse.ArgumentParser) -> None:
-    """Options for files that go straight to a machine."""
-    command.add_argument(
-        "--machine",
-        metavar="NAME",
-        action="append",
-        default=[],
-        help=f"also write what it reads: {', '.join(machines())}, or a .json file; may be repeated",
-    )
-    add_bed(command)
-    command.add_argument(
-        "--tiled",
-        metavar="PAPER",
-        choices=TILES,
-        help="also write a PDF to print on several A4, A3 or Letter",
-    )
-
-
-def _add_size(command: argparse.ArgumentParser) -> None:
-    """What decides the size: lengths of the drawing, or what the balloon has to hold or to carry."""
-    command.add_argument("--width", metavar="LENGTH", help="of the drawing, such as 300mm or 12in")
-    command.add_argument(
-        "--height", metavar="LENGTH", help="of the drawing; with --width it fits inside both"
-    )
-    goal = command.add_mutually_exclusive_group()
-    goal.add_argument(
-        "--target-volume",
-        metavar="LITRES",
-        help="instead of a width: make it so large that it holds this, such as 10 or 0.5ft3",
-    )
-    goal.add_argument(
-        "--target-lift",
-        metavar="GRAMS",
-        help="instead of a width: make it so large that it carries this besides itself, such as 5 or 0.1N",
-    )
-    command.add_argument(
-        "--gas",
-        metavar="NAME",
-        default=DEFAULT_GAS,
-        help=f"that fills it: {', '.join(gases())} (default {DEFAULT_GAS})",
-    )
-    command.add_argument(
-        "--gas-temperature", metavar="T", help="such as 80C; by default that of the air, 80C for warm-air"
-    )
-    command.add_argument("--air-temperature", metavar="T", default="20C", help="around it (default 20C)")
-    command.add_argument("--altitude", metavar="LENGTH", default="0m", help="above the sea (default 0m)")
-    command.add_argument(
-        "--drawn-as",
-        choices=DRAWN_AS,
-        default=AUTO,
-        help="how a picture is read: a filled shape, whose holes stay, or a pen drawing, whose lines are"
-        " filled inside; auto (the default) goes by its lines",
-    )
-    command.add_argument(
-        "--symmetry",
-        choices=CHOICES,
-        default=AUTO,
-        help="auto (the default) evens out a picture that is nearly mirror symmetric, force any drawing",
-    )
-
-
-def _add_simulation(command: argparse.ArgumentParser) -> None:
-    """Options for comparisons."""
-    group = command.add_argument_group("simulation")
-    solver = group.add_mutually_exclusive_group()
-    solver.add_argument(
-        "--solver",
-        choices=SOLVERS,
-        help="native (the usual one) and numpy are one method; newmark follows the inflation in time, slowly",
-    )
-    solver.add_argument(
+def _add_options(command: argparse.ArgumentParser) -> None:
+    """All that core/options declares for the command line, by topic."""
+    places: dict[str, Any] = {}
+    for option in options():
+        if not option.flag_name:
+            continue
+        if option.topic not in places:
+            places[option.topic] = command.add_argument_group(option.topic.lower())
+        place = places[option.topic]
+        if option.rivals and option.rivals not in places:
+            places[option.rivals] = place.add_mutually_exclusive_group()
+        place = places[option.rivals or option.topic]
+        place.add_argument(option.flag_name, dest=option.key, **_argument(option))
+    places["solver"].add_argument(
         "--no-native", action="store_const", const="numpy", dest="solver", help="same as --solver numpy"
     )
-    group.add_argument(
-        "--plain-shell", action="store_true", help="film that carries compression instead of wrinkling"
-    )
-    group.add_argument("--no-bending", action="store_true", help="film without bending stiffness")
-    group.add_argument(
-        "--bending-floor",
-        metavar="D",
-        type=float,
-        default=BENDING_FLOOR,
-        help=f"least bending stiffness in p w^3, w the typical width (default {BENDING_FLOOR})",
-    )
-    group.add_argument(
-        "--two-panels", action="store_true", help="both panels, instead of one and its mirror image"
-    )
+
+
+def _argument(option: Option) -> dict[str, Any]:
+    """How argparse reads an option."""
+    told: dict[str, Any] = {"help": help_text(option).replace("%", "%%"), "default": option.default}
+    if isinstance(option.default, bool):
+        return told | {"action": "store_false" if option.default else "store_true"}
+    name, read, _ = _KINDS[option.kind]
+    told["type"] = partial(read, plain=option.plain) if option.plain else read
+    if isinstance(option.default, tuple):
+        told |= {"action": "append", "default": []}
+    if option.kind is Kind.CHOICE and not option.metavar:
+        none = [NONE] if option.switch else []
+        return told | {"choices": [*(value for value in option.titles if value is not None), *none]}
+    if option.switch:
+        told |= {"nargs": "?", "const": NONE}
+    return told | {"metavar": option.metavar or name}
+
+
+def help_text(option: Option) -> str:
+    """A line about an option on the command line, with what may be chosen and the default."""
+    text = option.typed or option.text
+    if option.kind is Kind.CHOICE and option.metavar:
+        text += f": {', '.join(option.titles)}"
+    if isinstance(option.default, (bool, tuple)) or option.default in (None, ""):
+        return text
+    return f"{text} (default {_KINDS[option.kind][2](option.default).replace(' ', '')})"
+
+
+def typed(arguments: argparse.Namespace, declaring: type[_Declared]) -> _Declared:
+    """The options of a dataclass as they were typed."""
+    values: dict[str, Any] = {}
+    for option in options_of(declaring):
+        if not option.flag_name:
+            continue
+        value = getattr(arguments, option.key)
+        if option.switch:
+            values[option.switch] = value is not None and (value != NONE or option.kind is not Kind.CHOICE)
+            value = option.default if value == NONE else value
+        if value == 0.0 and option.default is None and option.kind in _MAY_BE_0 and not option.rivals:
+            value = None
+        values[option.name] = value
+    return declaring(**values)

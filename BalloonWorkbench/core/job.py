@@ -31,19 +31,23 @@ from BalloonWorkbench.core.design.to_volume import design_to_volume
 from BalloonWorkbench.core.errors import BalloonError, InputError, MissingPackageError
 from BalloonWorkbench.core.film.filling import Filling
 from BalloonWorkbench.core.film.film import Film
-from BalloonWorkbench.core.film.library import DEFAULT_FILM, film
+from BalloonWorkbench.core.film.library import film
 from BalloonWorkbench.core.machines.machine import ANY, machines
 from BalloonWorkbench.core.machines.machine_file import file_of_stock, machine_file
 from BalloonWorkbench.core.making.numbers import Numbers, maker_numbers
 from BalloonWorkbench.core.making.numbers import told as told_numbers
 from BalloonWorkbench.core.making.weight import film_and_valve
-from BalloonWorkbench.core.outline.chambers import PASSAGE, linked
+from BalloonWorkbench.core.options.drawing import ReadingOptions
+from BalloonWorkbench.core.options.film import DEFAULT_FILM
+from BalloonWorkbench.core.options.pattern import PatternOptions
+from BalloonWorkbench.core.options.simulation import InflationOptions
+from BalloonWorkbench.core.outline.chambers import linked
 from BalloonWorkbench.core.outline.drawing import Drawing
 from BalloonWorkbench.core.outline.outline import Outline
-from BalloonWorkbench.core.outline.symmetry import AUTO, evened
+from BalloonWorkbench.core.outline.symmetry import evened
 from BalloonWorkbench.core.outline.validity import scale_to
 from BalloonWorkbench.core.pattern.layout import on_one_sheet
-from BalloonWorkbench.core.pattern.make import Wanted, make_pattern, pieces_remarks, sheet_of
+from BalloonWorkbench.core.pattern.make import make_pattern, pieces_remarks, sheet_of
 from BalloonWorkbench.core.pattern.pattern import Pattern
 from BalloonWorkbench.core.pictures.preview import preview_png
 from BalloonWorkbench.core.readers.read import read_drawing
@@ -55,33 +59,22 @@ from BalloonWorkbench.core.solver.model import Model
 from BalloonWorkbench.core.tracing.picture import Decode
 from BalloonWorkbench.core.types import Attempt, Progress, insist, no_progress
 
-DEFAULT_PRESSURE = 2000.0  # Pa
+DEFAULT_PRESSURE = InflationOptions.pressure
 
 
 @dataclass(frozen=True)
-class Settings:
-    """How a balloon is made.
+class Settings(ReadingOptions, InflationOptions):
+    """How a balloon is made: how its drawing is read, to what it is inflated, and
 
-    pressure [Pa]; mesh_size [m] and backend None where the engine chooses; correct False keeps the outline
-    itself as the pattern; a volume [m3] takes the place of the pressure; model: what is simulated.
-    symmetry: AUTO, OFF or FORCE of outline/symmetry.py; drawn_as: AUTO, SHAPE or PEN of tracing/segment.py;
-    goal: what the size has to give; filling: what lifts. passage [m] is left open in welds that would cut off
-    a part, 0 for none; wanted: how the pattern is made.
+    film: of what; model: what is simulated; goal: what the size has to give; filling: what lifts; wanted: how
+    the pattern is made.
     """
 
     film: Film = field(default_factory=lambda: film(DEFAULT_FILM))
-    pressure: float = DEFAULT_PRESSURE
-    mesh_size: float | None = None
-    backend: str | None = None
-    correct: bool = True
-    volume: float | None = None
     model: Model = field(default_factory=Model)
-    symmetry: str = AUTO
-    drawn_as: str = AUTO
     goal: SizeGoal | None = None
     filling: Filling = field(default_factory=Filling)
-    passage: float = PASSAGE
-    wanted: Wanted = field(default_factory=Wanted)
+    wanted: PatternOptions = field(default_factory=PatternOptions)
 
     @property
     def intake(self) -> bool:

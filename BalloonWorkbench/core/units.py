@@ -121,6 +121,11 @@ def pressure_text(pascals: float) -> str:
     return _measure(pascals, 3, _PRESSURES)
 
 
+def temperature_text(kelvin: float) -> str:
+    """A temperature for people, as it may be typed."""
+    return f"{number_text(kelvin - 273.15)}C"
+
+
 def money_text(amount: float, currency: str) -> str:
     """A price for people: two decimals, but for very small and large ones."""
     usual = amount == 0.0 or 0.005 <= amount < 100.0

@@ -9,10 +9,11 @@ import numpy as np
 from drawn_shapes import NAMED
 
 from BalloonWorkbench.core.film.film import Film
-from BalloonWorkbench.core.film.library import DEFAULT_FILM, film
+from BalloonWorkbench.core.film.library import film
 from BalloonWorkbench.core.mesh.reuse import move_rim
 from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.mesh.triangulate import triangulate
+from BalloonWorkbench.core.options.film import DEFAULT_FILM
 from BalloonWorkbench.core.panels.panel import Panel
 from BalloonWorkbench.core.types import Floats
 

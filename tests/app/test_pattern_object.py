@@ -201,10 +201,10 @@ def test_weld_inside_reaches_the_file(doc, tmp_path):
 
 def test_all_values_reach_the_pattern_and_come_back(pattern):
     """What the command line sets is what the object says, and the other way round."""
-    from BalloonWorkbench.app.pattern import set_values, usual_values, values
-    from BalloonWorkbench.core.pattern.make import Wanted
+    from BalloonWorkbench.app.pattern import set_values, values
+    from BalloonWorkbench.core.options.pattern import PatternOptions
 
-    wanted = Wanted(
+    wanted = PatternOptions(
         seal_width=0.004, allowance=0.003, intake_kind="one-way-tail", intake_width=0.011, intake_length=0.09,
         intake_along=0.2, corner_radius=0.002, notches=7, notch_depth=0.001, tie_tab=True, tie_tab_angle=1.0,
         label="A", label_height=0.005, mirror=True, copies=3,
@@ -214,7 +214,7 @@ def test_all_values_reach_the_pattern_and_come_back(pattern):
     for name, value in vars(wanted).items():
         told = getattr(found, name)
         assert told == (pytest.approx(value) if isinstance(value, float) else value), name
-    set_values(pattern, usual_values())
+    set_values(pattern, PatternOptions())
     plain = values(pattern)
     assert plain.intake_width == pytest.approx(0.010)
     assert (plain.intake_kind, plain.intake_along, plain.copies, plain.mirror) == ("straw", None, 1, False)

@@ -32,7 +32,8 @@ from BalloonWorkbench.core.film.library import film
 from BalloonWorkbench.core.geometry.triangulation import signed_areas
 from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.mesh.triangulate import triangulate
-from BalloonWorkbench.core.pattern.make import Wanted, intake_of
+from BalloonWorkbench.core.options.pattern import PatternOptions
+from BalloonWorkbench.core.pattern.intake.places import intake_of
 from BalloonWorkbench.core.solver.inflate import inflate
 from BalloonWorkbench.core.solver.model import Model
 from BalloonWorkbench.core.types import Floats
@@ -41,7 +42,7 @@ FILM = film("mylar")
 PRESSURE = 2000.0
 VERTICES = 500
 SEALS = 2.0 * FILM.seal_width
-INTAKE_WIDTH = intake_of(Wanted()).width
+INTAKE_WIDTH = intake_of(PatternOptions()).width
 DISC = 1.218524 / np.pi**1.5
 TWIST = 0.3
 

@@ -19,10 +19,11 @@ from matplotlib.textpath import TextPath
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.nesting import nest as nesting
 from BalloonWorkbench.core.nesting.layout import Grain, Piece, Stock
+from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.pattern.intake.kinds import intake_kinds
 from BalloonWorkbench.core.pattern.layout import on_one_sheet
-from BalloonWorkbench.core.pattern.make import Wanted, make_pattern, sheet_of
+from BalloonWorkbench.core.pattern.make import make_pattern, sheet_of
 from BalloonWorkbench.core.pattern.pattern import Pattern
 from BalloonWorkbench.core.readers.read import read_drawing
 from BalloonWorkbench.core.types import Floats
@@ -92,10 +93,10 @@ def pictured(name: str) -> tuple[Outline, ...]:
 NAMES = sorted(path.stem for path in PICTURES.glob("*.png"))
 
 
-def wishes(random: np.random.Generator) -> Wanted:
+def wishes(random: np.random.Generator) -> PatternOptions:
     """Any of the options."""
     relief = float(random.choice([0.0, 0.0, 0.002]))
-    return Wanted(
+    return PatternOptions(
         allowance=float(random.choice([0.002, 0.003, 0.005])),
         intake=bool(random.random() < 0.8),
         intake_kind=str(random.choice([kind.name for kind in intake_kinds().values()])),
@@ -109,9 +110,9 @@ def wishes(random: np.random.Generator) -> Wanted:
     )
 
 
-def made(parts: tuple[Outline, ...], wanted: Wanted) -> Pattern | None:
+def made(parts: tuple[Outline, ...], wanted: PatternOptions) -> Pattern | None:
     """The sheet of all parts; without what has no room on them, None where even that is not enough."""
-    for wish in (wanted, replace(wanted, label="", notches=0, tie_tab=False), Wanted(intake=False)):
+    for wish in (wanted, replace(wanted, label="", notches=0, tie_tab=False), PatternOptions(intake=False)):
         try:
             return on_one_sheet([sheet_of(make_pattern(part, SEAL, wish), wish) for part in parts])
         except BalloonError:
@@ -149,9 +150,13 @@ def _any(random: np.random.Generator, seed: int) -> tuple[float, float]:
 @cache
 def laid_out(balloons: int = 1) -> Pattern:
     """Rings, in their holes discs with a hole, and hearts; in rows, as without the nesting library."""
-    ring = made((Outline(polar(0.14), (oriented(polar(0.09), False),)),), Wanted(intake=False, notches=6))
-    small = made((Outline(polar(0.05), (oriented(polar(0.02), False),)),), Wanted(intake=False, notches=3))
-    heart = made((NAMED["heart"].map(lambda loop: 0.3 * loop),), Wanted(label="I"))
+    ring = made(
+        (Outline(polar(0.14), (oriented(polar(0.09), False),)),), PatternOptions(intake=False, notches=6)
+    )
+    small = made(
+        (Outline(polar(0.05), (oriented(polar(0.02), False),)),), PatternOptions(intake=False, notches=3)
+    )
+    heart = made((NAMED["heart"].map(lambda loop: 0.3 * loop),), PatternOptions(label="I"))
     assert ring and small and heart
     pieces = [Piece(ring, balloons, balloons), Piece(small, balloons, balloons), Piece(heart, balloons)]
     with pytest.MonkeyPatch.context() as patch:

@@ -11,7 +11,8 @@ from BalloonWorkbench.core.advice.advise import advise
 from BalloonWorkbench.core.arcs.fit_arcs import fit_curve
 from BalloonWorkbench.core.checkpoint import checkpoint, stoppable
 from BalloonWorkbench.core.errors import Cancelled
-from BalloonWorkbench.core.film.library import DEFAULT_FILM, film
+from BalloonWorkbench.core.film.library import film
+from BalloonWorkbench.core.options.film import DEFAULT_FILM
 
 
 class Asked:

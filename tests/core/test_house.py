@@ -36,7 +36,19 @@ WINDOW = {"FreeCADGui", "Gui", "PartGui", "MeshGui", "SketcherGui", "pivy"}
 QT = {"PySide", "PySide2", "PySide6", "PyQt5", "PyQt6", "shiboken2", "shiboken6"}
 
 #: The rooms of the core in the order of the data; a room uses only those before it.
-ROOMS = ["geometry", "files", "language", "arcs", "outline", "tracing", "readers", "film", "panels", "mesh"]
+ROOMS = [
+    "geometry",
+    "options",
+    "files",
+    "language",
+    "arcs",
+    "outline",
+    "tracing",
+    "readers",
+    "film",
+    "panels",
+    "mesh",
+]
 ROOMS += ["solver", "design", "correction", "results", "pattern", "nesting", "making", "machines", "pictures"]
 ROOMS += ["artwork", "assembly_sheet", "advice"]
 

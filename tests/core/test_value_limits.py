@@ -18,6 +18,7 @@ import numpy as np
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.film.library import custom_film, film, with_grain
 from BalloonWorkbench.core.job import Settings, make_balloon
+from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.pattern.build import build_pattern
 from BalloonWorkbench.core.pattern.label import with_label
 from BalloonWorkbench.core.pattern.marks import with_notches, with_tie_tab
@@ -79,10 +80,12 @@ def tried(draw: random.Random, drawing: Path) -> bool:
     pattern = build_pattern(
         seam,
         near(draw, 0.005),
-        allowance=near(draw, 0.002),
-        intake_width=near(draw, 0.01),
-        intake_length=near(draw, 0.02),
-        intake_angle=near(draw, 1.0),
+        PatternOptions(
+            allowance=near(draw, 0.002),
+            intake_width=near(draw, 0.01),
+            intake_length=near(draw, 0.02),
+            intake_angle=near(draw, 1.0),
+        ),
     )
     if draw.random() < 0.3:
         pattern = with_tie_tab(pattern, near(draw, 1.0))

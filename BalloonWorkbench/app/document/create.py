@@ -7,15 +7,7 @@ import os
 from contextlib import ExitStack
 
 from BalloonWorkbench.app import balloon, pattern
-from BalloonWorkbench.app.balloon import (
-    BACKENDS,
-    FIT,
-    INFLATE,
-    PLAIN_SHELL,
-    TENSION_FIELD,
-    VOLUME,
-    BalloonProxy,
-)
+from BalloonWorkbench.app.balloon import VOLUME, BalloonProxy
 from BalloonWorkbench.app.border import hooks, status
 from BalloonWorkbench.app.document import arrange
 from BalloonWorkbench.app.document.parts import Parts, companions
@@ -23,9 +15,14 @@ from BalloonWorkbench.app.group import MEMBERS, make_group, name_group
 from BalloonWorkbench.app.outline import OutlineProxy, set_drawing, shape_count
 from BalloonWorkbench.app.pattern import PatternProxy
 from BalloonWorkbench.app.properties import film
+from BalloonWorkbench.app.properties.property_table import write_options
 from BalloonWorkbench.core.errors import InputError
-from BalloonWorkbench.core.solver.model import BENDING_FLOOR, Model
+from BalloonWorkbench.core.options.option import option_of
+from BalloonWorkbench.core.options.simulation import InflationOptions, ModelOptions
+from BalloonWorkbench.core.solver.model import Model
 from BalloonWorkbench.core.units import number_text
+
+_OF_THE_ENGINE = ("correct", "backend")  # values of the engine; all others are named as in documents
 
 
 def make(doc, label: str = "Film balloon") -> Parts:
@@ -128,55 +125,41 @@ def configure(
     parts: Parts,
     *,
     material=None,
-    pressure=None,
-    mesh_size=None,
     correct: bool = True,
     backend: str | None = None,
-    intake: bool = True,
     volume=None,
     model: Model | None = None,
     values: dict | None = None,
+    **named,
 ) -> None:
     """Set the values of a balloon; those not given keep their defaults.
 
     material   a name of the film library, or a core Film with values of your own
-    pressure   kPa, quantity or text such as "20 mbar"
-    mesh_size  mm, quantity or text
     correct    fit the pattern to the drawing, or inflate the drawing as it is
     backend    "native", "numpy", "newmark" or None for the best there is
     volume     mm3, quantity or text such as "5 l", from which the pressure follows
     model      a core Model: what is simulated, for comparisons
-    values     others by name, see app/properties/values.py
+    values     others by name, as those after them: see app/properties/values.py
 
     Raises InputError for an unknown material or backend and for text that is no quantity.
     """
     from BalloonWorkbench.app.properties import quantities
+    from BalloonWorkbench.app.properties.values import assign
 
     obj = parts.balloon
     if material is not None:
         film.choose(obj, material)
-    if pressure is not None:
-        obj.Pressure = quantities.pressure(pressure)
-    if mesh_size is not None:
-        obj.MeshSize = quantities.length(mesh_size)
-    obj.Mode = FIT if correct else INFLATE
-    choices = [name for name, known in BACKENDS.items() if known == backend]
-    if not choices:
-        known = ", ".join(f'"{name}"' for name in BACKENDS.values() if name)
-        raise InputError(f'There is no backend "{backend}": choose {known}, or leave it out.')
-    obj.Backend = choices[0]
+    known = option_of(InflationOptions, "backend").titles
+    if backend not in known:
+        names = ", ".join(f'"{name}"' for name in known if name)
+        raise InputError(f'There is no backend "{backend}": choose {names}, or leave it out.')
+    write_options(obj, InflationOptions(correct=correct, backend=backend), InflationOptions, *_OF_THE_ENGINE)
     if volume is not None:
         obj.TargetVolume = quantities.volume(volume)
         obj.Load = VOLUME
     if model is not None:
-        obj.Model = TENSION_FIELD if model.tension_field else PLAIN_SHELL
-        obj.Bending, obj.TwoPanels = model.bending, model.two_panels
-        obj.BendingFloor = model.bending_floor / BENDING_FLOOR
-    parts.pattern.Intake = intake
-    if values:
-        from BalloonWorkbench.app.properties.values import assign
-
-        assign(parts, values)
+        write_options(obj, model, ModelOptions)
+    assign(parts, {name: value for name, value in named.items() if value is not None} | (values or {}))
 
 
 def discard(parts: Parts) -> None:

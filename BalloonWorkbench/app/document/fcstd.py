@@ -10,10 +10,12 @@ import FreeCAD as App
 
 from BalloonWorkbench.app import balloon, pattern
 from BalloonWorkbench.app.document import create
-from BalloonWorkbench.app.outline import DRAWN_AS, SYMMETRY, in_letters, set_drawing
-from BalloonWorkbench.app.properties import size_goal
-from BalloonWorkbench.app.properties.quantities import cubic_millimetres, kilopascals
+from BalloonWorkbench.app.outline import in_letters, set_drawing
+from BalloonWorkbench.app.properties import film, size_goal
+from BalloonWorkbench.app.properties.property_table import write_options
 from BalloonWorkbench.core.files.write import write_files
+from BalloonWorkbench.core.options.drawing import ReadingOptions
+from BalloonWorkbench.core.options.simulation import InflationOptions, ModelOptions
 from BalloonWorkbench.core.units import to_mm
 
 
@@ -45,25 +47,14 @@ def fcstd_bytes(drawing, settings, designs, *, label: str = "balloon", width=Non
         set_drawing(parts.outline, drawing)
         parts.outline.Width = 0.0 if width is None else to_mm(width)
         parts.outline.Height = 0.0 if height is None else to_mm(height)
-        create.configure(
-            parts,
-            material=settings.film,
-            pressure=kilopascals(settings.pressure),
-            mesh_size=None if settings.mesh_size is None else to_mm(settings.mesh_size),
-            correct=settings.correct,
-            backend=settings.backend,
-            volume=None if settings.volume is None else cubic_millimetres(settings.volume),
-            model=settings.model,
-        )
+        film.choose(parts.balloon, settings.film)
+        write_options(parts.balloon, settings, InflationOptions)
+        if settings.volume is not None:
+            parts.balloon.Load = balloon.VOLUME
+        write_options(parts.balloon, settings.model, ModelOptions)
+        write_options(parts.outline, settings, ReadingOptions)
         pattern.set_values(parts.pattern, settings.wanted)
-        parts.outline.Passage = to_mm(settings.passage)
         size_goal.set_filling(parts.balloon, settings.filling)
-        parts.outline.Symmetry = next(
-            title for title, choice in SYMMETRY.items() if choice == settings.symmetry
-        )
-        parts.outline.DrawnAs = next(
-            title for title, choice in DRAWN_AS.items() if choice == settings.drawn_as
-        )
         everyone = [parts, *create.add_companions(parts)]
         for each, design in zip(everyone, designs):
             each.outline.recompute()

@@ -31,12 +31,8 @@ class DocumentProxy(Stateless):
     def __init__(self, obj):
         arrange.watch()
         add_missing(obj, (migrate.VERSION, *self.properties))
-        offer_choices(obj, self.choices())
+        offer_choices(obj, self.properties)
         obj.Proxy = self
-
-    def choices(self):
-        """The entries of each enumeration."""
-        return {}
 
     def execute(self, obj):
         """FreeCAD asks for the result; whatever goes wrong, the object keeps the one it had and says why."""
@@ -51,7 +47,7 @@ class DocumentProxy(Stateless):
 
         arrange.watch()
         if migrate.bring_up_to_date(obj, self.properties):
-            offer_choices(obj, self.choices())
+            offer_choices(obj, self.properties)
         self.opened(obj)
         hooks.dress(obj)
 

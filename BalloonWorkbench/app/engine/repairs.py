@@ -11,8 +11,9 @@ import json
 from dataclasses import replace
 
 from BalloonWorkbench.app.properties.property_table import Property
-from BalloonWorkbench.app.shapes.pattern_shape import DIRECTION, LOW
+from BalloonWorkbench.app.shapes.pattern_shape import DIRECTION
 from BalloonWorkbench.core.errors import OutlineError
+from BalloonWorkbench.core.options.pattern import LOW
 
 PROPERTIES = (
     Property(

@@ -16,8 +16,8 @@ from BalloonWorkbench.core.advice.as_data import advice_report
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.job import Settings, design_outline
 from BalloonWorkbench.core.making.weight import weighing
+from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.pattern.build import build_pattern
-from BalloonWorkbench.core.pattern.make import Wanted
 from BalloonWorkbench.core.report import Source
 from BalloonWorkbench.core.solver.model import Model
 from BalloonWorkbench.core.types import Progress, no_progress
@@ -81,7 +81,7 @@ class Request:
         """What weighs in a pattern that differs from the usual one, where the weight decides the size."""
         if self.settings.goal is None or self.settings.goal.lift is None:
             return []
-        own, usual = (asdict(weighing(wanted)) for wanted in (self.settings.wanted, Wanted()))
+        own, usual = (asdict(weighing(wanted)) for wanted in (self.settings.wanted, PatternOptions()))
         return [f"{name}={value}" for name, value in own.items() if value != usual[name]]
 
     def design(self, progress: Progress = no_progress) -> Design:
@@ -99,7 +99,7 @@ def describe(request: Request, design: Design) -> dict:
     settings, source = request.settings, request.source
     if settings.goal is not None:
         source = replace(source, outline=design.target)
-    plain = build_pattern(design.pattern, settings.film.seal_width, intake=False)
+    plain = build_pattern(design.pattern, settings.film.seal_width, PatternOptions(intake=False))
     told = report.build(source, settings.film, design, plain, settings.volume, goal=settings.goal)
     told |= advice_report(advise_design(design, settings.film, wanted=settings.wanted))
     size_goal.prepare(design.pattern, settings.film, settings.wanted)

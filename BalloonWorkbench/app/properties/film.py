@@ -3,55 +3,26 @@
 
 from __future__ import annotations
 
-from BalloonWorkbench.app.properties.property_table import Property, show_in_editor
+from BalloonWorkbench.app.properties.property_table import (
+    Property,
+    options_from,
+    properties_of,
+    show_in_editor,
+    write_options,
+)
+from BalloonWorkbench.core.options.film import DEFAULT_FILM, UNKNOWN, FilmOptions, MaterialOptions
+from BalloonWorkbench.core.options.option import option_of
 
 CUSTOM = "Custom"
-UNKNOWN = "Unknown"
-#: How panels are joined, by the core's names; what may be done with a laser, by the core's values.
-_JOININGS = {
-    "": UNKNOWN,
-    "heat": "Heat",
-    "high-frequency": "High frequency",
-    "glue": "Glue",
-    "tape": "Tape",
-}
-_LASER = {None: UNKNOWN, True: "May be cut", False: "Never"}
-CHOICES = {"Joining": list(_JOININGS.values()), "Laser": list(_LASER.values())}
-
 PROPERTIES = (
-    Property(
-        "Enumeration", "Film", "Film", "What the balloon is made of; Custom lets you give your own values"
-    ),
-    Property("Pressure", "YoungModulus", "Film", "Young's modulus of the film"),
-    Property(
-        "FloatConstraint", "PoissonRatio", "Film", "Poisson's ratio of the film", (0.3, 0.0, 0.49, 0.01)
-    ),
-    Property(
-        "Pressure",
-        "YoungModulusAcross",
-        "Film",
-        "Young's modulus across the grain; 0 means no grain",
-    ),
-    Property("Angle", "GrainAngle", "Film", "Direction of the grain, from the x axis of the drawing"),
-    Property("Length", "Thickness", "Film", "Thickness of the film"),
-    Property("Float", "ArealDensity", "Film", "Weight of the film in kg per square metre"),
-    Property("Length", "SealWidth", "Film", "Width of the weld that this film needs"),
-    Property("Enumeration", "Joining", "Film", "How two panels of this film are joined"),
-    Property("Bool", "OneSided", "Film", "Only one side of this film can be joined so", False),
-    Property("Enumeration", "Laser", "Film", "Whether a laser may cut this film"),
-    Property(
-        "String",
-        "SealingSide",
-        "Film",
-        "Polymer of the side that is welded, such as PE; none where it does not weld, empty: not known",
-    ),
-    Property(
-        "Pressure", "Strength", "Film", "Tension over the section at which the film tears; 0: not known"
-    ),
+    *(item._replace(entries=None) for item in properties_of(MaterialOptions)),  # see `offer`
+    *properties_of(FilmOptions),
     Property(
         "String", "Material", "Film", "FreeCAD's material card that the values were taken from", result=True
     ),
 )
+#: How its panels are joined, and whether a laser may cut it.
+_JOINING = ("joining", "one_side", "laser")
 #: What a film gives to the object.
 VALUES = tuple(item.name for item in PROPERTIES if item.name not in ("Film", "Material"))
 
@@ -111,8 +82,6 @@ def offer(obj) -> None:
 
 def set_choices(obj) -> None:
     """Offer the library's materials in a new object."""
-    from BalloonWorkbench.core.film.library import DEFAULT_FILM
-
     obj.Film = names()
     obj.Film = DEFAULT_FILM
 
@@ -145,7 +114,7 @@ def complete(obj) -> None:
     """Tell how the film of an older object is joined."""
     known = known_films().get(obj.Film)
     if known is not None and (obj.Joining, obj.Laser) == (UNKNOWN, UNKNOWN):
-        _write_joining(obj, known)
+        write_options(obj, known, FilmOptions, *_JOINING)
 
 
 def protect(obj) -> None:
@@ -155,30 +124,14 @@ def protect(obj) -> None:
 
 def write(obj, film) -> None:
     """The film's values, into the object's properties."""
-    from math import degrees
-
-    from BalloonWorkbench.app.properties.quantities import kilopascals
-    from BalloonWorkbench.core.units import to_mm
-
-    obj.YoungModulus = kilopascals(film.young_modulus)
-    obj.PoissonRatio = film.poisson_ratio
-    obj.YoungModulusAcross = kilopascals(film.young_modulus_across or 0.0)
-    obj.GrainAngle = degrees(film.grain_angle)
-    obj.Thickness = to_mm(film.thickness)
-    obj.ArealDensity = film.areal_density
-    obj.SealWidth = to_mm(film.seal_width)
-    obj.Strength = kilopascals(film.max_stress or 0.0)
-    obj.SealingSide = film.sealing_side or ""
-    _write_joining(obj, film)
-
-
-def _write_joining(obj, film) -> None:
-    obj.Joining, obj.OneSided, obj.Laser = _JOININGS[film.joining], film.one_side, _LASER[film.laser]
+    write_options(obj, film, FilmOptions)
 
 
 def take_joining(obj, joining: str, one_side: bool, laser: bool | None) -> None:
     """What a card says of these, by the core's names; what is not known there is unknown."""
-    obj.Joining, obj.OneSided, obj.Laser = _JOININGS.get(joining, UNKNOWN), one_side, _LASER[laser]
+    known = option_of(FilmOptions, "joining").titles
+    said = FilmOptions(joining=joining if joining in known else "", one_side=one_side, laser=laser)
+    write_options(obj, said, FilmOptions, *_JOINING)
 
 
 #: What a film of the library has beyond the properties that a user may change.
@@ -193,27 +146,17 @@ def read(obj):
     """
     from dataclasses import replace
 
-    from BalloonWorkbench.app.properties.quantities import metres, pascals, radians
     from BalloonWorkbench.core.film.library import custom_film, with_grain
 
-    own = custom_film(
-        pascals(obj.YoungModulus), obj.PoissonRatio, metres(obj.Thickness), obj.ArealDensity or None
-    )
-    strength = pascals(obj.Strength) or None
-    own = replace(
-        own,
-        seal_width=metres(obj.SealWidth),
-        max_stress=strength,
-        sealing_side=obj.SealingSide.strip() or None,
-        joining=next(name for name, title in _JOININGS.items() if title == obj.Joining),
-        one_side=obj.OneSided,
-        laser=next(value for value, title in _LASER.items() if title == obj.Laser),
-    )
+    told = dict(vars(options_from(obj, FilmOptions)))
+    elastic = (told.pop(name) or 0.0 for name in ("young_modulus", "poisson_ratio", "thickness"))
+    own = custom_film(*elastic, told.pop("areal_density"))
+    across, angle = told.pop("young_modulus_across"), told.pop("grain_angle")
+    own = replace(own, **told)
     if obj.Material:
         own = replace(own, title=obj.Material)
-    across = pascals(obj.YoungModulusAcross)
     if across:
-        own = with_grain(own, across, radians(obj.GrainAngle))
+        own = with_grain(own, across, angle)
     known = known_films().get(obj.Film)
     if known is None:
         return own

@@ -11,6 +11,8 @@ from typing import Any, NamedTuple
 
 import FreeCAD as App
 
+from BalloonWorkbench.app.properties.property_table import Property, shown_value
+
 PATH = "User parameter:BaseApp/Preferences/Mod/BalloonWorkbench"
 _BEDS = f"{PATH}/Beds"  # by the name of the machine, as text
 _RECENT = "RecentExportFolder"
@@ -24,32 +26,30 @@ class Item(NamedTuple):
     key: str
     default: str | float | bool
     part: str = ""  # outline, balloon or pattern
-    prop: str = ""
-    tooltip: str = ""
+    prop: Property | None = None
 
 
 def _items() -> tuple[Item, ...]:
     from BalloonWorkbench.app import balloon, outline, pattern
-    from BalloonWorkbench.core.film.library import DEFAULT_FILM
-
-    def of(part: str, module, name: str, key: str = "", default: Any = None) -> Item:
-        known = next(item for item in module.PROPERTIES if item.name == name)
-        value = known.value if default is None else default
-        return Item(key or name, 0.0 if value is None else value, part, name, known.tooltip)
 
     return (
-        of("balloon", balloon, "Film", default=DEFAULT_FILM),
-        of("outline", outline, "Width"),
-        of("balloon", balloon, "Pressure"),
-        of("pattern", pattern, "SealWidth"),
-        of("pattern", pattern, "Allowance"),
-        of("balloon", balloon, "Backend", default=next(iter(balloon.BACKENDS))),
-        of("balloon", balloon, "MeshSize"),
-        of("balloon", balloon, "Live"),
+        *(
+            Item(item.name, _default(item), part, item)
+            for part, module in (("balloon", balloon), ("outline", outline), ("pattern", pattern))
+            for item in module.PROPERTIES
+            if item.preference
+        ),
         Item("ExportFolder", ""),
         Item("Machine", "any-dxf"),
         Item("OfferSolver", True),
     )
+
+
+def _default(item: Property) -> str | float | bool:
+    """What a new object begins with."""
+    if item.type == "Enumeration":
+        return item.option.begins or item.option.title(item.option.default)
+    return 0.0 if item.value is None else item.value
 
 
 def items() -> dict[str, Item]:
@@ -67,7 +67,8 @@ def get(key: str) -> Any:
         allowed = choices(key)
         return value if not allowed or value in allowed else item.default
     value = group.GetFloat(key, item.default)
-    least = 0.0 if item.default == 0.0 or key == "Allowance" else 1e-6
+    option = item.prop.option
+    least = shown_value(option, option.least)
     return value if least <= value < float("inf") else item.default
 
 
@@ -134,34 +135,36 @@ def put_open_folder(folder: str) -> None:
 
 def choices(key: str) -> list[str]:
     """What a preference may be; empty where it is a number, a switch or free text."""
-    from BalloonWorkbench.app import balloon
     from BalloonWorkbench.app.properties import film
     from BalloonWorkbench.core.machines.machine import machines
 
     if key == "Film":
         return [name for name in film.names() if name != film.CUSTOM]
-    if key == "Backend":
-        return list(balloon.BACKENDS)
-    return list(machines()) if key == "Machine" else []
+    if key == "Machine":
+        return list(machines())
+    prop = items()[key].prop
+    return list(prop.entries()) if prop and prop.entries else []
 
 
 def begin(parts) -> None:
     """Give the objects of a new balloon the user's preferences; nothing is computed."""
     for item in items().values():
         if item.prop and get(item.key) != item.default:
-            setattr(getattr(parts, item.part), item.prop, get(item.key))
+            setattr(getattr(parts, item.part), item.key, get(item.key))
 
 
 def settings():
     """The engine's settings for a balloon that begins with the preferences and is no document object yet."""
-    from BalloonWorkbench.app import balloon
-    from BalloonWorkbench.app.properties import quantities
     from BalloonWorkbench.app.properties.film import known_films
+    from BalloonWorkbench.app.properties.property_table import engine_value
     from BalloonWorkbench.core.job import Settings
+    from BalloonWorkbench.core.options.option import options_of
+    from BalloonWorkbench.core.options.simulation import InflationOptions
 
-    return Settings(
-        film=known_films()[get("Film")],
-        pressure=quantities.pascals(get("Pressure")),
-        mesh_size=quantities.metres(get("MeshSize")) or None,
-        backend=balloon.BACKENDS[get("Backend")],
-    )
+    known = items()
+    begun = {
+        option.name: engine_value(option, get(option.property_name))
+        for option in options_of(InflationOptions)
+        if option.property_name in known
+    }
+    return Settings(film=known_films()[get("Film")], **begun)

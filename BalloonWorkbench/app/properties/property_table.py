@@ -3,8 +3,12 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Callable, Iterable
 from contextlib import contextmanager
 from typing import Any, NamedTuple
+
+from BalloonWorkbench.core.options.option import Kind, Option, options_of
 
 READ_ONLY, OUTPUT = 1, 8
 
@@ -15,7 +19,12 @@ def QT_TRANSLATE_NOOP(context: str, text: str) -> str:
 
 
 class Property(NamedTuple):
-    """One property: its value for a new object, and whether it is a result."""
+    """One property: its value for a new object, and whether it is a result.
+
+    entries  of an enumeration; option: of the engine, which it holds
+    label    of its field in a panel; page: of which panel; needs: the property without which it has no effect
+    preference  its label on the page of preferences
+    """
 
     type: str  # without the leading "App::Property"
     name: str
@@ -24,6 +33,106 @@ class Property(NamedTuple):
     value: Any = None
     result: bool = False  # read-only; changing it does not touch the object
     hidden: bool = False
+    label: str = ""
+    page: str = ""
+    needs: str = ""
+    preference: str = ""
+    entries: Callable[[], Iterable[str]] | None = None
+    option: Option | None = None
+
+
+#: The property of each kind of option, and its unit in SI: FreeCAD counts in mm, kg, s and degrees.
+_property_types = {
+    Kind.LENGTH: ("Length", 1e-3),
+    Kind.HEIGHT: ("Distance", 1e-3),
+    Kind.ANGLE: ("Angle", math.pi / 180.0),
+    Kind.PRESSURE: ("Pressure", 1e3),
+    Kind.VOLUME: ("Volume", 1e-3**3),
+    Kind.MASS: ("Float", 1e-3),
+    Kind.TEMPERATURE: ("Float", 1.0),
+    Kind.NUMBER: ("Float", 1.0),
+    Kind.COUNT: ("Integer", None),
+    Kind.FLAG: ("Bool", None),
+    Kind.CHOICE: ("Enumeration", None),
+    Kind.TEXT: ("String", None),
+    Kind.FILE: ("FileIncluded", None),
+}
+_ICE = 273.15  # K, where degrees Celsius begin
+
+
+def properties_of(declaring: type) -> tuple[Property, ...]:
+    """The properties for the options that a dataclass declares; see core/options."""
+    return tuple(_property(option) for option in options_of(declaring) if option.property_name)
+
+
+def _property(option: Option) -> Property:
+    chosen, kind = option.kind is Kind.CHOICE, _property_types[option.kind][0]
+    first = option.default if option.begins is None else option.begins
+    value = None if chosen or first in (None, "") else shown_value(option, first)
+    if option.kind is Kind.NUMBER and option.most < 1.0:
+        kind, value = "FloatConstraint", (value, option.least, option.most, option.step)
+    return Property(
+        kind,
+        option.property_name,
+        option.group,
+        option.text,
+        value,
+        label=option.label,
+        page=option.page,
+        needs=option.needs,
+        preference=option.preference,
+        entries=(lambda: list(option.titles.values())) if chosen else None,
+        option=option,
+    )
+
+
+def shown_value(option: Option, value):
+    """A value of the engine as its property has it; what the engine finds is 0."""
+    unit = _property_types[option.kind][1]
+    if option.kind is Kind.CHOICE:
+        return option.title(value)
+    if option.kind is Kind.TEXT:
+        return value or ""
+    if option.kind is Kind.TEMPERATURE:
+        return value - _ICE
+    return value if unit is None else (value or 0.0) / (unit * option.scale)
+
+
+def engine_value(option: Option, value):
+    """What a property has, as a value of the engine; 0 where the engine may find it is None."""
+    unit = _property_types[option.kind][1]
+    if option.kind is Kind.CHOICE:
+        return option.value(value)
+    if option.kind is Kind.TEXT and option.default is None:
+        return value.strip() or None
+    if unit is None:
+        return value
+    number = float(getattr(value, "Value", value))
+    if option.kind is Kind.TEMPERATURE:
+        return number + _ICE
+    return None if option.default is None and not number else number * unit * option.scale
+
+
+def options_from(obj, declaring: type, **own):
+    """The options of a document object; own: those that more than their property decides."""
+    read = {
+        option.name: engine_value(option, getattr(obj, option.property_name))
+        for option in options_of(declaring)
+        if option.property_name and option.name not in own
+    }
+    return declaring(**{**read, **own})
+
+
+def write_options(obj, options, declaring: type, *names: str) -> None:
+    """Give a document object the options that a dataclass declares, or those that are named."""
+    for option in options_of(declaring):
+        if option.property_name and (option.name in names or not names):
+            setattr(obj, option.property_name, shown_value(option, getattr(options, option.name)))
+
+
+def with_switches(properties: tuple[Property, ...], switches: dict[str, Property]) -> tuple[Property, ...]:
+    """The properties, each after the one that says in a document whether it is given."""
+    return tuple(item for own in properties for item in (switches.get(own.name), own) if item is not None)
 
 
 def add_missing(obj, properties: tuple[Property, ...]) -> None:
@@ -40,14 +149,22 @@ def add_missing(obj, properties: tuple[Property, ...]) -> None:
             setattr(obj, item.name, item.value)
 
 
-def offer_choices(obj, choices: dict[str, list[str]]) -> None:
+def offer_choices(obj, properties: tuple[Property, ...]) -> None:
     """Give enumerations their entries; an older object keeps its choice."""
-    for name, entries in choices.items():
-        present = obj.getEnumerationsOfProperty(name) or []
+    for item in properties:
+        if item.entries is None:
+            continue
+        entries, present = list(item.entries()), obj.getEnumerationsOfProperty(item.name) or []
         if present != entries:
-            chosen = getattr(obj, name) if present else entries[0]
-            setattr(obj, name, entries)
-            setattr(obj, name, chosen)
+            chosen = getattr(obj, item.name) if present else entries[0]
+            setattr(obj, item.name, entries)
+            setattr(obj, item.name, chosen)
+
+
+def follow_needs(obj, properties: tuple[Property, ...]) -> None:
+    """Offer only what has an effect."""
+    needy = {item.name: item.needs for item in properties if item.needs}
+    show_in_editor(obj, **{name: "edit" if getattr(obj, need) else "hide" for name, need in needy.items()})
 
 
 def show_in_editor(obj, **modes: str) -> None:

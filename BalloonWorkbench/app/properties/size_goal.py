@@ -8,28 +8,37 @@ its origin: the Outline stays as it is, the Balloon and its Pattern have the siz
 from __future__ import annotations
 
 from BalloonWorkbench.app.document.kinds import is_pattern
-from BalloonWorkbench.app.properties.property_table import Property, show_in_editor
+from BalloonWorkbench.app.properties.property_table import (
+    Property,
+    engine_value,
+    options_from,
+    properties_of,
+    show_in_editor,
+    with_switches,
+    write_options,
+)
+from BalloonWorkbench.core.options.drawing import FillingOptions, GoalOptions
+from BalloonWorkbench.core.options.option import option_of, options_of
 from BalloonWorkbench.core.recent import Recent
 
 WIDTH, VOLUME, LIFT = "Width", "Volume", "Lift"
-GASES = {"Helium": "helium", "Hydrogen": "hydrogen", "Warm air": "warm-air"}
-CHOICES = {"SizeGoal": [WIDTH, VOLUME, LIFT], "Gas": list(GASES)}
-
-PROPERTIES = (
-    Property(
+WARM_AIR = "warm-air"
+SWITCHES = {
+    "GoalVolume": Property(
         "Enumeration",
         "SizeGoal",
         "Size",
         "What decides the size: the outline as it is, a volume to hold or a load to carry",
-    ),
-    Property("Volume", "GoalVolume", "Size", "Volume that decides the size"),
-    Property(
-        "Float", "GoalLift", "Size", "What it shall carry besides itself, in grams; 0 makes it float just so"
-    ),
-    Property("Enumeration", "Gas", "Filling", "What fills it when it shall float"),
-    Property("Float", "GasTemperature", "Filling", "Of warm air, in degrees Celsius", 80.0),
-    Property("Float", "AirTemperature", "Filling", "Around the balloon, in degrees Celsius", 20.0),
-    Property("Distance", "Altitude", "Filling", "Height above the sea"),
+        label="Size from",
+        entries=lambda: (WIDTH, VOLUME, LIFT),
+    )
+}
+#: What decides which of the others have an effect.
+DECIDING = ("SizeGoal", "Gas")
+
+PROPERTIES = (
+    *with_switches(properties_of(GoalOptions), SWITCHES),
+    *properties_of(FillingOptions),
 )
 RESULTS = (
     Property("Float", "Weight", "Result", "Film of both panels with weld and intake, in grams", result=True),
@@ -53,7 +62,7 @@ def follow(obj) -> None:
         GoalVolume="edit" if obj.SizeGoal == VOLUME else "hide",
         GoalLift="edit" if obj.SizeGoal == LIFT else "hide",
         # an older object that is just being completed has no gas yet
-        GasTemperature="edit" if GASES.get(obj.Gas) == "warm-air" else "hide",
+        GasTemperature="edit" if obj.Gas and _gas(obj) == WARM_AIR else "hide",
     )
 
 
@@ -76,40 +85,39 @@ def goal(obj):
     return SizeGoal(lift=from_grams(obj.GoalLift)) if obj.SizeGoal == LIFT else None
 
 
+def _gas(obj) -> str:
+    """The gas, as the core calls it."""
+    return engine_value(option_of(FillingOptions, "gas"), obj.Gas)
+
+
 def filling(obj):
     """The gas and the air around it."""
-    from BalloonWorkbench.app.properties.quantities import metres
-    from BalloonWorkbench.core.film.filling import ZERO_CELSIUS, Filling, gas
+    from BalloonWorkbench.core.film.filling import Filling, gas
 
-    name = GASES[obj.Gas]
-    return Filling(
-        gas(name),
-        obj.GasTemperature + ZERO_CELSIUS if name == "warm-air" else None,
-        obj.AirTemperature + ZERO_CELSIUS,
-        metres(obj.Altitude),
-    )
+    told = dict(vars(options_from(obj, FillingOptions)))
+    if told["gas"] != WARM_AIR:
+        told["gas_temperature"] = None
+    return Filling(gas(told.pop("gas")), **told)
 
 
-def set_filling(obj, wanted) -> None:
+def set_filling(obj, filling) -> None:
     """Write a filling into the object's properties."""
-    from BalloonWorkbench.core.film.filling import ZERO_CELSIUS
-    from BalloonWorkbench.core.units import to_mm
-
-    obj.Gas = next(title for title, name in GASES.items() if name == wanted.gas.name)
-    if wanted.gas.name == "warm-air":
-        obj.GasTemperature = wanted.temperature - ZERO_CELSIUS
-    obj.AirTemperature = wanted.air_temperature - ZERO_CELSIUS
-    obj.Altitude = to_mm(wanted.altitude)
+    told = FillingOptions(filling.gas.name, filling.temperature, filling.air_temperature, filling.altitude)
+    names = [option.name for option in options_of(FillingOptions)]
+    if filling.gas.name != WARM_AIR:
+        names.remove("gas_temperature")
+    write_options(obj, told, FillingOptions, *names)
 
 
 def wanted_of(obj):
-    """How the pattern of a balloon is made, as the core's `Wanted`; the usual way where it has none yet."""
+    """How the pattern of a balloon is made, `PatternOptions`; the usual way where it has none yet."""
     from BalloonWorkbench.app import pattern
+    from BalloonWorkbench.core.options.pattern import PatternOptions
 
     for other in obj.InList:
         if is_pattern(other) and other.Balloon == obj:
             return pattern.values(other)
-    return pattern.usual_values()
+    return PatternOptions()
 
 
 def film_and_valve(seam, film, wanted) -> tuple[float, float]:

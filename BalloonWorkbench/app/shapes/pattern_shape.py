@@ -6,7 +6,6 @@ from __future__ import annotations
 #: What may tell where an intake is.
 DIRECTION, PLACE = "Direction", "Place on the seam"
 #: Where it is found unless it is told.
-FARTHEST, LOW = "Farthest point", "Low"
 
 
 def show(obj, pattern, how_to_fill: str) -> None:

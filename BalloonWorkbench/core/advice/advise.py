@@ -16,13 +16,13 @@ from BalloonWorkbench.core.advice.subject import Subject
 from BalloonWorkbench.core.checkpoint import checkpoint
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.film.film import Film
+from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.outline.validity import check
 from BalloonWorkbench.core.pattern.fairing import faired_seam
-from BalloonWorkbench.core.pattern.make import Wanted
 from BalloonWorkbench.core.solver.inflation import Inflation
 
-_USUAL = Wanted()
+_USUAL = PatternOptions()
 _RULES = (
     thin_rules.necks,
     thin_rules.arms,
@@ -34,7 +34,7 @@ _RULES = (
 )
 
 
-def advise(outline: Outline, film: Film, *, fitted: bool = True, wanted: Wanted = _USUAL) -> Advice:
+def advise(outline: Outline, film: Film, *, fitted: bool = True, wanted: PatternOptions = _USUAL) -> Advice:
     """Advice from the outline alone, within a fraction of a second.
 
     fitted  the pattern will be corrected until the balloon looks like the outline; else the outline is the
@@ -47,7 +47,7 @@ def advise(outline: Outline, film: Film, *, fitted: bool = True, wanted: Wanted 
     return _advice(Subject(outline, film, Predicted(outline, fitted), fitted, outline, wanted))
 
 
-def advise_design(design: Design, film: Film, *, wanted: Wanted = _USUAL) -> Advice:
+def advise_design(design: Design, film: Film, *, wanted: PatternOptions = _USUAL) -> Advice:
     """Advice from a finished design, in the frame of its drawing; arguments as for `advise`."""
     fitted = design.passes > 0
     gauge = Measured(design.inflation, fitted)
@@ -55,7 +55,7 @@ def advise_design(design: Design, film: Film, *, wanted: Wanted = _USUAL) -> Adv
 
 
 def intake_findings(
-    outline: Outline, film: Film, inflation: Inflation, seam: Outline, fitted: bool, wanted: Wanted
+    outline: Outline, film: Film, inflation: Inflation, seam: Outline, fitted: bool, wanted: PatternOptions
 ) -> list[Finding]:
     """What there is to say about the intake of a finished balloon alone; seam: of its pattern."""
     gauge = Measured(inflation, fitted)

@@ -15,10 +15,10 @@ from BalloonWorkbench.core.advice.rules import rules
 from BalloonWorkbench.core.advice.subject import Subject
 from BalloonWorkbench.core.geometry.polyline import signed_area
 from BalloonWorkbench.core.geometry.vectors import direction
+from BalloonWorkbench.core.options.pattern import FARTHEST, LOW
 from BalloonWorkbench.core.outline.chambers import chambers
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.packages import shapely
-from BalloonWorkbench.core.pattern.intake.places import FARTHEST, LOW
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import length_text, number_text, percent_text
 

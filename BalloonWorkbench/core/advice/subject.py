@@ -15,9 +15,9 @@ from BalloonWorkbench.core.advice.repairs import repaired
 from BalloonWorkbench.core.advice.rules import rules
 from BalloonWorkbench.core.errors import InputError, OutlineError
 from BalloonWorkbench.core.film.film import Film
+from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.outline.outline import Outline
-from BalloonWorkbench.core.pattern.intake.places import Places, Wish
-from BalloonWorkbench.core.pattern.make import Wanted, intake_of
+from BalloonWorkbench.core.pattern.intake.places import Places, Wish, intake_of
 from BalloonWorkbench.core.types import Floats
 
 #: Thickness of a tube of film over its flat width.
@@ -40,7 +40,7 @@ class Subject:
     gauge: Gauge
     fitted: bool
     seam: Outline
-    wanted: Wanted
+    wanted: PatternOptions
 
     @cached_property
     def wish(self) -> Wish:

@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.options.making import ArtworkOptions
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
 from BalloonWorkbench.core.pattern.shapes import closed_loop, parts
@@ -15,7 +16,7 @@ from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import from_mm, length_text
 
 #: The print goes that far past the cut, unless told otherwise [m].
-BLEED = from_mm(3.0)
+BLEED = ArtworkOptions.bleed
 _MOST_BLEED = from_mm(50.0)
 #: A mark is a cross in a circle: half the length of its lines, radius, and room to the print [m].
 _ARM, _RADIUS, _ROOM = from_mm(5.0), from_mm(2.5), from_mm(3.0)

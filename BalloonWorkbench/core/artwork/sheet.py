@@ -15,13 +15,14 @@ from BalloonWorkbench.core.artwork.picture import Picture, Pixels
 from BalloonWorkbench.core.artwork.sample import sampled
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.geometry.crossings import crossed_at
+from BalloonWorkbench.core.options.making import ArtworkOptions
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
 from BalloonWorkbench.core.pattern.placement import back_of
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.types import Bools, Floats, Ints
 from BalloonWorkbench.core.units import INCH, from_mm, number_text
 
-DPI = 300.0
+DPI = ArtworkOptions.dpi
 _LEAST_DPI, _MOST_DPI = 20.0, 2400.0
 #: More pixels than that are a mistake, or more than most programs open.
 _MOST_PIXELS = 300_000_000

@@ -16,6 +16,7 @@ from typing import Protocol
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.geometry.polyline import arc_lengths
+from BalloonWorkbench.core.options.drawing import GoalOptions
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.types import Progress, no_progress
 from BalloonWorkbench.core.units import length_text, mass_text, percent_text, volume_text
@@ -28,12 +29,8 @@ SMALLEST, LARGEST = 0.01, 20.0  # larger dimension of a drawing [m]
 _GRID = 1.02  # sizes at which a lift is looked at before its root is narrowed down
 
 
-@dataclass(frozen=True)
-class SizeGoal:
+class SizeGoal(GoalOptions):
     """What the size has to give: a volume [m3] or a lift [kg], one of them."""
-
-    volume: float | None = None
-    lift: float | None = None
 
 
 @dataclass(frozen=True)

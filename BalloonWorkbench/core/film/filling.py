@@ -13,16 +13,17 @@ from typing import Any
 
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.files.data_file import RESOURCES, UNUSABLE, read_data
+from BalloonWorkbench.core.options.drawing import FillingOptions
 from BalloonWorkbench.core.units import number_text
 
 FILE = RESOURCES / "gases.json"
-DEFAULT_GAS = "helium"
+DEFAULT_GAS = FillingOptions.gas
 
 GAS_CONSTANT = 8.31446261815324  # J/(mol K)
 GRAVITY = 9.80665  # m/s2, standard
 AIR = 0.0289644  # molar mass of dry air [kg/mol]
 ZERO_CELSIUS = 273.15  # K
-ROOM = ZERO_CELSIUS + 20.0  # K
+ROOM = FillingOptions.air_temperature  # K
 
 #: ISO 2533: pressure [Pa] and temperature [K] at sea level, gradient [K/m], gas constant of air [J/(kg K)].
 _PRESSURE, _TEMPERATURE, _GRADIENT, _SPECIFIC = 101325.0, 288.15, 0.0065, 287.05287
@@ -54,7 +55,7 @@ class Filling:
     gas: Gas = field(default_factory=lambda: gas(DEFAULT_GAS))
     gas_temperature: float | None = None
     air_temperature: float = ROOM
-    altitude: float = 0.0
+    altitude: float = FillingOptions.altitude
 
     @property
     def temperature(self) -> float:

@@ -13,10 +13,10 @@ from typing import Any
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.files.data_file import RESOURCES, UNUSABLE, read_data
 from BalloonWorkbench.core.film.film import JOININGS, LOOKS, Film, Look
+from BalloonWorkbench.core.options.film import DEFAULT_FILM  # noqa: F401 - it is the name of one of them
 from BalloonWorkbench.core.units import number_text, pressure_text
 
 FOLDER = RESOURCES / "films"
-DEFAULT_FILM = "mylar"
 
 _TYPICAL_DENSITY = 1200.0  # kg/m3; polymer films lie between 900 and 1400
 

@@ -11,13 +11,12 @@ import numpy as np
 from BalloonWorkbench.core.errors import ExportError
 from BalloonWorkbench.core.machines.machine import Machine, bed_text
 from BalloonWorkbench.core.machines.toolpaths import BAR, BAR_ROOM
+from BalloonWorkbench.core.options.making import REFUSE, SCALE, WRITE
 from BalloonWorkbench.core.pattern.pattern import Pattern, Role
 from BalloonWorkbench.core.pattern.placement import split
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import from_mm
 
-#: What becomes of a pattern that is larger than the bed: no file, the file all the same, a smaller balloon.
-REFUSE, WRITE, SCALE = "refuse", "write", "scale"
 OVERSIZE = (REFUSE, WRITE, SCALE)
 
 #: A pattern is solved again so often until it fits, each time a little below what the last one lets expect.

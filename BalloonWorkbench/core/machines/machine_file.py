@@ -7,7 +7,6 @@ from collections.abc import Sequence
 
 from BalloonWorkbench.core.errors import ExportError, MissingPackageError
 from BalloonWorkbench.core.film.film import Film
-from BalloonWorkbench.core.machines.bed import REFUSE
 from BalloonWorkbench.core.machines.machine import FOLDER, Machine, read_machine
 from BalloonWorkbench.core.machines.preflight import ERROR, Finding, film_preflight, preflight
 from BalloonWorkbench.core.machines.toolpaths import Drawing, draw
@@ -16,6 +15,7 @@ from BalloonWorkbench.core.machines.writers.hpgl import drawing_hpgl
 from BalloonWorkbench.core.machines.writers.lightburn import drawing_lightburn
 from BalloonWorkbench.core.machines.writers.pdf import drawing_pdf, tiled_pdf
 from BalloonWorkbench.core.machines.writers.svg import drawing_svg
+from BalloonWorkbench.core.options.making import REFUSE
 from BalloonWorkbench.core.pattern.pattern import Pattern
 from BalloonWorkbench.core.types import Say, in_english
 

@@ -13,10 +13,11 @@ import numpy as np
 from BalloonWorkbench.core.arcs.curves import polyline
 from BalloonWorkbench.core.arcs.fit_arcs import TOLERANCE, fit_curve
 from BalloonWorkbench.core.film.film import Film
-from BalloonWorkbench.core.machines.bed import REFUSE, WRITE, fits_turned, fits_upright, pieces_fit, size_on
+from BalloonWorkbench.core.machines.bed import fits_turned, fits_upright, pieces_fit, size_on
 from BalloonWorkbench.core.machines.machine import Machine
 from BalloonWorkbench.core.machines.order import CUTS
 from BalloonWorkbench.core.machines.toolpaths import fitted
+from BalloonWorkbench.core.options.making import REFUSE, WRITE
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
 from BalloonWorkbench.core.types import Floats

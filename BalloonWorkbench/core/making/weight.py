@@ -9,34 +9,33 @@ from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.geometry.polyline import signed_area
 from BalloonWorkbench.core.making.trade_figures import making
+from BalloonWorkbench.core.options.option import options_of
+from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.pattern.build import usual_pattern
-from BalloonWorkbench.core.pattern.make import Wanted, intake_of, make_pattern, sheet_of
+from BalloonWorkbench.core.pattern.intake.places import intake_of
+from BalloonWorkbench.core.pattern.make import make_pattern, sheet_of
 from BalloonWorkbench.core.pattern.pattern import Pattern, Role
 from BalloonWorkbench.core.rounded import rounded
 
 
-def weighing(wanted: Wanted) -> Wanted:
+def weighing(wanted: PatternOptions) -> PatternOptions:
     """Those values of a pattern that its weight depends on, for one balloon; all others are the usual ones.
 
     Equal for patterns that weigh the same but for the last digits of their sizes.
     """
-    usual = Wanted()
     return rounded(
         replace(
             wanted,
+            **{option.name: option.default for option in options_of(PatternOptions) if not option.weighs},
             intake_width=intake_of(wanted).width,
-            notches=0,
-            notch_depth=usual.notch_depth,
-            label="",
-            label_height=usual.label_height,
             mirror=True,
             copies=1,
         )
     )
 
 
-def film_and_valve(seam: Outline, film: Film, wanted: Wanted) -> tuple[float, float]:
+def film_and_valve(seam: Outline, film: Film, wanted: PatternOptions) -> tuple[float, float]:
     """Film of one panel with weld and intake [m2], and what the intake's own pieces weigh [kg].
 
     Where there is no room for what is wanted, the usual pattern's: the pattern itself will say what is wrong.

@@ -11,16 +11,17 @@ from typing import Any
 import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.options.making import SheetOptions
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.pattern.pattern import Pattern, Role
 from BalloonWorkbench.core.pattern.placement import back_of, turned
 from BalloonWorkbench.core.types import Floats
-from BalloonWorkbench.core.units import from_mm, length_text
+from BalloonWorkbench.core.units import length_text
 
 #: One piece of a kind: number of the piece, and whether it is the back.
 Unit = tuple[int, bool]
 
-SPACING = from_mm(3.0)
+SPACING = SheetOptions.spacing
 _MOST_COPIES = 200
 _MOST_FILM = 20.0  # m
 

@@ -11,12 +11,13 @@ import numpy as np
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.geometry.polyline import line_lengths, part_of, point_on
 from BalloonWorkbench.core.geometry.vectors import perpendicular, unit
+from BalloonWorkbench.core.options.drawing import ReadingOptions
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.types import Floats
-from BalloonWorkbench.core.units import from_mm, length_text, place_text
+from BalloonWorkbench.core.units import length_text, place_text
 
-PASSAGE = from_mm(10.0)
+PASSAGE = ReadingOptions.passage
 """Usual width of a passage [m]."""
 #: A weld that ends this near to a loop reaches it, and a thin wall; relative to the size.
 _AT_RIM, _HAIR = 7e-3, 1e-6

@@ -16,15 +16,14 @@ import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film.film import Film
+from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.outline.chambers import joined_welds
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.pattern.cuttable import closed_gaps, opened_hole
 from BalloonWorkbench.core.pattern.fairing import faired_seam
-from BalloonWorkbench.core.pattern.intake.kinds import STRAW
-from BalloonWorkbench.core.pattern.intake.kinds import intake_kind as kind_named
 from BalloonWorkbench.core.pattern.intake.neck import Neck, place_neck
-from BalloonWorkbench.core.pattern.intake.places import FARTHEST, Wish, film_of, wishes
+from BalloonWorkbench.core.pattern.intake.places import Wish, film_of, intake_of, wishes
 from BalloonWorkbench.core.pattern.intake.rim import Rim
 from BalloonWorkbench.core.pattern.intake.valve import closed_channel
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
@@ -42,68 +41,36 @@ from BalloonWorkbench.core.units import length_text, place_text
 
 
 def build_pattern(
-    seam: Outline,
-    seal_width: float,
-    *,
-    allowance: float = 0.002,
-    intake_kind: str = STRAW,
-    intake_width: float | None = None,
-    intake_length: float | None = None,
-    intake_angle: float | None = None,
-    intake_along: float | None = None,
-    intake_place: str = FARTHEST,
-    intake: bool = True,
-    corner_radius: float = 0.0,
-    fair: bool = True,
+    seam: Outline, seal_width: float, options: PatternOptions | None = None, fair: bool = True
 ) -> Pattern:
-    """The pattern of a panel whose free film is bounded by `seam` [m], without its scatter (`faired`).
+    """The pattern of a panel whose free film is bounded by `seam` [m], without its scatter (`faired`), and
+    without tie tab, label and notches, second panel and copies.
 
-    seal_width     of the weld [m]
-    allowance      film left outside the weld [m]
-    intake_kind    a name of intake_kinds; width and length [m] are the kind's unless given. It points from
-                   the pattern's centre of area to the farthest point of the seam, or sits low on the balloon
-                   (intake_place FARTHEST or LOW), or points along intake_angle [rad], or sits at intake_along
-                   [m] on the seam, counter-clockwise from its rightmost point
-    corner_radius  with which corners of the cuts are rounded [m]; the weld keeps its corners
-    fair           False keeps the scatter of the seam, which takes most of the time to find: for a quick look
-    Each chamber that the welds cut off gets an intake. Raises InputError for senseless values, OutlineError
-    where the seam crosses itself.
+    seal_width  of the film's weld [m], where the options have no other
+    fair        False keeps the scatter of the seam, which takes most of the time to find: for a quick look
+    Each chamber that the welds cut off gets an intake, where the options have one. It points from the
+    pattern's centre of area to the farthest point of the seam, or sits low on the balloon, or points along
+    intake_angle, or sits at intake_along on the seam, counter-clockwise from its rightmost point.
+    Raises InputError for senseless values, OutlineError where the seam crosses itself.
     """
+    options = options or PatternOptions()
+    seal_width = seal_width if options.seal_width is None else options.seal_width
+    allowance = options.allowance
     if not (1e-5 <= seal_width <= 1.0 and 0.0 <= allowance <= 1.0):
         raise InputError("The seal width must be between 0.01 mm and 1 m, the allowance between 0 and 1 m.")
-    margin = seal_width + allowance
     seam = faired_seam(seam) if fair else seam
     whole, holes = polygon(seam.outer), [polygon(hole) for hole in seam.holes]
     warnings: list[str] = []
     necks: list[Neck] = []
-    if intake:
-        known = kind_named(intake_kind)
-        width = known.width if intake_width is None else intake_width
-        wish = Wish(known, width, intake_length, intake_angle, intake_along, intake_place)
-        necks = _necks(seam, film_of(seam), wish, seal_width, allowance)
+    if options.intake:
+        necks = _necks(seam, film_of(seam), intake_of(options), seal_width, allowance)
         whole = shapely().unary_union([whole, *(neck.area for neck in necks if neck.area is not None)])
-        warnings += [_advice(neck) for neck in necks if neck.way is not None]
-        free = _between_welds(whole, holes, seam, seal_width)
-        closed = [closed_channel(neck.intake, free, seal_width) for neck in necks]
-        warnings += [text for text in closed if text is not None]
-    inside = joined_welds(seam, 0.5 * seal_width)  # welds at the rim end in the middle of the one round it
-    contours = [Contour(Role.WELD, open_line(shapely().LineString(weld)), False) for weld in inside] + [
-        Contour(Role.WELD, closed_loop(polygon(spot).exterior, False), True) for spot in seam.spots
-    ]
-    contours += [line for neck in necks for line in neck.lines]
+        warnings += _remarks(necks, _between_welds(whole, holes, seam, seal_width), seal_width)
+    contours = [*_welds_inside(seam, seal_width), *(line for neck in necks for line in neck.lines)]
     for hole in holes:
-        contours += _inner(hole, seal_width, margin, corner_radius, warnings)
-    # Where the weld closes a bay of the outline, the rest of the bay is cut out like a hole.
-    sealed = _largest(offset(whole, 0.5 * seal_width))
-    cut = _largest(offset(sealed, margin - 0.5 * seal_width))  # from the weld, also round its tips
-    cut = relieved(closed_gaps(cut), sealed.boundary, 0.5 * seal_width, corner_radius)
-    contours += [Contour(Role.SEAL, closed_loop(ring, False), True) for ring in _sizeable(sealed.interiors)]
-    contours += [Contour(Role.CUT_INNER, closed_loop(ring, False), True) for ring in _sizeable(cut.interiors)]
+        contours += _inner(hole, seal_width, seal_width + allowance, options.corner_radius, warnings)
     mouths = [neck.beyond for neck in necks if neck.beyond is not None]
-    contours += _outer_seal(sealed, mouths)
-    for mouth in mouths:
-        cut = _largest(cut.difference(mouth))
-    contours.append(Contour(Role.CUT, closed_loop(cut.exterior, True), True))
+    contours += _outer(whole, mouths, seal_width, allowance, options.corner_radius)
     welds = [contour for contour in contours if contour.role is Role.SEAL]
     intakes = [neck.intake for neck in necks]
     return Pattern(
@@ -116,14 +83,51 @@ def build_pattern(
     )
 
 
+def _welds_inside(seam: Outline, seal_width: float) -> list[Contour]:
+    """Lines and spots; lines that reach the rim end in the middle of the weld round it."""
+    lines = [open_line(shapely().LineString(weld)) for weld in joined_welds(seam, 0.5 * seal_width)]
+    spots = [closed_loop(polygon(spot).exterior, False) for spot in seam.spots]
+    return [
+        *(Contour(Role.WELD, line, False) for line in lines),
+        *(Contour(Role.WELD, spot, True) for spot in spots),
+    ]
+
+
+def _remarks(necks: list[Neck], free: Any, seal_width: float) -> list[str]:
+    """What is to be said of the intakes, in the free film."""
+    closed = [closed_channel(neck.intake, free, seal_width) for neck in necks]
+    narrow = [_advice(neck) for neck in necks if neck.way is not None]
+    return [*narrow, *(text for text in closed if text is not None)]
+
+
+def _outer(
+    whole: Any, mouths: list[Any], seal_width: float, allowance: float, corner_radius: float
+) -> list[Contour]:
+    """Weld and cut round the balloon. Where the weld closes a bay of the outline, the rest of the bay is cut
+    out like a hole.
+    """
+    sealed = _largest(offset(whole, 0.5 * seal_width))
+    # from the weld, also round its tips
+    cut = _largest(offset(sealed, seal_width + allowance - 0.5 * seal_width))
+    cut = relieved(closed_gaps(cut), sealed.boundary, 0.5 * seal_width, corner_radius)
+    bays = ((Role.SEAL, sealed.interiors), (Role.CUT_INNER, cut.interiors))
+    inner = [
+        Contour(role, closed_loop(ring, False), True) for role, rings in bays for ring in _sizeable(rings)
+    ]
+    seals = _outer_seal(sealed, mouths)
+    for mouth in mouths:
+        cut = _largest(cut.difference(mouth))
+    return [*inner, *seals, Contour(Role.CUT, closed_loop(cut.exterior, True), True)]
+
+
 def usual_pattern(seam: Outline, film: Film, intake: bool = True) -> Pattern:
     """The pattern as it is made unless told otherwise: for its weight. Without an intake that has no room."""
     try:
-        return build_pattern(seam, film.seal_width, intake=intake)
+        return build_pattern(seam, film.seal_width, PatternOptions(intake=intake))
     except InputError:
         if not intake:
             raise
-        return build_pattern(seam, film.seal_width, intake=False)
+        return build_pattern(seam, film.seal_width, PatternOptions(intake=False))
 
 
 def _necks(seam: Outline, film: Any, wish: Wish, seal_width: float, allowance: float) -> list[Neck]:

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.options.pattern import MOST_NOTCHES
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.pattern.intake.kinds import FILM, intake_kind
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
@@ -20,7 +21,6 @@ from BalloonWorkbench.core.units import from_mm, length_text, number_text
 _CLEAR = from_mm(5.0)
 #: Radius of the tab's hole, and of the film round it [m].
 _HOLE, _TAB = from_mm(2.0), from_mm(6.0)
-_MOST_NOTCHES = 1000
 
 
 def with_notches(pattern: Pattern, count: int, depth: float) -> Pattern:
@@ -32,8 +32,8 @@ def with_notches(pattern: Pattern, count: int, depth: float) -> Pattern:
     """
     if count == 0:
         return pattern
-    if not (0 <= count <= _MOST_NOTCHES and depth > 0.0):
-        raise InputError(f"There can be 0 to {_MOST_NOTCHES} notches, not {count}, with a depth above 0.")
+    if not (0 <= count <= MOST_NOTCHES and depth > 0.0):
+        raise InputError(f"There can be 0 to {MOST_NOTCHES} notches, not {count}, with a depth above 0.")
     marks = [mark for cut in pattern.of(Role.CUT) for mark in _notches(cut, pattern, count, depth)]
     seals = _seals(pattern)
     package = shapely()

@@ -9,6 +9,7 @@ from dataclasses import replace
 import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.options.pattern import MOST_COPIES
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.pattern.intake.kinds import Piece, intake_kind, measure, placed
 from BalloonWorkbench.core.pattern.label import lettering
@@ -17,7 +18,6 @@ from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
 from BalloonWorkbench.core.pattern.shapes import closed_loop
 from BalloonWorkbench.core.units import from_mm
 
-MOST_COPIES = 100
 #: Height of the label on a piece [m].
 _LETTERS = from_mm(3.0)
 #: Lines on which a second panel is measured and mirrored but not turned over: text stays readable.

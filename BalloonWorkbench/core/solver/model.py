@@ -9,6 +9,7 @@ import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film.film import Film
+from BalloonWorkbench.core.options.simulation import ModelOptions
 from BalloonWorkbench.core.panels.panel import Panel
 from BalloonWorkbench.core.solver.element.dkt import gradients
 from BalloonWorkbench.core.solver.element.orthotropic import Grain
@@ -16,9 +17,7 @@ from BalloonWorkbench.core.solver.problem import FilmProblem
 from BalloonWorkbench.core.types import Ints
 from BalloonWorkbench.core.units import number_text
 
-#: Smallest flexural rigidity, in p w^3 with w the typical width of the panel: below it the step count grows
-#: with the mesh and nothing visible changes.
-BENDING_FLOOR = 1e-6
+BENDING_FLOOR = ModelOptions.bending_floor
 #: In-plane rigidity of the sealed band, in p w^4. Along the outline it crumples with the film: below the
 #: floor the rim folds at mesh scale; above the ceiling the band itself would wrinkle, which no beam shows.
 SEAM_FLOOR = 1e-6
@@ -35,21 +34,11 @@ STIFFENING = 5.0
 
 
 @dataclass(frozen=True)
-class Model:
-    """What is simulated; values other than these are for comparison.
-
-    tension_field  the film wrinkles; False: it carries compression, like a plain shell
-    bending        DKT bending; without it the step count grows with the mesh
-    bending_floor  smallest flexural rigidity, in p w^3
-    two_panels     both panels are simulated, tied at the seam; False: one, with its rim in the plane of
-    symmetry
-    twist          how far two panels start from that plane, so that a balloon that wants to warp can
+class Model(ModelOptions):
+    """What is simulated; twist: how far two panels start from the plane of symmetry, so that a balloon that
+    wants to warp can.
     """
 
-    tension_field: bool = True
-    bending: bool = True
-    bending_floor: float = BENDING_FLOOR
-    two_panels: bool = False
     twist: float = 1e-3
 
 

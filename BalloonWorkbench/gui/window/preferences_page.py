@@ -5,11 +5,9 @@ from __future__ import annotations
 
 from BalloonWorkbench.app.border.guard import Guarded
 from BalloonWorkbench.app.properties import preferences
-from BalloonWorkbench.gui.panels.widgets.fields import new_quantity_box
+from BalloonWorkbench.gui.panels.widgets.fields import UNITS, new_quantity_box
 from BalloonWorkbench.gui.qt import QtWidgets, translate
 from BalloonWorkbench.gui.window.sentences import tell
-
-_UNITS = {"Width": "mm", "Pressure": "kPa", "SealWidth": "mm", "Allowance": "mm", "MeshSize": "mm"}
 
 
 class PreferencesPage(Guarded):
@@ -60,18 +58,13 @@ class PreferencesPage(Guarded):
             yield key, self.form.findChild(QtWidgets.QWidget, f"Preferred{key}")
 
     def _rows(self) -> dict[str, list[tuple[str, str]]]:
+        known = [item.prop for item in preferences.items().values() if item.prop]
+        fine = [(prop.name, translate(prop.preference)) for prop in known if prop.page == "Solver"]
+        usual = [(prop.name, translate(prop.preference)) for prop in known if prop.page != "Solver"]
         return {
-            translate("New balloons"): [
-                ("Film", translate("Film")),
-                ("Width", translate("Width")),
-                ("Pressure", translate("Pressure")),
-                ("SealWidth", translate("Seal width (0: the film's)")),
-                ("Allowance", translate("Allowance")),
-            ],
+            translate("New balloons"): usual,
             translate("Simulation"): [
-                ("Backend", translate("Solver")),
-                ("MeshSize", translate("Mesh size (0: automatic)")),
-                ("Live", translate("Follow every change at once")),
+                *fine,
                 ("OfferSolver", translate("Offer the native solver where it is missing")),
             ],
             translate("Export"): [
@@ -82,9 +75,9 @@ class PreferencesPage(Guarded):
 
     def _field(self, key: str, label: str):
         item = preferences.items()[key]
-        if key in _UNITS:
+        if item.prop and item.prop.type in UNITS:
             field = new_quantity_box()
-            field.setProperty("unit", _UNITS[key])
+            field.setProperty("unit", UNITS[item.prop.type][0])
             field.setProperty("minimum", 0.0)
         elif preferences.choices(key):
             field = QtWidgets.QComboBox()
@@ -96,8 +89,8 @@ class PreferencesPage(Guarded):
             field = QtWidgets.QLineEdit()
             field.setPlaceholderText(translate("Beside the document"))
         field.setObjectName(f"Preferred{key}")
-        if item.tooltip:
-            field.setToolTip(translate(item.tooltip, "App::Property"))
+        if item.prop:
+            field.setToolTip(translate(item.prop.tooltip, "App::Property"))
         return field
 
     def _row(self, key: str, field):

@@ -18,8 +18,8 @@ from BalloonWorkbench.app.engine.bed import hindrance, scale_to_bed
 from BalloonWorkbench.app.engine.export import check_for, export_for
 from BalloonWorkbench.app.pattern import build
 from BalloonWorkbench.core.errors import ExportError, InputError
-from BalloonWorkbench.core.film.library import DEFAULT_FILM
 from BalloonWorkbench.core.machines.machine import FOLDER, machine
+from BalloonWorkbench.core.options.film import DEFAULT_FILM
 from BalloonWorkbench.core.pattern.pattern import Role
 
 

@@ -25,7 +25,7 @@ def test_usual_values_are_those_of_new_objects(doc):
     made = create.make(doc)
     for item in preferences.items().values():
         if item.prop:
-            value = getattr(getattr(made, item.part), item.prop)
+            value = getattr(getattr(made, item.part), item.key)
             assert getattr(value, "Value", value) == pytest.approx(preferences.get(item.key)), item.key
 
 

@@ -20,8 +20,8 @@ from BalloonWorkbench.core.advice.findings import Finding, RepairKind, Severity
 from BalloonWorkbench.core.advice.rules import rules
 from BalloonWorkbench.core.correction.fit import inflate_outline
 from BalloonWorkbench.core.film.library import film
+from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.outline.outline import Outline
-from BalloonWorkbench.core.pattern.make import Wanted
 
 FILM = film("mylar")  # seals of 5 mm
 
@@ -142,7 +142,9 @@ def test_intake_in_a_small_part_moves_to_the_large_one() -> None:
     assert intake.repair.kind is RepairKind.MOVE_INTAKE
     place = intake.repair.points[0]
     assert np.hypot(*place) == pytest.approx(0.08, rel=0.02)
-    advice = advise(dumb_bell(0.008), FILM, fitted=False, wanted=Wanted(intake_angle=intake.repair.size))
+    advice = advise(
+        dumb_bell(0.008), FILM, fitted=False, wanted=PatternOptions(intake_angle=intake.repair.size)
+    )
     assert not [finding for finding in advice.findings if finding.rule == "hidden_intake"]
 
 

@@ -20,8 +20,9 @@ from BalloonWorkbench.core.errors import ExportError
 from BalloonWorkbench.core.film.filling import Filling
 from BalloonWorkbench.core.film.library import film
 from BalloonWorkbench.core.making.numbers import maker_numbers
+from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.pattern.intake.kinds import intake_kind, intake_kinds
-from BalloonWorkbench.core.pattern.make import Wanted, make_pattern
+from BalloonWorkbench.core.pattern.make import make_pattern
 
 DPI = 150
 POPPLER = pytest.mark.skipif(shutil.which("pdftotext") is None, reason="poppler-utils are not installed")
@@ -30,7 +31,7 @@ POPPLER = pytest.mark.skipif(shutil.which("pdftotext") is None, reason="poppler-
 @cache
 def subject(shape: str = "heart", film_name: str = "nylon-foil", intake: str = "straw") -> Subject:
     design, made_of = designed(NAMED[shape], 300), film(film_name)
-    wanted = Wanted(intake=intake != "none", intake_kind="straw" if intake == "none" else intake)
+    wanted = PatternOptions(intake=intake != "none", intake_kind="straw" if intake == "none" else intake)
     pattern = make_pattern(design.pattern, made_of.seal_width, wanted)
     numbers = maker_numbers(design.inflation, made_of, design.pattern, pattern, 0.3, Filling())
     return Subject("Grandma's heart $1", made_of, design.inflation, pattern, numbers)

@@ -29,8 +29,9 @@ from BalloonWorkbench.core.machines.machine import machines
 from BalloonWorkbench.core.machines.machine_file import machines_for
 from BalloonWorkbench.core.making.numbers import told
 from BalloonWorkbench.core.making.safety import WELD
+from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.pattern.intake.kinds import intake_kind, intake_kinds
-from BalloonWorkbench.core.pattern.make import Wanted, pieces_remarks
+from BalloonWorkbench.core.pattern.make import pieces_remarks
 from BalloonWorkbench.core.pattern.marks import with_tie_tab
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
 from BalloonWorkbench.core.pictures.preview import preview_png
@@ -106,7 +107,9 @@ def tabbed(name: str, shape: str, intake: str) -> Pattern:
 def variants(name: str, intake: str) -> Iterator[tuple[Subject, dict[str, Any]]]:
     """With and without holes, a tie tab, lines inside, a grain, enough strength; none where it is refused."""
     try:
-        pieces_remarks(Wanted(intake_kind="straw" if intake == "none" else intake), about(name)[0].film)
+        pieces_remarks(
+            PatternOptions(intake_kind="straw" if intake == "none" else intake), about(name)[0].film
+        )
     except InputError:
         return
     shapes = ("disc", "ring") if intake in ("straw", "none") else ("disc",)

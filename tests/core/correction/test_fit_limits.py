@@ -22,6 +22,7 @@ from BalloonWorkbench.core.geometry.polyline import arc_lengths, point_at, signe
 from BalloonWorkbench.core.geometry.vectors import alignment
 from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.mesh.triangulate import triangulate
+from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.pattern.build import build_pattern
 from BalloonWorkbench.core.pictures.preview import preview_png
@@ -143,7 +144,7 @@ def test_bays_keep_room_for_two_welds_and_a_cut() -> None:
     assert gap_between(narrow, 0.05, 0.076, 0.08) == pytest.approx(0.010)
     assert gap_between(pushed.outer, 0.05, 0.076, 0.08) == pytest.approx(0.015, rel=0.05)
     design = fit(drawing, film("mylar"), 2000.0, mesh_size=0.012)
-    contours = build_pattern(design.pattern, 0.005, intake=False)
+    contours = build_pattern(design.pattern, 0.005, PatternOptions(intake=False))
     assert len(contours.contours) == 2  # one weld and one cut: no bay is closed by them
 
 

@@ -18,6 +18,7 @@ from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.film.library import film
 from BalloonWorkbench.core.geometry.crossings import first_crossing
 from BalloonWorkbench.core.geometry.sampling import resample
+from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.outline.symmetry import AUTO, Mirror, find_mirror, symmetric
 from BalloonWorkbench.core.pattern.build import build_pattern
@@ -70,7 +71,7 @@ def test_pattern_of_a_constructed_shape_at_an_angle_is_symmetric() -> None:
 def test_welds_and_cuts_are_symmetric_within_their_simplification() -> None:
     drawing = picture("heart")
     mirror = find_mirror(drawing)
-    pattern = build_pattern(designed(drawing).pattern, 0.005, intake=False)
+    pattern = build_pattern(designed(drawing).pattern, 0.005, PatternOptions(intake=False))
     for contour in pattern.contours:
         image = Outline(mirror.reflect(contour.points)[::-1])
         # each side within the limit of fairing, whose arcs end elsewhere on the other side

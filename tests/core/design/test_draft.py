@@ -14,8 +14,9 @@ from drawn_shapes import LETTERS, NAMED, generated, letter
 
 from BalloonWorkbench.core.design.draft import draft
 from BalloonWorkbench.core.errors import Cancelled, MeshError
-from BalloonWorkbench.core.film.library import DEFAULT_FILM, film
+from BalloonWorkbench.core.film.library import film
 from BalloonWorkbench.core.job import Settings, design_outline
+from BalloonWorkbench.core.options.film import DEFAULT_FILM
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.pattern.build import usual_pattern
 from BalloonWorkbench.core.readers.read import read_outline

@@ -9,15 +9,8 @@ import pytest
 
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film.film import Film
-from BalloonWorkbench.core.film.library import (
-    DEFAULT_FILM,
-    FOLDER,
-    custom_film,
-    film,
-    films,
-    read_film,
-    with_grain,
-)
+from BalloonWorkbench.core.film.library import FOLDER, custom_film, film, films, read_film, with_grain
+from BalloonWorkbench.core.options.film import DEFAULT_FILM
 
 #: Density of the bulk materials [kg/m3], from general tables: lower and upper end.
 DENSITIES = {

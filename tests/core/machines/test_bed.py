@@ -18,6 +18,7 @@ from BalloonWorkbench.core.errors import ExportError, InputError
 from BalloonWorkbench.core.machines import bed
 from BalloonWorkbench.core.machines.machine import FOLDER, bed_text, machine, parse_bed
 from BalloonWorkbench.core.machines.preflight import ERROR, WARNING, Finding, preflight
+from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.pattern.build import build_pattern
 from BalloonWorkbench.core.pattern.layout import on_one_sheet
@@ -29,7 +30,9 @@ DISC = 0.1 * np.stack([np.cos(ROUND), np.sin(ROUND)], axis=1)
 
 def disc(scale: float = 1.0, wide: float = 1.0) -> Pattern:
     """A disc of 200 mm, or an ellipse, with a weld of 5 mm and 2 mm outside."""
-    return build_pattern(Outline(scale * DISC * (wide, 1.0)), 0.005, allowance=0.002, intake=False)
+    return build_pattern(
+        Outline(scale * DISC * (wide, 1.0)), 0.005, PatternOptions(allowance=0.002, intake=False)
+    )
 
 
 @pytest.mark.parametrize(

@@ -29,7 +29,8 @@ from BalloonWorkbench.core.machines.machine import Machine, machine, machines
 from BalloonWorkbench.core.machines.machine_file import machine_file
 from BalloonWorkbench.core.machines.toolpaths import Path as Line
 from BalloonWorkbench.core.machines.toolpaths import draw
-from BalloonWorkbench.core.pattern.make import Wanted, make_pattern, sheet_of
+from BalloonWorkbench.core.options.pattern import PatternOptions
+from BalloonWorkbench.core.pattern.make import make_pattern, sheet_of
 from BalloonWorkbench.core.pattern.pattern import Pattern, Role
 from BalloonWorkbench.core.units import from_mm, to_mm
 
@@ -166,7 +167,7 @@ MACHINES = sorted(name for name, known in machines().items() if known.format in 
 @pytest.fixture(scope="module")
 def patterns() -> dict[str, Pattern]:
     found = dict(sheets(COUNT))
-    found["doughnut"] = made((holed("blunt lens", 1.5),), Wanted(intake_kind="nozzle", mirror=True))
+    found["doughnut"] = made((holed("blunt lens", 1.5),), PatternOptions(intake_kind="nozzle", mirror=True))
     return found
 
 
@@ -186,7 +187,7 @@ def test_no_written_line_crosses_itself(
 @pytest.mark.parametrize("name", MACHINES)
 def test_every_machine(name: str, tmp_path: Path) -> None:
     """A hole with tips, notches and a second panel; every machine's own way of writing."""
-    pattern = made((holed("lens"),), Wanted(intake_kind="nozzle", mirror=True, notches=5, label="8"))
+    pattern = made((holed("lens"),), PatternOptions(intake_kind="nozzle", mirror=True, notches=5, label="8"))
     read = written(pattern, machine(name), tmp_path)
     if machine(name).overrun:  # welds overlap
         assert {role for role, _ in read} == {Role.SEAL}
@@ -220,7 +221,7 @@ def test_panel_by_panel(tmp_path: Path) -> None:
 @pytest.mark.parametrize("name", list(HOLES))
 def test_holes_keep_their_area(name: str) -> None:
     """The tips are taken off, nothing else: what is left of a hole is what a disc of 0.5 mm reaches in it."""
-    pattern = made((holed(name),), Wanted(intake=False))
+    pattern = made((holed(name),), PatternOptions(intake=False))
     hole = shapely.Polygon(holed(name).holes[0])
     room = hole.buffer(-0.008, join_style="mitre", mitre_limit=2.0)
     reached = room.buffer(-0.0005).buffer(0.0005)
@@ -235,7 +236,7 @@ def test_a_knife_starts_on_a_straight(kind: str) -> None:
     """Its tip, which trails the axis, goes over its start again and stays on the cut; 5 mm round the start
     there are no corners and no notches."""
     outline = letter("A") if kind == "A" else NAMED["heart"]
-    pattern = made((outline,), Wanted(intake=False, notches=7, mirror=True))
+    pattern = made((outline,), PatternOptions(intake=False, notches=7, mirror=True))
     assert pattern.of(NOTCH)
     tool = replace(machine("hpgl-plotter"), knife_offset=from_mm(0.25))
     nominal = list(draw(pattern, replace(tool, overcut=0.0, knife_offset=0.0)).paths)
@@ -265,7 +266,7 @@ def test_a_knife_starts_on_a_straight(kind: str) -> None:
 @pytest.mark.parametrize("kind", ["heart", "star", "ring"])
 def test_a_start_leaves_no_piece_without_a_length(kind: str) -> None:
     """On a round hole the even places that are tried meet its points."""
-    wanted = Wanted(intake_kind="nozzle", mirror=True, tie_tab=True)
+    wanted = PatternOptions(intake_kind="nozzle", mirror=True, tie_tab=True)
     pattern = sheet_of(make_pattern(NAMED[kind], 0.005, wanted), wanted)
     for path in draw(pattern, machine("hpgl-plotter")).paths:
         assert path.curve.lengths.min() > 1e-3

@@ -15,9 +15,10 @@ from read_back import compare, line, run
 from BalloonWorkbench.core.machines.machine import Machine, machine
 from BalloonWorkbench.core.machines.machine_file import machine_file
 from BalloonWorkbench.core.machines.toolpaths import draw
-from BalloonWorkbench.core.pattern.make import Wanted, make_pattern, sheet_of
+from BalloonWorkbench.core.options.pattern import PatternOptions
+from BalloonWorkbench.core.pattern.make import make_pattern, sheet_of
 
-WANTED = Wanted(intake_kind="film-valve", notches=9, mirror=True, tie_tab=True)
+WANTED = PatternOptions(intake_kind="film-valve", notches=9, mirror=True, tie_tab=True)
 PATTERN = sheet_of(make_pattern(NAMED["heart"], 0.005, WANTED), WANTED)
 PIXEL, POINT = 25.4 / 96.0, 25.4 / 72.0  # mm
 

@@ -22,9 +22,10 @@ from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.mesh.triangulate import triangulate
 from BalloonWorkbench.core.nesting import nest as nesting
 from BalloonWorkbench.core.nesting.layout import Stock
+from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.pattern.build import build_pattern
-from BalloonWorkbench.core.pattern.make import Wanted, make_pattern, sheet_of
+from BalloonWorkbench.core.pattern.make import make_pattern, sheet_of
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
 from BalloonWorkbench.core.products import pieces_of
 from BalloonWorkbench.core.results.strength import loads
@@ -87,14 +88,14 @@ def test_weights_add_up() -> None:
     """Film inside the seam, weld with allowance and neck, valve: from areas measured by hand."""
     outline = corners_of((0.0, 0.0), (0.2, 0.0), (0.2, 0.1), (0.0, 0.1))
     inflation = inflate(triangulate(outline, 0.012), FOIL, PRESSURE)
-    pattern = build_pattern(outline, 0.005, allowance=0.002, intake=False)
+    pattern = build_pattern(outline, 0.005, PatternOptions(allowance=0.002, intake=False))
     found = maker_numbers(inflation, FOIL, outline, pattern, 0.2, Filling())
     assert found.inner == pytest.approx(2.0 * FOIL.areal_density * 0.02, rel=1e-6)
     assert found.film_area == pytest.approx(2.0 * 0.214 * 0.114, rel=2e-3)
     assert found.weight == pytest.approx(FOIL.areal_density * found.film_area)
     assert found.seam_length == pytest.approx(2.0 * (0.205 + 0.105), rel=2e-3)
     assert found.valve == 0.0
-    wanted = Wanted(intake_kind="film-valve")
+    wanted = PatternOptions(intake_kind="film-valve")
     valved = make_pattern(outline, 0.005, wanted)
     pieces = sheet_of(valved, replace(wanted, mirror=True))
     strips = maker_numbers(inflation, FOIL, outline, valved, 0.2, Filling(), pieces=pieces).valve
@@ -105,7 +106,7 @@ def test_film_of_the_roll() -> None:
     """Two panels of 214 x 114 mm: one above the other on 300 mm, one after the other on 150 mm."""
     outline = corners_of((0.0, 0.0), (0.2, 0.0), (0.2, 0.1), (0.0, 0.1))
     inflation = inflate(triangulate(outline, 0.02), FOIL, PRESSURE)
-    pattern = build_pattern(outline, 0.005, allowance=0.002, intake=False)
+    pattern = build_pattern(outline, 0.005, PatternOptions(allowance=0.002, intake=False))
     for width, length in ((0.3, 0.220), (0.15, 0.437), (0.6, 0.120)):
         found = maker_numbers(inflation, FOIL, outline, pattern, 0.2, Filling(), roll_width=width)
         assert found.roll is not None

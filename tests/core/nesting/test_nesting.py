@@ -24,12 +24,13 @@ from BalloonWorkbench.core.nesting import nest as nesting
 from BalloonWorkbench.core.nesting.holes import into_holes
 from BalloonWorkbench.core.nesting.layout import Grain, Layout, Piece, Stock
 from BalloonWorkbench.core.nesting.nest import ROWS_NOTE, nest
+from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.pattern.build import build_pattern
 from BalloonWorkbench.core.pattern.pattern import Pattern, Role
 from BalloonWorkbench.core.products import pieces_of
 
 HEART = build_pattern(NAMED["heart"].map(lambda loop: 0.5 * loop), 0.005)
-WEDGE = build_pattern(corners_of((0.0, 0.0), (0.12, 0.0), (0.12, 0.05)), 0.005, intake=False)
+WEDGE = build_pattern(corners_of((0.0, 0.0), (0.12, 0.0), (0.12, 0.05)), 0.005, PatternOptions(intake=False))
 RIGHT = pytest.mark.skipif(
     not nesting.importlib.util.find_spec(nesting.PACKAGE), reason="the nesting library is not installed"
 )
@@ -116,7 +117,13 @@ def test_sheets_hold_as_many_as_fit() -> None:
 @RIGHT
 @pytest.mark.parametrize("width", [0.15, 1.5, 19.0])
 def test_one_piece_on_any_width(width: float) -> None:
-    pieces = [Piece(build_pattern(corners_of((0, 0), (0.1, 0), (0.1, 0.01), (0, 0.01)), 0.003, intake=False))]
+    pieces = [
+        Piece(
+            build_pattern(
+                corners_of((0, 0), (0.1, 0), (0.1, 0.01), (0, 0.01)), 0.003, PatternOptions(intake=False)
+            )
+        )
+    ]
     (layout,), _ = nest(pieces, Stock(width), lambda share, text: share < 0.02)
     hold(layout, pieces)
     assert layout.length < 0.15
@@ -149,7 +156,7 @@ def test_without_the_library_rows_do(
 def test_every_machine_takes_the_sheet(monkeypatch: pytest.MonkeyPatch) -> None:
     """All pieces and their lines are in the file; holes stay with their pieces."""
     monkeypatch.setattr(nesting, "PACKAGE", "no_such_package")
-    holed = build_pattern(NAMED["ring"].map(lambda loop: 0.4 * loop), 0.004, intake=False)
+    holed = build_pattern(NAMED["ring"].map(lambda loop: 0.4 * loop), 0.004, PatternOptions(intake=False))
     pieces = [Piece(holed, 1, 1), Piece(HEART)]
     (layout,), _ = nest(pieces, Stock(0.3))
     sheet = layout.pattern(pieces)
@@ -169,8 +176,8 @@ def test_every_machine_takes_the_sheet(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_small_pieces_lie_in_holes(package: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """Front and back of a small heart in the rings, 3 mm from them, with the grain of both along the film."""
     monkeypatch.setattr(nesting, "PACKAGE", package)
-    ring = build_pattern(NAMED["ring"].map(lambda loop: 0.8 * loop), 0.004, intake=False)
-    heart = build_pattern(NAMED["heart"].map(lambda loop: 0.15 * loop), 0.004, intake=False)
+    ring = build_pattern(NAMED["ring"].map(lambda loop: 0.8 * loop), 0.004, PatternOptions(intake=False))
+    heart = build_pattern(NAMED["heart"].map(lambda loop: 0.15 * loop), 0.004, PatternOptions(intake=False))
     pieces = [Piece(ring, 1, 1, math.radians(50.0)), Piece(heart, 1, 1, math.radians(20.0))]
     (layout,), _ = nest(pieces, Stock(0.4), lambda share, text: share < 0.02)
     (alone,), _ = nest(pieces[:1], Stock(0.4), lambda share, text: share < 0.02)
@@ -195,7 +202,9 @@ def test_small_pieces_lie_in_holes(package: str, monkeypatch: pytest.MonkeyPatch
 def test_film_without_a_grain_may_be_turned(monkeypatch: pytest.MonkeyPatch) -> None:
     """A long strip lies across the roll where its film lets it; on one with a grain it lies along."""
     monkeypatch.setattr(nesting, "PACKAGE", "no_such_package")
-    strip = build_pattern(corners_of((0, 0), (0.3, 0), (0.3, 0.02), (0, 0.02)), 0.005, intake=False)
+    strip = build_pattern(
+        corners_of((0, 0), (0.3, 0), (0.3, 0.02), (0, 0.02)), 0.005, PatternOptions(intake=False)
+    )
     lengths = {}
     for name in ("mylar", "bopp-foil", "kraft-paper"):
         pieces = pieces_of(strip, strip, 2, film(name).lies)
@@ -209,8 +218,8 @@ def test_film_without_a_grain_may_be_turned(monkeypatch: pytest.MonkeyPatch) -> 
 
 def test_guests_bear_what_their_hosts_do() -> None:
     """In a ring that may be turned anyhow lies nothing that may not."""
-    ring = build_pattern(NAMED["ring"].map(lambda loop: 0.8 * loop), 0.004, intake=False)
-    heart = build_pattern(NAMED["heart"].map(lambda loop: 0.15 * loop), 0.004, intake=False)
+    ring = build_pattern(NAMED["ring"].map(lambda loop: 0.8 * loop), 0.004, PatternOptions(intake=False))
+    heart = build_pattern(NAMED["heart"].map(lambda loop: 0.15 * loop), 0.004, PatternOptions(intake=False))
     units = [(0, False), (1, False)]
     for host, guest, left in ((None, 0.3, 2), (None, None, 1), (0.2, 0.3, 1), (0.2, None, 1)):
         alone, _ = into_holes([Piece(ring, grain=host), Piece(heart, grain=guest)], Stock(0.4), units)

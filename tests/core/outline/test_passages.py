@@ -16,6 +16,7 @@ from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film.library import film
 from BalloonWorkbench.core.job import Settings, make_balloon
 from BalloonWorkbench.core.mesh.triangulate import triangulate
+from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.outline.chambers import chambers, linked
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.outline.validity import check
@@ -134,7 +135,7 @@ def test_welds_at_the_rim_join_the_weld_round_it() -> None:
 
 
 def test_an_intake_that_is_placed_serves_its_chamber() -> None:
-    pattern = build_pattern(upright(0.1), SEAL, intake_angle=np.pi)
+    pattern = build_pattern(upright(0.1), SEAL, PatternOptions(intake_angle=np.pi))
     assert pattern.intake is not None
     assert pattern.intake.at == pytest.approx([0.0, 0.1], abs=1e-6)
     assert pattern.more_intakes[0].at[0] > 0.1

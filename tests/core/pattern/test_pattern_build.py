@@ -11,6 +11,7 @@ from shapely import LineString, Point, Polygon
 
 from BalloonWorkbench.core.errors import InputError, OutlineError
 from BalloonWorkbench.core.geometry.polyline import signed_area
+from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.pattern.build import build_pattern
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
 
@@ -96,7 +97,8 @@ def test_a_waist_narrower_than_the_intake_is_told() -> None:
     """The right half is the larger one, the intake at the left end."""
     halves = NAMED["neck"].outer * np.where(NAMED["neck"].outer[:, :1] > 0.0, 1.2, 1.0)
     right, left = (
-        build_pattern(Outline(halves), SEAL, intake_angle=angle).warnings for angle in (0.0, np.pi)
+        build_pattern(Outline(halves), SEAL, PatternOptions(intake_angle=angle)).warnings
+        for angle in (0.0, np.pi)
     )
     assert not right
     assert len(left) == 1
@@ -111,7 +113,7 @@ def test_generated_seams(seed: int) -> None:
 
 def test_square_by_hand() -> None:
     """Side 300 without intake: seal 2.5 outside the seam, cut 7 outside it."""
-    pattern = build_pattern(NAMED["square"], SEAL, intake=False)
+    pattern = build_pattern(NAMED["square"], SEAL, PatternOptions(intake=False))
     assert [(contour.role, contour.closed) for contour in pattern.contours] == [
         (Role.SEAL, True),
         (Role.CUT, True),
@@ -173,7 +175,9 @@ def test_the_neck_stays_in_a_tail_that_turns_away_from_the_centre() -> None:
 @pytest.mark.parametrize("degrees", [0.0, 45.0, 90.0, 200.0, -60.0])
 @pytest.mark.parametrize("name", ["disc", "flower", "square", "ring"])
 def test_chosen_direction(name: str, degrees: float) -> None:
-    pattern = build_pattern(NAMED[name], SEAL, intake_angle=np.radians(degrees), intake_length=0.05)
+    pattern = build_pattern(
+        NAMED[name], SEAL, PatternOptions(intake_angle=np.radians(degrees), intake_length=0.05)
+    )
     assert pattern.intake is not None
     assert np.cos(pattern.intake.angle - np.radians(degrees)) == pytest.approx(1.0)
     assert pattern.intake.length == 0.05
@@ -185,7 +189,7 @@ def test_slanting_necks_are_right_or_refused(degrees: float) -> None:
     built = 0
     for seed in range(15):
         try:
-            pattern = build_pattern(generated(seed), SEAL, intake_angle=np.radians(degrees))
+            pattern = build_pattern(generated(seed), SEAL, PatternOptions(intake_angle=np.radians(degrees)))
         except InputError:
             continue
         assert_makeable(pattern, generated(seed))
@@ -201,8 +205,8 @@ def test_an_intake_into_another_arm_is_refused() -> None:
 
     up = {"intake_angle": np.pi / 2.0, "intake_length": 0.08}
     with pytest.raises(InputError, match="another angle"):
-        build_pattern(u_shape(0.014), SEAL, **up)
-    assert_makeable(build_pattern(u_shape(0.06), SEAL, **up), u_shape(0.06))
+        build_pattern(u_shape(0.014), SEAL, PatternOptions(**up))
+    assert_makeable(build_pattern(u_shape(0.06), SEAL, PatternOptions(**up)), u_shape(0.06))
 
 
 def test_a_ray_that_meets_nothing_is_refused() -> None:
@@ -210,7 +214,7 @@ def test_a_ray_that_meets_nothing_is_refused() -> None:
     turn = np.radians(np.linspace(30.0, 330.0, 200))
     shape = Outline(np.concatenate([polar(0.15, turn), polar(0.11, turn[::-1])]))
     with pytest.raises(InputError, match="no outline"):
-        build_pattern(shape, SEAL, intake_angle=0.0)
+        build_pattern(shape, SEAL, PatternOptions(intake_angle=0.0))
 
 
 def test_weld_closing_a_bay_is_cut_like_a_hole() -> None:
@@ -239,7 +243,7 @@ def test_small_holes(radius: float, seals: int, cuts: int, said: str | None) -> 
 
 def test_balloon_thinner_than_its_intake() -> None:
     thin = corners_of((0.0, 0.0), (0.3, 0.0), (0.3, 0.006), (0.0, 0.006))
-    pattern = build_pattern(thin, SEAL, intake_angle=0.0)
+    pattern = build_pattern(thin, SEAL, PatternOptions(intake_angle=0.0))
     assert len(pattern.warnings) == 1
     assert "narrower intake" in pattern.warnings[0]
 
@@ -267,7 +271,7 @@ def test_contours_start_away_from_corners() -> None:
 )
 def test_senseless_values(options: dict[str, float]) -> None:
     with pytest.raises(InputError):
-        build_pattern(NAMED["disc"], **options)
+        build_pattern(NAMED["disc"], SEAL, PatternOptions(**options))
 
 
 def test_crossing_seam() -> None:
@@ -277,7 +281,7 @@ def test_crossing_seam() -> None:
 
 def test_simplified_within_ten_micrometres() -> None:
     dense = Outline(polar(0.15, np.linspace(0.0, 2.0 * np.pi, 20_000, endpoint=False)))
-    (cut,) = build_pattern(dense, SEAL, intake=False).of(Role.CUT)
+    (cut,) = build_pattern(dense, SEAL, PatternOptions(intake=False)).of(Role.CUT)
     assert len(cut.points) < 1000
     radii = np.linalg.norm(
         np.concatenate([cut.points, 0.5 * (cut.points + np.roll(cut.points, -1, axis=0))]), axis=1

@@ -8,6 +8,7 @@ import pytest
 import shapely
 from drawn_shapes import NAMED, generated
 
+from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.pattern.build import build_pattern
 from BalloonWorkbench.core.pattern.cuttable import LEAST_RADIUS, closed_gaps, opened_hole
@@ -42,7 +43,7 @@ def comb(gap: float) -> Outline:
 @pytest.mark.parametrize("gap", [14.2, 14.8, 15.2, 18.0])
 def test_gaps_between_arms(gap: float) -> None:
     """The cut takes 7 mm from each side: what is left is at least 1 mm wide, or closed."""
-    film = cut_film(build_pattern(comb(gap * MM), 0.005, intake=False))
+    film = cut_film(build_pattern(comb(gap * MM), 0.005, PatternOptions(intake=False)))
     across = film.intersection(shapely.LineString([(-0.1, 0.1), (0.2, 0.1)]))
     pieces = shapely.get_parts(across)
     if gap < 15.0:

@@ -9,6 +9,7 @@ import shapely
 from drawn_shapes import NAMED
 
 from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.pattern.build import build_pattern
 from BalloonWorkbench.core.pattern.marks import with_notches, with_tie_tab
 from BalloonWorkbench.core.pattern.pattern import Pattern, Role
@@ -17,7 +18,7 @@ SEAL, ALLOWANCE = 0.005, 0.003
 
 
 def made(name: str, intake: bool = True) -> Pattern:
-    return build_pattern(NAMED[name], SEAL, allowance=ALLOWANCE, intake=intake)
+    return build_pattern(NAMED[name], SEAL, PatternOptions(allowance=ALLOWANCE, intake=intake))
 
 
 def film(pattern: Pattern) -> shapely.Polygon:
@@ -84,7 +85,7 @@ def test_tab_goes_where_it_is_told_but_not_into_a_bay() -> None:
         [[0, 0], [0.2, 0], [0.2, 0.1], [0.11, 0.1], [0.11, 0.02], [0.09, 0.02], [0.09, 0.1], [0, 0.1]]
     )
     outline = type(NAMED["disc"])(bay.astype(float))
-    narrow = build_pattern(outline, 0.002, allowance=0.001, intake=False)
+    narrow = build_pattern(outline, 0.002, PatternOptions(allowance=0.001, intake=False))
     with pytest.raises(InputError, match="another angle"):
         with_tie_tab(narrow, 0.5 * np.pi)
 
@@ -115,7 +116,9 @@ def test_notches_are_square_to_the_cut_beside_a_corner() -> None:
 def test_hole_of_the_tab_keeps_off_the_weld() -> None:
     """Half a weld from its middle is enough: a wide weld with a narrow allowance still has room."""
     for seal in (0.002, 0.01, 0.02):
-        pattern = with_tie_tab(build_pattern(NAMED["disc"], seal, allowance=0.0, intake=False), 0.0)
+        pattern = with_tie_tab(
+            build_pattern(NAMED["disc"], seal, PatternOptions(allowance=0.0, intake=False)), 0.0
+        )
         (hole,) = pattern.of(Role.CUT_INNER)
         (weld,) = pattern.of(Role.SEAL)
         room = shapely.LinearRing(weld.points).distance(shapely.Polygon(hole.points)) - 0.5 * seal

@@ -11,6 +11,7 @@ import shapely
 from drawn_shapes import NAMED
 
 from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.pattern.build import build_pattern
 from BalloonWorkbench.core.pattern.label import with_label
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
@@ -71,7 +72,7 @@ def test_same_label_same_outlines() -> None:
 
 def test_label_takes_the_room_that_there_is() -> None:
     """Its box goes into the circle inside the weld, in whose middle it is; from 0.1 mm to 10 m high."""
-    pattern = build_pattern(NAMED["disc"], 0.005, intake=False)
+    pattern = build_pattern(NAMED["disc"], 0.005, PatternOptions(intake=False))
     (weld,) = pattern.of(Role.SEAL)
     radius = np.hypot(*(weld.points - weld.points.mean(axis=0)).T).min() - 0.0025
 

@@ -10,6 +10,7 @@ import pytest
 import shapely
 from drawn_shapes import NAMED, generated
 
+from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.pattern.build import build_pattern
 from BalloonWorkbench.core.pattern.layout import SPACING, beside, on_one_sheet
@@ -41,7 +42,7 @@ def test_patterns_with_room_stay_where_they_are() -> None:
 
 def test_an_island_stays_in_the_hole_of_its_ring() -> None:
     ring = at(NAMED["ring"], 0.0, 0.0)
-    island = build_pattern(NAMED["disc"].map(lambda loop: 0.3 * loop), 0.005, intake=False)
+    island = build_pattern(NAMED["disc"].map(lambda loop: 0.3 * loop), 0.005, PatternOptions(intake=False))
     assert all((shift == 0.0).all() for shift in beside([ring, island]))
     assert least_gap([ring, island]) > SPACING
 

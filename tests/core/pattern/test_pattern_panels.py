@@ -11,7 +11,8 @@ from drawn_shapes import NAMED, generated
 from BalloonWorkbench.core.arcs.fit_arcs import fit_curve
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.geometry.polyline import signed_area
-from BalloonWorkbench.core.pattern.make import Wanted, make_pattern, sheet_of
+from BalloonWorkbench.core.options.pattern import PatternOptions
+from BalloonWorkbench.core.pattern.make import make_pattern, sheet_of
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
 
 SEAL = 0.005
@@ -22,7 +23,7 @@ def line(contour: Contour) -> shapely.Geometry:
 
 
 def made(name: str, **values: object) -> Pattern:
-    wanted = Wanted(**values)
+    wanted = PatternOptions(**values)
     return sheet_of(make_pattern(NAMED[name], SEAL, wanted), wanted)
 
 
@@ -32,7 +33,7 @@ def test_cut_is_half_a_seal_and_the_allowance_outside_the_weld(
     seed: int, seal: float, allowance: float
 ) -> None:
     """So far is the cut from each point of the weld, and the weld from each of the cut, but for corners."""
-    pattern = make_pattern(generated(seed), seal, Wanted(allowance=allowance, intake=False))
+    pattern = make_pattern(generated(seed), seal, PatternOptions(allowance=allowance, intake=False))
     (cut,), (weld,) = pattern.of(Role.CUT), [c for c in pattern.of(Role.SEAL) if signed_area(c.points) > 0.0]
     wanted = 0.5 * seal + allowance
     near = shapely.distance(line(cut), shapely.points(np.asarray(line(weld).segmentize(5e-4).coords)))

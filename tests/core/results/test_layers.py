@@ -20,8 +20,9 @@ from BalloonWorkbench.core.machines.machine import FOLDER, Machine, machines, re
 from BalloonWorkbench.core.machines.machine_file import machine_file
 from BalloonWorkbench.core.machines.preflight import preflight
 from BalloonWorkbench.core.machines.toolpaths import draw
+from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.pattern.intake.kinds import intake_kinds
-from BalloonWorkbench.core.pattern.make import Wanted, make_pattern, sheet_of
+from BalloonWorkbench.core.pattern.make import make_pattern, sheet_of
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
 from BalloonWorkbench.core.pattern.placement import split
 
@@ -29,7 +30,7 @@ SEAL = 0.005
 #: What a maker has to cut: outlines, holes, and whatever notches lie on.
 CUTS = {Role.CUT, Role.CUT_INNER} | {
     contour.role
-    for contour in make_pattern(NAMED["disc"], SEAL, Wanted(intake=False, notches=9)).contours
+    for contour in make_pattern(NAMED["disc"], SEAL, PatternOptions(intake=False, notches=9)).contours
     if np.ptp(contour.points, axis=0).max() < 0.002
 }
 #: All that a pattern may carry, and each alone.
@@ -130,7 +131,7 @@ def through_air(sheet: Pattern, air: shapely.Geometry, machine: Machine) -> list
 def test_nothing_is_cut_through_the_air_space(kind: str, extras: str) -> None:
     known = machines().values()
     for name in ("disc", "ring", "star") if extras == "plain" else ("heart",):
-        wanted = Wanted(intake_kind=kind, **EXTRAS[extras])
+        wanted = PatternOptions(intake_kind=kind, **EXTRAS[extras])
         sheet = sheet_of(make_pattern(NAMED[name], SEAL, wanted), wanted)
         air = air_spaces(sheet)
         assert air.area > 0.5 * sheet.film_area
@@ -145,7 +146,7 @@ def test_nothing_is_cut_through_the_air_space_of_any_shape(seed: int) -> None:
     known = [machines()[name] for name in ("silhouette", "lightburn-project", "any-dxf", "hpgl-plotter")]
     for k, kind in enumerate(intake_kinds()):
         extras = list(EXTRAS.values())[(seed + k) % len(EXTRAS)]
-        wanted = Wanted(intake_kind=kind, intake_along=0.07 * seed if seed % 3 else None, **extras)
+        wanted = PatternOptions(intake_kind=kind, intake_along=0.07 * seed if seed % 3 else None, **extras)
         try:
             sheet = sheet_of(make_pattern(generated(seed), SEAL, wanted), wanted)
         except InputError:
@@ -157,7 +158,7 @@ def test_nothing_is_cut_through_the_air_space_of_any_shape(seed: int) -> None:
 
 def test_the_net_sees_a_slit() -> None:
     """A line through the neck on a layer that is cut is seen, so is one in a strip."""
-    wanted = Wanted()
+    wanted = PatternOptions()
     pattern = make_pattern(NAMED["disc"], SEAL, wanted)
     intake = pattern.intake
     assert intake is not None
@@ -172,7 +173,9 @@ def test_the_net_sees_a_slit() -> None:
 def test_lines_across_a_neck_are_drawn() -> None:
     """By meaning: notches are cut, folds and marks are not; knives get none of the drawn ones."""
     roles = {
-        kind: {line.role for line in make_pattern(NAMED["disc"], SEAL, Wanted(intake_kind=kind)).contours}
+        kind: {
+            line.role for line in make_pattern(NAMED["disc"], SEAL, PatternOptions(intake_kind=kind)).contours
+        }
         for kind in intake_kinds()
     }
     assert {Role.FOLD, Role.PEN} <= roles["one-way-tail"]
@@ -192,7 +195,7 @@ def test_a_users_older_machine_does_not_cut_folds(tmp_path: Path) -> None:
     path = tmp_path / "old.json"
     path.write_text(json.dumps({**data, "name": "old"}), encoding="utf-8")
     machine = read_machine(path)
-    wanted = Wanted(intake_kind="one-way-tail", notches=24)
+    wanted = PatternOptions(intake_kind="one-way-tail", notches=24)
     pattern = make_pattern(NAMED["heart"], SEAL, wanted)
     assert set(machine.layers) == {Role.CUT, Role.CUT_INNER, Role.NOTCH, Role.REGISTRATION}
     assert len(draw(pattern, machine).of(Role.NOTCH)) == len(pattern.of(Role.NOTCH)) > 15
@@ -204,7 +207,7 @@ def test_a_users_older_machine_does_not_cut_folds(tmp_path: Path) -> None:
 
 def test_lightburn_burns_nothing_but_cuts() -> None:
     """The project read back: each shape on a layer whose kind is Cut or Tool; sizes and closing as drawn."""
-    wanted = Wanted(intake_kind="one-way-tail", notches=12, label="A1")
+    wanted = PatternOptions(intake_kind="one-way-tail", notches=12, label="A1")
     pattern, made_for = make_pattern(NAMED["heart"], SEAL, wanted), machines()["lightburn-project"]
     root = ElementTree.fromstring(machine_file(pattern, made_for))
     kinds = {each.find("index").get("Value"): each.get("type") for each in root.findall("CutSetting")}

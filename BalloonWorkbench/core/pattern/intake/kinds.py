@@ -19,12 +19,12 @@ import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.files.data_file import RESOURCES, UNUSABLE, read_data
+from BalloonWorkbench.core.options.pattern import STRAW
 from BalloonWorkbench.core.pattern.pattern import Contour, Role
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import from_mm
 
 FOLDER = RESOURCES / "intakes"
-STRAW = "straw"
 #: Where an intake sits: a neck through the weld, or a fitting on the front film.
 RIM, FILM = "rim", "film"
 #: A length that the pattern chooses so that the neck is free.

@@ -9,17 +9,16 @@ from typing import Any
 import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.options.pattern import FARTHEST, LOW, PatternOptions
 from BalloonWorkbench.core.outline.chambers import chambers
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.packages import shapely
-from BalloonWorkbench.core.pattern.intake.kinds import IntakeKind
+from BalloonWorkbench.core.pattern.intake.kinds import IntakeKind, intake_kind
 from BalloonWorkbench.core.pattern.intake.rim import Rim
 from BalloonWorkbench.core.pattern.shapes import offset, polygon
 from BalloonWorkbench.core.types import Bools, Floats, Ints
 from BalloonWorkbench.core.units import from_mm, length_text, number_text, place_text
 
-#: Where an intake sits by itself: at the point of the seam farthest from the centre, or low on the balloon.
-FARTHEST, LOW = "farthest", "low"
 PLACES = (FARTHEST, LOW)
 #: Ends of a balloon that are that much less far than the farthest one count as well; the lowest is taken.
 _ABOUT_AS_FAR = 0.04
@@ -64,6 +63,15 @@ class Wish:
     def is_found(self) -> bool:
         """Whether the pattern finds the place."""
         return self.angle is None and self.along is None
+
+
+def intake_of(options: PatternOptions) -> Wish:
+    """The intake of a pattern; InputError for a kind that is not known."""
+    kind = intake_kind(options.intake_kind)
+    width = kind.width if options.intake_width is None else options.intake_width
+    return Wish(
+        kind, width, options.intake_length, options.intake_angle, options.intake_along, options.intake_place
+    )
 
 
 def wishes(seam: Outline, film: Any, rim: Rim, wish: Wish, margin: float) -> list[tuple[Any, Wish]]:

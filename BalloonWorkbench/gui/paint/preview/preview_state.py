@@ -18,7 +18,7 @@ from BalloonWorkbench.core.job import Settings
 from BalloonWorkbench.core.mesh.reuse import move_rim
 from BalloonWorkbench.core.outline.drawing import Drawing
 from BalloonWorkbench.core.outline.validity import scale_to
-from BalloonWorkbench.core.pattern.make import plain_pattern
+from BalloonWorkbench.core.pattern.build import build_pattern
 from BalloonWorkbench.core.pattern.pattern import Pattern
 from BalloonWorkbench.core.solver.inflate import MIRROR
 from BalloonWorkbench.core.tracing.picture import placed_drawing
@@ -157,7 +157,7 @@ def _pattern(seam, settings: Settings, fair: bool) -> Pattern | None:
     it is too thin as long as it is drawn."""
     for wanted in (settings.wanted, replace(settings.wanted, intake=False)):
         try:
-            return plain_pattern(seam, settings.film.seal_width, wanted, fair)
+            return build_pattern(seam, settings.film.seal_width, wanted, fair)
         except InputError:
             continue
     return None

@@ -7,11 +7,11 @@ import os
 
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.drawings.drawing_file import place_in_picture
-from BalloonWorkbench.app.outline import DRAWN_AS, read_all, set_drawing
+from BalloonWorkbench.app.outline import PROPERTIES, read_all, set_drawing
+from BalloonWorkbench.core.tracing.segment import DRAWN_AS
 from BalloonWorkbench.core.units import to_mm
 from BalloonWorkbench.gui.panels.widgets.drawing_preview import Preview, notes_of
-from BalloonWorkbench.gui.panels.widgets.fields import Fields, ReturnKey
-from BalloonWorkbench.gui.panels.widgets.narrow import NarrowForm
+from BalloonWorkbench.gui.panels.widgets.fields import Fields, PropertyForm, ReturnKey
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.window import file_dialogs as choose
 from BalloonWorkbench.gui.window import macro_recorder
@@ -43,14 +43,12 @@ class FileBox(QtWidgets.QWidget):
         self.preview = Preview()
         self.notes = QtWidgets.QLabel()
         self.notes.setWordWrap(True)
-        form = NarrowForm(self)
+        self.form = form = PropertyForm(self.fields, self)
         form.addRow(QtWidgets.QLabel(translate("File")))
         form.addRow(row)
-        form.addRow(translate("Width"), self.fields.quantity("Width", "mm", 10.0, lambda: self._size()[0]))
-        form.addRow(translate("Height"), self.fields.quantity("Height", "mm", 10.0, lambda: self._size()[1]))
-        form.addRow(self.fields.check("KeepAspect", translate("Keep the proportions")))
-        form.addRow(translate("Drawn as"), self.fields.choice("DrawnAs"))
-        form.addRow(translate("Symmetry"), self.fields.choice("Symmetry"))
+        for item in PROPERTIES:
+            if item.label:
+                self.form.add(item, self._sizes().get(item.name))
         form.addRow(self.preview)
         form.addRow(self.notes)
         browse.clicked.connect(self._browse)
@@ -75,7 +73,7 @@ class FileBox(QtWidgets.QWidget):
         self._take_path()
 
     def refresh(self) -> None:
-        self.fields.refresh()
+        self.form.refresh()
         asked = self.outline.Drawing, DRAWN_AS[self.outline.DrawnAs]
         if asked != self._placed:
             self._placed = asked
@@ -87,6 +85,10 @@ class FileBox(QtWidgets.QWidget):
         """The panel closes."""
         self.path.setModified(False)
         self.fields.release()
+
+    def _sizes(self):
+        """What a size of 0 comes to."""
+        return {"Width": lambda: self._size()[0], "Height": lambda: self._size()[1]}
 
     def _size(self) -> tuple[float, float]:
         """Width and height of the whole drawing in mm; 0 while there is none."""

@@ -3,13 +3,11 @@
 
 from __future__ import annotations
 
-from BalloonWorkbench.app.balloon import VOLUME
+from BalloonWorkbench.app.balloon import PROPERTIES
 from BalloonWorkbench.app.properties import film as film_values
-from BalloonWorkbench.app.properties import size_goal
 from BalloonWorkbench.app.properties.film import CUSTOM
 from BalloonWorkbench.gui.panels.balloon.card_box import CardBox
-from BalloonWorkbench.gui.panels.widgets.fields import Fields
-from BalloonWorkbench.gui.panels.widgets.narrow import NarrowForm
+from BalloonWorkbench.gui.panels.widgets.fields import Fields, PropertyForm
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.window.sentences import tell
 
@@ -25,27 +23,17 @@ class FilmBox(QtWidgets.QWidget):
         self.balloon = balloon
         self.fields = Fields(balloon, self)
         film_values.offer(balloon)
-        film = self.fields.choice("Film")
-        _describe(film)
-        form = NarrowForm(self)
-        form.addRow(translate("Film"), film)
         self.card = CardBox(balloon)
         self.card.changed.connect(self.changed)
         self.card.refused.connect(self.refused)
-        form.addRow(QtWidgets.QLabel(translate("Material")))
-        form.addRow(self.card)
-        form.addRow(translate("Young's modulus"), self.fields.quantity("YoungModulus", "kPa", 1e5))
-        form.addRow(translate("Poisson's ratio"), self.fields.number("PoissonRatio", 0.01, 3))
-        form.addRow(translate("E across the grain"), self.fields.quantity("YoungModulusAcross", "kPa", 1e5))
-        form.addRow(translate("Grain"), self.fields.quantity("GrainAngle", "deg", 5.0))
-        self._form = form
-        form.addRow(translate("Thickness"), self.fields.quantity("Thickness", "mm", 0.005))
-        form.addRow(translate("Pressure"), self.fields.quantity("Pressure", "kPa", 0.1))
-        form.addRow(translate("Mode"), self.fields.choice("Mode"))
-        form.addRow(translate("Size from"), self.fields.choice("SizeGoal"))
-        form.addRow(translate("Volume"), self.fields.quantity("GoalVolume", "l", 1e5))
-        form.addRow(translate("Lift in g"), self.fields.number("GoalLift", 1.0, 1, 1e7))
-        form.addRow(translate("Gas"), self.fields.choice("Gas"))
+        self.form = PropertyForm(self.fields, self)
+        for item in PROPERTIES:
+            if item.label and item.page != "Solver":
+                self.form.add(item)
+            if item.name == "Film":
+                _describe(self.fields.widget(item.name))
+                self.form.addRow(QtWidgets.QLabel(translate("Material")))
+                self.form.addRow(self.card)
         self.fields.changed.connect(lambda name: self.changed.emit())
 
     def finish_typing(self) -> None:
@@ -57,18 +45,11 @@ class FilmBox(QtWidgets.QWidget):
         self.fields.release()
 
     def refresh(self) -> None:
-        self.fields.refresh()
+        self.form.refresh()
         self.card.refresh()
-        own = self.balloon.Film == CUSTOM  # the library's films have no grain
-        shown = dict.fromkeys(("YoungModulusAcross", "GrainAngle"), own)
-        shown["GoalVolume"] = self.balloon.SizeGoal == size_goal.VOLUME
-        shown["GoalLift"] = self.balloon.SizeGoal == size_goal.LIFT
-        for name, visible in shown.items():
-            field = self.fields.widget(name)
-            field.setVisible(visible)
-            self._form.labelForField(field).setVisible(visible)
-        if self.balloon.Load == VOLUME:
-            self.fields.widget("Pressure").setEnabled(False)
+        if self.balloon.Film != CUSTOM:  # the library's films have no grain
+            for name in ("YoungModulusAcross", "GrainAngle"):
+                self.form.show_row(name, False)
 
 
 def _describe(combo) -> None:

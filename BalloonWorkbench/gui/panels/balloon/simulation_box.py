@@ -3,10 +3,9 @@
 
 from __future__ import annotations
 
-from BalloonWorkbench.app.balloon import VOLUME
-from BalloonWorkbench.gui.panels.widgets.fields import Fields
-from BalloonWorkbench.gui.panels.widgets.narrow import NarrowForm
-from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
+from BalloonWorkbench.app.balloon import PROPERTIES
+from BalloonWorkbench.gui.panels.widgets.fields import Fields, PropertyForm
+from BalloonWorkbench.gui.qt import QtCore, QtWidgets
 
 
 class SimulationBox(QtWidgets.QWidget):
@@ -18,14 +17,10 @@ class SimulationBox(QtWidgets.QWidget):
         super().__init__()
         self.balloon = balloon
         self.fields = Fields(balloon, self)
-        form = NarrowForm(self)
-        form.addRow(translate("Mesh size"), self.fields.quantity("MeshSize", "mm", 1.0))
-        form.addRow(translate("Given"), self.fields.choice("Load"))
-        form.addRow(translate("Volume"), self.fields.quantity("TargetVolume", "l", 1e5))
-        form.addRow(translate("Solver"), self.fields.choice("Backend"))
-        form.addRow(translate("Model"), self.fields.choice("Model"))
-        form.addRow(self.fields.check("Bending", translate("Bending stiffness")))
-        form.addRow(self.fields.check("TwoPanels", translate("Both panels")))
+        self.form = PropertyForm(self.fields, self)
+        for item in PROPERTIES:
+            if item.label and item.page == "Solver":
+                self.form.add(item)
         self.fields.changed.connect(self._changed)
 
     def finish_typing(self) -> None:
@@ -36,9 +31,7 @@ class SimulationBox(QtWidgets.QWidget):
         self.fields.release()
 
     def refresh(self) -> None:
-        self.fields.refresh()
-        if self.balloon.Load != VOLUME:
-            self.fields.widget("TargetVolume").setEnabled(False)
+        self.form.refresh()
 
     def _changed(self, _name: str) -> None:
         self.changed.emit()

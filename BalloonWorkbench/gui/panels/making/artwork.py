@@ -13,7 +13,8 @@ from BalloonWorkbench.app.properties import values
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.gui.paint.preview.painting_display import MODE
 from BalloonWorkbench.gui.panels import show
-from BalloonWorkbench.gui.panels.widgets.narrow import NarrowForm, WrappedLabel
+from BalloonWorkbench.gui.panels.widgets.fields import PropertyForm
+from BalloonWorkbench.gui.panels.widgets.narrow import WrappedLabel
 from BalloonWorkbench.gui.panels.widgets.object_panel import ObjectPanel
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.view3d.fit_view import kept_whole
@@ -47,13 +48,14 @@ class ArtworkPanel(ObjectPanel):
         self.size.setObjectName("ArtworkSize")
         self.message = WrappedLabel()
         self.message.setObjectName("ArtworkMessage")
-        form = NarrowForm(self.form)
-        for text, row in ((translate("Front"), self.front), (translate("Back"), self.back)):
-            form.addRow(QtWidgets.QLabel(text))
-            form.addRow(row)
-        form.addRow(translate("Bleed"), self.fields.quantity("Bleed", "mm"))
-        form.addRow(translate("Dots per inch"), self.fields.number("Resolution", 50.0, 0, 2400.0))
-        form.addRow(translate("Shown side"), self.fields.choice("Side"))
+        form = PropertyForm(self.fields, self.form)
+        rows = {"Picture": self.front, "BackPicture": self.back}
+        for item in artwork.PROPERTIES:
+            if item.name in rows:
+                form.addRow(QtWidgets.QLabel(translate(item.label)))
+                form.addRow(rows[item.name])
+            elif item.label:
+                form.add(item)
         form.addRow(translate("Size"), self.size)
         form.addRow(self.write)
         form.addRow(self.message)

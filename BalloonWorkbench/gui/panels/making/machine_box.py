@@ -15,10 +15,10 @@ from BalloonWorkbench.app.engine import bed
 from BalloonWorkbench.app.engine.export import check_for
 from BalloonWorkbench.app.properties import preferences
 from BalloonWorkbench.core.errors import BalloonError
-from BalloonWorkbench.core.machines.bed import REFUSE, WRITE
 from BalloonWorkbench.core.machines.machine import NO_LIMIT, bed_text, left_out, machines, parse_bed
 from BalloonWorkbench.core.machines.preflight import ERROR
 from BalloonWorkbench.core.machines.writers.pdf import TILES
+from BalloonWorkbench.core.options.making import REFUSE, WRITE
 from BalloonWorkbench.core.units import LENGTH_UNITS
 from BalloonWorkbench.gui.panels.widgets.fields import ReturnKey
 from BalloonWorkbench.gui.panels.widgets.narrow import FullList, NarrowCombo, WrappedLabel

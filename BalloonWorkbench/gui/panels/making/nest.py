@@ -9,9 +9,11 @@ from BalloonWorkbench.app import film_sheet
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.document.parts import patterns
 from BalloonWorkbench.app.properties import values
+from BalloonWorkbench.core.options.making import MOST_BALLOONS
 from BalloonWorkbench.core.units import percent_text
 from BalloonWorkbench.gui.panels import show
-from BalloonWorkbench.gui.panels.widgets.narrow import FullList, NarrowForm, WrappedLabel
+from BalloonWorkbench.gui.panels.widgets.fields import PropertyForm
+from BalloonWorkbench.gui.panels.widgets.narrow import FullList, WrappedLabel
 from BalloonWorkbench.gui.panels.widgets.object_panel import ObjectPanel
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.view3d.fit_view import fit_all
@@ -21,7 +23,6 @@ from BalloonWorkbench.gui.window.sentences import tell
 from BalloonWorkbench.gui.window.user_units import NOTHING, size_text
 
 _HIGHEST = 160  # px, of the list of patterns
-_MOST = 100  # balloons of each kind, and sheets
 
 
 def show_panel(obj) -> None:
@@ -45,7 +46,7 @@ class NestPanel(ObjectPanel):
             entry.setCheckState(QtCore.Qt.Checked if taken else QtCore.Qt.Unchecked)
             self.choice.addItem(entry)
         self.choice.fit()
-        self.shown = self.fields.whole("Shown", 1, _MOST)
+        self.shown = self.fields.whole("Shown", 1, MOST_BALLOONS)
         self.apply = QtWidgets.QPushButton(translate("Lay out"))
         self.apply.setObjectName("LayOut")
         self.apply.setToolTip(translate("Look for the closest layout; Esc takes the best one so far"))
@@ -53,15 +54,12 @@ class NestPanel(ObjectPanel):
         self.result.setObjectName("NestResult")
         self.message = WrappedLabel()
         self.message.setObjectName("NestMessage")
-        form = NarrowForm(self.form)
+        form = PropertyForm(self.fields, self.form)
         form.addRow(QtWidgets.QLabel(translate("Patterns")))
         form.addRow(self.choice)
-        form.addRow(translate("Film"), self.fields.choice("Film"))
-        form.addRow(translate("Balloons of each"), self.fields.whole("Balloons", 1, _MOST))
-        form.addRow(translate("Film width"), self.fields.quantity("FilmWidth", "mm", 10.0))
-        form.addRow(translate("Sheet length"), self.fields.quantity("FilmLength", "mm", 10.0))
-        form.addRow(translate("Spacing"), self.fields.quantity("Spacing", "mm"))
-        form.addRow(translate("Grain lies"), self.fields.choice("Grain"))
+        for item in film_sheet.PROPERTIES:
+            if item.label:
+                form.add(item)
         form.addRow(translate("Shown sheet"), self.shown)
         form.addRow(self.apply)
         form.addRow(translate("Used"), self.result)

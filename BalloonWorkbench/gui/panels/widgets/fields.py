@@ -8,7 +8,8 @@ from collections.abc import Callable
 import FreeCAD as App
 import FreeCADGui as Gui
 
-from BalloonWorkbench.gui.panels.widgets.narrow import ElidedCombo
+from BalloonWorkbench.app.properties.property_table import Property
+from BalloonWorkbench.gui.panels.widgets.narrow import ElidedCombo, NarrowForm
 from BalloonWorkbench.gui.panels.widgets.whole_box import WholeBox
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, translate
 from BalloonWorkbench.gui.window.sentences import tell
@@ -16,6 +17,15 @@ from BalloonWorkbench.gui.window.sentences import tell
 _SEEN = 0.01  # mm, between what is shown and its rounded text
 _MIN_WIDTH, _MAX_WIDTH = 120, 170  # px; a task panel may be 190 px wide
 _BESIDE = 64  # px of a number box for its arrows, the sign of its expression and its frame
+
+
+#: Of a quantity property: the unit for plain numbers, and the usual step, in FreeCAD's own units.
+UNITS = {
+    "Length": ("mm", 1.0),
+    "Angle": ("deg", 5.0),
+    "Pressure": ("kPa", 0.1),
+    "Volume": ("l", 1e5),
+}
 
 
 class ReturnKey(QtCore.QObject):
@@ -53,6 +63,20 @@ class Fields(QtCore.QObject):
         self._bound: set[str] = set()
         self._free: dict[str, Callable[[], float]] = {}
 
+    def of(self, item: Property, free: Callable[[], float] | None = None):
+        """The field of a property; free: see `quantity`."""
+        option = item.option
+        if item.type in UNITS:
+            unit, step = UNITS[item.type]
+            return self.quantity(item.name, unit, option.step or step, free)
+        if item.type in ("Float", "FloatConstraint"):
+            return self.number(item.name, option.step, option.decimals, option.most)
+        if item.type == "Integer":
+            return self.whole(item.name, int(option.least), int(option.most))
+        if item.type == "Bool":
+            return self.check(item.name, translate(item.label))
+        return self.choice(item.name) if item.type == "Enumeration" else self.text(item.name)
+
     def quantity(self, name: str, unit: str, step: float = 1.0, free: Callable[[], float] | None = None):
         """A spin box for a quantity property; `unit` is the one for plain numbers.
 
@@ -65,7 +89,7 @@ class Fields(QtCore.QObject):
         self._add_number(name, widget, step, lambda value: value.Value)
         return widget
 
-    def number(self, name: str, step: float, decimals: int, most: float = 0.49):
+    def number(self, name: str, step: float, decimals: int, most: float):
         """A spin box for a plain number from 0 on."""
         widget = new_quantity_box()
         widget.setProperty("decimals", decimals)  # heard by newer FreeCADs only
@@ -192,6 +216,37 @@ class Fields(QtCore.QObject):
         if getattr(present, "Value", present) != value:
             setattr(self.obj, name, value)
             self.changed.emit(name)
+
+
+class PropertyForm(NarrowForm):
+    """A form with a row for each property that has a label; those that have no effect are hidden."""
+
+    def __init__(self, fields: Fields, *parent):
+        super().__init__(*parent)
+        self.fields = fields
+        self._labels: dict[str, QtWidgets.QWidget] = {}
+
+    def add(self, item: Property, free: Callable[[], float] | None = None) -> None:
+        """The row of a property; free: see `Fields.quantity`."""
+        field = self.fields.of(item, free)
+        label = QtWidgets.QLabel("" if item.type == "Bool" else translate(item.label))
+        self._labels[item.name] = label
+        if item.type == "Bool":
+            self.addRow(field)
+            return
+        label.setBuddy(field)
+        self.addRow(label, field)
+
+    def refresh(self) -> None:
+        """Show the values, and only those that have an effect."""
+        self.fields.refresh()
+        for name in self._labels:
+            self.show_row(name, "Hidden" not in self.fields.obj.getEditorMode(name))
+
+    def show_row(self, name: str, shown: bool) -> None:
+        """Show a row or hide it."""
+        self.fields.widget(name).setVisible(shown)
+        self._labels[name].setVisible(shown)
 
 
 def _give_room(widget) -> None:

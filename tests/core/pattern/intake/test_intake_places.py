@@ -21,10 +21,11 @@ from BalloonWorkbench.core.advice.places import whole
 from BalloonWorkbench.core.advice.subject import Subject
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film.library import film
+from BalloonWorkbench.core.options.pattern import FARTHEST, LOW, PatternOptions
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.pattern.fairing import faired_seam
-from BalloonWorkbench.core.pattern.intake.places import FARTHEST, LOW, PLACES
-from BalloonWorkbench.core.pattern.make import Wanted, make_pattern
+from BalloonWorkbench.core.pattern.intake.places import PLACES
+from BalloonWorkbench.core.pattern.make import make_pattern
 from BalloonWorkbench.core.pattern.pattern import Intake
 from BalloonWorkbench.core.readers.read import read_outline
 
@@ -74,13 +75,13 @@ def turned(outline: Outline, degrees: float) -> Outline:
     return outline.map(lambda loop: loop @ np.array([[cos, sin], [-sin, cos]]))
 
 
-def intake_of(outline: Outline, wanted: Wanted) -> Intake:
+def intake_of(outline: Outline, wanted: PatternOptions) -> Intake:
     found = make_pattern(outline, FILM.seal_width, wanted).intake
     assert found is not None
     return found
 
 
-def coached(outline: Outline, wanted: Wanted) -> np.ndarray:
+def coached(outline: Outline, wanted: PatternOptions) -> np.ndarray:
     """Where the coach sees the intake."""
     subject = Subject(outline, FILM, UNMOVED, False, faired_seam(outline), wanted)
     return subject.intakes(subject.wish)[0]
@@ -88,7 +89,7 @@ def coached(outline: Outline, wanted: Wanted) -> np.ndarray:
 
 def agreed(outline: Outline) -> None:
     for place in PLACES:
-        wanted = Wanted(intake_place=place)
+        wanted = PatternOptions(intake_place=place)
         assert coached(outline, wanted) == pytest.approx(intake_of(outline, wanted).at, abs=1e-9), place
 
 
@@ -112,13 +113,13 @@ def test_coach_and_pattern_agree_on_pictures(path: Path) -> None:
 def test_farthest_of_a_symmetric_shape_is_on_its_axis_or_left_of_it(name: str) -> None:
     """None is farther from the centre; of two mirror images the left is taken, of a wide end its middle."""
     outline = SYMMETRIC[name]
-    intake = intake_of(outline, Wanted())
+    intake = intake_of(outline, PatternOptions())
     away = np.hypot(*(outline.outer - np.asarray(whole(outline).centroid.coords[0])).T)
     at = intake.at - np.asarray(whole(outline).centroid.coords[0])
     assert np.hypot(*at) == pytest.approx(away.max(), rel=2e-3)
     assert intake.at[0] < 1e-4
     mirrored = turned(outline, 0.0).map(lambda loop: loop[::-1] * [-1.0, 1.0])
-    assert intake_of(mirrored, Wanted()).at == pytest.approx(intake.at, abs=5e-4)
+    assert intake_of(mirrored, PatternOptions()).at == pytest.approx(intake.at, abs=5e-4)
 
 
 def carries(outline: Outline, intake: Intake) -> None:
@@ -135,7 +136,7 @@ def carries(outline: Outline, intake: Intake) -> None:
 @pytest.mark.parametrize("name", ON_AXIS)
 def test_low_place_of_a_symmetric_shape_is_on_its_axis(name: str) -> None:
     outline = SYMMETRIC[name]
-    intake = intake_of(outline, Wanted(intake_place=LOW))
+    intake = intake_of(outline, PatternOptions(intake_place=LOW))
     carries(outline, intake)
     assert intake.at[0] == pytest.approx(0.0, abs=1e-5)
     assert np.degrees(intake.angle) == pytest.approx(-90.0, abs=3.0)
@@ -143,7 +144,7 @@ def test_low_place_of_a_symmetric_shape_is_on_its_axis(name: str) -> None:
 
 
 def test_low_place_is_the_middle_of_the_left_one_of_two_feet() -> None:
-    intake = intake_of(SYMMETRIC["feet"], Wanted(intake_place=LOW))
+    intake = intake_of(SYMMETRIC["feet"], PatternOptions(intake_place=LOW))
     assert intake.at == pytest.approx([-0.05, -0.16], abs=1e-3)
     assert np.degrees(intake.angle) == pytest.approx(-90.0)
 
@@ -152,7 +153,7 @@ def test_low_place_is_below_the_centre_of_a_level_bottom() -> None:
     """A trapezium with sides a, b from x = 0 on: its centre is at (a^2 + a b + b^2) / (3 (a + b))."""
     a, b = 0.3, 0.1
     shape = outline_of(shapely.Polygon([(0.0, 0.0), (a, 0.0), (b, 0.2), (0.0, 0.2)]))
-    intake = intake_of(shape, Wanted(intake_place=LOW))
+    intake = intake_of(shape, PatternOptions(intake_place=LOW))
     assert intake.at == pytest.approx([(a * a + a * b + b * b) / (3.0 * (a + b)), 0.0], abs=1e-6)
 
 
@@ -161,7 +162,7 @@ def test_low_place_is_in_no_notch_and_on_no_thin_part() -> None:
     slot = shapely.Polygon([(0.0, 0.0), (-0.006, -0.2), (0.006, -0.2)])
     leg = shapely.box(0.05, -0.15, 0.055, 0.0)
     shape = outline_of(disc(0.0, 0.0, 0.1).difference(slot).union(leg))
-    intake = intake_of(shape, Wanted(intake_place=LOW))
+    intake = intake_of(shape, PatternOptions(intake_place=LOW))
     carries(shape, intake)
     assert -0.102 < intake.at[1] < -0.09
     assert abs(intake.at[0]) > 0.009
@@ -170,14 +171,14 @@ def test_low_place_is_in_no_notch_and_on_no_thin_part() -> None:
 def test_low_place_keeps_clear_of_welds() -> None:
     """A weld down the middle of a disc: the place straight below is refused, as a disc does not fit there."""
     shape = Outline(polar(0.1), welds=(np.array([[0.0, 0.05], [0.0, -0.1]]),))
-    intake = intake_of(shape, Wanted(intake_place=LOW))
+    intake = intake_of(shape, PatternOptions(intake_place=LOW))
     assert 0.4 * WIDTH < abs(intake.at[0]) < 0.03
 
 
 def test_each_chamber_has_its_low_place() -> None:
     shape = Outline(polar(0.1), welds=(np.array([[0.0, 0.1], [0.0, -0.1]]),))
     pattern = make_pattern(
-        shape, FILM.seal_width, Wanted(intake_place=LOW, intake_length=0.05, allowance=0.0)
+        shape, FILM.seal_width, PatternOptions(intake_place=LOW, intake_length=0.05, allowance=0.0)
     )
     assert sorted(np.sign(intake.at[0]) for intake in pattern.intakes) == [-1.0, 1.0]
 
@@ -187,7 +188,7 @@ def test_low_place_of_generated_shapes_carries() -> None:
     for seed in range(5 * STEPS):
         shape = generated(seed)
         try:
-            intake = intake_of(shape, Wanted(intake_place=LOW))
+            intake = intake_of(shape, PatternOptions(intake_place=LOW))
         except InputError as error:
             assert "choose" in str(error)
             continue
@@ -199,7 +200,7 @@ def test_low_place_of_generated_shapes_carries() -> None:
 
 def test_unknown_place_is_refused() -> None:
     with pytest.raises(InputError, match="farthest or low"):
-        make_pattern(NAMED["disc"], FILM.seal_width, Wanted(intake_place="high"))
+        make_pattern(NAMED["disc"], FILM.seal_width, PatternOptions(intake_place="high"))
 
 
 def test_intake_on_an_ear_gets_a_hint_and_a_low_place() -> None:
@@ -214,18 +215,18 @@ def test_intake_on_an_ear_gets_a_hint_and_a_low_place() -> None:
 @pytest.mark.parametrize(
     ("name", "wanted"),
     [
-        ("pumpkin", Wanted()),
-        ("egg", Wanted()),
-        ("heart", Wanted()),
-        ("cat", Wanted(intake_place=LOW)),
-        ("cat", Wanted(intake_angle=1.0)),
-        ("cat", Wanted(intake=False)),
+        ("pumpkin", PatternOptions()),
+        ("egg", PatternOptions()),
+        ("heart", PatternOptions()),
+        ("cat", PatternOptions(intake_place=LOW)),
+        ("cat", PatternOptions(intake_angle=1.0)),
+        ("cat", PatternOptions(intake=False)),
     ],
 )
-def test_no_hint_without_a_reason(name: str, wanted: Wanted) -> None:
+def test_no_hint_without_a_reason(name: str, wanted: PatternOptions) -> None:
     rules = {found.rule for found in advise(SYMMETRIC[name], FILM, wanted=wanted).findings}
     assert not rules & {"delicate_intake", "hidden_intake"}
 
 
 def test_the_usual_place_is_the_farthest() -> None:
-    assert Wanted().intake_place == FARTHEST
+    assert PatternOptions().intake_place == FARTHEST

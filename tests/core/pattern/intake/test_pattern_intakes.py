@@ -12,11 +12,12 @@ import shapely
 from drawn_shapes import NAMED, corners_of, generated, polar
 
 from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.pattern.build import build_pattern
 from BalloonWorkbench.core.pattern.intake.kinds import FOLDER, intake_kind, intake_kinds, measure, read_kind
 from BalloonWorkbench.core.pattern.intake.rim import Rim
-from BalloonWorkbench.core.pattern.make import Wanted, make_pattern, sheet_of
+from BalloonWorkbench.core.pattern.make import make_pattern, sheet_of
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
 
 SEAL, ALLOWANCE = 0.005, 0.002
@@ -33,7 +34,7 @@ def seals(pattern: Pattern) -> shapely.Geometry:
 
 
 def panel(name: str, kind: str, **more: object) -> Pattern:
-    return make_pattern(NAMED[name], SEAL, Wanted(intake_kind=kind, **more))
+    return make_pattern(NAMED[name], SEAL, PatternOptions(intake_kind=kind, **more))
 
 
 def axis_of(pattern: Pattern) -> np.ndarray:
@@ -87,7 +88,7 @@ def test_air_passes_the_whole_neck(kind: str) -> None:
 
 def test_valve_strips_fit_the_neck() -> None:
     """Between their own welds 10 mm at the mouth, as wide as the neck with both its welds, 100 mm long."""
-    wanted = Wanted(intake_kind="film-valve")
+    wanted = PatternOptions(intake_kind="film-valve")
     sheet = sheet_of(make_pattern(NAMED["heart"], SEAL, wanted), wanted)
     strip = min(sheet.of(Role.CUT), key=lambda cut: (cut.stock == "", cut.points[0, 1]))
     width, height = np.ptp(strip.points, axis=0)
@@ -104,7 +105,7 @@ def test_valve_strips_fit_the_neck() -> None:
 
 
 def test_only_the_front_panel_gets_the_hole_of_a_nozzle() -> None:
-    wanted = Wanted(intake_kind="nozzle")
+    wanted = PatternOptions(intake_kind="nozzle")
     pattern = make_pattern(NAMED["heart"], SEAL, wanted)
     (hole,) = pattern.of(Role.CUT_INNER)
     assert np.hypot(*(hole.points - pattern.intake.at).T) == pytest.approx(0.004)
@@ -124,7 +125,7 @@ def test_only_the_front_panel_gets_the_hole_of_a_nozzle() -> None:
 def test_place_along_the_seam(degrees: float) -> None:
     """On a circle the arc length is the angle; the neck leaves square to the rim."""
     turn = np.radians(degrees)
-    pattern = build_pattern(Outline(polar(0.15)), SEAL, intake_along=0.15 * turn)
+    pattern = build_pattern(Outline(polar(0.15)), SEAL, PatternOptions(intake_along=0.15 * turn))
     assert pattern.intake is not None
     assert pattern.intake.at == pytest.approx([0.15 * np.cos(turn), 0.15 * np.sin(turn)], abs=1e-4)
     assert np.cos(pattern.intake.angle - turn) == pytest.approx(1.0, abs=1e-4)
@@ -146,7 +147,7 @@ def test_a_found_place_comes_back_as_it_was() -> None:
     for seed in range(6):
         found = build_pattern(generated(seed), SEAL).intake
         again = build_pattern(
-            generated(seed), SEAL, intake_along=found.along, intake_angle=found.angle
+            generated(seed), SEAL, PatternOptions(intake_along=found.along, intake_angle=found.angle)
         ).intake
         assert again.at == pytest.approx(found.at, abs=1e-6)
         assert again.angle == pytest.approx(found.angle)
@@ -158,20 +159,22 @@ def test_a_narrow_way_is_told(waist: float) -> None:
     body, head = shapely.Point(0.0, 0.0).buffer(0.08), shapely.Point(0.0, 0.12).buffer(0.02)
     shape = shapely.union_all([body, head, shapely.box(-0.5 * waist, 0.0, 0.5 * waist, 0.12)])
     seam = Outline(np.asarray(shape.exterior.coords)[:-1][::-1])
-    (text,) = build_pattern(seam, 0.003, intake_angle=0.5 * np.pi).warnings
+    (text,) = build_pattern(seam, 0.003, PatternOptions(intake_angle=0.5 * np.pi)).warnings
     found = float(text.split("narrows to ")[1].split(" mm")[0])
     assert found == pytest.approx(1000.0 * waist, abs=0.2)
-    assert build_pattern(seam, 0.003, intake_angle=-0.5 * np.pi).warnings == ()
+    assert build_pattern(seam, 0.003, PatternOptions(intake_angle=-0.5 * np.pi)).warnings == ()
 
 
 def test_no_room_for_a_flange() -> None:
     strip = corners_of((0.0, 0.0), (0.3, 0.0), (0.3, 0.03), (0.0, 0.03))
     with pytest.raises(InputError, match="no room for a flange of 26 mm"):
-        build_pattern(strip, SEAL, intake_kind="nozzle")
-    small = build_pattern(strip, SEAL, intake_kind="nozzle", intake_width=0.004, intake_length=0.012)
+        build_pattern(strip, SEAL, PatternOptions(intake_kind="nozzle"))
+    small = build_pattern(
+        strip, SEAL, PatternOptions(intake_kind="nozzle", intake_width=0.004, intake_length=0.012)
+    )
     assert small.intake.length == 0.012
     with pytest.raises(InputError, match="wider than its bore"):
-        build_pattern(strip, SEAL, intake_kind="nozzle", intake_length=0.006)
+        build_pattern(strip, SEAL, PatternOptions(intake_kind="nozzle", intake_length=0.006))
 
 
 SIZES = {"L": 0.040, "W": 0.010, "S": 0.005, "A": 0.002}

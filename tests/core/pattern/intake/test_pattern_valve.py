@@ -19,14 +19,15 @@ from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film.library import custom_film, film, films
 from BalloonWorkbench.core.machines.machine import machines
 from BalloonWorkbench.core.machines.machine_file import checked_files
+from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.pattern.build import build_pattern
-from BalloonWorkbench.core.pattern.make import Wanted, make_pattern, pieces_remarks, sheet_of
+from BalloonWorkbench.core.pattern.make import make_pattern, pieces_remarks, sheet_of
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
 from BalloonWorkbench.core.products import by_stock, pieces_of
 
 SEAL = 0.005
-VALVE = Wanted(intake_kind="film-valve")
+VALVE = PatternOptions(intake_kind="film-valve")
 
 
 def outlines(pattern: Pattern) -> list[shapely.Geometry]:
@@ -96,8 +97,8 @@ def test_valves_go_with_films_they_weld_to() -> None:
         assert known.title in str(caught.value)
         assert all(films()[good].title in str(caught.value) for good in ("nylon-foil", "pe"))
         assert pieces_remarks(replace(VALVE, intake=False), known) == ()
-        assert pieces_remarks(Wanted(), known) == ()
-        assert pieces_remarks(Wanted(intake_kind="nozzle"), known) == ()
+        assert pieces_remarks(PatternOptions(), known) == ()
+        assert pieces_remarks(PatternOptions(intake_kind="nozzle"), known) == ()
     assert {name for name, known in films().items() if known.sealing_side == "PE"} == {"nylon-foil", "pe"}
     (remark,) = pieces_remarks(VALVE, custom_film(3e9, 0.38, 30e-6))
     assert "scrap" in remark
@@ -154,19 +155,23 @@ def test_a_narrow_place_of_the_seam_on_the_channel_is_told(waist: float) -> None
     head = shapely.Point(0.0, 0.150).buffer(0.028)
     shape = shapely.union_all([body, head, shapely.box(-0.5 * waist, 0.0, 0.5 * waist, 0.15)])
     seam = Outline(np.asarray(shape.exterior.coords)[:-1][::-1])
-    found = build_pattern(seam, SEAL, intake_kind="film-valve", intake_angle=0.5 * np.pi).warnings
+    found = build_pattern(
+        seam, SEAL, PatternOptions(intake_kind="film-valve", intake_angle=0.5 * np.pi)
+    ).warnings
     (text,) = [text for text in found if "channel" in text]
     assert float(text.split("narrows to ")[1].split(" mm")[0]) == pytest.approx(1000.0 * waist, abs=0.3)
-    wide = build_pattern(Outline(polar(0.15)), SEAL, intake_kind="film-valve").warnings
+    wide = build_pattern(Outline(polar(0.15)), SEAL, PatternOptions(intake_kind="film-valve")).warnings
     assert wide == ()
 
 
 def test_strips_longer_than_the_balloon_are_told() -> None:
     strip = corners_of((0.0, 0.0), (0.3, 0.0), (0.3, 0.045), (0.0, 0.045))
-    found = build_pattern(strip, SEAL, intake_kind="film-valve", intake_along=0.19, intake_length=0.040)
+    found = build_pattern(
+        strip, SEAL, PatternOptions(intake_kind="film-valve", intake_along=0.19, intake_length=0.040)
+    )
     (text,) = [text for text in found.warnings if "valve" in text]
     assert "reaches 60 mm" in text
-    across = build_pattern(strip, SEAL, intake_kind="film-valve", intake_angle=0.0)
+    across = build_pattern(strip, SEAL, PatternOptions(intake_kind="film-valve", intake_angle=0.0))
     assert not [text for text in across.warnings if "valve" in text]
 
 
@@ -176,7 +181,9 @@ def test_holes_and_welds_inside_close_a_channel_too() -> None:
         below = hole(0.03, 0.0, -0.15 + way + 0.03)
         line = np.array([[-0.05, -0.15 + way], [0.05, -0.15 + way]])
         for seam in (Outline(polar(0.15), (below,)), Outline(polar(0.15), welds=(line,))):
-            made = build_pattern(seam, SEAL, intake_kind="film-valve", intake_angle=-0.5 * np.pi)
+            made = build_pattern(
+                seam, SEAL, PatternOptions(intake_kind="film-valve", intake_angle=-0.5 * np.pi)
+            )
             assert any("past the weld" in text for text in made.warnings) is told
 
 
