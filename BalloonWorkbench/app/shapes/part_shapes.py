@@ -10,7 +10,8 @@ import numpy as np
 import Part
 
 from BalloonWorkbench.core.arcs.curves import Curve
-from BalloonWorkbench.core.arcs.fit_arcs import from_polyline
+from BalloonWorkbench.core.geometry.nearest import nearest_on_line
+from BalloonWorkbench.core.geometry.polyline import ring
 from BalloonWorkbench.core.outline.drawing import sealed
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.units import from_mm, to_mm
@@ -80,7 +81,7 @@ def _spline(curve: Curve):
         points = curve.flattened(chord)
         spline.interpolate(Points=vectors(points), InitialTangent=starts, FinalTangent=ends)
         drawn = [(at.x, at.y) for at in spline.discretize(4 * len(points))]
-        if from_polyline(from_mm(np.array(drawn)), line).max() < _CHORD:
+        if nearest_on_line(line, from_mm(np.array(drawn))).distance.max() < _CHORD:
             break
         chord *= 0.25
     return spline
@@ -99,7 +100,7 @@ def store(obj, prefix: str, outline: Outline) -> None:
 
     Shapes lose the last digits in files.
     """
-    spots = [np.concatenate([spot, spot[:1]]) for spot in outline.spots]
+    spots = [ring(spot) for spot in outline.spots]
     for name, lines in (("", (outline.outer, *outline.holes)), ("Weld", (*outline.welds, *spots))):
         setattr(obj, f"{prefix}{name}Points", [vector for line in lines for vector in vectors(line)])
         setattr(obj, f"{prefix}{name}Counts", [len(line) for line in lines])

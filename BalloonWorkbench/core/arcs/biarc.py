@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from BalloonWorkbench.core.geometry.vectors import direction, wrapped
 from BalloonWorkbench.core.types import Floats
 
 
@@ -16,7 +17,7 @@ def tangent_bulge(start: Floats, heading: float, end: Floats) -> float:
     """The bulge of the arc that leaves start with a heading [rad] and passes through end."""
     chord = end - start
     half = np.arctan2(chord[1], chord[0]) - heading
-    return float(np.tan(0.5 * ((half + np.pi) % (2.0 * np.pi) - np.pi)))
+    return float(np.tan(0.5 * wrapped(half)))
 
 
 def heading_after(start: Floats, end: Floats, bulge: float) -> float:
@@ -34,8 +35,7 @@ def biarc(
     ratio          how much longer the first arc's tangents are than the second's; it places the joint
     None where no such pair turns by less than half a circle.
     """
-    first = np.array([np.cos(heading), np.sin(heading)])
-    second = np.array([np.cos(last), np.sin(last)])
+    first, second = direction(heading), direction(last)
     chord = end - start
     # |chord - d (ratio first + second)| = d (ratio + 1), solved for d; written so that d stays exact
     # where both directions are equal and the equation is linear

@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from BalloonWorkbench.core.geometry.vectors import direction, norm, wrapped
 from BalloonWorkbench.core.types import Bools, Floats
 from BalloonWorkbench.core.units import from_mm
 
@@ -67,7 +68,7 @@ class Curve:
     def lengths(self) -> Floats:
         """Length (m,) of each segment [m]."""
         half = 2.0 * np.arctan(np.abs(self.bulges))
-        return _norm(self.ends - self.starts) / np.sinc(half / np.pi)
+        return norm(self.ends - self.starts) / np.sinc(half / np.pi)
 
     @property
     def length(self) -> float:
@@ -92,7 +93,7 @@ class Curve:
     def joint_turns(self) -> Floats:
         """Angle (n,) by which the direction changes at each joint, 0 at the ends of an open curve [rad]."""
         first, last = self.headings
-        turn = _wrapped(first - np.roll(last, 1))
+        turn = wrapped(first - np.roll(last, 1))
         return turn if self.closed else np.append(np.append(0.0, turn[1:]), 0.0)
 
     @property
@@ -171,14 +172,4 @@ def polyline(points: Floats, closed: bool) -> Curve:
 def _on_arc(start: Floats, heading: float, turn: float, radius: float, shares: Floats) -> Floats:
     """Points (k, 2) at shares of the way along an arc."""
     chord = 2.0 * radius * np.sin(0.5 * abs(turn) * shares)
-    direction = heading + 0.5 * turn * shares
-    return start + chord[:, None] * np.stack([np.cos(direction), np.sin(direction)], axis=1)
-
-
-def _norm(vectors: Floats) -> Floats:
-    return np.hypot(vectors[..., 0], vectors[..., 1])
-
-
-def _wrapped(angles: Floats) -> Floats:
-    """Angles between -pi and pi."""
-    return (angles + np.pi) % (2.0 * np.pi) - np.pi
+    return start + chord[:, None] * direction(heading + 0.5 * turn * shares)

@@ -18,6 +18,8 @@ from BalloonWorkbench.core.arcs.curves import STRAIGHT, Curve, Segment, polyline
 from BalloonWorkbench.core.arcs.samples import Samples, sample
 from BalloonWorkbench.core.arcs.stretches import Stretch, heading_at, stretches
 from BalloonWorkbench.core.checkpoint import checkpoint
+from BalloonWorkbench.core.geometry.nearest import nearest_on_line
+from BalloonWorkbench.core.geometry.vectors import direction, norm, perpendicular
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.recent import Recent
 from BalloonWorkbench.core.types import Floats
@@ -113,7 +115,7 @@ def _is_line(points: Floats, tolerance: float) -> bool:
     chord = points[-1] - points[0]
     if not (np.diff(points @ chord) > 0.0).all():
         return False
-    return bool((from_polyline(points, points[[0, -1]]) <= tolerance).all())
+    return bool((nearest_on_line(points[[0, -1]], points).distance <= tolerance).all())
 
 
 def _in_halves(stretch: Stretch, tolerance: float) -> tuple[Floats, list[float]]:
@@ -129,7 +131,7 @@ def _in_halves(stretch: Stretch, tolerance: float) -> tuple[Floats, list[float]]
 def _drawn(samples: Samples, knots: Knots, stretch: Stretch) -> tuple[Floats, list[float]] | None:
     """Exact arcs through the knots: pairs of them between every second knot, the odd one at the end."""
     count = len(knots.places) - 1
-    across = np.stack([-np.sin(knots.headings), np.cos(knots.headings)], axis=1)
+    across = perpendicular(direction(knots.headings))
     at = samples.points[knots.places] + knots.beside[:, None] * across
     at[0], at[-1] = samples.points[0], samples.points[-1]
     away = np.diff(samples.along[knots.places])
@@ -174,23 +176,14 @@ def _deviation(samples: Samples, knots: Knots, joints: Floats, bulges: list[floa
         to_curve = np.min([away_from(inside, *segment) for segment in beside], axis=0)
         drawn = Curve(joints[k : k + 2], np.array(bulges[k : k + 1]), False).flattened(_FINE)
         near = samples.points[max(low - 40, 0) : high + 41]
-        most = max(most, float(to_curve.max()), float(from_polyline(drawn, near).max()))
+        most = max(most, float(to_curve.max()), float(nearest_on_line(near, drawn).distance.max()))
     return most + 2.0 * _FINE  # between the samples, too
-
-
-def from_polyline(points: Floats, line: Floats) -> Floats:
-    """Distance (n,) of points (n, 2) from the nearest edge of a polyline (k, 2)."""
-    edges = np.diff(line, axis=0)
-    away = points[:, None] - line[None, :-1]
-    share = np.clip((away * edges).sum(axis=2) / (edges * edges).sum(axis=1), 0.0, 1.0)
-    rest = away - share[..., None] * edges
-    return np.hypot(rest[..., 0], rest[..., 1]).min(axis=1)
 
 
 def _merged(joints: Floats, bulges: Floats, closed: bool) -> Curve:
     """Arcs that hardly rise become lines, neighbours on one line or circle become one segment."""
     curve = Curve(joints, bulges, closed)
-    rise = 0.5 * np.abs(bulges) * _norm(curve.ends - curve.starts)
+    rise = 0.5 * np.abs(bulges) * norm(curve.ends - curve.starts)
     curve = Curve(joints, np.where(rise < STRAIGHT, 0.0, bulges), closed)
     merged: list[Segment] = []
     for segment, corner in zip(curve.segments, curve.corners):
@@ -228,7 +221,7 @@ def _middle(segment: Segment) -> Floats:
 
 def _begun_near(curve: Curve, point: Floats) -> Curve:
     """The closed curve begun near a point: at a smooth joint, or there where none is near."""
-    away = _norm(curve.joints - point)
+    away = norm(curve.joints - point)
     corners = curve.corners
     if away.min() < STRAIGHT:
         return curve.begun_at(int(np.argmin(away)))
@@ -245,7 +238,3 @@ def _begun_near(curve: Curve, point: Floats) -> Curve:
     if not np.isfinite(off[segment]):
         return curve
     return curve.split(segment, float(shares[segment])).begun_at((segment + 1) % (len(curve) + 1))
-
-
-def _norm(vectors: Floats) -> Floats:
-    return np.hypot(vectors[:, 0], vectors[:, 1])

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from BalloonWorkbench.core.geometry.vectors import norm, wrapped
 from BalloonWorkbench.core.types import Floats
 
 
@@ -29,13 +30,13 @@ def sample(
     last are the headings wanted at the ends [rad], where the polyline turns to them.
     """
     edges = np.diff(points, axis=0)
-    lengths = np.hypot(edges[:, 0], edges[:, 1])
+    lengths = norm(edges)
     heading = np.unwrap(np.arctan2(edges[:, 1], edges[:, 0]))
     counts = np.clip(2 * np.ceil(0.5 * lengths / spacing).astype(int), 2, 16)
     ends = np.append(0.0, np.cumsum(lengths))
     even = [np.linspace(a, b, n, endpoint=False) for a, b, n in zip(ends[:-1], ends[1:], counts)]
     turns = np.diff(np.concatenate([[_or(first, heading[0])], heading, [_or(last, heading[-1])]]))
-    rounding = 3.0 * tolerance / np.maximum(np.abs(_wrapped(turns)), 1e-9)
+    rounding = 3.0 * tolerance / np.maximum(np.abs(wrapped(turns)), 1e-9)
     sides = (-1.0, -0.6, -0.3, 0.3, 0.6, 1.0)
     around = np.minimum(np.append(lengths, np.inf), np.append(np.inf, lengths))
     room = 0.5 * np.minimum(around, spacing)
@@ -52,8 +53,3 @@ def sample(
 
 def _or(heading: float | None, otherwise: float) -> float:
     return otherwise if heading is None else heading
-
-
-def _wrapped(angles: Floats) -> Floats:
-    """Angles between -pi and pi."""
-    return (angles + np.pi) % (2.0 * np.pi) - np.pi

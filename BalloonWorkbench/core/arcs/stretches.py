@@ -8,6 +8,9 @@ from itertools import pairwise
 
 import numpy as np
 
+from BalloonWorkbench.core.geometry.normals import turns
+from BalloonWorkbench.core.geometry.polyline import line_lengths, point_on, ring
+from BalloonWorkbench.core.geometry.vectors import cross, norm, turn
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.types import Bools, Floats
 
@@ -48,7 +51,7 @@ def stretches(points: Floats, closed: bool, tolerance: float) -> tuple[Stretch, 
     if closed and not knots.any():
         half = len(points) // 2
         heading = heading_at(np.roll(points, half, axis=0), half, tolerance)
-        return (Stretch(np.concatenate([points, points[:1]]), heading, heading, False),)
+        return (Stretch(ring(points), heading, heading, False),)
     if closed:
         begin = int(np.flatnonzero(corner if corner.any() else knots)[0])
         around = np.arange(begin, begin + len(points) + 1) % len(points)
@@ -67,18 +70,17 @@ def stretches(points: Floats, closed: bool, tolerance: float) -> tuple[Stretch, 
 
 def _without_needless(points: Floats, closed: bool) -> Floats:
     """Without repeated points and without those amid a straight line."""
-    steps = np.diff(np.concatenate([points, points[:1]]) if closed else points, axis=0)
-    kept = np.hypot(steps[:, 0], steps[:, 1]) > 1e-9
+    steps = np.diff(ring(points, closed), axis=0)
+    kept = norm(steps) > 1e-9
     points = points[kept if closed else np.append(True, kept)]
     if len(points) < 3:
         return points
-    line = np.concatenate([points, points[:1]]) if closed else points
-    points = np.asarray(shapely().LineString(line).simplify(_STRAIGHT).coords)
+    points = np.asarray(shapely().LineString(ring(points, closed)).simplify(_STRAIGHT).coords)
     if not closed:
         return points
     points = points[:-1]
     back, ahead = points[0] - points[-1], points[1] - points[0]
-    across = abs(back[0] * ahead[1] - back[1] * ahead[0])
+    across = abs(cross(back, ahead))
     needed = across > _STRAIGHT * np.hypot(*(back + ahead)) or back @ ahead < 0.0
     return points if needed else points[1:]
 
@@ -86,9 +88,9 @@ def _without_needless(points: Floats, closed: bool) -> Floats:
 def _marks(points: Floats, closed: bool, tolerance: float) -> tuple[Bools, Bools]:
     """Which vertices are corners, and which edges are straight."""
     ahead = np.roll(points, -1, axis=0) - points
-    lengths = _norm(ahead)
-    turn = np.abs(_turn(np.roll(ahead, 1, axis=0), ahead))
-    corner = (turn > CORNER) & (np.abs(_wide_turn(points, closed, 10.0 * tolerance)) > CORNER)
+    lengths = norm(ahead)
+    bend = np.abs(turn(np.roll(ahead, 1, axis=0), ahead))
+    corner = (bend > CORNER) & (np.abs(_wide_turn(points, closed, 10.0 * tolerance)) > CORNER)
     if not closed:
         corner[[0, -1]] = True
         ahead, lengths = ahead[:-1], lengths[:-1]
@@ -96,7 +98,7 @@ def _marks(points: Floats, closed: bool, tolerance: float) -> tuple[Bools, Bools
     after = np.roll(np.arange(len(points)), -1)[:edges]
     before = np.where(corner[:edges], 0.0, np.roll(lengths, 1))
     beyond = np.where(corner[after], 0.0, np.roll(lengths, -1))
-    rise = 0.125 * lengths * np.maximum((turn * ~corner)[:edges], (turn * ~corner)[after])
+    rise = 0.125 * lengths * np.maximum((bend * ~corner)[:edges], (bend * ~corner)[after])
     longer = (lengths > _LONGER * np.maximum(before, beyond)) & (lengths > 20.0 * tolerance)
     straight = longer | (rise > _RISE * tolerance) | (corner[:edges] & corner[after])
     # an edge alone between corners and straight edges tells of no bend
@@ -115,14 +117,11 @@ def _either_side(edges: Bools, closed: bool) -> Bools:
 
 def _wide_turn(points: Floats, closed: bool, reach: float) -> Floats:
     """Turning (n,) from the chord of some length that ends at each vertex to the one that begins there."""
-    loop = np.concatenate([points, points, points, points[:1]]) if closed else points
-    along = np.append(0.0, np.cumsum(_norm(np.diff(loop, axis=0))))
-    here = along[len(points) : 2 * len(points)] if closed else along
-
-    def at(places: Floats) -> Floats:
-        return np.stack([np.interp(places, along, loop[:, k]) for k in range(2)], axis=1)
-
-    return _turn(points - at(here - reach), at(here + reach) - points)
+    if closed:
+        return turns(points, reach)
+    along = line_lengths(points)
+    before, after = (point_on(points, along, along + way) for way in (-reach, reach))
+    return turn(points - before, after - points)
 
 
 def heading_at(points: Floats, index: int, tolerance: float) -> float:
@@ -142,11 +141,3 @@ def heading_at(points: Floats, index: int, tolerance: float) -> float:
         if off.max() < 0.25 * tolerance:
             break
     return float(np.arctan2(tangent[1], tangent[0]))
-
-
-def _turn(before: Floats, after: Floats) -> Floats:
-    return np.arctan2(before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0], (before * after).sum(axis=1))
-
-
-def _norm(vectors: Floats) -> Floats:
-    return np.hypot(vectors[:, 0], vectors[:, 1])

@@ -13,6 +13,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from BalloonWorkbench.core.geometry.normals import left_normals
+from BalloonWorkbench.core.geometry.polyline import arc_lengths, point_at
+from BalloonWorkbench.core.geometry.vectors import cross
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.types import Bools, Floats, Ints
 from BalloonWorkbench.core.units import from_mm
@@ -70,7 +73,7 @@ def seen_from(film: Film, x: Floats, y: Floats, wanted: Bools) -> Floats:
     for corner, image, (left, bottom), (right, top) in zip(corners, images, low, high):
         columns, rows = x[left:right], y[bottom:top, None]
         one, other = corner[1] - corner[0], corner[2] - corner[0]
-        area = one[0] * other[1] - one[1] * other[0]
+        area = cross(one, other)
         if area <= 0.0 or not len(columns) or not len(rows):
             continue
         dx, dy = columns - corner[0, 0], rows - corner[0, 1]
@@ -96,19 +99,14 @@ def _along_seams(film: Film) -> Iterator[tuple[Floats, Floats, Floats]]:
     """Points along each seam: flat, as seen, and the direction outward as seen."""
     for seam in film.seams:
         flat, seen = film.flat[seam], film.seen[seam]
-        ahead = np.roll(seen, -1, axis=0) - np.roll(seen, 1, axis=0)
-        for _ in range(2):  # a crumpled rim has no direction of its own at each vertex
-            ahead = np.roll(ahead, -1, axis=0) + 2.0 * ahead + np.roll(ahead, 1, axis=0)
-        outward = np.stack([ahead[:, 1], -ahead[:, 0]], axis=1)
-        outward /= np.maximum(np.hypot(*outward.T)[:, None], 1e-300)
-        loops = [np.concatenate([values, values[:1]]) for values in (flat, seen, outward)]
-        steps = np.hypot(*np.diff(loops[0], axis=0).T)
-        along = np.append(0.0, np.cumsum(steps))
+        outward = -left_normals(seen, smoothed=2)  # a crumpled rim has no direction of its own at each vertex
+        along = arc_lengths(flat)
         places = np.linspace(0.0, along[-1], max(8, int(np.ceil(along[-1] / _ALONG))), endpoint=False)
-        finer = [
-            np.stack([np.interp(places, along, values[:, k]) for k in range(2)], axis=1) for values in loops
-        ]
-        yield finer[0], finer[1], finer[2]
+        yield (
+            point_at(flat, along, places),
+            point_at(seen, along, places),
+            point_at(outward, along, places),
+        )
 
 
 def _nearest(points: Floats, at: Floats) -> tuple[Ints, Floats]:

@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.geometry.vectors import direction
 from BalloonWorkbench.core.options.making import ArtworkOptions
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
@@ -58,8 +59,7 @@ def marked(sheet: Pattern) -> Pattern:
 
 
 def _mark(at: Floats) -> list[Contour]:
-    turn = 2.0 * np.pi * np.arange(48) / 48
-    circle = at + _RADIUS * np.stack([np.cos(turn), np.sin(turn)], axis=1)
+    circle = at + _RADIUS * direction(2.0 * np.pi * np.arange(48) / 48)
     lines = [np.array([at - arm, at + arm]) for arm in ((_ARM, 0.0), (0.0, _ARM))]
     return [
         *(Contour(Role.REGISTRATION, line, False) for line in lines),

@@ -15,6 +15,7 @@ from BalloonWorkbench.core.artwork.picture import Picture, Pixels
 from BalloonWorkbench.core.artwork.sample import sampled
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.geometry.crossings import crossed_at
+from BalloonWorkbench.core.geometry.vectors import foot
 from BalloonWorkbench.core.options.making import ArtworkOptions
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
 from BalloonWorkbench.core.pattern.placement import back_of
@@ -205,17 +206,14 @@ def _inside(frame: _Frame, borders: Sequence[Contour], left: int, right: int, to
 
 def _draw(sheet: Pixels, frame: _Frame, contour: Contour) -> None:
     """A black line 0.25 mm wide."""
-    points = np.concatenate([contour.points, contour.points[:1]]) if contour.closed else contour.points
     half = max(0.5 * from_mm(0.25), 0.5 * frame.pixel)
-    for start, end in pairwise(points):
+    for start, end in pairwise(contour.line):
         low, high = np.minimum(start, end) - half, np.maximum(start, end) + half
         left, right = (int(np.ceil(float(value))) for value in frame.columns(np.array([low[0], high[0]])))
         top, bottom = (int(np.ceil(float(value))) for value in frame.rows(np.array([high[1], low[1]])))
         left, top = max(left, 0), max(top, 0)
         x = frame.x(np.arange(left, min(right, frame.width)))
         y = frame.y(np.arange(top, min(bottom, frame.height)))
-        place = np.stack(np.meshgrid(x, y), axis=-1) - start
-        along = end - start
-        share = np.clip(place @ along / float(along @ along), 0.0, 1.0)
-        near = np.hypot(*np.moveaxis(place - share[..., None] * along, -1, 0)) <= half
+        _, away = foot(x - start[0], y[:, None] - start[1], *(end - start))
+        near = away <= half
         sheet[top : top + len(y), left : left + len(x)][near] = (0, 0, 0, 255)

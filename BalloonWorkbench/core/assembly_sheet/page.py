@@ -154,8 +154,7 @@ def _pattern(pen: Pen, subject: Subject, box: tuple[float, float, float, float])
         return np.asarray((points - 0.5 * (low + high)) / scale + middle)
 
     for contour in sorted(pattern.contours, key=lambda each: each.role is not Role.CUT):
-        points = to_mm(contour.points)
-        points = place(np.concatenate([points, points[:1]]) if contour.closed else points)
+        points = place(to_mm(contour.line))
         if contour.role is Role.CUT:
             axes.fill(*points.T, color=BAND, lw=0.0)
         elif contour.role is Role.CUT_INNER:

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from BalloonWorkbench.core.assembly_sheet.pen import ACCENT, BAND, INK, SOFT, Pen
+from BalloonWorkbench.core.geometry.vectors import direction, perpendicular
 from BalloonWorkbench.core.machines.layers import LAYERS
 from BalloonWorkbench.core.pattern.intake.valve import strips
 from BalloonWorkbench.core.pattern.pattern import Contour, Intake, Pattern, Role
@@ -65,13 +66,12 @@ def draw_valve(pen: Pen, pattern: Pattern, box: tuple[float, float, float, float
 
 def _beside_axis(points: Floats, intake: Intake) -> Floats:
     """Points (n, 2) mm from the neck's root: inward to the right, across upward."""
-    axis = np.array([np.cos(intake.angle), np.sin(intake.angle)])
-    away = to_mm(points - intake.at)
-    return np.asarray(np.stack([-away @ axis, away @ np.array([axis[1], -axis[0]])], axis=1))
+    axis = direction(intake.angle)
+    return np.asarray(-to_mm(points - intake.at) @ np.column_stack([axis, perpendicular(axis)]))
 
 
 def _line(axes: Any, contour: Contour, place: Any, window: Any, filled: str | None) -> None:
-    points = place(np.concatenate([contour.points, contour.points[:1]]) if contour.closed else contour.points)
+    points = place(contour.line)
     if filled is not None:
         (area,) = axes.fill(*points.T, color=filled, lw=0.0)
         area.set_clip_path(window)

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from BalloonWorkbench.core.geometry.nearest import kd_tree
+from BalloonWorkbench.core.geometry.normals import left_normals
 from BalloonWorkbench.core.geometry.polyline import arc_lengths
 from BalloonWorkbench.core.types import Floats, Ints
 
@@ -55,7 +56,7 @@ def _too_near(
     """Pairs of facing points (k,), (k,) and how much they are too near (k,)."""
     pairs = kd_tree(points).query_pairs(clearance, output_type="ndarray")
     one, other = pairs.T
-    normals = np.concatenate([_outward(loop) for loop in pattern])
+    normals = np.concatenate([-left_normals(loop) for loop in pattern])
     lengths = [arc_lengths(loop) for loop in pattern]
     along = np.concatenate([length[:-1] for length in lengths])
     around = np.concatenate([np.full(len(length) - 1, length[-1]) for length in lengths])
@@ -71,13 +72,6 @@ def _too_near(
     found = facing & (way > _DETOUR * distance) & (missing > _SLACK * clearance)
     order = np.lexsort((other[found], one[found]))
     return one[found][order], other[found][order], missing[found][order]
-
-
-def _outward(loop: Floats) -> Floats:
-    """Unit normals (n, 2) away from the film, which lies on the left."""
-    along = np.roll(loop, -1, axis=0) - np.roll(loop, 1, axis=0)
-    along /= np.maximum(np.linalg.norm(along, axis=1, keepdims=True), 1e-300)
-    return np.column_stack([along[:, 1], -along[:, 0]])
 
 
 def _spread(loop: Floats, push: Floats, clearance: float) -> Floats:

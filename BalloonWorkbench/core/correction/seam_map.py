@@ -17,8 +17,9 @@ from BalloonWorkbench.core.correction.weld_lines import WeldLine, weld_lines
 from BalloonWorkbench.core.geometry.crossings import first_crossing
 from BalloonWorkbench.core.geometry.nearest import locate
 from BalloonWorkbench.core.geometry.normals import corners
-from BalloonWorkbench.core.geometry.polyline import arc_lengths, point_at
+from BalloonWorkbench.core.geometry.polyline import arc_lengths, extent, point_at
 from BalloonWorkbench.core.geometry.sampling import resample
+from BalloonWorkbench.core.geometry.vectors import cross
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.panels.panel import Panel
 from BalloonWorkbench.core.types import Floats, Ints
@@ -83,7 +84,7 @@ class SeamMap:
             place = first_crossing(loops)
             if place is None:
                 return replace(self, pattern=loops, lines=tuple(line.tied(loops) for line in self.lines))
-            reach = 0.01 * (1.0 + trial) * float(np.ptp(loops[0], axis=0).max())
+            reach = 0.01 * (1.0 + trial) * extent(loops[0])
             strength = [
                 share * (1.0 - 0.5 * np.exp(-(np.linalg.norm(loop - place, axis=1) ** 2) / reach**2))
                 for loop, share in zip(loops, strength, strict=True)
@@ -140,7 +141,7 @@ def _tips(drawing: Floats, reach: float) -> Ints:
     here = along[sharp]
     before, after = (point_at(drawing, along, here + way) for way in (-0.25 * reach, 0.25 * reach))
     back, ahead = drawing[sharp] - before, after - drawing[sharp]
-    return sharp[back[:, 0] * ahead[:, 1] - back[:, 1] * ahead[:, 0] > 0.0].astype(np.int32)
+    return sharp[cross(back, ahead) > 0.0].astype(np.int32)
 
 
 @dataclass(frozen=True)

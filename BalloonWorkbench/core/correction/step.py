@@ -18,7 +18,9 @@ from BalloonWorkbench.core.correction.seam_map import SeamMap
 from BalloonWorkbench.core.correction.unreachable import StallTracker
 from BalloonWorkbench.core.design.correspondence import goals
 from BalloonWorkbench.core.design.visible_seam import visible_places
+from BalloonWorkbench.core.geometry.normals import tangents
 from BalloonWorkbench.core.geometry.polyline import arc_lengths
+from BalloonWorkbench.core.geometry.vectors import cross, unit
 from BalloonWorkbench.core.types import Floats
 
 CLAMP = 0.05  # of the larger dimension, for one step
@@ -80,14 +82,12 @@ def _corrections(current: Iterate, scales: Scales) -> tuple[Floats, ...]:
 
 def seam_rotations(flat: Floats, inflated: Floats) -> Floats:
     """Sines and cosines (k, 2) of the angles by which a closed seam, flat (k, 2) m, has turned: (k, 2) m."""
-    before, after = (np.roll(seam, -1, axis=0) - np.roll(seam, 1, axis=0) for seam in (flat, inflated))
-    sine = before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0]
-    cosine = np.einsum("ij,ij->i", before, after)
-    return np.column_stack([sine, cosine]) / np.maximum(np.hypot(sine, cosine), 1e-300)[:, None]
+    before, after = tangents(flat), tangents(inflated)
+    return unit(np.column_stack([cross(before, after), np.einsum("ij,ij->i", before, after)]))
 
 
 def rotated_back(moves: Floats, rotation: Floats) -> Floats:
     """Moves (n, 2) rotated back by angles given as sines and cosines (n, 2) of any length."""
-    sine, cosine = (rotation / np.maximum(np.linalg.norm(rotation, axis=1), 1e-300)[:, None]).T
+    sine, cosine = unit(rotation).T
     x, y = moves.T
     return np.column_stack([cosine * x + sine * y, cosine * y - sine * x])

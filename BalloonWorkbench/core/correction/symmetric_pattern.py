@@ -15,7 +15,7 @@ import numpy as np
 from BalloonWorkbench.core.correction.seam_map import SeamMap
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.geometry.crossings import first_crossing
-from BalloonWorkbench.core.geometry.polyline import point_at
+from BalloonWorkbench.core.geometry.polyline import extent, point_at
 from BalloonWorkbench.core.outline.symmetry import Mirror
 from BalloonWorkbench.core.types import Floats, Ints
 
@@ -59,7 +59,7 @@ def mirror_pairs(seam_map: SeamMap, mirror: Mirror | None) -> tuple[SeamMap, Mir
     """
     if mirror is None:
         return seam_map, NO_MIRROR
-    size = float(np.ptp(seam_map.drawing[0], axis=0).max())
+    size = extent(seam_map.drawing[0])
     left = [((loop - mirror.point) @ mirror.frame)[:, 0] for loop in seam_map.drawing]
     crossing = [bool(across.min() < -_ON_AXIS * size and across.max() > _ON_AXIS * size) for across in left]
     drawing, pattern = list(seam_map.drawing), list(seam_map.pattern)

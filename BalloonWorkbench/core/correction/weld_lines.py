@@ -11,8 +11,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from BalloonWorkbench.core.geometry.nearest import locate
-from BalloonWorkbench.core.geometry.polyline import arc_lengths, line_lengths, point_at, point_on
+from BalloonWorkbench.core.geometry.nearest import locate, nearest_on_line
+from BalloonWorkbench.core.geometry.polyline import arc_lengths, extent, line_lengths, point_at, point_on
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.types import Floats
 
@@ -33,11 +33,12 @@ class WeldLine:
 
     def along(self, places: Floats) -> Floats:
         """Indices (k,), with fractions, of the points of the pattern nearest to places (k, 2)."""
-        return _nearest(self.pattern, places)[0]
+        nearest = nearest_on_line(self.pattern, places)
+        return nearest.edge + nearest.share
 
     def mean_distance(self, inflated: Floats) -> float:
         """Of vertices (k, 2) of the balloon from the drawing [m]."""
-        return float(_nearest(self.drawing, inflated)[1].mean())
+        return float(nearest_on_line(self.drawing, inflated).distance.mean())
 
     def at(self, index: Floats) -> Floats:
         """Places (k, 2) on the pattern."""
@@ -70,9 +71,7 @@ class WeldLine:
             loop = loops[tie]
             place = point_at(loop, arc_lengths(loop), locate(loop, pattern[end][None]))[0]
             inward = pattern[len(pattern) // 2] - place
-            inward *= (
-                _HAIR * float(np.ptp(loops[0], axis=0).max()) / max(float(np.linalg.norm(inward)), 1e-300)
-            )
+            inward *= _HAIR * extent(loops[0]) / max(float(np.linalg.norm(inward)), 1e-300)
             pattern = pattern + weight * (place + inward - pattern[end])
         return replace(self, pattern=pattern)
 
@@ -83,7 +82,7 @@ class WeldLine:
 
 def weld_lines(target: Outline, loops: tuple[Floats, ...], spacing: float) -> tuple[WeldLine, ...]:
     """The welds of a drawing, sampled `spacing` apart, tied to loops of it that are sampled too."""
-    size = float(np.ptp(loops[0], axis=0).max())
+    size = extent(loops[0])
     found = []
     for weld in target.welds:
         lengths = line_lengths(weld)
@@ -91,17 +90,6 @@ def weld_lines(target: Outline, loops: tuple[Floats, ...], spacing: float) -> tu
         points = point_on(weld, lengths, np.union1d(even, lengths))
         found.append(WeldLine(points, points, (_tie(points[0], loops, size), _tie(points[-1], loops, size))))
     return tuple(found)
-
-
-def _nearest(line: Floats, places: Floats) -> tuple[Floats, Floats]:
-    """Indices (k,), with fractions, of the points of a line nearest to places (k, 2); how far they are."""
-    ahead = np.diff(line, axis=0)
-    offset = places[:, None] - line[None, :-1]
-    share = np.einsum("kij,ij->ki", offset, ahead) / np.einsum("ij,ij->i", ahead, ahead)
-    share = np.clip(share, 0.0, 1.0)
-    away = np.linalg.norm(offset - share[:, :, None] * ahead, axis=2)
-    row, best = np.arange(len(places)), np.argmin(away, axis=1)
-    return best + share[row, best], away[row, best]
 
 
 def _tie(end: Floats, loops: tuple[Floats, ...], size: float) -> int | None:

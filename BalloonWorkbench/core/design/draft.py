@@ -110,9 +110,7 @@ def _seam(outline: Outline, drawing: Panel, moved: Floats) -> Outline:
 
 def check_area(outline: Outline) -> None:
     """Raise MeshError for an outline that is no more than a line."""
-    loops = outline.loops
-    around = sum(float(np.linalg.norm(np.roll(loop, -1, axis=0) - loop, axis=1).sum()) for loop in loops)
-    if 2.0 * outline.area / around < _WIDTH * max(outline.size):
+    if 2.0 * outline.area / outline.perimeter < _WIDTH * max(outline.size):
         raise MeshError("So far it is a line. Close it, or paint an area, and it becomes a balloon.")
 
 

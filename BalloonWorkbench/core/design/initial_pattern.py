@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from BalloonWorkbench.core.geometry.vectors import perpendicular
 from BalloonWorkbench.core.packages import without_scipy
 from BalloonWorkbench.core.panels.panel import Panel
 from BalloonWorkbench.core.solver.element.dkt import gradients
@@ -39,7 +40,7 @@ def initial_displacements(panel: Panel) -> Floats:
     steepness = np.linalg.norm(slopes, axis=1)
     down = slopes / np.maximum(steepness, 1e-12)[:, None]
     wanted = np.sqrt(1.0 + steepness**2) - 1.0
-    across = np.column_stack([-down[:, 1], down[:, 0]])
+    across = perpendicular(down)
     unknowns = (2 * triangles[:, :, None] + np.arange(2)).reshape(-1, 6)
     # strains of a triangle for displacements of its corners: down the slope and across it
     taut, slack = (

@@ -9,7 +9,7 @@ import numpy as np
 
 from BalloonWorkbench.core.errors import SolverError
 from BalloonWorkbench.core.geometry.crossings import winding
-from BalloonWorkbench.core.geometry.polyline import signed_area
+from BalloonWorkbench.core.geometry.polyline import loop_of, signed_area
 from BalloonWorkbench.core.geometry.vectors import cross
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.packages import shapely
@@ -31,9 +31,9 @@ def silhouette(inflation: Inflation) -> Outline:
     if not len(bodies):
         raise SolverError("The film folds up and nothing of it is seen from above: make the shape thicker.")
     body = max(bodies, key=lambda part: float(part.area))
-    holes = sorted((_loop(ring) for ring in body.interiors), key=signed_area, reverse=True)
+    holes = sorted((loop_of(ring) for ring in body.interiors), key=signed_area, reverse=True)
     wanted = len(inflation.panel.seams) - 1
-    return Outline(_loop(body.exterior), tuple(hole[::-1] for hole in holes[:wanted]))
+    return Outline(loop_of(body.exterior), tuple(hole[::-1] for hole in holes[:wanted]))
 
 
 def _shadow(positions: Floats, triangles: Ints) -> Any:
@@ -55,9 +55,3 @@ def _rim_of_upward_film(flat: Floats, triangles: Ints) -> tuple[Floats, Floats]:
     forth, back = edges @ (count, 1), edges @ (1, count)
     rim = edges[~np.isin(forth, back)]
     return flat[rim[:, 0]], flat[rim[:, 1]]
-
-
-def _loop(ring: Any) -> Floats:
-    """Points of a ring, counter-clockwise, first point not repeated."""
-    points = np.asarray(ring.coords, dtype=np.float64)[:-1]
-    return points if signed_area(points) > 0.0 else np.ascontiguousarray(points[::-1])

@@ -15,7 +15,6 @@ from typing import Protocol
 
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.errors import InputError
-from BalloonWorkbench.core.geometry.polyline import arc_lengths
 from BalloonWorkbench.core.options.drawing import GoalOptions
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.types import Progress, no_progress
@@ -114,7 +113,7 @@ def foretold(outline: Outline, corrected: bool) -> Scaling:
     (A area, L length of the drawing's loops), 0.776 and 0.637 where the drawing is the pattern; the pattern
     has 1.72 and 1.57 times the area.
     """
-    around = sum(float(arc_lengths(loop)[-1]) for loop in outline.loops)
+    around = outline.perimeter
     shape, growth = (1.66, 1.65) if corrected else (0.70, 1.0)
     return Scaling(max(outline.size), shape * outline.area**2 / around, growth * outline.area, 0.0)
 

@@ -16,8 +16,10 @@ from dataclasses import replace
 
 import numpy as np
 
+from BalloonWorkbench.core.geometry.nearest import nearest_places
+from BalloonWorkbench.core.geometry.normals import left_normals
+from BalloonWorkbench.core.geometry.polyline import point_weights
 from BalloonWorkbench.core.outline.outline import Outline
-from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.types import Floats
 
@@ -31,11 +33,7 @@ def trimmed(inflation: Inflation) -> Inflation:
     """
     seam = inflation.panel.seams[0]
     flat, places = inflation.panel.rest_positions[seam], inflation.positions[seam, :2]
-    steps = np.linalg.norm(np.roll(flat, -1, axis=0) - flat, axis=1)
-    along = np.roll(places, -1, axis=0) - np.roll(places, 1, axis=0)
-    along /= np.maximum(np.linalg.norm(along, axis=1, keepdims=True), 1e-300)
-    normals = np.column_stack([-along[:, 1], along[:, 0]])
-    inward = 0.5 * FACETS * (steps + np.roll(steps, 1))[:, None] * normals
+    inward = FACETS * point_weights(flat)[:, None] * left_normals(places)
     positions, lower = inflation.positions.copy(), inflation.lower
     positions[seam, :2] += inward
     if lower is not None:
@@ -49,9 +47,6 @@ def visible_places(points: Floats, shown: Outline, reach: float) -> Floats:
 
     Farther ones are hidden, as deep in a slit that the film has closed, and stay where they are.
     """
-    package = shapely()
-    edges = package.MultiLineString([np.vstack([loop, loop[:1]]) for loop in shown.loops])
-    lines = package.shortest_line(package.points(points), edges)
-    nearest = package.get_coordinates(lines)[1::2]
+    nearest = nearest_places(shown.loops, points)
     hidden = np.linalg.norm(nearest - points, axis=1) > reach
     return np.asarray(np.where(hidden[:, None], points, nearest))

@@ -6,6 +6,7 @@ from __future__ import annotations
 import numpy as np
 
 from BalloonWorkbench.core.arcs.curves import Curve
+from BalloonWorkbench.core.geometry.vectors import direction
 from BalloonWorkbench.core.pattern.pattern import Contour, Role
 from BalloonWorkbench.core.pattern.shapes import closed_loop, offset, parts, polygon
 from BalloonWorkbench.core.types import Floats
@@ -36,7 +37,7 @@ def trailing_knife(curve: Curve, behind: float) -> Curve:
     corners = curve.corners
     joints, bulges = [], []
     for k, segment in enumerate(curve.segments):
-        joints += [segment.start + behind * _direction(first[k]), segment.end + behind * _direction(last[k])]
+        joints += [segment.start + behind * direction(first[k]), segment.end + behind * direction(last[k])]
         bulges.append(segment.bulge)
         after = (k + 1) % len(curve.joints)
         inside = curve.closed or k + 1 < len(curve)
@@ -68,7 +69,3 @@ def overrun(curve: Curve, length: float) -> Curve:
         bulges.append(float(part.bulges[k]))
         break
     return Curve(np.array(joints), np.array(bulges), False)
-
-
-def _direction(heading: float) -> Floats:
-    return np.array([np.cos(heading), np.sin(heading)])

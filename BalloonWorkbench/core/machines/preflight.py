@@ -13,6 +13,8 @@ import numpy as np
 from BalloonWorkbench.core.arcs.curves import polyline
 from BalloonWorkbench.core.arcs.fit_arcs import TOLERANCE, fit_curve
 from BalloonWorkbench.core.film.film import Film
+from BalloonWorkbench.core.geometry.crossings import first_crossing
+from BalloonWorkbench.core.geometry.polyline import line_lengths, point_on
 from BalloonWorkbench.core.machines.bed import fits_turned, fits_upright, pieces_fit, size_on
 from BalloonWorkbench.core.machines.machine import Machine
 from BalloonWorkbench.core.machines.order import CUTS
@@ -116,7 +118,8 @@ def _simple(contours: list[Contour], machine: Machine) -> list[Finding]:
 def _crossed(contour: Contour, points: Floats) -> Iterator[Finding]:
     """What is wrong with a single line."""
     if not _line(points, contour.closed).is_simple:
-        place = _crossing(points, contour.closed)
+        met = first_crossing([points]) if contour.closed else first_crossing([], [points])
+        place = points[0] if met is None else met
         yield Finding(
             ERROR,
             f"The {contour.role.value} line crosses itself near {place_text(place)}:"
@@ -202,10 +205,9 @@ def _samples(contours: list[Contour]) -> tuple[Floats, Floats, Floats, Floats]:
     """Points along all lines, how far along, which line, and its length."""
     points, along, which, lengths = [np.empty((0, 2))], [np.empty(0)], [np.empty(0)], [np.empty(0)]
     for k, contour in enumerate(contours):
-        loop = np.concatenate([contour.points, contour.points[:1]]) if contour.closed else contour.points
-        ends = np.append(0.0, np.cumsum(np.hypot(*np.diff(loop, axis=0).T)))
+        ends = line_lengths(contour.line)
         places = np.linspace(0.0, ends[-1], max(int(ends[-1] / _SPACING), 8), endpoint=False)
-        points.append(np.stack([np.interp(places, ends, loop[:, axis]) for axis in range(2)], axis=1))
+        points.append(point_on(contour.line, ends, places))
         along.append(places)
         which.append(np.full(len(places), float(k)))
         lengths.append(np.full(len(places), ends[-1]))
@@ -241,16 +243,3 @@ def _both(width: float, height: float) -> str:
 def _line(points: Floats, closed: bool) -> Any:
     package = shapely()
     return (package.LinearRing if closed else package.LineString)(points)
-
-
-def _crossing(points: Floats, closed: bool) -> Floats:
-    """The first point (2,) where a line (n, 2) meets itself."""
-    package = shapely()
-    points = np.concatenate([points, points[:1]]) if closed else points
-    edges = package.linestrings(np.stack([points[:-1], points[1:]], axis=1))
-    first, second = package.STRtree(edges).query(edges, predicate="intersects")
-    apart = np.abs(first - second)
-    strange = (first < second) & (apart > 1) & ~(closed & (apart == len(edges) - 1))
-    for a, b in zip(first[strange], second[strange]):
-        return np.asarray(package.get_coordinates(package.intersection(edges[a], edges[b]))[0])
-    return points[0]

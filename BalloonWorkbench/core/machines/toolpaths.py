@@ -11,6 +11,8 @@ import numpy as np
 from BalloonWorkbench.core.arcs.curves import Curve, polyline
 from BalloonWorkbench.core.arcs.fit_arcs import fit_curve
 from BalloonWorkbench.core.errors import ExportError
+from BalloonWorkbench.core.geometry.nearest import nearest_on_line
+from BalloonWorkbench.core.geometry.polyline import ring
 from BalloonWorkbench.core.machines.compensate import overrun, trailing_knife, without_kerf
 from BalloonWorkbench.core.machines.machine import Machine
 from BalloonWorkbench.core.machines.order import CUTS, RANKS, in_order
@@ -117,17 +119,10 @@ def _once(paths: list[Path]) -> list[Path]:
         near = np.abs(boxes[kept] - boxes[number]).max(axis=1) < _SAME if kept else np.zeros(0)
         alike = [paths[kept[k]] for k in np.flatnonzero(near) if paths[kept[k]].role is path.role]
         points = path.curve.flattened(_SAME) if alike else path.curve.joints
-        if not any(_farthest(points, other.curve.flattened(_SAME)) < 2.0 * _SAME for other in alike):
+        lines = [ring(other.curve.flattened(_SAME)) for other in alike]
+        if not any(nearest_on_line(line, points).distance.max() < 2.0 * _SAME for line in lines):
             kept.append(number)
     return [paths[number] for number in kept]
-
-
-def _farthest(points: Floats, others: Floats) -> float:
-    """The largest distance of a point from the nearest of the others' vertices and edges."""
-    edges = np.roll(others, -1, axis=0) - others
-    away = points[:, None] - others
-    share = np.clip((away * edges).sum(axis=2) / np.maximum((edges * edges).sum(axis=1), 1e-12), 0.0, 1.0)
-    return float(np.linalg.norm(away - share[..., None] * edges, axis=2).min(axis=1).max())
 
 
 def _bar(low: Floats) -> Iterator[Curve]:

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from BalloonWorkbench.core.geometry.vectors import rotation
 from BalloonWorkbench.core.nesting.layout import Piece, Place, Stock, Unit, outline_of
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.pattern.pattern import Role
@@ -61,10 +62,8 @@ def with_guests(places: Sequence[Place], guests: Guests) -> list[Place]:
     found = []
     for place in places:
         found.append(place)
-        cosine, sine = np.cos(place.angle), np.sin(place.angle)
-        turn = np.array([[cosine, sine], [-sine, cosine]])
         for guest in guests[(place.piece, place.mirrored)].pop(0):
-            shift = guest.shift @ turn + place.shift
+            shift = guest.shift @ rotation(place.angle) + place.shift
             found.append(Place(*guest.unit, place.angle + guest.angle, shift))
     return found
 

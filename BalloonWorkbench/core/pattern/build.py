@@ -16,6 +16,7 @@ import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film.film import Film
+from BalloonWorkbench.core.geometry.polyline import length
 from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.outline.chambers import joined_welds
 from BalloonWorkbench.core.outline.outline import Outline
@@ -36,7 +37,6 @@ from BalloonWorkbench.core.pattern.shapes import (
     polygon,
     relieved,
 )
-from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import length_text, place_text
 
 
@@ -77,7 +77,7 @@ def build_pattern(
         tuple(contours),
         intakes[0] if intakes else None,
         seal_width,
-        sum(_length(weld.points, weld.closed) for weld in welds),
+        sum(length(weld.line) for weld in welds),
         tuple(warnings),
         tuple(intakes[1:]),
     )
@@ -219,8 +219,3 @@ def _largest(area: Any) -> Any:
 def _sizeable(rings: Any) -> list[Any]:
     """Rings that are more than a rounding error."""
     return [ring for ring in rings if shapely().Polygon(ring).area > SHORTEST * ring.length]
-
-
-def _length(points: Floats, closed: bool) -> float:
-    steps = np.diff(np.concatenate([points, points[:1]]) if closed else points, axis=0)
-    return float(np.linalg.norm(steps, axis=1).sum())

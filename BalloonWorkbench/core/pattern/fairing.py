@@ -12,9 +12,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-import numpy as np
-
 from BalloonWorkbench.core.arcs.fit_arcs import TOLERANCE, fit_curve
+from BalloonWorkbench.core.geometry.polyline import extent
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.types import Floats
@@ -39,7 +38,7 @@ def faired(loop: Floats) -> Floats:
 
     Corners and straight edges stay where they are. Where sides of a narrow tip would cross, it moves less.
     """
-    limit = min(LIMIT, _PART * float(np.ptp(loop, axis=0).max()))
+    limit = min(LIMIT, _PART * extent(loop))
     plain = len(fit_curve(loop, True))
     for share in (1.0, 0.4):
         tolerance = share * limit

@@ -58,9 +58,8 @@ def _taken(lines: Contour, seal_width: float) -> Any:
     package = shapely()
     if lines.role is Role.CUT_INNER:
         return package.Polygon(lines.points)
-    points = np.concatenate([lines.points, lines.points[:1]]) if lines.closed else lines.points
     welded = lines.role in (Role.SEAL, Role.WELD)
-    return package.LineString(points).buffer(0.5 * seal_width if welded else _BESIDE)
+    return package.LineString(lines.line).buffer(0.5 * seal_width if welded else _BESIDE)
 
 
 def lettering(text: str, height: float, middle: Floats) -> tuple[Contour, ...]:

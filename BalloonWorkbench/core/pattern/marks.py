@@ -9,12 +9,13 @@ from typing import Any
 import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.geometry.polyline import arc_lengths, edge_vectors, point_at
+from BalloonWorkbench.core.geometry.vectors import direction, perpendicular, unit
 from BalloonWorkbench.core.options.pattern import MOST_NOTCHES
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.pattern.intake.kinds import FILM, intake_kind
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
 from BalloonWorkbench.core.pattern.shapes import closed_loop, polygon
-from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import from_mm, length_text, number_text
 
 #: Notches keep that far from the intake's mouth and from each other [m].
@@ -48,23 +49,20 @@ def with_notches(pattern: Pattern, count: int, depth: float) -> Pattern:
 
 
 def _notches(cut: Contour, pattern: Pattern, count: int, depth: float) -> list[Contour]:
-    loop = np.concatenate([cut.points, cut.points[:1]])
-    along = np.append(0.0, np.cumsum(np.hypot(*np.diff(loop, axis=0).T)))
+    along = arc_lengths(cut.points)
     if along[-1] / count < _CLEAR:
         raise InputError(f"{count} notches are closer than {length_text(_CLEAR)}: take fewer.")
     places = np.arange(count) * along[-1] / count
     edges = np.searchsorted(along, places, side="right") - 1
-    direction = np.diff(loop, axis=0)[edges]
-    direction /= np.hypot(*direction.T)[:, None]
-    at = np.stack([np.interp(places, along, loop[:, k]) for k in range(2)], axis=1)
-    inward = np.stack([-direction[:, 1], direction[:, 0]], axis=1)  # outer cuts run counter-clockwise
+    at = point_at(cut.points, along, places)
+    inward = perpendicular(unit(edge_vectors(cut.points)[edges]))  # outer cuts run counter-clockwise
     free = np.ones(count, dtype=bool)
     for intake in pattern.intakes:
         if intake_kind(intake.kind).place == FILM:
             continue
-        axis = np.array([np.cos(intake.angle), np.sin(intake.angle)])
+        axis = direction(intake.angle)
         beyond = (at - intake.at) @ axis
-        aside = np.abs((at - intake.at) @ np.array([-axis[1], axis[0]]))
+        aside = np.abs((at - intake.at) @ perpendicular(axis))
         wide = 0.5 * intake.width + 2.0 * pattern.seal_width + _CLEAR
         free &= (beyond < 0.0) | (aside > wide)
     lines = np.stack([at, at + depth * inward], axis=1)[free]
@@ -87,19 +85,19 @@ def with_tie_tab(pattern: Pattern, angle: float | None = None) -> Pattern:
     )
     if not np.isfinite(angle):
         raise elsewhere
-    direction = np.array([np.cos(angle), np.sin(angle)])
+    ahead = direction(angle)
     largest = max(pattern.of(Role.CUT), key=lambda cut: float(polygon(cut.points).area))
     film = polygon(largest.points)
     centre = np.asarray(film.centroid.coords[0])
     reach = float(np.hypot(*np.ptp(largest.points, axis=0)))
     met = package.get_coordinates(
-        package.LineString([centre, centre + 2.0 * reach * direction]).intersection(film.exterior)
+        package.LineString([centre, centre + 2.0 * reach * ahead]).intersection(film.exterior)
     )
     if not len(met):
         raise elsewhere
-    edge = met[np.argmax((met - centre) @ direction)]
-    hole_at = edge + (_HOLE + from_mm(2.0)) * direction
-    tab = package.LineString([edge - _TAB * direction, hole_at]).buffer(_TAB, quad_segs=32)
+    edge = met[np.argmax((met - centre) @ ahead)]
+    hole_at = edge + (_HOLE + from_mm(2.0)) * ahead
+    tab = package.LineString([edge - _TAB * ahead, hole_at]).buffer(_TAB, quad_segs=32)
     joined = film.union(tab)
     seals = _seals(pattern)
     hole = package.Point(hole_at).buffer(_HOLE, quad_segs=32)
@@ -119,8 +117,4 @@ def with_tie_tab(pattern: Pattern, angle: float | None = None) -> Pattern:
 
 def _seals(pattern: Pattern) -> Any:
     """The middles of all welds round the film, as lines of shapely."""
-    return shapely().MultiLineString(list(map(_line, pattern.of(Role.SEAL))))
-
-
-def _line(contour: Contour) -> Floats:
-    return np.concatenate([contour.points, contour.points[:1]]) if contour.closed else contour.points
+    return shapely().MultiLineString([seal.line for seal in pattern.of(Role.SEAL)])

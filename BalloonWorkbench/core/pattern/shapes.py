@@ -8,6 +8,8 @@ from typing import Any
 import numpy as np
 
 from BalloonWorkbench.core.errors import InputError, OutlineError
+from BalloonWorkbench.core.geometry.normals import corners
+from BalloonWorkbench.core.geometry.polyline import arc_lengths, edge_lengths, oriented, point_at
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import from_mm, length_text, place_text
@@ -72,11 +74,7 @@ def closed_loop(ring: Any, counter_clockwise: bool) -> Floats:
     points = _merged(np.asarray(ring.simplify(TOLERANCE).coords, dtype=np.float64)[:-1], closed=True)
     if not shapely().LinearRing(points).is_simple:  # the sides of a narrow tip have met
         points = np.asarray(ring.coords, dtype=np.float64)[:-1]
-    following = np.roll(points, -1, axis=0)
-    area = (points[:, 0] * following[:, 1] - points[:, 1] * following[:, 0]).sum()
-    if (area > 0.0) != counter_clockwise:
-        points = points[::-1]
-    return _begun_smoothly(points)
+    return _begun_smoothly(oriented(points, counter_clockwise))
 
 
 def open_line(line: Any) -> Floats:
@@ -87,7 +85,7 @@ def open_line(line: Any) -> Floats:
 def _merged(points: Floats, closed: bool) -> Floats:
     """Without segments that are too short: their ends become one point between them."""
     while len(points) > 3:
-        steps = np.linalg.norm(np.roll(points, -1, axis=0) - points, axis=1)[: None if closed else -1]
+        steps = edge_lengths(points)[: None if closed else -1]
         short = int(np.argmin(steps))
         if steps[short] >= SHORTEST:
             break
@@ -103,20 +101,16 @@ def _merged(points: Floats, closed: bool) -> Floats:
 
 def _begun_smoothly(points: Floats) -> Floats:
     """The loop started far from its corners, where a machine may begin a cut without leaving a mark."""
-    ahead = np.roll(points, -1, axis=0) - points
-    back = np.roll(ahead, 1, axis=0)
-    turn = np.abs(np.arctan2(back[:, 0] * ahead[:, 1] - back[:, 1] * ahead[:, 0], (back * ahead).sum(axis=1)))
-    steps = np.linalg.norm(ahead, axis=1)
-    along = np.append(0.0, np.cumsum(steps))
-    corners = np.flatnonzero(turn > _CORNER)
-    if not len(corners):
+    along, sharp = arc_lengths(points), corners(points, _CORNER)
+    if not len(sharp):
         return points
-    stretches = np.diff(np.append(along[corners], along[corners[0]] + along[-1]))
+    stretches = np.diff(np.append(along[sharp], along[sharp[0]] + along[-1]))
     longest = int(np.argmax(np.round(stretches, 9)))
-    middle = (along[corners[longest]] + 0.5 * stretches[longest]) % along[-1]
+    middle = (along[sharp[longest]] + 0.5 * stretches[longest]) % along[-1]
     segment = int(np.searchsorted(along, middle, side="right")) - 1
-    share = (middle - along[segment]) / steps[segment]
+    step = along[segment + 1] - along[segment]
+    share = (middle - along[segment]) / step
     after = np.roll(points, -(segment + 1), axis=0)
-    if min(share, 1.0 - share) * steps[segment] < SHORTEST:
+    if min(share, 1.0 - share) * step < SHORTEST:
         return after if share > 0.5 else np.roll(points, -segment, axis=0)
-    return np.concatenate([(points[segment] + share * ahead[segment])[None], after])
+    return np.concatenate([point_at(points, along, np.array([middle])), after])

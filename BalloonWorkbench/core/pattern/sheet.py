@@ -9,6 +9,7 @@ from dataclasses import replace
 import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.geometry.vectors import perpendicular
 from BalloonWorkbench.core.options.pattern import MOST_COPIES
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.pattern.intake.kinds import Piece, intake_kind, measure, placed
@@ -112,7 +113,7 @@ def _drawn(piece: Piece, sizes: Mapping[str, float]) -> list[Contour]:
     upward = 0.5 * np.pi
     lines = [_begun(placed(stroke.drawn(sizes), np.zeros(2), upward)) for stroke in piece.strokes]
     at = np.array([measure(text, sizes) for text in piece.label_at])
-    middle = np.array([-at[1], at[0]])
+    middle = perpendicular(at)
     text = lettering(piece.label, _LETTERS, middle)
     long = np.ptp(lines[-1].points, axis=0)
     if long[1] > 2.0 * long[0]:  # a strip: the text runs along it

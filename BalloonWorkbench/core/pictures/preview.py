@@ -11,6 +11,7 @@ import numpy as np
 
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.errors import MissingPackageError
+from BalloonWorkbench.core.geometry.polyline import ring
 from BalloonWorkbench.core.machines.layers import LAYERS
 from BalloonWorkbench.core.machines.machine import ANY, FOLDER, read_machine
 from BalloonWorkbench.core.machines.toolpaths import Path, draw
@@ -110,7 +111,7 @@ def _area(axes: Any, outline: Outline, frame: _Frame, **style: Any) -> None:
     from matplotlib.path import Path
 
     loops = [frame(to_mm(loop)) for loop in outline.loops]
-    points = np.concatenate([np.concatenate([loop, loop[:1]]) for loop in loops])
+    points = np.concatenate([ring(loop) for loop in loops])
     codes = np.concatenate(
         [[Path.MOVETO, *[Path.LINETO] * (len(loop) - 1), Path.CLOSEPOLY] for loop in loops]
     )
@@ -207,8 +208,7 @@ def _pattern(axes: Any, patterns: Sequence[Pattern], seam: str) -> None:
 
 def _drawn(path: Path, frame: _Frame) -> Floats:
     """Points (n, 2) of a path on the card, a closed one with its first point repeated."""
-    points = path.curve.joints
-    return frame(np.concatenate([points, points[:1]]) if path.curve.closed else points)
+    return frame(ring(path.curve.joints, path.curve.closed))
 
 
 def _dimension(

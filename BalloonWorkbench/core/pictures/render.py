@@ -7,6 +7,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from BalloonWorkbench.core.geometry.normals import left_normals
+from BalloonWorkbench.core.geometry.triangulation import signed_areas
+from BalloonWorkbench.core.geometry.vectors import unit
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.solver.split_along_welds import slit
 from BalloonWorkbench.core.types import Bools, Floats, Ints
@@ -95,11 +98,7 @@ def _surface(
 
 def _weld(rim: Floats, width: float, start: int, side: float) -> tuple[Floats, Ints, Floats]:
     """The flat band outside a rim (k, 2), seen from the front (side 1) or from the back (-1)."""
-    ahead = np.roll(rim, -1, axis=0) - np.roll(rim, 1, axis=0)
-    for _ in range(2):
-        ahead = np.roll(ahead, -1, axis=0) + 2.0 * ahead + np.roll(ahead, 1, axis=0)
-    outward = np.stack([ahead[:, 1], -ahead[:, 0]], axis=1)
-    outward /= np.maximum(np.linalg.norm(outward, axis=1, keepdims=True), 1e-300)
+    outward = -left_normals(rim, smoothed=2)
     points = np.zeros((2 * len(rim), 3))
     points[:, :2] = np.concatenate([rim, rim + width * outward])
     inner = np.arange(len(rim))
@@ -119,11 +118,11 @@ def _weld(rim: Floats, width: float, start: int, side: float) -> tuple[Floats, I
 def _vertex_normals(positions: Floats, triangles: Ints) -> Floats:
     a, b, c = (positions[triangles[:, k]] for k in range(3))
     weighted = np.cross(b - a, c - a)
-    normals = np.stack(
+    normals: Floats = np.stack(
         [np.bincount(triangles.ravel(), np.repeat(weighted[:, k], 3), len(positions)) for k in range(3)],
         axis=1,
     )
-    return normals / np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-300)
+    return unit(normals)
 
 
 def _rotation() -> Floats:
@@ -138,11 +137,7 @@ def _projected(points: Floats) -> Floats:
 
 
 def _facing_viewer(pixels: Floats, triangles: Ints) -> Bools:
-    u, v = (
-        pixels[triangles[:, 1]] - pixels[triangles[:, 0]],
-        pixels[triangles[:, 2]] - pixels[triangles[:, 0]],
-    )
-    return u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0] < 0.0  # rows of a picture run downward
+    return signed_areas(pixels, triangles) < 0.0  # rows of a picture run downward
 
 
 def _rasterised(

@@ -9,17 +9,18 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from BalloonWorkbench.core.design.silhouette import silhouette
 from BalloonWorkbench.core.design.visible_seam import trimmed
+from BalloonWorkbench.core.geometry.nearest import nearest_places
 from BalloonWorkbench.core.geometry.polyline import arc_lengths
 from BalloonWorkbench.core.geometry.sampling import evenly
+from BalloonWorkbench.core.geometry.triangulation import signed_areas
+from BalloonWorkbench.core.geometry.vectors import norm
 from BalloonWorkbench.core.outline.outline import Outline
-from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.results.result_files import Results
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.types import Floats
@@ -126,22 +127,14 @@ def film_map(found: Results, kind: str) -> ColourMap:
 
 def distances(inflation: Inflation, drawing: Outline) -> Distances:
     """How far an inflated balloon's silhouette is from the drawing. Raises MissingPackageError."""
-    package = shapely()
     shown = silhouette(trimmed(inflation)).loops  # as the residual is measured
     spacing = max(float(arc_lengths(loop)[-1]) for loop in shown) / _SAMPLES
     loops = tuple(evenly(loop, spacing) for loop in shown)
-    lines = [[np.vstack([loop, loop[:1]]) for loop in each] for each in (drawing.loops, shown)]
-    drawn, seen = map(package.MultiLineString, lines)
-
-    def to(curve: Any, points: Floats) -> tuple[Floats, Floats]:
-        """The nearest points (k, 2) of a curve, and how far they are (k,) [mm]."""
-        package.prepare(curve)
-        ends = package.get_coordinates(package.shortest_line(package.points(points), curve))[1::2]
-        return ends, to_mm(np.linalg.norm(ends - points, axis=1))
-
-    nearest, lengths = zip(*(to(drawn, loop) for loop in loops), strict=True)
+    nearest = tuple(nearest_places(drawing.loops, loop) for loop in loops)
+    lengths = tuple(to_mm(norm(ends - loop)) for ends, loop in zip(nearest, loops, strict=True))
     places = np.concatenate([evenly(loop, spacing) for loop in drawing.loops])
-    ends, away = to(seen, places)
+    ends = nearest_places(shown, places)
+    away = to_mm(norm(ends - places))
     worst = int(np.argmax(away))
     return Distances(loops, nearest, lengths, (ends[worst], places[worst], float(away[worst])))
 
@@ -156,6 +149,4 @@ def ticks(top: float, most: int = 6) -> list[float]:
 
 def _areas(found: Results) -> Floats:
     """Of the flat triangles [mm2]."""
-    a, b, c = (found.of_vertices["flat_mm"][found.triangles[:, k], :2] for k in range(3))
-    one, other = b - a, c - a
-    return np.abs(0.5 * (one[:, 0] * other[:, 1] - one[:, 1] * other[:, 0]))
+    return np.abs(signed_areas(found.of_vertices["flat_mm"][:, :2], found.triangles))

@@ -15,6 +15,7 @@ import numpy as np
 
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.film.film import Film
+from BalloonWorkbench.core.geometry.polyline import edge_lengths
 from BalloonWorkbench.core.panels.panel import Panel
 from BalloonWorkbench.core.solver.element.dkt import gradients, rotation_stiffness
 from BalloonWorkbench.core.solver.element.kinematics import deformation_gradients, green_strains
@@ -154,12 +155,12 @@ def seam_forces(inflation: Inflation, film: Film) -> list[tuple[Ints, Floats, Fl
     corners += np.einsum("mck,mak,mci->mai", moments, shape, directors)
     forces = _summed(flat.triangles, corners, len(origin))
     whole = _summed(origin[:, None], forces[:, None], len(panel.rest_positions))
-    found = [(seam, _steps(panel.rest_positions[seam]), whole[seam]) for seam in panel.seams]
+    found = [(seam, edge_lengths(panel.rest_positions[seam]), whole[seam]) for seam in panel.seams]
     round_end = 0.5 * np.pi * film.seal_width
     for left, right in zip(flat.welds[::2], flat.welds[1::2], strict=True):
         ends = [left[end] == right[end] for end in (0, -1)]  # free, not at the rim
         loop = np.concatenate([left, right[::-1][int(ends[1]) : len(right) - int(ends[0])]])
-        steps = _steps(flat.rest_positions[loop])
+        steps = edge_lengths(flat.rest_positions[loop])
         for free, vertex in zip(ends, (0, len(left) - 1), strict=True):
             if free:
                 steps[[vertex - 1, vertex]] += 0.5 * round_end
@@ -216,10 +217,6 @@ def _faded(at: Floats, around: float, values: Floats, half: float) -> Floats:
     rising = before * (sums[here] - sums[first]) + (moments[here] - moments[first]) / half
     falling = after * (sums[last] - sums[here]) - (moments[last] - moments[here]) / half
     return np.asarray((rising + falling).reshape(values.shape) / half)
-
-
-def _steps(loop: Floats) -> Floats:
-    return np.asarray(np.linalg.norm(np.roll(loop, -1, axis=0) - loop, axis=1))
 
 
 def _summed(indices: Ints, values: Floats, count: int) -> Floats:

@@ -9,6 +9,7 @@ import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film.film import Film
+from BalloonWorkbench.core.geometry.polyline import length, perimeter
 from BalloonWorkbench.core.options.simulation import ModelOptions
 from BalloonWorkbench.core.panels.panel import Panel
 from BalloonWorkbench.core.solver.element.dkt import gradients
@@ -132,11 +133,9 @@ def grain_of(film: Film) -> Grain | None:
 def typical_width(panel: Panel) -> float:
     """Four times the area by the length of seams and welds [m]: diameter of a disc, side of a square."""
     _, areas = gradients(panel.rest_positions[panel.triangles])
-    loops = [panel.rest_positions[seam] for seam in panel.seams]
-    length = sum(float(np.linalg.norm(np.roll(loop, -1, axis=0) - loop, axis=1).sum()) for loop in loops)
-    for weld in panel.welds:
-        length += float(np.linalg.norm(np.diff(panel.rest_positions[weld], axis=0), axis=1).sum())
-    return 4.0 * float(areas.sum()) / length
+    sealed = sum(perimeter(panel.rest_positions[seam]) for seam in panel.seams)
+    sealed += sum(length(panel.rest_positions[weld]) for weld in panel.welds)
+    return 4.0 * float(areas.sum()) / sealed
 
 
 def stiffness_levels(stiffness: float) -> tuple[float, ...]:

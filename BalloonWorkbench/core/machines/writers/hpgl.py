@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from BalloonWorkbench.core.geometry.polyline import ring
 from BalloonWorkbench.core.machines.machine import Machine
 from BalloonWorkbench.core.machines.toolpaths import Drawing
 
@@ -24,9 +25,7 @@ def drawing_hpgl(drawing: Drawing, machine: Machine) -> bytes:
         if wanted != pen:
             commands.append(f"SP{wanted}")
             pen = wanted
-        points = path.curve.flattened(_CHORD)
-        if path.curve.closed:
-            points = np.concatenate([points, points[:1]])
+        points = ring(path.curve.flattened(_CHORD), path.curve.closed)
         steps = np.rint(points * _UNITS).astype(int)
         steps = steps[np.append(True, np.any(np.diff(steps, axis=0) != 0, axis=1))]
         commands.append(f"PU{steps[0, 0]},{steps[0, 1]}")

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from BalloonWorkbench.core.errors import ExportError
+from BalloonWorkbench.core.geometry.polyline import line_lengths, point_on, ring
 from BalloonWorkbench.core.language.fonts import readable
 from BalloonWorkbench.core.machines.machine import Machine
 from BalloonWorkbench.core.machines.toolpaths import BAR, Drawing
@@ -112,12 +113,9 @@ def _has_lines(drawing: Drawing, tiles: Tiles, column: int, row: int) -> bool:
     low = np.array(tiles.corner(column, row))
     high = low + tiles.usable
     for path in drawing.paths:
-        points = path.curve.flattened(_CHORD)
-        points = np.concatenate([points, points[:1]]) if path.curve.closed else points
-        steps = np.linalg.norm(np.diff(points, axis=0), axis=1)
-        along = np.append(0.0, np.cumsum(steps))
-        finer = np.linspace(0.0, along[-1], int(along[-1]) + 2)  # 1 mm
-        x, y = (np.interp(finer, along, points[:, k]) for k in range(2))
+        points = ring(path.curve.flattened(_CHORD), path.curve.closed)
+        along = line_lengths(points)
+        x, y = point_on(points, along, np.linspace(0.0, along[-1], int(along[-1]) + 2)).T  # 1 mm
         if ((x >= low[0]) & (x <= high[0]) & (y >= low[1]) & (y <= high[1])).any():
             return True
     return False

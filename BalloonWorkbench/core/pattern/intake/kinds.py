@@ -19,6 +19,7 @@ import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.files.data_file import RESOURCES, UNUSABLE, read_data
+from BalloonWorkbench.core.geometry.vectors import direction, rotation
 from BalloonWorkbench.core.options.pattern import STRAW
 from BalloonWorkbench.core.pattern.pattern import Contour, Role
 from BalloonWorkbench.core.types import Floats
@@ -46,8 +47,9 @@ class Stroke:
         """The line beside its axis for sizes L, W, S, A [m]; counter-clockwise only if it is an outer cut."""
         points = np.array([[measure(text, sizes) for text in point] for point in self.points])
         if self.radius is not None:
-            turn = np.arange(_STEPS) * 2.0 * np.pi / _STEPS
-            points = points + measure(self.radius, sizes) * np.stack([np.cos(turn), np.sin(turn)], axis=1)
+            points = points + measure(self.radius, sizes) * direction(
+                np.arange(_STEPS) * 2.0 * np.pi / _STEPS
+            )
             if self.role is not Role.CUT:
                 points = points[::-1]
         return Contour(self.role, points, self.closed)
@@ -212,5 +214,4 @@ def _point(data: Sequence[str]) -> tuple[str, str]:
 
 def placed(contour: Contour, at: Floats, angle: float) -> Contour:
     """A line beside its axis, brought to where the axis begins (2,) and points [rad]."""
-    turn = np.array([[np.cos(angle), np.sin(angle)], [-np.sin(angle), np.cos(angle)]])
-    return replace(contour, points=contour.points @ turn + at)
+    return replace(contour, points=contour.points @ rotation(angle) + at)

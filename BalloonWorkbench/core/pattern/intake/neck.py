@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.geometry.vectors import perpendicular
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.pattern.intake.kinds import FILM, placed
 from BalloonWorkbench.core.pattern.intake.places import Wish, before_mouth, place_of, rectangle
@@ -108,7 +109,7 @@ def _air(
     if taper == 1.0:
         return package.LineString([start, at, at + past * direction]).buffer(0.5 * width, quad_segs=16)
     inner = package.LineString([start, at]) if not np.array_equal(start, at) else package.Point(at)
-    side = np.array([-direction[1], direction[0]])
+    side = perpendicular(direction)
     end = 0.5 * width * (1.0 - (1.0 - taper) * past / length)
     far = at + past * direction
     tail = package.Polygon(

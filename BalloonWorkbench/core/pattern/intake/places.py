@@ -9,6 +9,8 @@ from typing import Any
 import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.geometry.polyline import extent
+from BalloonWorkbench.core.geometry.vectors import direction, perpendicular
 from BalloonWorkbench.core.options.pattern import FARTHEST, LOW, PatternOptions
 from BalloonWorkbench.core.outline.chambers import chambers
 from BalloonWorkbench.core.outline.outline import Outline
@@ -129,7 +131,7 @@ def place_of(film: Any, chamber: Any, rim: Rim, wish: Wish, margin: float) -> tu
         if not np.isfinite(along):
             raise InputError("The intake's place along the seam must be a length.")
         turn = _square(rim, along, wish) if turn is None else turn
-        return rim.at(along), np.array([np.cos(turn), np.sin(turn)])
+        return rim.at(along), direction(turn)
     centre = np.asarray(chamber.centroid.coords[0])
     return _farthest(rim, centre) if turn is None else _hit(film, centre, turn)
 
@@ -145,7 +147,7 @@ def _lowest(film: Any, chamber: Any, rim: Rim, wish: Wish, margin: float) -> flo
     hangs straight. Raises InputError where there is none.
     """
     places = np.linspace(0.0, rim.length, _ON_RIM, endpoint=False)
-    points = np.array([rim.at(place) for place in places.tolist()])
+    points = rim.points_at(places)
     free = _is_free(film, rim, places, wish, margin)
     for share in _NARROWER:
         fits = free & _is_wide(film, chamber, points, share * wish.width)
@@ -157,12 +159,11 @@ def _lowest(film: Any, chamber: Any, rim: Rim, wish: Wish, margin: float) -> flo
             " one, or"
             " a place for it."
         )
-    size = float(np.ptp(rim.points, axis=0).max())
-    low = fits & (points[:, 1] < points[fits, 1].min() + _EQUALLY_LOW * size)
+    low = fits & (points[:, 1] < points[fits, 1].min() + _EQUALLY_LOW * extent(rim.points))
     middle = float(chamber.centroid.x)
     step = rim.length / _ON_RIM
     found = [_nearest_below(step * run, points[run % _ON_RIM, 0], middle) for run in _runs(low, low)]
-    across = np.array([rim.at(at)[0] for at in found])
+    across = rim.points_at(np.array(found))[:, 0]
     return found[_first(np.abs(across - middle), across, 2.0 * step)] % rim.length
 
 
@@ -183,8 +184,7 @@ def _is_free(film: Any, rim: Rim, places: Floats, wish: Wish, margin: float) -> 
     package = shapely()
     width, length = wish.width, max(from_mm(30.0), 3.0 * wish.width)
     turns = np.array([_square(rim, place, wish) for place in places.tolist()])
-    ahead = np.stack([np.cos(turns), np.sin(turns)], axis=1)
-    points = [rim.at(place) for place in places.tolist()]
+    ahead, points = direction(turns), rim.points_at(places)
     sides = [
         rectangle(at, way, margin, margin + length, width + margin)
         for at, way in zip(points, ahead, strict=True)
@@ -233,7 +233,7 @@ def _freest(rim: Rim, chamber: Any, others: list[Any]) -> float:
     """
     package = shapely()
     places = np.linspace(0.0, rim.length, _ON_RIM, endpoint=False)
-    points = package.points([rim.at(place) for place in places.tolist()])
+    points = package.points(rim.points_at(places))
     mine = package.distance(chamber, points) < 1e-3 * rim.length
     room = np.where(mine, package.distance(package.union_all(others), points), 0.0)
     if not room.any():
@@ -272,7 +272,7 @@ def _end_of(rim: Rim, run: Ints, away: Floats, halfway: Floats) -> Floats:
     mine[run % count] = True
     limit = (1.0 - _EQUALLY_FAR) * float(away[mine].max())
     tops = _runs(mine & (away > limit), halfway > limit)
-    places = np.array([rim.at(0.5 * float(closed[top[0]] + closed[top[-1]])) for top in tops])
+    places = rim.points_at(np.array([0.5 * (closed[top[0]] + closed[top[-1]]) for top in tops]))
     return np.asarray(places[_first(places[:, 1], places[:, 0], _SAME * float(away.max()))])
 
 
@@ -285,26 +285,26 @@ def _first(values: Floats, others: Floats, equal: float) -> int:
 def _hit(film: Any, centre: Floats, angle: float) -> tuple[Floats, Floats]:
     if not np.isfinite(angle):
         raise InputError("The intake's angle must be a number.")
-    direction = np.array([np.cos(angle), np.sin(angle)])
+    ahead = direction(angle)
     low_x, low_y, high_x, high_y = film.bounds
     reach = 2.0 * float(np.hypot(high_x - low_x, high_y - low_y))
-    met = shapely().LineString([centre, centre + reach * direction]).intersection(film.exterior)
+    met = shapely().LineString([centre, centre + reach * ahead]).intersection(film.exterior)
     points = shapely().get_coordinates(met)
     if not len(points):
         raise InputError(
             f"There is no outline at {number_text(float(np.degrees(angle)))} degrees from the centre:"
             " choose another intake angle."
         )
-    return points[np.argmax((points - centre) @ direction)], direction
+    return points[np.argmax((points - centre) @ ahead)], ahead
 
 
-def before_mouth(at: Floats, direction: Floats, length: float, width: float, margin: float) -> Any:
+def before_mouth(at: Floats, ahead: Floats, length: float, width: float, margin: float) -> Any:
     """A little more than the neck's whole breadth, from the mouth onward."""
-    return rectangle(at, direction, length, length + 4.0 * margin + width, width + 2.2 * margin)
+    return rectangle(at, ahead, length, length + 4.0 * margin + width, width + 2.2 * margin)
 
 
-def rectangle(at: Floats, direction: Floats, start: float, end: float, width: float) -> Any:
-    """A strip across a direction (2,), from `start` to `end` along it [m]."""
-    side = 0.5 * width * np.array([-direction[1], direction[0]])
-    near, far = at + start * direction, at + end * direction
+def rectangle(at: Floats, ahead: Floats, start: float, end: float, width: float) -> Any:
+    """A strip across a direction `ahead` (2,), from `start` to `end` along it [m]."""
+    side = 0.5 * width * perpendicular(ahead)
+    near, far = at + start * ahead, at + end * ahead
     return shapely().Polygon([near - side, far - side, far + side, near + side])

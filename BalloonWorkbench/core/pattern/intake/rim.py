@@ -5,7 +5,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from BalloonWorkbench.core.geometry.polyline import signed_area
+from BalloonWorkbench.core.geometry.nearest import nearest_on_line
+from BalloonWorkbench.core.geometry.polyline import arc_lengths, extent, oriented, point_at, ring
 from BalloonWorkbench.core.types import Floats
 
 #: Rightmost points within this share of the size count as equally far right; the lowest is taken.
@@ -16,12 +17,10 @@ class Rim:
     """A closed loop (n, 2) m, counter-clockwise; its rightmost point is the beginning."""
 
     def __init__(self, loop: Floats) -> None:
-        loop = loop if signed_area(loop) > 0.0 else loop[::-1]
-        size = float(np.ptp(loop, axis=0).max())
-        right = np.flatnonzero(loop[:, 0] > loop[:, 0].max() - _EQUAL * size)
+        loop = oriented(loop)
+        right = np.flatnonzero(loop[:, 0] > loop[:, 0].max() - _EQUAL * extent(loop))
         self.points: Floats = np.roll(loop, -int(right[np.argmin(loop[right, 1])]), axis=0)
-        closed = np.concatenate([self.points, self.points[:1]])
-        self.along: Floats = np.append(0.0, np.cumsum(np.hypot(*np.diff(closed, axis=0).T)))
+        self.along: Floats = arc_lengths(self.points)
 
     @property
     def length(self) -> float:
@@ -30,9 +29,11 @@ class Rim:
 
     def at(self, along: float) -> Floats:
         """The point (2,) at a place; places go on round and round."""
-        closed = np.concatenate([self.points, self.points[:1]])
-        place = along % self.length
-        return np.array([np.interp(place, self.along, closed[:, k]) for k in range(2)])
+        return self.points_at(np.array([along]))[0]
+
+    def points_at(self, along: Floats) -> Floats:
+        """The points (k, 2) at places (k,)."""
+        return point_at(self.points, self.along, along)
 
     def outward(self, along: float, reach: float) -> float:
         """The direction [rad] away from the film, square to the chord over `reach` [m] on both sides."""
@@ -42,10 +43,5 @@ class Rim:
 
     def nearest(self, point: Floats) -> float:
         """The place nearest to a point (2,) [m]."""
-        ahead = np.roll(self.points, -1, axis=0) - self.points
-        lengths = np.diff(self.along)
-        share = ((point - self.points) * ahead).sum(axis=1) / np.maximum(lengths**2, 1e-300)
-        share = np.clip(share, 0.0, 1.0)
-        away = np.hypot(*(self.points + share[:, None] * ahead - point).T)
-        edge = int(np.argmin(away))
-        return float(self.along[edge] + share[edge] * lengths[edge]) % self.length
+        (edge,), (share,), _ = nearest_on_line(ring(self.points), point[None])
+        return float(self.along[edge] + share * (self.along[edge + 1] - self.along[edge])) % self.length

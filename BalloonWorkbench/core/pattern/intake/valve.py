@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from BalloonWorkbench.core.geometry.vectors import direction, perpendicular
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.pattern.intake.kinds import RIM, intake_kind, placed
 from BalloonWorkbench.core.pattern.pattern import Contour, Intake, Role
@@ -45,8 +46,8 @@ def closed_channel(intake: Intake, free: Any, seal_width: float) -> str | None:
     )
     if len(welds) < 2:
         return None
-    axis = np.array([np.cos(intake.angle), np.sin(intake.angle)])
-    side = np.array([-axis[1], axis[0]])
+    axis = direction(intake.angle)
+    side = perpendicular(axis)
     ends = np.concatenate(welds)
     along, aside = (ends - intake.at) @ axis, (ends - intake.at) @ side
     places = np.arange(float(along.max()), float(along.min()), -_STEP)

@@ -11,9 +11,10 @@ import numpy as np
 
 from BalloonWorkbench.app.drawings.painting import Solved
 from BalloonWorkbench.app.drawings.qt_picture import pixels
-from BalloonWorkbench.core.arcs.fit_arcs import from_polyline
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.geometry.nearest import nearest_on_line
+from BalloonWorkbench.core.geometry.polyline import ring
 from BalloonWorkbench.core.job import Settings
 from BalloonWorkbench.core.mesh.reuse import move_rim
 from BalloonWorkbench.core.outline.drawing import Drawing
@@ -114,7 +115,7 @@ def loops_in(drawing: Drawing, frame: Frame) -> tuple[np.ndarray, ...]:
 
 def _near(loop: np.ndarray, other: np.ndarray, within: float) -> bool:
     """Whether all points of a loop lie on another one, within parts of the picture."""
-    return bool((from_polyline(loop, np.concatenate([other, other[:1]])) < within).all())
+    return bool((nearest_on_line(ring(other), loop).distance < within).all())
 
 
 def seen(image, width: float, drawn_as: str) -> tuple[Drawing, Frame]:
