@@ -20,6 +20,10 @@ class OutlineError(InputError):
     """The outline is open, crosses itself, is empty or too thin."""
 
 
+class AssemblyError(InputError):
+    """The panels and seams of a balloon do not fit together."""
+
+
 class MeshError(BalloonError):
     """The outline cannot be triangulated at the wanted size.
 

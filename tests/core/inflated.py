@@ -10,6 +10,7 @@ from scipy.spatial import cKDTree
 from BalloonWorkbench.core.design.design import Design, Residual
 from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.mesh.triangulate import triangulate
+from BalloonWorkbench.core.panels.assembly import Assembly
 from BalloonWorkbench.core.panels.panel import Panel
 from BalloonWorkbench.core.solver.inflation import Inflation, SolveReport
 from BalloonWorkbench.core.solver.model import Model
@@ -30,7 +31,9 @@ def lifted(panel: Panel, shrink: float = 0.9) -> Inflation:
     prisms = (a[:, 2] + b[:, 2] + c[:, 2]) / 6.0 * np.cross((b - a)[:, :2], (c - a)[:, :2])
     directors = np.tile([0.0, 0.0, 1.0], (len(flat), 1))
     tensions = np.ones((len(panel.triangles), 2))
-    return Inflation(panel, positions, directors, tensions, 2.0 * float(prisms.sum()), REPORT)
+    return Inflation(
+        Assembly.mirrored(panel), positions, directors, tensions, 2.0 * float(prisms.sum()), REPORT
+    )
 
 
 def designed(outline: Outline, vertices: int = 1500) -> Design:

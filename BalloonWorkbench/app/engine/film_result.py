@@ -85,6 +85,7 @@ def stored(obj):
 
     from BalloonWorkbench.core.errors import InputError
     from BalloonWorkbench.core.film.film import Film, Look
+    from BalloonWorkbench.core.panels.assembly import Assembly
     from BalloonWorkbench.core.panels.panel import Panel
     from BalloonWorkbench.core.results.film_state import film_state
     from BalloonWorkbench.core.solver.inflation import Inflation, SolveReport
@@ -105,7 +106,7 @@ def stored(obj):
     report = told["report"]
     positions = _metres(obj.FilmPoints)
     inflation = Inflation(
-        panel,
+        Assembly.mirrored(panel),
         positions,
         vertex_normals(positions, panel),
         np.zeros((len(panel.triangles), 2)),

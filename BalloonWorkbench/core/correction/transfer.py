@@ -6,6 +6,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from BalloonWorkbench.core.geometry.triangulation import interpolated
+from BalloonWorkbench.core.panels.assembly import Assembly
 from BalloonWorkbench.core.panels.panel import Panel
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.solver.start import vertex_normals
@@ -20,5 +21,9 @@ def transferred(inflation: Inflation, panel: Panel) -> Inflation:
     found[panel.sealed, 2] = 0.0
     found[:, :2] += panel.rest_positions
     return replace(
-        inflation, panel=panel, positions=found, directors=vertex_normals(found, panel), lower=None
+        inflation,
+        assembly=Assembly.mirrored(panel),
+        positions=found,
+        directors=vertex_normals(found, panel),
+        lower=None,
     )

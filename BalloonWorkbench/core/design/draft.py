@@ -20,6 +20,7 @@ from BalloonWorkbench.core.geometry.polyline import arc_lengths, signed_area
 from BalloonWorkbench.core.geometry.sampling import simplify
 from BalloonWorkbench.core.mesh.triangulate import triangulate
 from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.panels.assembly import Assembly
 from BalloonWorkbench.core.panels.panel import Panel
 from BalloonWorkbench.core.solver.inflate import inflate
 from BalloonWorkbench.core.solver.inflation import Inflation
@@ -75,7 +76,7 @@ def draft(
     return Draft(
         replace(
             inflation,
-            panel=drawing,
+            assembly=Assembly.mirrored(drawing),
             positions=np.hstack([flat, height]),
             volume=scale**3 * wider**_VOLUME * _FACETS * inflation.volume,
         ),

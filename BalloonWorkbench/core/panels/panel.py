@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The panel: the flat, triangulated piece of film that is cut twice and sealed."""
+"""The panel: a flat, triangulated piece of film, cut once or several times."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ class Panel:
     triangles       (m, 3) vertex indices, counter-clockwise
     seams           vertex indices of each boundary loop in order: the outer loop first
                     (counter-clockwise), then the holes (clockwise)
-    welds           vertex indices along each line inside at which both films are sealed together
+    welds           vertex indices along each line inside at which it is sealed to another film
     """
 
     rest_positions: Floats
@@ -28,5 +28,10 @@ class Panel:
 
     @property
     def sealed(self) -> Ints:
-        """The vertices at which both films are sealed together, in ascending order."""
+        """The vertices at which films are sealed together, in ascending order."""
         return np.unique(np.concatenate([*self.seams, *self.welds]))
+
+    @property
+    def size(self) -> float:
+        """The larger side of its bounding box [m]."""
+        return float(np.ptp(self.rest_positions, axis=0).max())

@@ -11,7 +11,7 @@ from BalloonWorkbench.core.geometry.normals import left_normals
 from BalloonWorkbench.core.geometry.triangulation import signed_areas
 from BalloonWorkbench.core.geometry.vectors import unit
 from BalloonWorkbench.core.solver.inflation import Inflation
-from BalloonWorkbench.core.solver.split_along_welds import slit
+from BalloonWorkbench.core.solver.split_along_welds import split_along_welds
 from BalloonWorkbench.core.types import Bools, Floats, Ints
 
 _YAW, _PITCH = np.radians(-28.0), np.radians(14.0)
@@ -78,7 +78,7 @@ def _surface(
     parts: list[tuple[Floats, Ints, Floats, Floats]] = []
     start = 0
     for inflation in inflations:
-        panel, origin = slit(inflation.panel)
+        panel, origin = split_along_welds(inflation.panel)
         upper, top = panel.triangles, inflation.positions[origin]
         up, count = _vertex_normals(top, upper), len(top)
         parts.append((top, upper + start, up, film))

@@ -9,7 +9,7 @@ import numpy as np
 
 from BalloonWorkbench.core.mesh.quality import locked
 from BalloonWorkbench.core.solver.inflation import Inflation
-from BalloonWorkbench.core.solver.split_along_welds import slit
+from BalloonWorkbench.core.solver.split_along_welds import split_along_welds
 from BalloonWorkbench.core.types import Floats, Ints
 from BalloonWorkbench.core.units import to_mm
 
@@ -24,7 +24,7 @@ def balloon_mesh(inflation: Inflation) -> tuple[Floats, Ints]:
     their own in the same places. Triangles with all vertices on the seam (at sharp tips) lie flat in both
     halves, enclose nothing and are left out.
     """
-    panel, origin = slit(inflation.panel)
+    panel, origin = split_along_welds(inflation.panel)
     upper = panel.triangles[~locked(panel)]
     sealed = panel.sealed
     count = len(origin)

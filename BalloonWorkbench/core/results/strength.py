@@ -19,11 +19,11 @@ from BalloonWorkbench.core.geometry.polyline import edge_lengths
 from BalloonWorkbench.core.panels.panel import Panel
 from BalloonWorkbench.core.solver.element.dkt import gradients, rotation_stiffness
 from BalloonWorkbench.core.solver.element.kinematics import deformation_gradients, green_strains
-from BalloonWorkbench.core.solver.inflate import MIRROR, inflate
-from BalloonWorkbench.core.solver.inflation import Inflation
+from BalloonWorkbench.core.solver.inflate import inflate
+from BalloonWorkbench.core.solver.inflation import MIRROR, Inflation
 from BalloonWorkbench.core.solver.model import film_problem
 from BalloonWorkbench.core.solver.problem import NewtonSettings
-from BalloonWorkbench.core.solver.split_along_welds import slit
+from BalloonWorkbench.core.solver.split_along_welds import split_along_welds
 from BalloonWorkbench.core.solver.start import vertex_normals
 from BalloonWorkbench.core.types import Floats, Ints
 
@@ -141,7 +141,7 @@ def seam_forces(inflation: Inflation, film: Film) -> list[tuple[Ints, Floats, Fl
     the force on each (k, 3) [N]: that of the film, and of the pressure on the film that is the vertex's.
     """
     panel = inflation.panel
-    flat, origin = slit(panel)
+    flat, origin = split_along_welds(panel)
     deformation, stress = _stress(inflation, film)
     shape, areas = gradients(panel.rest_positions[panel.triangles])
     corners = areas[:, None, None] * np.einsum("mij,mjk,mck->mci", deformation, stress, shape)

@@ -1,86 +1,74 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Inflate a panel: from SI numbers to the dimensionless problem and back."""
+"""Inflate a balloon: from SI numbers to the dimensionless problem and back."""
 
 from __future__ import annotations
 
 import time
+from dataclasses import replace
 
 import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film.film import Film
+from BalloonWorkbench.core.panels.assembly import Assembly
 from BalloonWorkbench.core.panels.panel import Panel
-from BalloonWorkbench.core.solver import start as starts
 from BalloonWorkbench.core.solver.backend import Backend, backend_named
 from BalloonWorkbench.core.solver.element.dkt import gradients
 from BalloonWorkbench.core.solver.element.kinematics import deformation_gradients, film_volume, green_strains
 from BalloonWorkbench.core.solver.element.membrane import principal_stresses
-from BalloonWorkbench.core.solver.inflation import Inflation, SolveReport
-from BalloonWorkbench.core.solver.model import Model, film_problem, stiffness_levels
-from BalloonWorkbench.core.solver.problem import NewtonSettings
-from BalloonWorkbench.core.solver.split_along_welds import slit
-from BalloonWorkbench.core.types import Progress, no_progress
+from BalloonWorkbench.core.solver.inflation import MIRROR, Inflation, SolveReport
+from BalloonWorkbench.core.solver.model import Model, problem_of, simulated
+from BalloonWorkbench.core.solver.problem import Equilibrium, FilmProblem, NewtonSettings
+from BalloonWorkbench.core.solver.split_along_welds import split_assembly
+from BalloonWorkbench.core.solver.start import start_of, vertex_normals
+from BalloonWorkbench.core.types import Floats, Progress, no_progress
 from BalloonWorkbench.core.units import pressure_text
 
-#: The lower half is the upper one mirrored in the plane of the seam.
-MIRROR = np.array([1.0, 1.0, -1.0])
+__all__ = ["MIRROR", "inflate"]
 
 #: Pressures [Pa] with which the numbers of a balloon stay numbers.
 _LEAST, _MOST = 1e-6, 1e8
 
 
 def inflate(
-    panel: Panel,
+    body: Panel | Assembly,
     film: Film,
     pressure: float,
     *,
-    start: Inflation | None = None,
+    start: Inflation | Floats | None = None,
     backend: str | Backend | None = None,
     progress: Progress = no_progress,
     settings: NewtonSettings | None = None,
     model: Model | None = None,
 ) -> Inflation:
-    """The balloon of two equal panels sealed along their seams, under an overpressure [Pa].
+    """The balloon of panels sealed to each other, under an overpressure [Pa].
 
-    start   an earlier result on a panel of the same connectivity: skips the continuation
+    body    an assembly; a panel stands for two equal ones sealed along their boundaries and welds
+    start   an earlier result on panels of the same connectivity, which skips the continuation, or places
+            (n, 3) [m] of the vertices of an assembly
     backend "native", "numpy" or None for the best one available; "newmark" blows the balloon up in time
     model   what is simulated, for comparisons
 
-    A seal_width of 0 leaves the rim without the stiffness of a sealed band. A solve that uses up its steps
-    gives the best state with report.converged False. Raises InputError for a pressure that is not positive,
-    Cancelled when progress returns False.
+    A seal_width of 0 leaves seams without the stiffness of a sealed band, which seams in space have never. A
+    solve that uses up its steps gives the best state with report.converged False. Raises InputError for a
+    pressure that is not positive, AssemblyError for panels that do not fit, Cancelled when progress returns
+    False.
     """
-    if not _LEAST <= pressure <= _MOST:
-        raise InputError(
-            f"The pressure must be positive and at most {pressure_text(_MOST)}, not"
-            f" {pressure_text(pressure)}. "
-            "A party balloon has about 2 kPa."
-        )
-    model = model or Model()
-    solver = backend_named(backend)
-    began = time.perf_counter()
-    size = float(np.ptp(panel.rest_positions, axis=0).max())
-    upper, faces = len(panel.rest_positions), len(panel.triangles)
-    flat, origin = slit(panel)
-    problem = film_problem(flat, film, pressure, model, origin)
-    stiffness_k = problem.membrane_stiffness
-    if start is None or len(start.positions) != upper:
-        positions = starts.dome(flat) / size
-        directors = starts.vertex_normals(positions, flat)
-        levels = stiffness_levels(stiffness_k)
-    else:
-        moved, softening = starts.carried_over(start, panel)
-        positions = moved[origin] / size
-        directors = np.concatenate([start.directors, starts.vertex_normals(positions, flat)[upper:]])
-        levels = tuple(stiffness_k / factor for factor in softening)
-    if model.two_panels:
-        positions, directors = (np.concatenate([half, half * MIRROR]) for half in (positions, directors))
-        x, y = (positions - positions.mean(axis=0))[:, :2].T
-        positions[:, 2] += model.twist * x * y
-        assert problem.tied is not None
-        positions = positions[problem.tied]  # the seam of an earlier result is not quite in the plane
-    rest = solver.solve(problem, positions, directors, levels, settings or NewtonSettings(), progress)
-
+    _check_pressure(pressure)
+    model, solver, began = model or Model(), backend_named(backend), time.perf_counter()
+    whole = Assembly.mirrored(body) if isinstance(body, Panel) else body
+    assembly = simulated(whole, model)
+    if solver.name == "newmark" and not (assembly.mirror or assembly.stacked):
+        raise InputError("Only two equal panels are blown up in time. Use another solver for this balloon.")
+    split, size = split_assembly(assembly), assembly.size
+    problem = problem_of(split, film, pressure, model)
+    first = start_of(split, problem, start, model.twist)
+    settings = settings or NewtonSettings()
+    rest = solver.solve(problem, first.positions, first.directors, first.levels, settings, progress)
+    if not assembly.mirror:
+        rest = _laid_over(rest, first.positions)
+        if not model.bending:  # nothing has turned the directors
+            rest = replace(rest, directors=vertex_normals(rest.positions, problem))
     energies = solver.energies(problem, rest.positions, rest.directors)
     report = SolveReport(
         solver.name,
@@ -88,21 +76,49 @@ def inflate(
         rest.factorisations,
         time.perf_counter() - began,
         rest.converged,
-        stiffness_k,
+        problem.membrane_stiffness,
         problem.flexural_rigidity * pressure * size**3,
         energies.bending / max(-energies.pressure, 1e-300),
         pressure,
         model,
     )
-    shape, _ = gradients(problem.rest_positions[problem.triangles])
-    strains = green_strains(deformation_gradients(rest.positions, problem.triangles, shape))
-    halves = 1.0 if model.two_panels else 2.0
+    count, faces = int(whole.offsets[-1]), sum(len(panel.triangles) for panel in whole.panels)
+    volume = film_volume(rest.positions, rest.directors, problem.triangles)
+    places = rest.positions[split.kept] * size
     return Inflation(
-        panel,
-        rest.positions[:upper] * size,
-        rest.directors[:upper],
-        film.membrane_stiffness * principal_stresses(problem.membrane(strains).stress)[:faces],
-        halves * film_volume(rest.positions, rest.directors, problem.triangles) * size**3,
+        whole,
+        places[:count],
+        rest.directors[split.kept][:count],
+        film.membrane_stiffness * _principal_stresses(problem, rest.positions)[:faces],
+        (2.0 if assembly.mirror else 1.0) * volume * size**3,
         report,
-        rest.positions[len(origin) :][:upper] * size if model.two_panels else None,
+        places[count:] if whole is not assembly else None,
+    )
+
+
+def _check_pressure(pressure: float) -> None:
+    if not _LEAST <= pressure <= _MOST:
+        raise InputError(
+            f"The pressure must be positive and at most {pressure_text(_MOST)}, not"
+            f" {pressure_text(pressure)}. "
+            "A party balloon has about 2 kPa."
+        )
+
+
+def _principal_stresses(problem: FilmProblem, positions: Floats) -> Floats:
+    shape, _ = gradients(problem.rest_positions[problem.triangles])
+    strains = green_strains(deformation_gradients(positions, problem.triangles, shape))
+    return principal_stresses(problem.membrane(strains).stress)
+
+
+def _laid_over(rest: Equilibrium, start: Floats) -> Equilibrium:
+    """A balloon that is free in space, moved and turned as a whole to where it began (Kabsch 1976)."""
+    middle = rest.positions.mean(axis=0)
+    left, _, right = np.linalg.svd((rest.positions - middle).T @ (start - start.mean(axis=0)))
+    left[:, 2] *= np.linalg.det(left @ right)
+    turn = left @ right
+    return replace(
+        rest,
+        positions=(rest.positions - middle) @ turn + start.mean(axis=0),
+        directors=rest.directors @ turn,
     )

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""From a panel and a film in SI units to the dimensionless problem that the solvers take."""
+"""From an assembly and a film in SI units to the dimensionless problem that the solvers take."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -11,11 +12,12 @@ from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.geometry.polyline import length, perimeter
 from BalloonWorkbench.core.options.simulation import ModelOptions
+from BalloonWorkbench.core.panels.assembly import Assembly
 from BalloonWorkbench.core.panels.panel import Panel
 from BalloonWorkbench.core.solver.element.dkt import gradients
 from BalloonWorkbench.core.solver.element.orthotropic import Grain
 from BalloonWorkbench.core.solver.problem import FilmProblem
-from BalloonWorkbench.core.types import Ints
+from BalloonWorkbench.core.solver.split_along_welds import SplitFilm, split_assembly
 from BalloonWorkbench.core.units import number_text
 
 BENDING_FLOOR = ModelOptions.bending_floor
@@ -44,79 +46,70 @@ class Model(ModelOptions):
 
 
 def film_problem(
-    panel: Panel, film: Film, pressure: float, model: Model | None = None, tied: Ints | None = None
+    body: Panel | Assembly, film: Film, pressure: float, model: Model | None = None
 ) -> FilmProblem:
-    """The dimensionless problem of the upper panel: rim held in z = 0, free in the plane, directors free.
-
-    Welds are held like the rim. Of both panels where the model asks for it.
-    tied  (n,) for a panel slit along its welds, see split_along_welds.py
-    """
+    """The dimensionless problem of an assembly, or of a panel and its mirror image; see problem_of."""
     model = model or Model()
+    return problem_of(split_assembly(simulated(body, model)), film, pressure, model)
+
+
+def problem_of(split: SplitFilm, film: Film, pressure: float, model: Model) -> FilmProblem:
+    """The dimensionless problem of an assembly.
+
+    Of a mirrored panel one half: rim and welds are held in z = 0, free in the plane. Others are free in
+    space. Directors are free. Seams carry the stiffness of a sealed band where they lie in one plane at rest.
+    """
     if not 0.0 <= model.bending_floor <= 1.0:
         raise InputError(
             f"The bending floor must be between 0 and 1, not {number_text(model.bending_floor)}. "
             f"Usual is {number_text(BENDING_FLOOR)}."
         )
-    size = float(np.ptp(panel.rest_positions, axis=0).max())
-    fixed = np.zeros((len(panel.rest_positions), 5), dtype=bool)
-    fixed[panel.sealed, 2] = True
+    assembly, grain = split.assembly, grain_of(film)
+    if grain is not None and assembly.surface.turned.any() and abs(np.sin(2.0 * grain.angle)) > 1e-6:
+        raise InputError("Two panels with a grain aslant are no mirror images. Turn the grain along x or y.")
+    size, width = assembly.size, typical_width(split.panels)
+    fixed = np.zeros((len(split.origin), 5), dtype=bool)
+    if assembly.mirror:
+        fixed[split.panels[0].sealed, 2] = True
     fixed[:, 3:] = not model.bending
-    width = typical_width(panel)
-    seams: tuple[Ints, ...] = ()
-    welds: tuple[Ints, ...] = ()
-    seam_rigidities: tuple[float, ...] = ()
-    if film.seal_width > 0.0:
-        band = film.membrane_stiffness * film.seal_width**3 / 12.0  # the half of it that belongs to one panel
-        relative = band / (pressure * width**4)
-        outer, hole = min(max(relative, SEAM_FLOOR), SEAM_CEILING), max(relative, HOLE_FLOOR)
-        seams = panel.seams
-        welds = panel.welds[::2] if tied is not None else ()  # of the two sides of each one
-        taut = len(panel.seams) - 1 + len(welds)
-        seam_rigidities = tuple(rigidity * (width / size) ** 4 for rigidity in (outer, *[hole] * taut))
     rigidity = 0.0
     if model.bending:
         floor = model.bending_floor * (width / size) ** 3
         rigidity = max(film.flexural_rigidity / (pressure * size**3), floor)
     problem = FilmProblem(
-        panel.rest_positions / size,
-        panel.triangles,
+        split.rest_positions / size,
+        split.triangles,
         fixed,
         film.membrane_stiffness / (pressure * size),
         film.poisson_ratio,
         rigidity,
-        seams=seams,
-        welds=welds,
-        seam_rigidities=seam_rigidities,
-        grain=grain_of(film),
+        grain=grain,
         tension_field=model.tension_field,
-        tied=tied if panel.welds else None,
+        tied=split.tied if not assembly.mirror or assembly.panels[0].welds else None,
     )
-    return both_panels(problem, panel.sealed) if model.two_panels else problem
+    return _with_bands(problem, split, film, pressure) if film.seal_width > 0.0 else problem
 
 
-def both_panels(problem: FilmProblem, sealed: Ints) -> FilmProblem:
-    """The problem of two panels that share the positions of their sealed vertices, which are free in space.
+def simulated(body: Panel | Assembly, model: Model) -> Assembly:
+    """What a model takes of a panel, which stands for two equal ones, or of an assembly."""
+    assembly = Assembly.mirrored(body) if isinstance(body, Panel) else body
+    return assembly.in_full() if model.two_panels else assembly
 
-    The lower panel follows the upper one in all arrays. Its rest positions are mirrored in x, so that its
-    triangles run counter-clockwise with the outside of the balloon towards the eye.
-    """
-    count = len(problem.rest_positions)
-    fixed = problem.fixed.copy()
-    one = np.arange(count, dtype=np.int32) if problem.tied is None else problem.tied
-    tied = np.concatenate([one, one + count])
-    fixed[sealed, 2] = False
-    tied[count + sealed] = one[sealed]
-    grain = problem.grain
-    if grain is not None and abs(np.sin(2.0 * grain.angle)) > 1e-6:
-        raise InputError("Two panels with a grain aslant are no mirror images. Turn the grain along x or y.")
-    return replace(
-        problem,
-        rest_positions=np.concatenate([problem.rest_positions, problem.rest_positions * (-1.0, 1.0)]),
-        triangles=np.concatenate([problem.triangles, problem.triangles[:, ::-1] + count]).astype(np.int32),
-        fixed=np.concatenate([fixed, fixed]),
-        seam_rigidities=tuple(2.0 * rigidity for rigidity in problem.seam_rigidities),
-        tied=tied,
-    )
+
+def _with_bands(problem: FilmProblem, split: SplitFilm, film: Film, pressure: float) -> FilmProblem:
+    """The same with the stiffness of the sealed band along the seams of panels that lie on one another."""
+    assembly = split.assembly
+    if not assembly.mirror and not assembly.stacked:
+        return problem
+    panel, width, size = split.panels[0], typical_width(split.panels), assembly.size
+    band = film.membrane_stiffness * film.seal_width**3 / 12.0  # the half of it that belongs to one panel
+    relative = band / (pressure * width**4)
+    outer, hole = min(max(relative, SEAM_FLOOR), SEAM_CEILING), max(relative, HOLE_FLOOR)
+    welds = panel.welds[::2]  # of the two sides of each one
+    taut = len(panel.seams) - 1 + len(welds)
+    films = 1.0 if assembly.mirror else 2.0
+    rigidities = tuple(films * (rigidity * (width / size) ** 4) for rigidity in (outer, *[hole] * taut))
+    return replace(problem, seams=panel.seams, welds=welds, seam_rigidities=rigidities)
 
 
 def grain_of(film: Film) -> Grain | None:
@@ -130,12 +123,15 @@ def grain_of(film: Film) -> Grain | None:
     return Grain(across, float(shear), film.poisson_ratio, film.grain_angle)
 
 
-def typical_width(panel: Panel) -> float:
+def typical_width(panels: Sequence[Panel]) -> float:
     """Four times the area by the length of seams and welds [m]: diameter of a disc, side of a square."""
-    _, areas = gradients(panel.rest_positions[panel.triangles])
-    sealed = sum(perimeter(panel.rest_positions[seam]) for seam in panel.seams)
-    sealed += sum(length(panel.rest_positions[weld]) for weld in panel.welds)
-    return 4.0 * float(areas.sum()) / sealed
+    area = sealed = 0.0
+    for panel in panels:
+        rest = panel.rest_positions
+        area += float(gradients(rest[panel.triangles])[1].sum())
+        sealed += sum(perimeter(rest[seam]) for seam in panel.seams)
+        sealed += sum(length(rest[weld]) for weld in panel.welds)
+    return 4.0 * area / sealed
 
 
 def stiffness_levels(stiffness: float) -> tuple[float, ...]:

@@ -1,14 +1,20 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Start shapes: a dome, because a flat film is singular under pressure, or an earlier balloon."""
+"""Start shapes, for a flat film is singular under pressure: domes, a shape in space, an earlier balloon."""
 
 from __future__ import annotations
+
+from dataclasses import dataclass
 
 import numpy as np
 
 from BalloonWorkbench.core.panels.panel import Panel
 from BalloonWorkbench.core.solver.element.dkt import gradients
+from BalloonWorkbench.core.solver.embedding import embedding
 from BalloonWorkbench.core.solver.equilibrium.linear import conjugate_gradients
-from BalloonWorkbench.core.solver.inflation import Inflation
+from BalloonWorkbench.core.solver.inflation import MIRROR, Inflation
+from BalloonWorkbench.core.solver.model import stiffness_levels
+from BalloonWorkbench.core.solver.problem import FilmProblem
+from BalloonWorkbench.core.solver.split_along_welds import SplitFilm
 from BalloonWorkbench.core.types import Floats
 
 ACCURATE = 1e-3  # a start need not be better
@@ -20,6 +26,68 @@ LEAST_STRETCH, MOST_STRETCH = 0.01, 0.03
 LARGE_EDIT = 0.03
 LARGE_STRETCH = 0.08
 SOFTENING = (16.0, 4.0, 1.0)
+
+
+@dataclass(frozen=True)
+class Start:
+    """Where a solve begins, dimensionless.
+
+    positions  (n, 3), directors (n, 3)
+    levels     membrane stiffnesses that it goes through, the film's own last
+    """
+
+    positions: Floats
+    directors: Floats
+    levels: tuple[float, ...]
+
+
+def start_of(split: SplitFilm, problem: FilmProblem, start: Inflation | Floats | None, twist: float) -> Start:
+    """From an earlier balloon or from places (n, 3) of the vertices; a shape of its own where neither fits.
+
+    twist  how far two panels start from one plane
+    """
+    assembly, levels = split.assembly, stiffness_levels(problem.membrane_stiffness)
+    count, directors = len(split.panels[0].rest_positions), None
+    if isinstance(start, Inflation) and start.assembly.mirror and _alike(start, assembly.panels[0]):
+        moved, softening = carried_over(start, assembly.panels[0])
+        positions = moved[split.origin[:count]]
+        levels = tuple(problem.membrane_stiffness / factor for factor in softening)
+        directors = start.directors
+    elif not isinstance(start, np.ndarray) and (assembly.mirror or assembly.stacked):
+        positions = dome(split.panels[0])
+    else:
+        return _in_space(split, problem, start, levels)
+    positions /= assembly.size
+    normals = vertex_normals(positions, split.panels[0])
+    directors = normals if directors is None else np.concatenate([directors, normals[len(directors) :]])
+    if assembly.mirror:
+        return Start(positions, directors, levels)
+    positions, directors = (np.concatenate([half, half * MIRROR]) for half in (positions, directors))
+    x, y = (positions - positions.mean(axis=0))[:, :2].T
+    positions[:, 2] += twist * x * y
+    return Start(positions[split.tied], directors, levels)  # an earlier seam is not quite in the plane
+
+
+def _alike(start: Inflation, panel: Panel) -> bool:
+    return len(start.positions) == len(panel.rest_positions)
+
+
+def _in_space(
+    split: SplitFilm, problem: FilmProblem, start: Inflation | Floats | None, levels: tuple[float, ...]
+) -> Start:
+    """The start of panels that lie anywhere, whose seams are tied."""
+    assembly = split.assembly
+    count = int(assembly.offsets[-1])
+    places = start.positions if isinstance(start, Inflation) else start
+    if places is None or len(places) != count:
+        _, corners = np.unique(split.tied, return_inverse=True)
+        places = embedding(split.rest_positions[split.triangles], corners.ravel()[split.triangles])
+        positions = places[corners.ravel()]
+    else:
+        positions = places[split.origin]
+        levels = levels[-1:] if isinstance(start, Inflation) and start.assembly is assembly else levels
+    positions = positions[split.tied] / assembly.size
+    return Start(positions, vertex_normals(positions, problem), levels)
 
 
 def dome(panel: Panel) -> Floats:
@@ -50,7 +118,7 @@ def dome(panel: Panel) -> Floats:
     return np.column_stack([panel.rest_positions, DOME * np.sqrt(np.maximum(height, 0.0))])
 
 
-def vertex_normals(positions: Floats, panel: Panel) -> Floats:
+def vertex_normals(positions: Floats, panel: Panel | FilmProblem) -> Floats:
     """Area-weighted unit normals (n, 3)."""
     a, b, c = np.moveaxis(positions[panel.triangles], 1, 0)
     area_vectors = np.cross(b - a, c - a)

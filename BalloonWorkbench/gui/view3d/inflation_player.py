@@ -15,8 +15,7 @@ from BalloonWorkbench.core.mesh.triangulate import triangulate
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.panels.panel import Panel
 from BalloonWorkbench.core.solver.dynamics.animation import Frame, inflate_in_time
-from BalloonWorkbench.core.solver.inflate import MIRROR
-from BalloonWorkbench.core.solver.inflation import Inflation
+from BalloonWorkbench.core.solver.inflation import MIRROR, Inflation
 from BalloonWorkbench.core.units import to_mm
 from BalloonWorkbench.gui.view3d.film_display import look_of
 from BalloonWorkbench.gui.view3d.film_look import FilmLook

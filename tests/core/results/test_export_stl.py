@@ -10,6 +10,7 @@ from inflated import lifted
 
 from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.mesh.triangulate import triangulate
+from BalloonWorkbench.core.panels.assembly import Assembly
 from BalloonWorkbench.core.results.stl import balloon_mesh, enclosed_volume, stl_bytes
 from BalloonWorkbench.core.solver.inflation import Inflation
 
@@ -50,7 +51,7 @@ def test_cone_by_hand() -> None:
     away = 0.15 - np.linalg.norm(panel.rest_positions, axis=1)
     away[panel.seams[0]] = 0.0
     flat = lifted(panel)
-    cone = Inflation(panel, np.column_stack([panel.rest_positions, away]), *(
+    cone = Inflation(Assembly.mirrored(panel), np.column_stack([panel.rest_positions, away]), *(
         getattr(flat, name) for name in ("directors", "tensions", "volume", "report")
     ))  # fmt: skip
     assert enclosed_volume(*balloon_mesh(cone)) == pytest.approx(2.0 * np.pi * 0.15**3 / 3.0, rel=2e-3)

@@ -102,7 +102,7 @@ def test_hinges_follow_each_seam() -> None:
 def test_band_of_a_film() -> None:
     """Two films welded over the seal width, half for each panel: E t s^3 / 12; limits; more at holes."""
     disc = panel("disc", 400)
-    width = typical_width(disc)
+    width = typical_width([disc])
     assert width == pytest.approx(2.0, rel=0.005)
     sealed = film_problem(disc, film(100, seal_width=0.017), PRESSURE)
     own = 100.0 * 0.017**3 / 12.0  # over p L

@@ -29,7 +29,7 @@ from BalloonWorkbench.core.solver.backend import backend_named
 from BalloonWorkbench.core.solver.inflate import inflate
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.solver.model import Model, film_problem
-from BalloonWorkbench.core.solver.split_along_welds import slit
+from BalloonWorkbench.core.solver.split_along_welds import split_along_welds
 from BalloonWorkbench.core.solver.start import vertex_normals
 
 # stiff enough to be inextensible: E t / (p L) is about 7 000
@@ -93,7 +93,7 @@ def test_moved_welds_keep_the_mesh() -> None:
 
 def test_slit_panel_has_two_sides() -> None:
     panel = meshed(HALVES)
-    flat, origin = slit(panel)
+    flat, origin = split_along_welds(panel)
     doubled = origin[len(panel.rest_positions) :]
     inner = np.concatenate([panel.welds[0][:-1], panel.welds[1][1:]])  # all but the free ends
     assert sorted(doubled.tolist()) == sorted(inner.tolist())
@@ -144,8 +144,8 @@ def test_both_solvers_agree_about_a_weld(welded: Inflation) -> None:
 
 
 def test_both_solvers_have_the_same_energy_of_a_weld(welded: Inflation) -> None:
-    flat, origin = slit(welded.panel)
-    problem = film_problem(flat, film("mylar"), 2000.0, tied=origin)
+    flat, origin = split_along_welds(welded.panel)
+    problem = film_problem(welded.panel, film("mylar"), 2000.0)
     size = float(np.ptp(flat.rest_positions, axis=0).max())
     noise = np.random.default_rng(5).normal(0.0, 1e-3, (len(welded.positions), 3))
     positions = ((welded.positions + noise) / size)[origin]

@@ -21,7 +21,7 @@ from BalloonWorkbench.core.outline.drawing import Drawing
 from BalloonWorkbench.core.outline.validity import scale_to
 from BalloonWorkbench.core.pattern.build import build_pattern
 from BalloonWorkbench.core.pattern.pattern import Pattern
-from BalloonWorkbench.core.solver.inflate import MIRROR
+from BalloonWorkbench.core.solver.inflation import MIRROR
 from BalloonWorkbench.core.tracing.picture import placed_drawing
 from BalloonWorkbench.core.units import from_mm, to_mm
 from BalloonWorkbench.gui.paint.preview.advice_marks import Remark
