@@ -6,33 +6,53 @@ delete the folder. Plain Python removes files alone, since FreeCAD's settings ne
 """
 
 
-def remove_film_balloon():
-    """The Addon Manager runs this text inside a function: all that is needed has to be in here."""
-    import contextlib
-    import os
-    import shutil
-    import sys
-    import tempfile
-    from pathlib import Path
+class FilmBalloonRemoval:
+    """One class: the Addon Manager runs this text in a function, where functions do not see each other."""
 
     name, toolbar = "BalloonWorkbench", "Film Balloon"
-    short = {"Boolean": "Bool", "Integer": "Int", "Unsigned Long": "Unsigned"}
+    short = (("Boolean", "Bool"), ("Integer", "Int"), ("Unsigned Long", "Unsigned"))
 
-    def forget(group):
+    def __init__(self):
+        import sys
+
+        self.remove_files()
+        try:
+            import FreeCAD
+        except ImportError:
+            sys.stdout.write(
+                "FreeCAD's settings stay: run this with freecadcmd to remove ours from them too.\n"
+            )
+            return
+        for part in ("BaseApp", "Tux"):  # Tux keeps where toolbars lie
+            self.forget(FreeCAD.ParamGet("User parameter:" + part))
+        FreeCAD.saveParameter()
+
+    def forget(self, group):
         """Remove groups of our name, entries that belong to our commands, and our name as a value."""
         for child in group.GetGroups():
-            if child == name:
+            if child == self.name:
                 group.RemGroup(child)
             else:
-                forget(group.GetGroup(child))
+                self.forget(group.GetGroup(child))
         for kind, key, value in group.GetContents() or ():
-            listed = value.split(",") if kind == "String" else []
-            if key.startswith(name) or key == toolbar or value == name:
-                getattr(group, "Rem" + short.get(kind, kind))(key)
-            elif name in listed:
-                group.SetString(key, ",".join(each for each in listed if each != name))
+            self.forget_entry(group, kind, key, value)
 
-    def remove_files():
+    def forget_entry(self, group, kind, key, value):
+        """One entry of a group."""
+        listed = value.split(",") if kind == "String" else []
+        if key.startswith(self.name) or key == self.toolbar or value == self.name:
+            getattr(group, "Rem" + dict(self.short).get(kind, kind))(key)
+        elif self.name in listed:
+            group.SetString(key, ",".join(each for each in listed if each != self.name))
+
+    def remove_files(self):
+        """Folders beside FreeCAD's own."""
+        import contextlib
+        import os
+        import shutil
+        import tempfile
+        from pathlib import Path
+
         home = Path(os.path.expanduser("~"))
         local = os.environ.get("LOCALAPPDATA")
         for folder in (
@@ -45,15 +65,5 @@ def remove_film_balloon():
         with contextlib.suppress(OSError):  # the user's own machines are in it
             (home / ".film-balloon").rmdir()
 
-    remove_files()
-    try:
-        import FreeCAD
-    except ImportError:
-        sys.stdout.write("FreeCAD's settings stay: run this with freecadcmd to remove ours from them too.\n")
-        return
-    for part in ("BaseApp", "Tux"):  # Tux keeps where toolbars lie
-        forget(FreeCAD.ParamGet("User parameter:" + part))
-    FreeCAD.saveParameter()
 
-
-remove_film_balloon()
+FilmBalloonRemoval()

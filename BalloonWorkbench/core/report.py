@@ -20,6 +20,7 @@ from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.pattern.intake.kinds import intake_kind
 from BalloonWorkbench.core.pattern.pattern import Intake, Pattern
 from BalloonWorkbench.core.results.film_state import film_state, thickness
+from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.solver.model import Model
 from BalloonWorkbench.core.units import to_grams, to_mm
 
@@ -45,21 +46,17 @@ def together(parts: Sequence[dict[str, Any]], drawing: Drawing, sheet: Pattern) 
 
     What is told of a single shape is that of the largest one; `parts` has it for all, the largest first.
     """
-    width, height = drawing.size
-    sheet_width, sheet_height = sheet.of_stock("").size
     corner = np.concatenate([part.outer for part in drawing.parts]).min(axis=0)
     return {
         **parts[0],
         "input": {
             **parts[0]["input"],
-            "width_mm": to_mm(width),
-            "height_mm": to_mm(height),
+            **_size(drawing.size),
             **{key: sum(part["input"][key] for part in parts) for key in ("holes", "welds")},
             "shapes": len(drawing.parts),
         },
         "sheet": {
-            "width_mm": to_mm(sheet_width),
-            "height_mm": to_mm(sheet_height),
+            **_size(sheet.of_stock("").size),
             "seam_length_mm": to_mm(sheet.seam_length),
         },
         "warnings": list(
@@ -93,33 +90,53 @@ def build(
     volume [m3]: what was asked for instead of a pressure; filling: what lifts, helium by default; goal: what
     decided the size, None for the drawing's own; valve: what its intake weighs besides the panels [kg].
     """
-    inflation = design.inflation
-    panel, solve = inflation.panel, inflation.report
-    width, height = source.outline.size
-    shown_width, shown_height = design.silhouette.size
-    pattern_width, pattern_height = pattern.size
-    error = design.residual
-    state = film_state(inflation, film)
+    load = {"kind": "pressure" if volume is None else "volume", "target_volume_m3": volume}
     return {
         "schema": SCHEMA,
-        "input": {
-            "file": source.file,
-            "kind": source.kind,
-            "width_mm": to_mm(width),
-            "height_mm": to_mm(height),
-            "holes": len(source.outline.holes),
-            "welds": len(source.outline.welds) + len(source.outline.spots),
-        },
-        "material": {
-            "name": film.name,
-            "E_Pa": film.young_modulus,
-            "nu": film.poisson_ratio,
-            "thickness_m": film.thickness,
-            "areal_density_kg_m2": film.areal_density,
-            "grain": None if film.young_modulus_across is None else _grain(film, film.young_modulus_across),
-        },
-        "pressure_Pa": solve.pressure,
-        "load": {"kind": "pressure" if volume is None else "volume", "target_volume_m3": volume},
+        "input": _input(source),
+        "material": _material(film),
+        "pressure_Pa": design.inflation.report.pressure,
+        "load": load,
+        **_solved(design.inflation),
+        "design": _design(design, max(source.outline.size)),
+        "inflated": _inflated(design, film),
+        "goal": None if goal is None else _goal(goal),
+        "lift": _lift(design, film, pattern, filling or Filling(), valve),
+        "pattern": _pattern(pattern),
+        "warnings": [*design.warnings, *pattern.warnings],
+    }
+
+
+def _input(source: Source) -> dict[str, Any]:
+    outline = source.outline
+    return {
+        "file": source.file,
+        "kind": source.kind,
+        **_size(outline.size),
+        "holes": len(outline.holes),
+        "welds": len(outline.welds) + len(outline.spots),
+    }
+
+
+def _size(size: tuple[float, float]) -> dict[str, Any]:
+    return {"width_mm": to_mm(size[0]), "height_mm": to_mm(size[1])}
+
+
+def _material(film: Film) -> dict[str, Any]:
+    return {
+        "name": film.name,
+        "E_Pa": film.young_modulus,
+        "nu": film.poisson_ratio,
+        "thickness_m": film.thickness,
+        "areal_density_kg_m2": film.areal_density,
+        "grain": None if film.young_modulus_across is None else _grain(film, film.young_modulus_across),
+    }
+
+
+def _solved(inflation: Inflation) -> dict[str, Any]:
+    """By what, on which mesh, and how the balloon was simulated."""
+    panel, solve = inflation.panel, inflation.report
+    return {
         "backend": solve.backend,
         "mesh": {
             "vertices": len(panel.rest_positions),
@@ -137,39 +154,46 @@ def build(
             "flexural_rigidity_N_m": solve.flexural_rigidity,
             "bending_share": solve.bending_share,
         },
-        "design": {
-            "passes": design.passes,
-            "meshes": design.meshes,
-            "seconds": design.seconds,
-            "silhouette_error_mm": {
-                "mean": to_mm(error.mean),
-                "p95": to_mm(error.p95),
-                "max": to_mm(error.max),
-            },
-            "relative_error": error.mean / max(width, height),
-            "reached": design.reached,
-            "unreached": [_stretch(stretch) for stretch in design.unreached],
+    }
+
+
+def _design(design: Design, size: float) -> dict[str, Any]:
+    error = design.residual
+    return {
+        "passes": design.passes,
+        "meshes": design.meshes,
+        "seconds": design.seconds,
+        "silhouette_error_mm": {
+            "mean": to_mm(error.mean),
+            "p95": to_mm(error.p95),
+            "max": to_mm(error.max),
         },
-        "inflated": {
-            "volume_m3": inflation.volume,
-            "thickness_mm": to_mm(float(thickness(inflation).max())),
-            "width_mm": to_mm(shown_width),
-            "height_mm": to_mm(shown_height),
-            "film_area_m2": 2.0 * float(signed_areas(panel.rest_positions, panel.triangles).sum()),
-            "max_tension_N_per_m": float(inflation.tensions.max()),
-            "max_strain": float(state.strains.max()),
-            "area_shares": {kind.name.lower(): share for kind, share in state.shares().items()},
-        },
-        "goal": None if goal is None else _goal(goal),
-        "lift": _lift(design, film, pattern, filling or Filling(), valve),
-        "pattern": {
-            "width_mm": to_mm(pattern_width),
-            "height_mm": to_mm(pattern_height),
-            "seam_length_mm": to_mm(pattern.seam_length),
-            "intake": None if pattern.intake is None else _intake(pattern.intake),
-            "more_intakes": [_intake(intake) for intake in pattern.more_intakes],
-        },
-        "warnings": [*design.warnings, *pattern.warnings],
+        "relative_error": error.mean / size,
+        "reached": design.reached,
+        "unreached": [_stretch(stretch) for stretch in design.unreached],
+    }
+
+
+def _inflated(design: Design, film: Film) -> dict[str, Any]:
+    inflation = design.inflation
+    state, panel = film_state(inflation, film), inflation.panel
+    return {
+        "volume_m3": inflation.volume,
+        "thickness_mm": to_mm(float(thickness(inflation).max())),
+        **_size(design.silhouette.size),
+        "film_area_m2": 2.0 * float(signed_areas(panel.rest_positions, panel.triangles).sum()),
+        "max_tension_N_per_m": float(inflation.tensions.max()),
+        "max_strain": float(state.strains.max()),
+        "area_shares": {kind.name.lower(): share for kind, share in state.shares().items()},
+    }
+
+
+def _pattern(pattern: Pattern) -> dict[str, Any]:
+    return {
+        **_size(pattern.size),
+        "seam_length_mm": to_mm(pattern.seam_length),
+        "intake": None if pattern.intake is None else _intake(pattern.intake),
+        "more_intakes": [_intake(intake) for intake in pattern.more_intakes],
     }
 
 

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -174,69 +175,86 @@ def growth(solves: list[dict[str, Any]]) -> dict[str, tuple[float, float]]:
     return found
 
 
+#: An aim, what was measured, and whether that meets it.
+Aim = tuple[str, str, bool]
+
+
 def _aims(measured: dict[str, Any]) -> list[tuple[str, str, str]]:
-    solves, rows = measured["solves"], []
+    solves = measured["solves"]
+    aims = [*_cold_aims(solves), *_growth_aim(solves), *_warm_aim(solves), *_native_aim(measured["numpy"])]
+    aims += [*_memory_aim(solves), *_evolver_aims(measured["evolver"])]
+    if measured["start_ms"] is not None:
+        start = measured["start_ms"]
+        aims.append(
+            (f"start of FreeCAD: below {START:g} ms for the workbench", f"{start:.0f} ms", start < START)
+        )
+    return [(aim, value, "met" if met else "**missed**") for aim, value, met in aims]
+
+
+def _cold_aims(solves: list[dict[str, Any]]) -> Iterator[Aim]:
     done = _done(solves)
-
-    def row(aim: str, found: str, met: bool) -> None:
-        rows.append((aim, found, "met" if met else "**missed**"))
-
     shapes = list(dict.fromkeys(one["shape"] for one in done))
     worst = {shape: max(_rods(one) for one in done if one["shape"] == shape) for shape in shapes}
     left_out = len(solves) - len(done)
     usual = max(worst[shape] for shape in shapes if shape != "star") if set(shapes) - {"star"} else 0.0
-    row(
+    yield (
         f"cold: at most {COLD:g} yardsticks at every size (disc, square)",
         f"at most {usual:.0f}" + (f"; {left_out} sizes left out" if left_out else ""),
         usual <= COLD and not left_out,
     )
-    row(
+    yield (
         f"cold, the worst outline: at most {COLD_WORST:g}",
         f"{max(worst.values()):.0f}",
         max(worst.values()) <= COLD_WORST,
     )
+
+
+def _growth_aim(solves: list[dict[str, Any]]) -> Iterator[Aim]:
     powers = growth(solves)
     if powers:
-        row(
+        yield (
             f"growth exponent of the whole process: at most {GROWTH:g}",
             ", ".join(f"{shape} {power:.2f} (last {last:.2f})" for shape, (power, last) in powers.items()),
             max(power for power, _ in powers.values()) <= GROWTH,
         )
-    warm = [_rods(one, "warm") for one in done]
-    row(f"warm edit: at most {WARM:g} yardsticks", f"{min(warm):.1f} to {max(warm):.1f}", max(warm) <= WARM)
-    if measured["numpy"]:
-        ratios = [one["cold"]["cpu"] / one["native_cpu"] for one in measured["numpy"]]
-        row(
+
+
+def _warm_aim(solves: list[dict[str, Any]]) -> Iterator[Aim]:
+    warm = [_rods(one, "warm") for one in _done(solves)]
+    yield f"warm edit: at most {WARM:g} yardsticks", f"{min(warm):.1f} to {max(warm):.1f}", max(warm) <= WARM
+
+
+def _native_aim(in_numpy: list[dict[str, Any]]) -> Iterator[Aim]:
+    if in_numpy:
+        ratios = [one["cold"]["cpu"] / one["native_cpu"] for one in in_numpy]
+        yield (
             f"native at least {NATIVE:g} times faster than NumPy",
             f"{min(ratios):.1f} to {max(ratios):.1f}",
             min(ratios) >= NATIVE,
         )
-    beyond = [
-        (one, memory) for one in done if (memory := _beyond(one)) is not None and one["vertices"] > 1500
-    ]
+
+
+def _memory_aim(solves: list[dict[str, Any]]) -> Iterator[Aim]:
+    large = [one for one in _done(solves) if one["vertices"] > 1500]
+    beyond = [memory for one in large if (memory := _beyond(one)) is not None]
     if beyond:
-        most = max(memory for _, memory in beyond)
-        row(
+        most = max(beyond)
+        yield (
             f"memory beyond the factor: below {MEMORY / 1e3:g} kB a vertex",
             f"at most {most / 1e3:.1f} kB",
             most < MEMORY,
         )
+
+
+def _evolver_aims(solves: list[dict[str, Any]]) -> Iterator[Aim]:
     for size, aim in AGAINST_EVOLVER.items():
-        ratios = [
-            one["evolver"]["total"] / one["cold"]["cpu"]
-            for one in measured["evolver"]
-            if one["wanted"] == size
-        ]
+        ratios = [one["evolver"]["total"] / one["cold"]["cpu"] for one in solves if one["wanted"] == size]
         if ratios:
-            row(
+            yield (
                 f"at most 1/{aim:g} of Surface Evolver's time at {size} vertices",
                 ", ".join(f"1/{ratio:.0f}" for ratio in ratios) + " (both at rest)",
                 min(ratios) >= aim,
             )
-    if measured["start_ms"] is not None:
-        start = measured["start_ms"]
-        row(f"start of FreeCAD: below {START:g} ms for the workbench", f"{start:.0f} ms", start < START)
-    return rows
 
 
 def _solves(solves: list[dict[str, Any]]) -> str:

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -44,29 +45,45 @@ class _Mended:
     gone: int = 0
     changes: list[float] = field(default_factory=list)
 
+    @property
+    def row(self) -> tuple[str, ...]:
+        """Of the table."""
+        better, gone = (f"{100 * count / self.tried:.0f} %" for count in (self.better, self.gone))
+        return str(self.tried), better, gone, f"{np.median(self.changes):.2f}"
+
+
+@dataclass
+class _Study:
+    """Findings on the first so many shapes, and what was predicted over what is simulated."""
+
+    shapes: int
+    scores: dict[str, Score] = field(default_factory=new_scores)
+    puffiness: list[float] = field(default_factory=list)
+    thickest: list[float] = field(default_factory=list)
+    refused: int = 0
+
+    def cases(self, fitted: bool) -> Iterator[tuple[Flawed, Truth, Advice]]:
+        """Each shape that was not refused; fitted: with the pattern corrected."""
+        for seed in range(FIRST, FIRST + self.shapes):
+            case = flawed(seed)
+            try:
+                advice, truth = compared(case, self.scores, fitted=fitted)
+            except BalloonError:
+                self.refused += 1
+                continue
+            self.puffiness.append(advice.puffiness / truth.puffiness())
+            self.thickest.append(float(advice.map.thickness.max() / truth.thick.max()))
+            yield case, truth, advice
+
 
 def coach(images: Path) -> Section:
     """Precision and recall of each rule, and what the repairs do."""
-    scores, mended = new_scores(), defaultdict(_Mended)
-    puffiness, thickest, refused = [], [], 0
-    for seed in range(FIRST, FIRST + SHAPES):
-        case = flawed(seed)
-        try:
-            advice, truth = compared(case, scores)
-        except BalloonError:
-            refused += 1
-            continue
-        puffiness.append(advice.puffiness / truth.puffiness())
-        thickest.append(float(advice.map.thickness.max() / truth.thick.max()))
+    mended: dict[str, _Mended] = defaultdict(_Mended)
+    drawn, fitted = _Study(SHAPES), _Study(FITTED)
+    for case, truth, advice in drawn.cases(fitted=False):
         _mend(case, truth, advice, mended)
-    fitted_scores, fitted_puffiness, fitted_thickest = new_scores(), [], []
-    for seed in range(FIRST, FIRST + FITTED):
-        try:
-            advice, truth = compared(flawed(seed), fitted_scores, fitted=True)
-        except BalloonError:
-            continue
-        fitted_puffiness.append(advice.puffiness / truth.puffiness())
-        fitted_thickest.append(float(advice.map.thickness.max() / truth.thick.max()))
+    for _ in fitted.cases(fitted=True):
+        pass
     text = paragraphs(
         f"""{SHAPES} generated outlines of 0.3 m ({", ".join(KINDS)}, in equal parts), film "mylar" at
         {PRESSURE / 1e3:g} kPa, each its own pattern; not those that the coach's constants come from. The
@@ -74,22 +91,23 @@ def coach(images: Path) -> Section:
         about {VERTICES} vertices. Whether a finding is true is measured on the inflated mesh at the
         finding's place, by code of its own (`tests/core/coach_study.py`). Recall counts the places where
         the generator drew such a part, or for notches all places of the outer rim, and the simulation shows
-        the flaw. {refused} outlines were refused.
+        the flaw. {drawn.refused} outlines were refused.
 
-        Predicted over simulated: puffiness {_spread(puffiness)}, greatest thickness {_spread(thickest)}."""
+        Predicted over simulated: puffiness {_spread(drawn.puffiness)}, greatest thickness
+        {_spread(drawn.thickest)}."""
     )
     text += "\n" + table(
         ("rule", "true when", "findings", "precision", "places", "recall"),
-        [_row(rule, scores[rule]) for rule in TRUE_WHEN],
+        [_row(rule, drawn.scores[rule]) for rule in TRUE_WHEN],
     )
     text += "\n" + paragraphs(
         f"""{FITTED} of them once more, with the pattern corrected until the balloon looks like the outline.
-        Predicted over simulated: puffiness {_spread(fitted_puffiness)}, greatest thickness
-        {_spread(fitted_thickest)}."""
+        Predicted over simulated: puffiness {_spread(fitted.puffiness)}, greatest thickness
+        {_spread(fitted.thickest)}."""
     )
     text += "\n" + table(
         ("rule", "findings", "precision", "places", "recall"),
-        [(rule, *_row(rule, fitted_scores[rule])[2:]) for rule in TRUE_WHEN],
+        [(rule, *_row(rule, fitted.scores[rule])[2:]) for rule in TRUE_WHEN],
     )
     text += "\n" + paragraphs(
         """The first repair of each rule on each outline, simulated again: how often the measure improves, how
@@ -97,16 +115,7 @@ def coach(images: Path) -> Section:
     )
     text += "\n" + table(
         ("repair of", "tried", "better", "within the limit", "measure after / before"),
-        [
-            (
-                rule,
-                str(one.tried),
-                f"{100 * one.better / one.tried:.0f} %",
-                f"{100 * one.gone / one.tried:.0f} %",
-                f"{np.median(one.changes):.2f}",
-            )
-            for rule, one in sorted(mended.items())
-        ],
+        [(rule, *one.row) for rule, one in sorted(mended.items())],
     )
     text += "\n" + paragraphs(
         """The example pictures before any simulation, dark where the balloon will be thick: hints blue,

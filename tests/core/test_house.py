@@ -220,6 +220,46 @@ def test_a_file_is_one_idea() -> None:
     assert not long, "split them: a file holds one idea"
 
 
+def test_functions_can_be_read_at_once() -> None:
+    """At most 60 lines; the linter holds complexity (10) and parameters (8)."""
+    functions = [
+        (path, node)
+        for path in sources(".py")
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef))
+    ]
+    long = [
+        f"{named(path)}:{node.lineno} {node.name}"
+        for path, node in functions
+        if (node.end_lineno or node.lineno) - node.lineno >= 60
+    ]
+    assert not long, "split them"
+
+
+def _private(path: Path) -> Iterator[str]:
+    """Names with an underscore that a file takes out of modules of the core."""
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    modules = set()
+    for node in ast.walk(tree):
+        if isinstance(node, ast.ImportFrom) and str(node.module).startswith("BalloonWorkbench.core"):
+            modules |= {alias.asname or alias.name for alias in node.names}
+            yield from (alias.name for alias in node.names if alias.name.startswith("_"))
+    for node in ast.walk(tree):
+        taken = node.value if isinstance(node, ast.Attribute) else None
+        if isinstance(taken, ast.Name) and taken.id in modules and re.match(r"_[^_]", node.attr):
+            yield f"{taken.id}.{node.attr}"
+
+
+def test_benchmarks_take_nothing_private() -> None:
+    """What they exchange or look at, anybody can."""
+    private = [
+        f"{named(path)}: {name}"
+        for path in sorted((ROOT / "benchmarks").rglob("*.py"))
+        for name in _private(path)
+    ]
+    assert not private
+
+
 #: Where an unforeseen error ends, by file: each is told in a sentence, and its details are kept in a file.
 BORDERS = {
     "BalloonWorkbench/core/faults.py": "the report itself",

@@ -32,38 +32,54 @@ def _name(widget):
 
 def _narrow(widget):
     """Texts and signs for which there is no room."""
-    if isinstance(widget, QtWidgets.QTabBar):
-        yield from _tabs(widget)
+    for kind, check in _NARROW.items():
+        if isinstance(widget, kind):
+            yield from check(widget)
+            return
+
+
+def _narrow_label(label):
+    if not label.text():
         return
-    room = widget.width() + _SLACK
-    if isinstance(widget, QtWidgets.QLabel) and widget.text():
-        if widget.wordWrap():
-            if widget.heightForWidth(widget.width()) > widget.height() + _SLACK:
-                yield f"{_name(widget)} is too low: {widget.height()} px"
-            room_of_words = widget.minimumSizeHint().width()
-            if room_of_words > room:
-                yield f"{_name(widget)} has a word that is cut off: {widget.width()} px of {room_of_words}"
-        elif widget.sizeHint().width() > room and not hasattr(widget, "elided_text"):
-            yield f"{_name(widget)} is cut off: {widget.width()} px of {widget.sizeHint().width()}"
-    elif isinstance(widget, QtWidgets.QAbstractButton):
-        needed = widget.minimumSizeHint().width()
-        own = widget.metaObject().className().startswith("Gui::") or widget.objectName() in _QTS_OWN
-        if needed > room and not own:
-            yield f"{_name(widget)} is cut off: {widget.width()} px of {needed}"
-    elif isinstance(widget, QtWidgets.QComboBox):
-        needed = widget.fontMetrics().boundingRect(widget.currentText()).width() + 24
-        if isinstance(widget, ElidedCombo):
-            needed *= _READ
-        if needed > room:
-            yield f"{_name(widget)} {widget.currentText()!r} is cut off: {widget.width()} px of {needed}"
-    elif isinstance(widget, QtWidgets.QListWidget) and widget.count():
-        last = widget.visualItemRect(widget.item(widget.count() - 1)).bottom()
-        if last > widget.viewport().height() + _SLACK and not widget.verticalScrollBar().isVisible():
-            yield f"{_name(widget)} is too low: {widget.viewport().height()} px of {last}"
-    elif isinstance(widget, QtWidgets.QLineEdit):
-        needed = widget.fontMetrics().boundingRect(widget.text() or widget.placeholderText()).width() + 6
-        if needed > room:
-            yield f"{_name(widget)} is cut off: {widget.width()} px of {needed}"
+    room = label.width() + _SLACK
+    if not label.wordWrap():
+        if label.sizeHint().width() > room and not hasattr(label, "elided_text"):
+            yield f"{_name(label)} is cut off: {label.width()} px of {label.sizeHint().width()}"
+        return
+    if label.heightForWidth(label.width()) > label.height() + _SLACK:
+        yield f"{_name(label)} is too low: {label.height()} px"
+    room_of_words = label.minimumSizeHint().width()
+    if room_of_words > room:
+        yield f"{_name(label)} has a word that is cut off: {label.width()} px of {room_of_words}"
+
+
+def _narrow_button(button):
+    needed = button.minimumSizeHint().width()
+    own = button.metaObject().className().startswith("Gui::") or button.objectName() in _QTS_OWN
+    if needed > button.width() + _SLACK and not own:
+        yield f"{_name(button)} is cut off: {button.width()} px of {needed}"
+
+
+def _narrow_combo(combo):
+    needed = combo.fontMetrics().boundingRect(combo.currentText()).width() + 24
+    if isinstance(combo, ElidedCombo):
+        needed *= _READ
+    if needed > combo.width() + _SLACK:
+        yield f"{_name(combo)} {combo.currentText()!r} is cut off: {combo.width()} px of {needed}"
+
+
+def _low_list(rows):
+    if not rows.count():
+        return
+    last = rows.visualItemRect(rows.item(rows.count() - 1)).bottom()
+    if last > rows.viewport().height() + _SLACK and not rows.verticalScrollBar().isVisible():
+        yield f"{_name(rows)} is too low: {rows.viewport().height()} px of {last}"
+
+
+def _narrow_field(field):
+    needed = field.fontMetrics().boundingRect(field.text() or field.placeholderText()).width() + 6
+    if needed > field.width() + _SLACK:
+        yield f"{_name(field)} is cut off: {field.width()} px of {needed}"
 
 
 def _address(widget):
@@ -83,6 +99,16 @@ def _tabs(bar):
         if button.isVisible():
             yield "tabs have to be scrolled"
             return
+
+
+_NARROW = {
+    QtWidgets.QTabBar: _tabs,
+    QtWidgets.QLabel: _narrow_label,
+    QtWidgets.QAbstractButton: _narrow_button,
+    QtWidgets.QComboBox: _narrow_combo,
+    QtWidgets.QListWidget: _low_list,
+    QtWidgets.QLineEdit: _narrow_field,
+}
 
 
 def _outside(widget, areas):

@@ -197,68 +197,76 @@ def _text_cut_off(widget):
         if not widget.toolTip():
             yield f"{name(widget)} says nowhere what it leaves out"
         return
-    needs = max(widget.fontMetrics().horizontalAdvance(line) for line in said.split("\n"))
-    has = widget.contentsRect().width()
-    if isinstance(widget, QtWidgets.QLabel):
-        if widget.wordWrap():
-            lines = widget.heightForWidth(widget.width())
-            if lines > widget.height() + _SLACK:
-                yield f"{name(widget)} has {widget.height()} px for lines of {lines}"
-            needs = max(widget.fontMetrics().horizontalAdvance(word) for word in said.split() or [""])
-        has -= 2 * widget.margin()
-    elif isinstance(widget, (QtWidgets.QCheckBox, QtWidgets.QRadioButton)):
-        option = QtWidgets.QStyleOptionButton()
-        option.initFrom(widget)
-        part = QtWidgets.QStyle.SE_CheckBoxContents
-        has = widget.style().subElementRect(part, option, widget).width()
-    elif isinstance(widget, QtWidgets.QComboBox):
-        option = QtWidgets.QStyleOptionComboBox()
-        option.initFrom(widget)
-        style = QtWidgets.QStyle
-        has = (
-            widget.style()
-            .subControlRect(style.CC_ComboBox, option, style.SC_ComboBoxEditField, widget)
-            .width()
-        )
-        needs *= _READ if isinstance(widget, ElidedCombo) else 1.0
-    elif isinstance(widget, QtWidgets.QToolButton):
-        if widget.toolButtonStyle() == QtCore.Qt.ToolButtonIconOnly and not widget.icon().isNull():
-            return
-    elif isinstance(widget, QtWidgets.QPushButton):
-        needs += widget.iconSize().width() if not widget.icon().isNull() else 0
-    elif isinstance(widget, QtWidgets.QLineEdit):
-        return  # what is typed moves along
-    elif isinstance(widget, QtWidgets.QAbstractSpinBox):
-        line = widget.findChild(QtWidgets.QLineEdit)
-        has = line.width() - line.textMargins().left() - line.textMargins().right()
+    if isinstance(widget, QtWidgets.QLabel) and widget.wordWrap():
+        lines = widget.heightForWidth(widget.width())
+        if lines > widget.height() + _SLACK:
+            yield f"{name(widget)} has {widget.height()} px for lines of {lines}"
+    needs, has = _needed_width(widget, said), _width_of_text(widget)
     if needs > has + _SLACK:
         yield f"{name(widget)} has {has} px for a text of {needs}"
+
+
+def _needed_width(widget, said):
+    """Pixels that a text needs in its widget."""
+    wraps = isinstance(widget, QtWidgets.QLabel) and widget.wordWrap()
+    parts = said.split() if wraps else said.split("\n")
+    needs = max(widget.fontMetrics().horizontalAdvance(part) for part in parts or [""])
+    if isinstance(widget, ElidedCombo):
+        return needs * _READ
+    if isinstance(widget, QtWidgets.QPushButton) and not widget.icon().isNull():
+        return needs + widget.iconSize().width()
+    return needs
+
+
+def _width_of_text(widget):
+    """Pixels that a widget has for its text; no end where the text is not shown or moves along."""
+    Style = QtWidgets.QStyle
+    if isinstance(widget, QtWidgets.QLabel):
+        return widget.contentsRect().width() - 2 * widget.margin()
+    if isinstance(widget, (QtWidgets.QCheckBox, QtWidgets.QRadioButton)):
+        option = QtWidgets.QStyleOptionButton()
+        option.initFrom(widget)
+        return widget.style().subElementRect(Style.SE_CheckBoxContents, option, widget).width()
+    if isinstance(widget, QtWidgets.QComboBox):
+        option = QtWidgets.QStyleOptionComboBox()
+        option.initFrom(widget)
+        field = Style.CC_ComboBox, option, Style.SC_ComboBoxEditField, widget
+        return widget.style().subControlRect(*field).width()
+    if isinstance(widget, QtWidgets.QToolButton) and not widget.icon().isNull():
+        only = widget.toolButtonStyle() == QtCore.Qt.ToolButtonIconOnly
+        return float("inf") if only else widget.contentsRect().width()
+    if isinstance(widget, QtWidgets.QLineEdit):
+        return float("inf")
+    if isinstance(widget, QtWidgets.QAbstractSpinBox):
+        line = widget.findChild(QtWidgets.QLineEdit)
+        return line.width() - line.textMargins().left() - line.textMargins().right()
+    return widget.contentsRect().width()
 
 
 def texts(widgets):
     """(where, text) of all that is said: labels, fields, lists, tooltips, our menu, the status bar."""
     main = Gui.getMainWindow()
     for widget in widgets:
-        where = name(widget)
-        said = text_of(widget)
-        if widget.objectName() in _PLACES:
-            continue
-        if said and _is_said(widget, said):
-            yield where, said
-        if widget.toolTip():
-            yield f"tooltip of {where}", widget.toolTip()
-        if isinstance(widget, QtWidgets.QListWidget):
-            for row in range(widget.count()):
-                yield where, widget.item(row).text()
-        if isinstance(widget, QtWidgets.QComboBox):
-            for row in range(widget.count()):
-                yield f"entry of {where}", widget.itemText(row)
+        if widget.objectName() not in _PLACES:
+            yield from _texts_of(widget)
     for action in main.findChildren(QtGui.QAction if hasattr(QtGui, "QAction") else QtWidgets.QAction):
         if action.objectName().startswith("BalloonWorkbench_"):
             yield "a command", " ".join((action.text(), action.toolTip(), action.statusTip()))
     yield "status bar", main.statusBar().currentMessage()
     for obj in App.ActiveDocument.Objects if App.ActiveDocument is not None else ():
         yield "tree", obj.Label
+
+
+def _texts_of(widget):
+    where, said = name(widget), text_of(widget)
+    if said and _is_said(widget, said):
+        yield where, said
+    if widget.toolTip():
+        yield f"tooltip of {where}", widget.toolTip()
+    if isinstance(widget, QtWidgets.QListWidget):
+        yield from ((where, widget.item(row).text()) for row in range(widget.count()))
+    if isinstance(widget, QtWidgets.QComboBox):
+        yield from ((f"entry of {where}", widget.itemText(row)) for row in range(widget.count()))
 
 
 def _is_said(widget, text):

@@ -22,8 +22,15 @@ def opened():
 def test_child(user, story):
     user.command("BalloonWorkbench_Paint")
     window = opened()
-    canvas, live = window.canvas, window.live
     story.step("paper")
+    _first_stroke(user, story, window)
+    _colours(user, story, window)
+    _made(user, story)
+    _painted_on(user, story)
+
+
+def _first_stroke(user, story, window):
+    canvas, live = window.canvas, window.live
     box = canvas.mapToGlobal(canvas.rect().topLeft()), canvas.size()
 
     user.button(f"PaintColour{BLUE}")
@@ -39,6 +46,10 @@ def test_child(user, story):
     hands.wait_until(live.is_settled, 60)
     story.expect(abs(live.width - 250) < 1, f"the width is {live.width}, not 250 mm")
     story.step("width")
+
+
+def _colours(user, story, window):
+    canvas, live = window.canvas, window.live
 
     def only_colours(what, action):
         most = most_change(action, live.is_settled)
@@ -56,6 +67,9 @@ def test_child(user, story):
     user.button("PaintBrush")
     user.button(f"PaintColour{RED}")
     only_colours("stripe", lambda: user.paint(canvas, fish.STRIPES[0]))
+
+
+def _made(user, story):
     user.button("PaintMake")
     hands.wait_until(is_closed, 60)
     hands.wait_until(hands.panel_is_open)
@@ -65,6 +79,9 @@ def test_child(user, story):
     hands.wait_until(hands.panel_is_closed)
     story.step("in-the-document")
     story.expect(len(App.ActiveDocument.UndoNames) == 1, "making it is more than one step to undo")
+
+
+def _painted_on(user, story):
     user.open_in_tree(App.ActiveDocument.Outline)
     window = opened()
     canvas = window.canvas

@@ -22,6 +22,17 @@ def solved():
 def test_engineer(user, story, tmp_path):
     doc = App.newDocument("Bracket")
     hands.wait(0.3)
+    drawn = _balloon_of_sketch(user, story, doc)
+    _wider(user, story, doc, drawn)
+    _pressure_by_expression(user, story, doc.Balloon)
+    _advice(user, story, doc.Balloon)
+    _exported(user, story, doc.Pattern, tmp_path)
+    _second_balloon(user, story, doc)
+    _undone_and_redone(user, story, doc)
+    _saved_and_opened(user, story, doc, tmp_path)
+
+
+def _balloon_of_sketch(user, story, doc):
     drawn = sketches.rectangle(doc, 90, 60)
     Gui.SendMsgToActiveView("ViewFit")
     user.select(drawn)
@@ -37,20 +48,24 @@ def test_engineer(user, story, tmp_path):
         story.step(f"page-{number + 1}")
     user.panel("Ok")
     hands.wait_until(hands.panel_is_closed, 60)
-    balloon, pattern = doc.Balloon, doc.Pattern
-    story.expect("001" not in balloon.Label, f"the first balloon is called {balloon.Label}")
+    story.expect("001" not in doc.Balloon.Label, f"the first balloon is called {doc.Balloon.Label}")
     story.step("ok")
+    return drawn
 
+
+def _wider(user, story, doc, drawn):
     drawn.setDatum("Width", App.Units.Quantity("140 mm"))
     user.click(hands.visible(hands.QtWidgets.QMenuBar)[0].mapToGlobal(hands.QtCore.QPoint(400, 10)))
     user.key("Escape")
     doc.recompute()
     hands.wait(0.5)
     story.expect(
-        balloon.InflatedWidth.Value == pytest.approx(140, rel=0.03), "the balloon is not 140 mm wide"
+        doc.Balloon.InflatedWidth.Value == pytest.approx(140, rel=0.03), "the balloon is not 140 mm wide"
     )
     story.step("dimension-140")
 
+
+def _pressure_by_expression(user, story, balloon):
     user.open_in_tree(balloon)
     hands.wait_until(hands.panel_is_seen)
     field = hands.find("Pressure")
@@ -65,6 +80,8 @@ def test_engineer(user, story, tmp_path):
     story.expect(bool(balloon.ExpressionEngine), "the expression was not kept")
     story.step("expression")
 
+
+def _advice(user, story, balloon):
     user.select(balloon)
     user.command("BalloonWorkbench_Advice")
     hands.wait_until(hands.panel_is_seen)
@@ -75,6 +92,8 @@ def test_engineer(user, story, tmp_path):
     )
     hands.wait_until(hands.panel_is_closed)
 
+
+def _exported(user, story, pattern, folder):
     user.select(pattern)
     user.command("BalloonWorkbench_ExportPattern")
     hands.wait_until(hands.panel_is_seen)
@@ -84,13 +103,15 @@ def test_engineer(user, story, tmp_path):
         "Bracket" in hands.find("File").text() or "Rectangle" in hands.find("File").text(),
         f"the file is not called after the balloon: {hands.find('File').text()}",
     )
-    user.replace(hands.find("File"), str(tmp_path / "bracket.dxf"), confirm=False)
+    user.replace(hands.find("File"), str(folder / "bracket.dxf"), confirm=False)
     story.step("export-file")
     user.panel("Ok")
     hands.wait_until(hands.panel_is_closed)
-    assert (tmp_path / "bracket.dxf").exists()
+    assert (folder / "bracket.dxf").exists()
     story.step("exported")
 
+
+def _second_balloon(user, story, doc):
     second = sketches.sketch(doc, *sketches.polygon((0, 0), (70, 0), (35, 60)), name="Triangle")
     user.select(second)
     user.command("BalloonWorkbench_FromSketch")
@@ -103,6 +124,8 @@ def test_engineer(user, story, tmp_path):
     user.key("f")
     story.step("second")
 
+
+def _undone_and_redone(user, story, doc):
     names = [obj.Name for obj in doc.Objects]
     user.key("Ctrl", "z")
     hands.wait(0.5)
@@ -113,14 +136,16 @@ def test_engineer(user, story, tmp_path):
     story.expect([obj.Name for obj in doc.Objects] == names, "redo did not bring the second balloon back")
     story.step("redone")
 
-    with user.answering(tmp_path / "bracket.FCStd"):
+
+def _saved_and_opened(user, story, doc, folder):
+    file = folder / "bracket.FCStd"
+    with user.answering(file):
         user.key("Ctrl", "s")
-        hands.wait_until((tmp_path / "bracket.FCStd").exists, 20)
+        hands.wait_until(file.exists, 20)
     App.closeDocument(doc.Name)
-    App.openDocument(str(tmp_path / "bracket.FCStd"))
+    App.openDocument(str(file))
     hands.wait(1.0)
-    doc = App.ActiveDocument
-    story.expect(ready(doc), "the balloons are not ready after opening")
+    story.expect(ready(App.ActiveDocument), "the balloons are not ready after opening")
     story.step("reopened")
 
 

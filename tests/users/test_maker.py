@@ -26,6 +26,16 @@ def ready():
 
 
 def test_maker(user, story, tmp_path):
+    _balloon_of_picture(user, story)
+    doc = App.ActiveDocument
+    _printed(user, story, doc.Balloon)
+    _on_film(user, story, doc)
+    _assembly_sheet(user, story, doc.Balloon, tmp_path)
+    _colour_map(user, story, doc.Balloon)
+    _bed_too_small(user, story, doc.Pattern, tmp_path)
+
+
+def _balloon_of_picture(user, story):
     with user.answering(HEART, expected=False) as chooser:
         user.command("BalloonWorkbench_FromPicture")
         hands.wait_until(hands.panel_is_seen)
@@ -50,11 +60,12 @@ def test_maker(user, story, tmp_path):
     story.step("film")
     user.panel("Ok")
     hands.wait_until(hands.panel_is_closed, 60)
-    doc = App.ActiveDocument
-    balloon, pattern = doc.Balloon, doc.Pattern
+    balloon = App.ActiveDocument.Balloon
     story.expect("001" not in balloon.Label, f"the first balloon is called {balloon.Label}")
     story.step("ok")
 
+
+def _printed(user, story, balloon):
     user.select(balloon)
     user.command("BalloonWorkbench_Artwork")
     hands.wait_until(hands.panel_is_seen)
@@ -68,7 +79,9 @@ def test_maker(user, story, tmp_path):
     hands.wait_until(hands.panel_is_closed, 60)
     story.step("artwork-kept")
 
-    user.select(balloon)
+
+def _on_film(user, story, doc):
+    user.select(doc.Balloon)
     user.command("BalloonWorkbench_Nest")
     hands.wait_until(hands.panel_is_seen)
     story.step("nest")
@@ -80,17 +93,21 @@ def test_maker(user, story, tmp_path):
     assert any(kinds.is_film_sheet(obj) for obj in doc.Objects)
     story.step("on-film")
 
+
+def _assembly_sheet(user, story, balloon, folder):
     user.select(balloon)
     user.command("BalloonWorkbench_AssemblySheet")
     hands.wait_until(hands.panel_is_seen)
     hands.wait(3.0)
     story.step("assembly")
-    user.replace(hands.find("AssemblyFile"), str(tmp_path / "sheet.pdf"), confirm=False)
+    user.replace(hands.find("AssemblyFile"), str(folder / "sheet.pdf"), confirm=False)
     user.panel("Ok")
     hands.wait_until(hands.panel_is_closed, 60)
-    assert (tmp_path / "sheet.pdf").exists()
+    assert (folder / "sheet.pdf").exists()
     story.step("assembly-written")
 
+
+def _colour_map(user, story, balloon):
     user.select(balloon)
     user.command("BalloonWorkbench_ColourMap")
     hands.wait_until(hands.panel_is_seen)
@@ -99,13 +116,15 @@ def test_maker(user, story, tmp_path):
     user.panel("Cancel")
     hands.wait_until(hands.panel_is_closed)
 
+
+def _bed_too_small(user, story, pattern, folder):
     user.select(pattern)
     user.command("BalloonWorkbench_ExportPattern")
     hands.wait_until(hands.panel_is_seen)
     user.choose(hands.find("Machine"), "Glowforge")
     hands.wait(0.5)
     story.step("bed-too-small")
-    user.replace(hands.find("File"), str(tmp_path / "heart.svg"), confirm=False)
+    user.replace(hands.find("File"), str(folder / "heart.svg"), confirm=False)
     user.panel("Ok")
     hands.wait(1.0)
     story.step("refused")

@@ -44,6 +44,15 @@ def in_view():
 
 
 def test_tutorial_fish(user, story, says, tmp_path):
+    window = _first_stroke(user, story, says)
+    _width(user, says, window)
+    _colours(user, story, says, window)
+    _made(user, story, says, tmp_path)
+    _painted_on(user, story, says)
+    _changed(user, story, says)
+
+
+def _first_stroke(user, story, says):
     bar = next(b for b in hands.visible(hands.QtWidgets.QToolBar) if b.windowTitle() == "Film Balloon")
     first = next(action for action in bar.actions() if not action.isSeparator())
     user.click(bar.widgetForAction(first))
@@ -53,7 +62,7 @@ def test_tutorial_fish(user, story, says, tmp_path):
         and "Paint a balloon" in first.text().replace("&", ""),
     )
     window = opened()
-    canvas, live, form = window.canvas, window.live, window.form
+    canvas = window.canvas
     place = hands.QtCore.QRect(canvas.mapToGlobal(canvas.rect().topLeft()), canvas.size())
     says(
         "A sheet of paper opens beside the 3D view.", not place.intersects(view_box()) and place.width() > 300
@@ -80,7 +89,12 @@ def test_tutorial_fish(user, story, says, tmp_path):
     )
     hands.wait_until(window.card.isVisible, 30)
     story.step("first-stroke")
-    hand_is_there = canvas.scale.shown
+    return window
+
+
+def _width(user, says, window):
+    live = window.live
+    hand_is_there = window.canvas.scale.shown
     user.replace(window.card.field, "25", confirm=False)
     user.button("PaintSizeDone")
     says(
@@ -88,8 +102,12 @@ def test_tutorial_fish(user, story, says, tmp_path):
         hand_is_there and live.width == pytest.approx(250),
     )
     for width in ("260 mm", "250 mm"):
-        user.replace(form.width_field, width)
+        user.replace(window.form.width_field, width)
     says("You can change it later in the field Width.", live.width == pytest.approx(250))
+
+
+def _colours(user, story, says, window):
+    canvas, live = window.canvas, window.live
     user.paint(canvas, fish.TAIL_LINE)
     user.button("PaintFill")
     truth = []
@@ -126,8 +144,11 @@ def test_tutorial_fish(user, story, says, tmp_path):
         "canvas says when it is ready to make, or what to change.",
         live.latest.solved is not None
         and live.latest.size[0] == pytest.approx(250, rel=0.01)
-        and "Ready to make" in form.hint.text(),
+        and "Ready to make" in window.form.hint.text(),
     )
+
+
+def _made(user, story, says, folder):
     user.button("PaintMake")
     hands.wait_until(is_closed, 60)
     hands.wait_until(hands.panel_is_seen)
@@ -140,11 +161,14 @@ def test_tutorial_fish(user, story, says, tmp_path):
         "panel for printing is open: real size, on as many sheets of A4 as it takes.",
         ready and doc.UndoCount == 1 and hands.find("Pages").currentText() == "A4",
     )
-    user.replace(hands.find("File"), str(tmp_path / "fish.pdf"), confirm=False)
+    user.replace(hands.find("File"), str(folder / "fish.pdf"), confirm=False)
     user.panel("Ok")
     hands.wait_until(hands.panel_is_closed)
-    says("OK writes a PDF.", (tmp_path / "fish.pdf").read_bytes().startswith(b"%PDF"))
+    says("OK writes a PDF.", (folder / "fish.pdf").read_bytes().startswith(b"%PDF"))
 
+
+def _painted_on(user, story, says):
+    doc = App.ActiveDocument
     user.open_in_tree(doc.Outline)
     window = opened()
     says(
@@ -154,6 +178,10 @@ def test_tutorial_fish(user, story, says, tmp_path):
     window.close()
     hands.wait(0.5)
     story.expect(is_whole(Gui.ActiveDocument), "the view does not show all when the paper is closed")
+
+
+def _changed(user, story, says):
+    doc = App.ActiveDocument
     user.open_in_tree(doc.Balloon)
     hands.wait_until(hands.panel_is_seen)
     says("Double-click Balloon in the tree.", hands.panel_is_open())
@@ -188,6 +216,13 @@ def test_tutorial_fish(user, story, says, tmp_path):
 def test_tutorial_tools(user, story, says):
     user.command("BalloonWorkbench_Paint")
     window = opened()
+    _steps_and_view(user, story, says, window)
+    _mirror_and_thickness(user, says, window)
+    _tablet(says, window)
+    _photos(user, story, says, window)
+
+
+def _steps_and_view(user, story, says, window):
     canvas, painting = window.canvas, window.painting
     user.paint(canvas, [(0.2, 0.3), (0.3, 0.3), (0.4, 0.35)])
     user.paint(canvas, [(0.2, 0.6), (0.3, 0.6), (0.4, 0.65)])
@@ -208,8 +243,11 @@ def test_tutorial_tools(user, story, says):
         "The wheel zooms; the middle button moves the paper, 0 shows all of it.",
         zoomed > 1.2 * whole and moved > 20 and all(canvas.rect().contains(end) for end in ends),
     )
+
+
+def _mirror_and_thickness(user, says, window):
     user.key("m")
-    user.paint(canvas, [(0.1, 0.2), (0.15, 0.15), (0.2, 0.1)])
+    user.paint(window.canvas, [(0.1, 0.2), (0.15, 0.15), (0.2, 0.1)])
     both = [colour_at(window, x, 0.15)[3] for x in (0.15, 0.85)]
     says("M paints both sides at once, mirrored.", both == [255, 255])
     user.key("m")
@@ -221,6 +259,10 @@ def test_tutorial_tools(user, story, says):
         "[ and ] make the pen thinner and thicker.",
         thickness[2] > thickness[1] > thickness[0] > thickness[-1],
     )
+
+
+def _tablet(says, window):
+    canvas, painting = window.canvas, window.painting
     for kind, pressure in ((QEvent.TabletPress, 1.0), (QEvent.TabletMove, 1.0), (QEvent.TabletRelease, 0.0)):
         tablet(canvas, kind, (0.5 if kind == QEvent.TabletPress else 0.6, 0.8), pressure)
     for kind, pressure in ((QEvent.TabletPress, 0.1), (QEvent.TabletMove, 0.1), (QEvent.TabletRelease, 0.0)):
@@ -235,6 +277,10 @@ def test_tutorial_tools(user, story, says):
         "A tablet's pen draws thicker the harder you press, and its rubber end erases.",
         thick > thin > 0 and colour_at(window, 0.55, 0.8)[3] == 0,
     )
+
+
+def _photos(user, story, says, window):
+    painting = window.painting
     user.button("PaintClear")
     with user.answering(HEART):
         user.button("PaintPicture")
@@ -253,6 +299,12 @@ def test_tutorial_tools(user, story, says):
 
 
 def test_tutorial_sketch(user, story, says, tmp_path):
+    _example(user, story, says)
+    _exported(user, story, says, tmp_path)
+    _own_sketch(user, says)
+
+
+def _example(user, story, says):
     user.menu("Examples", "Heart from a spreadsheet")
     hands.wait_until(lambda: App.ActiveDocument is not None, 20)
     hands.wait(1.0)
@@ -286,7 +338,9 @@ def test_tutorial_sketch(user, story, says, tmp_path):
     titles = " ".join(action.text().lower() for action in examples.actions())
     says("The other examples are a letter and a ring.", "letter" in titles and "ring" in titles)
 
-    user.select(doc.Pattern)
+
+def _exported(user, story, says, folder):
+    user.select(App.ActiveDocument.Pattern)
     user.command("BalloonWorkbench_ExportPattern")
     hands.wait_until(hands.panel_is_seen)
     says("Select the pattern and press Export pattern.", "Pattern" in hands.find("Pattern").currentText())
@@ -298,11 +352,13 @@ def test_tutorial_sketch(user, story, says, tmp_path):
         "and marked in the view.",
         bool(listed) and all(listed),
     )
-    user.replace(hands.find("File"), str(tmp_path / "heart.dxf"), confirm=False)
+    user.replace(hands.find("File"), str(folder / "heart.dxf"), confirm=False)
     user.panel("Ok")
     hands.wait_until(hands.panel_is_closed)
-    says("OK writes the file.", (tmp_path / "heart.dxf").exists())
+    says("OK writes the file.", (folder / "heart.dxf").exists())
 
+
+def _own_sketch(user, says):
     own = sketches.rectangle(App.newDocument("Own"), 90, 60)
     hands.wait(0.5)
     user.select(own)

@@ -100,7 +100,6 @@ def maker_numbers(
     filling: Filling,
     *,
     pieces: Pattern | None = None,
-    roll_width: float | None = None,
     exact: bool = True,
 ) -> Numbers:
     """The numbers of one balloon.
@@ -121,7 +120,7 @@ def maker_numbers(
             seen[each.gas.name] = _floating(each, inflation, film, seam.area, grown, valve, width, data)
     return Numbers(
         2.0 * pattern.film_area,
-        _roll(pattern, film, data.roll_width if roll_width is None else roll_width),
+        film_of_roll(pattern, film, data.roll_width),
         pattern.seam_length,
         2.0 * film.areal_density * seam.area,
         2.0 * film.areal_density * grown,
@@ -162,8 +161,8 @@ def _floating(
     )
 
 
-def _roll(pattern: Pattern, film: Film, width: float) -> tuple[float, float] | None:
-    """Film for both panels, by the boxes around them: nesting may need less."""
+def film_of_roll(pattern: Pattern, film: Film, width: float) -> tuple[float, float] | None:
+    """Width and length [m] for both panels, by the boxes around them: nesting may need less."""
     pieces, stock = [Piece(pattern, 1, 1, film.lies)], Stock(width)
     try:
         check(pieces, stock)

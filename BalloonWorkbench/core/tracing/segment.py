@@ -43,34 +43,37 @@ def segment(rgba: NDArray[np.uint8], drawn_as: str = AUTO) -> tuple[Pixels, list
         raise PictureError(
             "No shape stands out in the picture. Use stronger colours or a plainer background."
         )
-    notes: list[str] = []
     if drawn_as == SHAPE:
-        return silhouette, notes
+        return silhouette, []
     lines = strokes(drawn)
-    if drawn_as == PEN:
-        lines = replace(lines, pen=True)
-    if lines.pen:
-        silhouette = _without_dots(silhouette, lines)
-        silhouette, notes = _close(silhouette, lines)
-        drawn = silhouette > 0.5
+    if lines.pen or drawn_as == PEN:
+        return _pen_drawing(silhouette, replace(lines, pen=True))
     filled = _inside_of_lines(drawn, lines)
-    if filled.any():
-        notes += [] if lines.pen else _filled_note(filled, drawn)
-        silhouette = np.where(neighbours(filled) & (drawn | filled), 1, silhouette).astype(np.float32)
-    if lines.pen:
-        silhouette, joined = _draw(silhouette, join_near(silhouette > 0.5, lines), lines)
-        if joined:
-            notes.append("Loose ends of lines were joined to the drawing.")
-        if filled.any():
-            silhouette, loose = _without_loose(silhouette, filled, lines)
-            if loose:
-                notes.append("Lines that close around nothing beside the shapes were left out.")
-        notes.append(
-            AS_PEN
-            if filled.any()
-            else "The lines of the drawing do not close around anything: the outline follows the lines."
-        )
-    return silhouette, notes
+    notes = _filled_note(filled, drawn) if filled.any() else []
+    return _with_filled(silhouette, filled), notes
+
+
+def _pen_drawing(silhouette: Pixels, lines: Strokes) -> tuple[Pixels, list[str]]:
+    """The silhouette of a pen drawing, whose lines are closed and filled, and remarks for the user."""
+    silhouette, notes = _close(_without_dots(silhouette, lines), lines)
+    filled = _inside_of_lines(silhouette > 0.5, lines)
+    silhouette = _with_filled(silhouette, filled)
+    silhouette, joined = _draw(silhouette, join_near(silhouette > 0.5, lines), lines)
+    if joined:
+        notes.append("Loose ends of lines were joined to the drawing.")
+    if not filled.any():
+        note = "The lines of the drawing do not close around anything: the outline follows the lines."
+        return silhouette, [*notes, note]
+    silhouette, loose = _without_loose(silhouette, filled, lines)
+    if loose:
+        notes.append("Lines that close around nothing beside the shapes were left out.")
+    return silhouette, [*notes, AS_PEN]
+
+
+def _with_filled(silhouette: Pixels, filled: Bools) -> Pixels:
+    """The silhouette with regions filled, up to the soft edges of what is drawn round them."""
+    inside = neighbours(filled) & ((silhouette > 0.5) | filled)
+    return np.where(inside, 1, silhouette).astype(np.float32)
 
 
 def _filled_note(filled: Bools, drawn: Bools) -> list[str]:

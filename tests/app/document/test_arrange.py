@@ -335,54 +335,57 @@ def test_an_older_document_keeps_its_places():
     App.closeDocument(doc.Name)
 
 
-def _story(doc, seed, tmp_path):
-    """What users do, in any order; after each step all lie beside each other."""
-    chance = random.Random(seed)
-    made, told = [], []
+class _Story:
+    """What users do, in any order."""
 
-    def sketch():
-        obj = sketches.rectangle(doc, chance.uniform(60, 90), chance.uniform(60, 90))
-        made.append(create.balloon_from_sketch(doc, obj, **QUICK))
+    def __init__(self, doc, seed, folder):
+        self.doc, self.folder, self.chance, self.made = doc, folder, random.Random(seed), []
 
-    def picture():
-        made.append(heart(doc, chance.uniform(70, 120)))
+    def sketch(self):
+        obj = sketches.rectangle(self.doc, self.chance.uniform(60, 90), self.chance.uniform(60, 90))
+        self.made.append(create.balloon_from_sketch(self.doc, obj, **QUICK))
 
-    def shapes():
-        made.append(create.balloon_from_picture(doc, two_shapes(tmp_path / "s.json"), **QUICK))
+    def picture(self):
+        self.made.append(heart(self.doc, self.chance.uniform(70, 120)))
 
-    def grow():
-        outline = chance.choice(made).outline
+    def shapes(self):
+        drawing = two_shapes(self.folder / "s.json")
+        self.made.append(create.balloon_from_picture(self.doc, drawing, **QUICK))
+
+    def grow(self):
+        outline = self.chance.choice(self.made).outline
         if outline.Source:
-            outline.Source[0].setDatum("Height", chance.uniform(60, 300))
+            outline.Source[0].setDatum("Height", self.chance.uniform(60, 300))
         else:
-            outline.Width = chance.uniform(150, 400)
+            outline.Width = self.chance.uniform(150, 400)
 
-    def pattern():
-        obj = chance.choice(made).pattern
-        obj.Mirror, obj.Allowance = chance.random() < 0.5, chance.uniform(2, 20)
+    def pattern(self):
+        obj = self.chance.choice(self.made).pattern
+        obj.Mirror, obj.Allowance = self.chance.random() < 0.5, self.chance.uniform(2, 20)
 
-    def printed():
-        artwork.make(chance.choice([each for each in made if not each.outline.Source] or made).pattern)
+    def printed(self):
+        painted = [each for each in self.made if not each.outline.Source]
+        artwork.make(self.chance.choice(painted or self.made).pattern)
 
-    def film():
-        film_sheet.make(doc, [each.pattern for each in made])
+    def film(self):
+        film_sheet.make(self.doc, [each.pattern for each in self.made])
 
-    def remove():
-        if len(made) > 2:
-            create.discard(made.pop(chance.randrange(len(made))))
-            for obj in list(doc.Objects):
-                if getattr(obj, "Pattern", doc) is None or getattr(obj, "Patterns", None) == []:
-                    doc.removeObject(obj.Name)
-
-    picture()
-    for _ in range(6):
-        step = chance.choice((sketch, picture, shapes, grow, grow, grow, pattern, printed, film, remove))
-        told.append(step.__name__)
-        step()
-        doc.recompute()
-        assert not meetings(doc), f"story {seed}: {told}"
+    def remove(self):
+        if len(self.made) > 2:
+            create.discard(self.made.pop(self.chance.randrange(len(self.made))))
+            for obj in list(self.doc.Objects):
+                if getattr(obj, "Pattern", self.doc) is None or getattr(obj, "Patterns", None) == []:
+                    self.doc.removeObject(obj.Name)
 
 
 @pytest.mark.parametrize("seed", range(STORIES))
 def test_a_story(doc, seed, tmp_path):
-    _story(doc, seed, tmp_path)
+    """After each step all lie beside each other."""
+    story, steps = _Story(doc, seed, tmp_path), []
+    do = ["sketch", "picture", "shapes", "grow", "grow", "grow", "pattern", "printed", "film", "remove"]
+    story.picture()
+    for _ in range(6):
+        steps.append(story.chance.choice(do))
+        getattr(story, steps[-1])()
+        doc.recompute()
+        assert not meetings(doc), f"story {seed}: {steps}"

@@ -54,35 +54,41 @@ def drawn(text: str, made_for: Machine, height: float) -> list[tuple[str, shapel
     """The lines of a page of PostScript [mm], each with the layer of its colour."""
     body = text.split("%%EndPageSetup")[1].partition("%%Trailer")[0]
     layers = {look.rgb: look.name for look in made_for.layers.values()}
-    found, stack, course, layer = [], [], [], ""
+    lines, stack, course, layer = [], [], [], ""
     for word in body.split():
         if re.fullmatch(r"-?\d*\.?\d+", word):
             stack.append(float(word))
             continue
-        if word == "rg":
-            layer = layers.get("#" + "".join(f"{round(255 * value):02x}" for value in stack[-3:]), "")
-        elif word == "g":
-            layer = layers.get("#" + f"{round(255 * stack[-1]):02x}" * 3, "")
-        elif word in "ml" and len(stack) >= 2:
-            if word == "m":
-                course = []
-            course.append(stack[-2:])
-        elif word == "c":
-            ends = np.array([course[-1], stack[-6:-4], stack[-4:-2], stack[-2:]])
-            for t in np.linspace(0.0, 1.0, 25)[1:]:
-                weights = [(1 - t) ** 3, 3 * t * (1 - t) ** 2, 3 * t * t * (1 - t), t**3]
-                course.append(list(np.array(weights) @ ends))
-        elif word == "re":
-            x, y, width, height_ = stack[-4:]
-            course = [[x, y], [x + width, y], [x + width, y + height_], [x, y + height_], [x, y]]
+        if word in ("rg", "g"):
+            colour = stack[-3:] if word == "rg" else stack[-1:] * 3
+            layer = layers.get("#" + "".join(f"{round(255 * value):02x}" for value in colour), "")
         elif word in ("h", "S", "s") and len(course) > 1:
             points = np.array(course) * POINT
             points[:, 1] = height - points[:, 1]
             closed = word == "h" or np.hypot(*(points[0] - points[-1])) < 1e-3
-            found.append((layer, line(points, closed)))
+            lines.append((layer, line(points, closed)))
             course = []
+        else:
+            course = continued(course, word, stack)
         stack = []
-    return found
+    return lines
+
+
+def continued(course: list[list[float]], word: str, stack: list[float]) -> list[list[float]]:
+    """A path after one more of PostScript's words with its numbers."""
+    if word == "m" and len(stack) >= 2:
+        return [stack[-2:]]
+    if word == "l" and len(stack) >= 2:
+        return [*course, stack[-2:]]
+    if word == "c":
+        ends = np.array([course[-1], stack[-6:-4], stack[-4:-2], stack[-2:]])
+        t = np.linspace(0.0, 1.0, 25)[1:, None]
+        weights = np.hstack([(1 - t) ** 3, 3 * t * (1 - t) ** 2, 3 * t * t * (1 - t), t**3])
+        return [*course, *(weights @ ends).tolist()]
+    if word == "re":
+        x, y, width, height = stack[-4:]
+        return [[x, y], [x + width, y], [x + width, y + height], [x, y + height], [x, y]]
+    return course
 
 
 @pytest.mark.parametrize("name", ["inkscape", "cricut"])

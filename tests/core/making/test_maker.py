@@ -15,7 +15,7 @@ from solver_cases import circle
 from BalloonWorkbench.core.film.filling import ROOM, Filling, gas, gases
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.film.library import FOLDER, film, films
-from BalloonWorkbench.core.making.numbers import Numbers, maker_numbers, told
+from BalloonWorkbench.core.making.numbers import Numbers, film_of_roll, maker_numbers, told
 from BalloonWorkbench.core.making.safety import FILM, WELD, safety_with
 from BalloonWorkbench.core.making.trade_figures import FILE, making
 from BalloonWorkbench.core.mesh.sizing import size_for
@@ -105,13 +105,10 @@ def test_weights_add_up() -> None:
 def test_film_of_the_roll() -> None:
     """Two panels of 214 x 114 mm: one above the other on 300 mm, one after the other on 150 mm."""
     outline = corners_of((0.0, 0.0), (0.2, 0.0), (0.2, 0.1), (0.0, 0.1))
-    inflation = inflate(triangulate(outline, 0.02), FOIL, PRESSURE)
     pattern = build_pattern(outline, 0.005, PatternOptions(allowance=0.002, intake=False))
     for width, length in ((0.3, 0.220), (0.15, 0.437), (0.6, 0.120)):
-        found = maker_numbers(inflation, FOIL, outline, pattern, 0.2, Filling(), roll_width=width)
-        assert found.roll is not None
-        assert found.roll == pytest.approx((width, length), abs=2e-4)
-    assert maker_numbers(inflation, FOIL, outline, pattern, 0.2, Filling(), roll_width=0.1).roll is None
+        assert film_of_roll(pattern, FOIL, width) == pytest.approx((width, length), abs=2e-4)
+    assert film_of_roll(pattern, FOIL, 0.1) is None
 
 
 @pytest.mark.parametrize("name", ["mylar", "bopp-foil"])
@@ -122,10 +119,10 @@ def test_film_that_is_told_is_what_a_layout_takes(name: str, monkeypatch: pytest
     made_of = film(name)
     seam = Outline(NAMED["heart"].outer * 0.3 / NAMED["heart"].size[0])
     pattern = build_pattern(seam, made_of.seal_width)
-    found = maker_numbers(disc(0.1), made_of, seam, pattern, 0.3, Filling(), roll_width=0.5)
+    roll = film_of_roll(pattern, made_of, 0.5)
     pieces = pieces_of(pattern, pattern, 1, made_of.lies)
     (layout,), _ = nesting.nest(pieces, Stock(0.5))
-    assert found.roll == pytest.approx((0.5, layout.length), abs=1e-9)
+    assert roll == pytest.approx((0.5, layout.length), abs=1e-9)
     assert layout.length > 2.0 * pattern.film_area / 0.5
     if name == "mylar":
         assert layout.length < 0.45
