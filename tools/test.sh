@@ -16,8 +16,10 @@ lint() {
     .venv/bin/ruff format --check --quiet . || { echo "Not formatted: run 'make format'." && failed=1; }
     .venv/bin/mypy || failed=1
     .venv/bin/codespell || failed=1
-    find BalloonWorkbench/native \( -name '*.cpp' -o -name '*.h' \) -print0 |
+    find BalloonWorkbench/native benchmarks tests/native \( -name '*.c' -o -name '*.cpp' -o -name '*.h' \) -print0 |
         xargs -0r .venv/bin/clang-format --dry-run --Werror || failed=1
+    # at most 80 lines and 15 paths a function
+    .venv/bin/lizard -l cpp -L 80 -C 15 -w BalloonWorkbench/native benchmarks tests/native || failed=1
     return "$failed"
 }
 

@@ -5,6 +5,7 @@
 
 #include <Eigen/Dense>
 #include <Eigen/Sparse>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -41,69 +42,88 @@ struct MeshMatrix {
     Eigen::MatrixXd dense() const { return Eigen::MatrixXd(lower).selfadjointView<Eigen::Lower>(); }
 };
 
-// Sums of random squares over the triangles of a lattice of rows, where inside allows a vertex; some unknowns
-// are held, and vertices two apart along the first row hold each other in two directions, as a seam does.
+// Vertices in rows, where inside allows one, each with up to five unknowns: some are held.
+struct Lattice {
+    int rows, columns;
+    std::vector<std::array<int, 5>> number; // of the unknowns of each vertex, -1 where held
+    std::vector<int> vertex;                // at each place, -1 where there is none
+    cholesky::Blocks blocks;
+
+    Lattice(int row_count, int column_count, Random& random,
+            const std::function<bool(double, double)>& inside)
+        : rows(row_count), columns(column_count), vertex(static_cast<size_t>(rows) * columns, -1) {
+        for (int i = 0; i < rows; ++i) {
+            for (int j = 0; j < columns; ++j) {
+                const double x = (j + 0.5 * (i % 2)) / columns, y = 0.866 * i / columns;
+                if (inside(x, y)) {
+                    vertex[i * columns + j] = static_cast<int>(number.size());
+                    add_vertex(random);
+                    blocks.points.push_back({x + 0.1 * random.number() / columns, y});
+                }
+            }
+        }
+    }
+
+    void add_vertex(Random& random) {
+        number.push_back({-1, -1, -1, -1, -1});
+        const bool all_held = random.one_in(40);
+        for (int& unknown : number.back()) {
+            if (all_held || random.one_in(12))
+                continue;
+            unknown = static_cast<int>(blocks.block_of_unknown.size());
+            blocks.block_of_unknown.push_back(static_cast<int>(number.size()) - 1);
+        }
+    }
+
+    int at(int i, int j) const { return i < rows && j >= 0 && j < columns ? vertex[i * columns + j] : -1; }
+};
+
+using Entries = std::vector<Eigen::Triplet<double>>;
+
+inline void add_random_square(const std::vector<int>& unknowns, Random& random, Entries& entries) {
+    const int size = static_cast<int>(unknowns.size());
+    const Eigen::MatrixXd root = Eigen::MatrixXd::NullaryExpr(size, size, [&] { return random.number(); });
+    const Eigen::MatrixXd square = root * root.transpose();
+    for (int a = 0; a < size; ++a) {
+        for (int b = 0; b < size; ++b) {
+            if (unknowns[a] >= unknowns[b] && unknowns[b] >= 0)
+                entries.emplace_back(unknowns[a], unknowns[b], square(a, b));
+        }
+    }
+}
+
+// Sums of random squares over the triangles of a lattice; vertices two apart along the first row hold each
+// other in two directions, as a seam does.
 inline MeshMatrix mesh_matrix(int rows, int columns, unsigned seed,
                               const std::function<bool(double, double)>& inside) {
     Random random(seed);
-    MeshMatrix result;
-    std::vector<std::array<int, 5>> number;
-    std::vector<int> vertex(static_cast<size_t>(rows) * columns, -1);
-    int count = 0;
-    for (int i = 0; i < rows; ++i) {
-        for (int j = 0; j < columns; ++j) {
-            const double x = (j + 0.5 * (i % 2)) / columns, y = 0.866 * i / columns;
-            if (!inside(x, y))
-                continue;
-            vertex[i * columns + j] = static_cast<int>(number.size());
-            number.push_back({-1, -1, -1, -1, -1});
-            const bool all_held = random.one_in(40);
-            for (int& unknown : number.back()) {
-                if (all_held || random.one_in(12))
-                    continue;
-                unknown = count++;
-                result.blocks.block_of_unknown.push_back(static_cast<int>(number.size()) - 1);
-            }
-            result.blocks.points.push_back({x + 0.1 * random.number() / columns, y});
-        }
-    }
-    std::vector<Eigen::Triplet<double>> entries;
-    const auto add = [&](const std::vector<int>& unknowns) {
-        const int size = static_cast<int>(unknowns.size());
-        const Eigen::MatrixXd root =
-            Eigen::MatrixXd::NullaryExpr(size, size, [&] { return random.number(); });
-        const Eigen::MatrixXd square = root * root.transpose();
-        for (int a = 0; a < size; ++a) {
-            for (int b = 0; b < size; ++b) {
-                if (unknowns[a] >= unknowns[b] && unknowns[b] >= 0)
-                    entries.emplace_back(unknowns[a], unknowns[b], square(a, b));
-            }
-        }
-    };
-    const auto at = [&](int i, int j) {
-        return i < rows && j >= 0 && j < columns ? vertex[i * columns + j] : -1;
-    };
+    const Lattice lattice(rows, columns, random, inside);
+    const auto& number = lattice.number;
+    const auto at = [&](int i, int j) { return lattice.at(i, j); };
+    Entries entries;
     for (int i = 0; i < rows; ++i) {
         for (int j = 0; j < columns; ++j) {
             const int shift = i % 2;
             for (const auto& corners :
                  {std::array<int, 3>{at(i, j), at(i, j + 1), at(i + 1, j + shift)},
                   std::array<int, 3>{at(i, j), at(i + 1, j + shift - 1), at(i + 1, j + shift)}}) {
-                if (corners[0] < 0 || corners[1] < 0 || corners[2] < 0)
+                if (*std::min_element(corners.begin(), corners.end()) < 0)
                     continue;
                 std::vector<int> unknowns;
                 for (int corner : corners)
                     unknowns.insert(unknowns.end(), number[corner].begin(), number[corner].end());
-                add(unknowns);
+                add_random_square(unknowns, random, entries);
             }
-            if (i == 0 && at(0, j) >= 0 && at(0, j + 2) >= 0)
-                add({number[at(0, j)][0], number[at(0, j)][1], number[at(0, j + 2)][0],
-                     number[at(0, j + 2)][1]});
+            if (i == 0 && at(0, j) >= 0 && at(0, j + 2) >= 0) {
+                const auto &near = number[at(0, j)], &far = number[at(0, j + 2)];
+                add_random_square({near[0], near[1], far[0], far[1]}, random, entries);
+            }
         }
     }
+    const int count = static_cast<int>(lattice.blocks.block_of_unknown.size());
     for (int k = 0; k < count; ++k)
         entries.emplace_back(k, k, 0.1);
-    result.lower.resize(count, count);
+    MeshMatrix result{lattice.blocks, LowerTriangle(count, count)};
     result.lower.setFromTriplets(entries.begin(), entries.end());
     return result;
 }

@@ -12,7 +12,7 @@ public:
     // tolerance: on the predicted decrease of the energy, relative.
     Convergence(const Shell& shell, double tolerance, const film_constants& constants);
 
-    // Tells of a step of so much of its length, from energy to next. True where this one and the one before
+    // After a step of so much of its length, from energy to next: true where this one and the one before
     // left the balloon as it was. Never without a seam, nor for a step that was held back, which says little.
     bool at_rest(const Vectors& before, const Vectors& after, const Energies& energy, const Energies& next,
                  double length, double decrement, bool held_back);

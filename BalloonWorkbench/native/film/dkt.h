@@ -12,7 +12,7 @@ struct Curvatures {
     Vec4 from[3][3][3][2]; // side opposite to a corner, curvature, corner, rotation
 };
 
-SIMD_INLINE void bend(const Kinematics& k, Curvatures& curvatures) {
+SIMD_INLINE void compute_curvatures(const Kinematics& k, Curvatures& curvatures) {
     Vec4 normal[3][3]; // 1.5 n n^T of each side: xx, yy, xy
     for (int a = 0; a < 3; ++a) {
         const Vec4 x = k.shape[a][0], y = k.shape[a][1], scale = 1.5 / (x * x + y * y);
@@ -49,7 +49,7 @@ SIMD_INLINE void bend(const Kinematics& k, Curvatures& curvatures) {
 // Bending stiffness in the rotations at the corners.
 SIMD_INLINE void bending_stiffness(const Kinematics& k, const FilmScales& scales, Vec4 (&stiffness)[6][6]) {
     Curvatures curvatures;
-    bend(k, curvatures);
+    compute_curvatures(k, curvatures);
     const Vec4 scale = k.area * (scales.flexural_rigidity / 3.0);
     const double nu = scales.poisson_ratio;
     for (int i = 0; i < 6; ++i) {

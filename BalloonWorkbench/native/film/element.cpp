@@ -13,13 +13,13 @@ namespace {
 SIMD_INLINE void energies_body(const FourTriangles& film, const FilmLaw& law, double nu,
                                FourEnergies& energies) {
     Kinematics k;
-    measure(film, k);
+    compute_kinematics(film, k);
     FourResponses response;
     law.respond<false>(k.strain, response);
     energies.membrane = k.area * response.energy;
 
     Curvatures curvatures;
-    bend(k, curvatures);
+    compute_curvatures(k, curvatures);
     Vec4 sum{};
     for (int m = 0; m < 3; ++m) { // the middles of the sides integrate a quadratic exactly
         Vec4 kappa[3] = {};
@@ -78,6 +78,20 @@ SIMD_INLINE void add_membrane(const Kinematics& k, const FilmLaw& law, double st
     }
 }
 
+// The bending stiffness of one turn of a director, whose rotations have these slopes and rows of stiffness,
+// with the turns of all three.
+SIMD_INLINE void set_turns(const FourTriangles& film, const Kinematics& k, const Vec4 (&first)[6],
+                           const Vec4 (&second)[6], const Vec4 (&slope)[2], Vec4 (&turns)[3][2]) {
+    Vec4 row[6]; // change of all moments with this turn
+    for (int i = 0; i < 6; ++i)
+        row[i] = slope[0] * first[i] + slope[1] * second[i];
+    for (int b = 0; b < 3; ++b) {
+        for (int u = 0; u < 2; ++u)
+            turns[b][u] =
+                row[2 * b] * dot(film.frame[b][u], k.f[0]) + row[2 * b + 1] * dot(film.frame[b][u], k.f[1]);
+    }
+}
+
 // Gauss-Newton: without the second derivatives of the rotations.
 SIMD_INLINE void add_bending(const FourTriangles& film, const Kinematics& k, const FilmScales& scales,
                              Tangent& tangent) {
@@ -86,8 +100,8 @@ SIMD_INLINE void add_bending(const FourTriangles& film, const Kinematics& k, con
     for (int a = 0; a < 3; ++a) {
         Vec4 slope[2][2]; // of the rotations by the turns
         for (int t = 0; t < 2; ++t) {
-            for (int c = 0; c < 2; ++c)
-                slope[t][c] = dot(film.frame[a][t], k.f[c]);
+            slope[t][0] = dot(film.frame[a][t], k.f[0]);
+            slope[t][1] = dot(film.frame[a][t], k.f[1]);
         }
         Vec4 moment[2];
         for (int c = 0; c < 2; ++c) {
@@ -121,14 +135,7 @@ SIMD_INLINE void add_bending(const FourTriangles& film, const Kinematics& k, con
         }
         for (int t = 0; t < 2; ++t) {
             tangent.turn[a][t] = moment[0] * slope[t][0] + moment[1] * slope[t][1];
-            Vec4 row[6]; // change of all moments with this turn
-            for (int i = 0; i < 6; ++i)
-                row[i] = slope[t][0] * stiffness[2 * a][i] + slope[t][1] * stiffness[2 * a + 1][i];
-            for (int b = 0; b < 3; ++b) {
-                for (int u = 0; u < 2; ++u)
-                    tangent.turns[a][t][b][u] = row[2 * b] * dot(film.frame[b][u], k.f[0])
-                                                + row[2 * b + 1] * dot(film.frame[b][u], k.f[1]);
-            }
+            set_turns(film, k, stiffness[2 * a], stiffness[2 * a + 1], slope[t], tangent.turns[a][t]);
         }
     }
 }
@@ -136,7 +143,7 @@ SIMD_INLINE void add_bending(const FourTriangles& film, const Kinematics& k, con
 SIMD_INLINE void derivatives_body(const FourTriangles& film, const FilmLaw& law, const FilmScales& scales,
                                   FourElements& elements) {
     Kinematics k;
-    measure(film, k);
+    compute_kinematics(film, k);
     Tangent tangent;
     add_membrane(k, law, scales.membrane_stiffness, tangent);
     add_bending(film, k, scales, tangent);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "film_solver.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <initializer_list>
 #include <memory>
 #include <new>
 #include <string>
@@ -42,9 +44,21 @@ film_status guarded(const Work& work) {
     }
 }
 
+bool any_missing(std::initializer_list<const void*> arrays) {
+    return std::find(arrays.begin(), arrays.end(), nullptr) != arrays.end();
+}
+
 bool indices_valid(const int32_t* indices, int64_t count, int32_t vertices) {
     for (int64_t i = 0; i < count; ++i) {
         if (indices[i] < 0 || indices[i] >= vertices)
+            return false;
+    }
+    return true;
+}
+
+bool ties_valid(const int32_t* tied, int32_t vertices) {
+    for (int32_t vertex = 0; vertex < vertices; ++vertex) {
+        if (tied[vertex] < 0 || tied[vertex] > vertex)
             return false;
     }
     return true;
@@ -81,18 +95,14 @@ film_status film_create(int32_t vertices, const double* rest_positions, int32_t 
                         const film_constants* constants, film_solver** solver) {
     if (vertices < 3 || triangles < 1 || hinges < 0)
         return fail(FILM_BAD_ARGUMENT, "the mesh is empty");
-    if (!rest_positions || !triangle_corners || !fixed || !material || !constants || !solver
-        || (hinges > 0 && (!seam_hinges || !hinge_rigidities))) {
+    if (any_missing({rest_positions, triangle_corners, fixed, material, constants, solver})
+        || (hinges > 0 && any_missing({seam_hinges, hinge_rigidities})))
         return fail(FILM_BAD_ARGUMENT, "an array is missing");
-    }
     if (!indices_valid(triangle_corners, 3 * int64_t{triangles}, vertices)
-        || !indices_valid(seam_hinges, 3 * int64_t{hinges}, vertices)) {
+        || !indices_valid(seam_hinges, 3 * int64_t{hinges}, vertices))
         return fail(FILM_BAD_ARGUMENT, "a vertex index is out of range");
-    }
-    for (int32_t vertex = 0; tied && vertex < vertices; ++vertex) {
-        if (tied[vertex] < 0 || tied[vertex] > vertex)
-            return fail(FILM_BAD_ARGUMENT, "a vertex is tied to one behind it");
-    }
+    if (tied && !ties_valid(tied, vertices))
+        return fail(FILM_BAD_ARGUMENT, "a vertex is tied to one behind it");
     if (!constants_valid(*constants))
         return fail(FILM_BAD_ARGUMENT, "a constant of the iteration makes no sense");
     return guarded([&] {
@@ -109,7 +119,7 @@ void film_destroy(film_solver* solver) {
 
 film_status film_energies(film_solver* solver, const double* positions, const double* directors,
                           double* parts) {
-    if (!solver || !positions || !directors || !parts)
+    if (any_missing({solver, positions, directors, parts}))
         return fail(FILM_BAD_ARGUMENT, "an array is missing");
     return guarded([&] {
         const film::Energies e =
@@ -122,9 +132,8 @@ film_status film_energies(film_solver* solver, const double* positions, const do
 film_status film_solve(film_solver* solver, double* positions, double* directors, int32_t level_count,
                        const double* levels, const film_newton* settings, film_progress progress, void* user,
                        film_result* result) {
-    if (!solver || !positions || !directors || !levels || !settings || !result || level_count < 1) {
+    if (any_missing({solver, positions, directors, levels, settings, result}) || level_count < 1)
         return fail(FILM_BAD_ARGUMENT, "an array is missing");
-    }
     return guarded([&] {
         const int vertices = solver->shell.vertices();
         film::State state = state_of(positions, directors, vertices);

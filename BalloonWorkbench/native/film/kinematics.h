@@ -27,7 +27,7 @@ struct Kinematics {
     Vec4 rotation[3][2]; // of the directors against the triangle, at each corner
 };
 
-SIMD_INLINE void measure(const FourTriangles& film, Kinematics& k) {
+SIMD_INLINE void compute_kinematics(const FourTriangles& film, Kinematics& k) {
     Vec4 edge[3][2]; // opposite to each corner
     for (int a = 0; a < 3; ++a) {
         for (int i = 0; i < 2; ++i)

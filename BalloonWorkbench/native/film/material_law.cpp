@@ -12,7 +12,7 @@ FilmLaw::FilmLaw(const film_material& material, const film_constants& constants)
     if (!orthotropic_) {
         grain = {1.0, 0.5 / (1.0 + poisson_), poisson_, 0.0};
     }
-    stiffness_ = grain.turn().transpose() * grain.stiffness() * grain.turn();
+    stiffness_ = grain.rotation().transpose() * grain.stiffness() * grain.rotation();
 }
 
 MembraneResponse FilmLaw::response(const Eigen::Vector3d& strain) const {
@@ -22,7 +22,7 @@ MembraneResponse FilmLaw::response(const Eigen::Vector3d& strain) const {
     return {0.5 * stress.dot(strain), stress, stiffness_};
 }
 
-void FilmLaw::one_by_one(const Vec4 (&strain)[3], FourResponses& responses) const {
+void FilmLaw::lane_by_lane(const Vec4 (&strain)[3], FourResponses& responses) const {
     for (int lane = 0; lane < 4; ++lane) {
         const MembraneResponse one = response({strain[0][lane], strain[1][lane], strain[2][lane]});
         responses.energy[lane] = one.energy;

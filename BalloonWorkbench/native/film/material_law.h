@@ -11,18 +11,18 @@ class FilmLaw {
 public:
     FilmLaw(const film_material& material, const film_constants& constants);
 
-    // With whole, stress and tangent, else the energy density alone.
+    // With Whole, stress and tangent, else the energy density alone.
     template <bool Whole>
     SIMD_INLINE void respond(const Vec4 (&strain)[3], FourResponses& response) const {
         if (tension_field_ && !orthotropic_)
             tension_field<Whole>(strain, poisson_, response);
         else
-            one_by_one(strain, response);
+            lane_by_lane(strain, response);
     }
 
 private:
     MembraneResponse response(const Eigen::Vector3d& strain) const;
-    void one_by_one(const Vec4 (&strain)[3], FourResponses& response) const;
+    void lane_by_lane(const Vec4 (&strain)[3], FourResponses& response) const;
 
     double poisson_;
     bool orthotropic_, tension_field_;

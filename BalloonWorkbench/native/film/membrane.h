@@ -24,7 +24,7 @@ struct FourResponses {
     Vec4 tangent[3][3];
 };
 
-// The tension field (Pipkin 1986, Steigmann 1990): slack, wrinkled or taut. With whole, stress and tangent
+// The tension field (Pipkin 1986, Steigmann 1990): slack, wrinkled or taut. With Whole, stress and tangent
 // too.
 template <bool Whole>
 SIMD_INLINE void tension_field(const Vec4 (&strain)[3], double nu, FourResponses& response) {

@@ -32,7 +32,7 @@ Eigen::Vector3d fibre(double angle) {
 
 // Derivatives by the angle of E(a) e^2 / 2, its gradient by the strain and their mixed derivative.
 struct Merit {
-    double slope, bend;
+    double slope, curvature;
     Eigen::Vector3d stress, mixed;
 };
 
@@ -63,8 +63,8 @@ double tension_direction(const Eigen::Vector3d& strain, const Grain& grain, cons
     const double most = 0.5 * kPi / search.directions;
     for (int step = 0; step < search.steps; ++step) {
         const Merit m = merit(angle, strain, grain);
-        if (m.bend < 0.0)
-            angle += std::min(std::max(-m.slope / m.bend, -most), most);
+        if (m.curvature < 0.0)
+            angle += std::min(std::max(-m.slope / m.curvature, -most), most);
     }
     return angle;
 }
@@ -78,17 +78,17 @@ Eigen::Matrix3d Grain::stiffness() const {
     return stiffness;
 }
 
-Eigen::Matrix3d Grain::turn() const {
+Eigen::Matrix3d Grain::rotation() const {
     const double c = std::cos(angle), s = std::sin(angle);
-    Eigen::Matrix3d turn;
-    turn << c * c, s * s, c * s, s * s, c * c, -c * s, -2 * c * s, 2 * c * s, c * c - s * s;
-    return turn;
+    Eigen::Matrix3d rotation;
+    rotation << c * c, s * s, c * s, s * s, c * c, -c * s, -2 * c * s, 2 * c * s, c * c - s * s;
+    return rotation;
 }
 
 MembraneResponse orthotropic_tension_field(const Eigen::Vector3d& strain, const Grain& grain,
                                            const DirectionSearch& search) {
-    const Eigen::Matrix3d turn = grain.turn(), stiffness = grain.stiffness();
-    const Eigen::Vector3d local = turn * strain;
+    const Eigen::Matrix3d rotation = grain.rotation(), stiffness = grain.stiffness();
+    const Eigen::Vector3d local = rotation * strain;
     Eigen::Vector3d stress = stiffness * local;
     Eigen::Matrix3d tangent = stiffness;
     const double smaller =
@@ -101,12 +101,13 @@ MembraneResponse orthotropic_tension_field(const Eigen::Vector3d& strain, const 
         const Eigen::Vector3d along = fibre(angle);
         stress = m.stress;
         tangent = modulus(angle, grain).value * along * along.transpose()
-                  - m.mixed * m.mixed.transpose() / std::min(m.bend, -1e-300);
+                  - m.mixed * m.mixed.transpose() / std::min(m.curvature, -1e-300);
     } else if (!(smaller > 0.0)) {
         stress.setZero();
         tangent.setZero();
     }
-    return {0.5 * stress.dot(local), turn.transpose() * stress, turn.transpose() * tangent * turn};
+    return {0.5 * stress.dot(local), rotation.transpose() * stress,
+            rotation.transpose() * tangent * rotation};
 }
 
 } // namespace film

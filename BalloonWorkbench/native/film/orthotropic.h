@@ -12,7 +12,7 @@ struct Grain {
     // Plane stress in the grain's axes.
     Eigen::Matrix3d stiffness() const;
     // From strains (E11, E22, 2 E12) in the panel's axes to those in the grain's.
-    Eigen::Matrix3d turn() const;
+    Eigen::Matrix3d rotation() const;
 };
 
 // How the direction of tension is looked for: so many are tried, the best is improved by Newton's method.

@@ -28,6 +28,19 @@ void add_block(int row_block, int column_block, BlockMatrix& hessian, const Numb
     }
 }
 
+// Adds the numbers of a block one by one, of unknowns that are held none.
+void add_entries(const std::array<int, 5>& rows, const std::array<int, 5>& columns, bool on_diagonal,
+                 const Vec4 (&block)[5][5], int lane, BlockMatrix& hessian) {
+    for (int i = 0; i < 5; ++i) {
+        for (int j = 0; j < (on_diagonal ? i + 1 : 5); ++j) {
+            if (rows[i] >= 0 && columns[j] >= 0) {
+                const bool twice = rows[i] == columns[j] && !on_diagonal; // both vertices share a position
+                hessian.add(rows[i], columns[j], (twice ? 2.0 : 1.0) * block[i][j][lane]);
+            }
+        }
+    }
+}
+
 } // namespace
 
 Frames::Frames(const Vectors& directors) : first(directors.rows(), 3), second(directors.rows(), 3) {
@@ -202,7 +215,7 @@ void Shell::derivatives(const State& state, const Frames& frames, Eigen::VectorX
     }
 }
 
-bool Shell::whole(int vertex) const {
+bool Shell::is_full_block(int vertex) const {
     const std::array<int, 5>& number = number_[vertex];
     return number[0] >= 0 && number[4] == number[0] + 4 && blocks_.block_of_unknown[number[0]] == vertex;
 }
@@ -221,7 +234,7 @@ void Shell::scatter(size_t triangle, int lane, const FourElements& elements, Eig
         const int a = corner[FourElements::kPairs[pair][0]], b = corner[FourElements::kPairs[pair][1]];
         const Vec4(&block)[5][5] = elements.stiffness[pair];
         const bool on_diagonal = pair < 3;
-        if (whole(a) && whole(b) && (a == b) == on_diagonal) {
+        if (is_full_block(a) && is_full_block(b) && (a == b) == on_diagonal) {
             if (on_diagonal)
                 add_block<true>(a, a, hessian, [&](int i, int j) { return block[i][j][lane]; });
             else if (a > b)
@@ -230,15 +243,7 @@ void Shell::scatter(size_t triangle, int lane, const FourElements& elements, Eig
                 add_block<false>(b, a, hessian, [&](int i, int j) { return block[j][i][lane]; });
             continue;
         }
-        for (int i = 0; i < 5; ++i) {
-            for (int j = 0; j < (on_diagonal ? i + 1 : 5); ++j) {
-                const int row = number_[a][i], column = number_[b][j];
-                if (row >= 0 && column >= 0) {
-                    const bool twice = row == column && !on_diagonal; // both vertices share a position
-                    hessian.add(row, column, (twice ? 2.0 : 1.0) * block[i][j][lane]);
-                }
-            }
-        }
+        add_entries(number_[a], number_[b], on_diagonal, block, lane, hessian);
     }
 }
 

@@ -74,8 +74,8 @@ private:
     void number_unknowns(const uint8_t* fixed, const int32_t* tied);
     Hinge hinge(const int32_t* vertices, double rigidity) const;
     Eigen::Vector2d rest(int vertex) const { return {blocks_.points[vertex][0], blocks_.points[vertex][1]}; }
-    // Whether the unknowns of a vertex are a block of five.
-    bool whole(int vertex) const;
+    // Whether all five unknowns of a vertex are free and its own.
+    bool is_full_block(int vertex) const;
     int gather(size_t first_triangle, const State& state, FourTriangles& film) const;
     void scatter(size_t triangle, int lane, const FourElements& elements, Eigen::VectorXd& gradient,
                  BlockMatrix& hessian) const;

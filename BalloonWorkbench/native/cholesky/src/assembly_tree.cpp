@@ -15,8 +15,7 @@ struct Supernode {
 };
 
 // Fundamental supernodes: the tree of Liu (1990), a column joining a child that has the same rows.
-std::vector<Supernode> supernodes(const Graph& graph, const std::vector<int>& order,
-                                  const std::vector<int>& widths) {
+std::vector<Supernode> supernodes(const Graph& graph, const std::vector<int>& order) {
     const int count = graph.size();
     std::vector<int> place(count), seen(count, -1), rows;
     for (int i = 0; i < count; ++i)
@@ -61,16 +60,21 @@ std::vector<Supernode> supernodes(const Graph& graph, const std::vector<int>& or
             waiting[first] = host;
         }
     }
+    return nodes;
+}
+
+void count_unknowns(std::vector<Supernode>& nodes, const std::vector<int>& order,
+                    const std::vector<int>& widths) {
     for (Supernode& node : nodes) {
         for (int column : node.columns)
             node.pivots += widths[order[column]];
         for (int row : node.rows)
             node.updates += widths[order[row]];
     }
-    return nodes;
 }
 
-// Merges children into a node while a front with some more zeros is faster than two fronts.
+// Relaxed supernodes (Ashcraft and Grimes 1989): merges children into a node while a front with some more
+// zeros is faster than two fronts.
 void merge_children(std::vector<Supernode>& nodes, int parent) {
     Supernode& node = nodes[parent];
     std::vector<int> kept, open = std::move(node.children);
@@ -121,7 +125,8 @@ double time_of_front(double pivots, double updates) {
 
 AssemblyTree assembly_tree(const Graph& graph, const std::vector<int>& order,
                            const std::vector<int>& widths) {
-    std::vector<Supernode> nodes = supernodes(graph, order, widths);
+    std::vector<Supernode> nodes = supernodes(graph, order);
+    count_unknowns(nodes, order, widths);
     const int count = static_cast<int>(nodes.size());
     // a node follows its children by its last column only
     std::vector<std::pair<int, int>> by_last_column;

@@ -5,7 +5,8 @@
 
 namespace cholesky {
 
-// Dense Cholesky of a front. All of it goes by groups of four rows and columns.
+// Dense Cholesky of a front, left-looking by blocks of pivots. All of it goes by groups of four rows and
+// columns.
 //
 // The front is assembled by columns in a panel: first the pivots, padded to whole groups, then the updates,
 // padded likewise. The factor is packed: each group of four rows is a run of columns of four numbers, as the

@@ -49,7 +49,7 @@ struct Multifrontal::Team {
 Multifrontal::Multifrontal(Pattern lower, const Blocks& blocks, int threads)
     : symbolic_(lower, blocks), schedule_(symbolic_, threads), kernels_(front_kernels()),
       factor_(symbolic_.factor_size), updates_(schedule_.shared_size), vectors_(symbolic_.vector_size),
-      pool_(schedule_.shared() ? threads : 1) {
+      pool_(schedule_.is_parallel() ? threads : 1) {
     size_t of_shared = 0, of_subtrees = 0;
     for (int f : schedule_.shared_fronts)
         of_shared = std::max(of_shared, symbolic_.fronts[f].shape.panel_size());

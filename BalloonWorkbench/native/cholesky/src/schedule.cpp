@@ -26,20 +26,20 @@ struct Stack {
 
 } // namespace
 
-Schedule::Schedule(const Symbolic& plan, int threads) : update_at(plan.fronts.size()) {
+Schedule::Schedule(const Symbolic& symbolic, int threads) : update_at(symbolic.fronts.size()) {
     double time = 0.0;
-    for (const Symbolic::Front& front : plan.fronts)
+    for (const Symbolic::Front& front : symbolic.fronts)
         time += front.time;
     if (threads > 1 && time > kSharingPays)
-        choose_subtrees(plan, threads);
+        choose_subtrees(symbolic, threads);
     else
-        subtrees.push_back({0, static_cast<int>(plan.fronts.size())});
-    place_updates(plan);
+        subtrees.push_back({0, static_cast<int>(symbolic.fronts.size())});
+    place_updates(symbolic);
 }
 
 // Cuts the tree where the subtrees, the longest first, keep all threads busy for the shortest time.
-void Schedule::choose_subtrees(const Symbolic& plan, int threads) {
-    const std::vector<Symbolic::Front>& fronts = plan.fronts;
+void Schedule::choose_subtrees(const Symbolic& symbolic, int threads) {
+    const std::vector<Symbolic::Front>& fronts = symbolic.fronts;
     const auto shorter = [&](int a, int b) {
         return std::make_pair(fronts[a].time_below, -a) < std::make_pair(fronts[b].time_below, -b);
     };
@@ -66,7 +66,7 @@ void Schedule::choose_subtrees(const Symbolic& plan, int threads) {
         tops.pop_back();
         trunk_time += kMeetings + front.time / threads;
         for (int k = 0; k < front.children; ++k) {
-            tops.push_back(plan.children[front.first_child + k]);
+            tops.push_back(symbolic.children[front.first_child + k]);
             std::push_heap(tops.begin(), tops.end(), shorter);
         }
     }
@@ -74,7 +74,7 @@ void Schedule::choose_subtrees(const Symbolic& plan, int threads) {
     for (int top : best) {
         int first = top;
         while (fronts[first].children > 0)
-            first = plan.children[fronts[first].first_child];
+            first = symbolic.children[fronts[first].first_child];
         subtrees.push_back({first, top + 1});
         std::fill(in_branch.begin() + first, in_branch.begin() + top + 1, char{1});
     }
@@ -88,8 +88,8 @@ void Schedule::choose_subtrees(const Symbolic& plan, int threads) {
 // that the parent takes are then always uppermost on one, and its own goes onto the other. Each thread has
 // two for the subtree at work, the shared_fronts has two more, and what subtrees leave to the shared_fronts
 // lies beside them.
-void Schedule::place_updates(const Symbolic& plan) {
-    const std::vector<Symbolic::Front>& fronts = plan.fronts;
+void Schedule::place_updates(const Symbolic& symbolic) {
+    const std::vector<Symbolic::Front>& fronts = symbolic.fronts;
     std::vector<char> odd(fronts.size(), 0);
     for (size_t f = fronts.size(); f-- > 0;) {
         if (fronts[f].parent >= 0)
@@ -103,7 +103,7 @@ void Schedule::place_updates(const Symbolic& plan) {
         if (!left[f])
             update_at[f] = stacks[odd[f]].push(size(f));
         for (int k = 0; k < fronts[f].children; ++k) {
-            const int child = plan.children[fronts[f].first_child + k];
+            const int child = symbolic.children[fronts[f].first_child + k];
             if (!left[child])
                 stacks[odd[child]].pop(size(child));
         }

@@ -5,7 +5,8 @@
 
 namespace cholesky {
 
-// Who works on which fronts, and where each leaves its update: in memory of the thread at work, or, where
+// Who works on which fronts: subtrees are mapped to threads, and all threads share the fronts above them
+// (Geist and Ng 1989). And where each front leaves its update: in memory of the thread at work, or, where
 // others will take it, in memory of all. Nothing of the result depends on it.
 struct Schedule {
     // A whole subtree, the fronts first .. last - 1: for one thread.
@@ -14,9 +15,9 @@ struct Schedule {
     };
 
     // For one thread, or for a matrix too small to share, all is one subtree.
-    Schedule(const Symbolic& plan, int threads);
+    Schedule(const Symbolic& symbolic, int threads);
 
-    bool shared() const { return !shared_fronts.empty(); }
+    bool is_parallel() const { return !shared_fronts.empty(); }
 
     std::vector<Subtree> subtrees;  // the longest first
     std::vector<int> shared_fronts; // the fronts above them, for all threads together
@@ -24,8 +25,8 @@ struct Schedule {
     size_t thread_size = 0, shared_size = 0;
 
 private:
-    void choose_subtrees(const Symbolic& plan, int threads);
-    void place_updates(const Symbolic& plan);
+    void choose_subtrees(const Symbolic& symbolic, int threads);
+    void place_updates(const Symbolic& symbolic);
 };
 
 } // namespace cholesky

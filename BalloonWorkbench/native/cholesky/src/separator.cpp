@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace cholesky {
 namespace {
@@ -79,39 +80,14 @@ public:
             const double band = (along_[v] - low) * scale;
             band_[v] = band > 0.0 ? static_cast<int>(std::min(band, kBands - 1.0)) : 0;
         }
-
-        // how many vertices each place of the cut has before it, on its left rim and on its right rim:
-        // first the changes from place to place, then their sums
-        std::array<Size, kBands + 1> before{}, left_rim{}, right_rim{};
-        Size all;
-        for (int v = 0; v < count; ++v) {
-            int first = band_[v], last = band_[v];
-            for (int u : Neighbours{graph_, v}) {
-                first = std::min(first, band_[u]);
-                last = std::max(last, band_[u]);
-            }
-            const Size one{1, outside_[v]};
-            all += one;
-            before[band_[v] + 1] += one;
-            if (last > band_[v]) {
-                left_rim[band_[v] + 1] += one;
-                left_rim[last + 1] -= one;
-            }
-            if (first < band_[v]) {
-                right_rim[first + 1] += one;
-                right_rim[band_[v] + 1] -= one;
-            }
-        }
+        const Counts counts = count_bands();
         const int smallest = static_cast<int>(kSmallestPart * count);
         for (int place = 1; place < kBands; ++place) {
-            before[place] += before[place - 1];
-            left_rim[place] += left_rim[place - 1];
-            right_rim[place] += right_rim[place - 1];
-            const Size left = before[place], right = all - left;
+            const Size left = counts.before[place], right = counts.before[kBands] - left;
             if (left.vertices < smallest || right.vertices < smallest)
                 continue;
             for (bool on_right : {false, true}) {
-                const Size rim = on_right ? right_rim[place] : left_rim[place];
+                const Size rim = on_right ? counts.right_rim[place] : counts.left_rim[place];
                 const double work =
                     on_right ? work_of_cut(left, right - rim, rim) : work_of_cut(left - rim, right, rim);
                 if (work < best.work)
@@ -121,6 +97,35 @@ public:
     }
 
 private:
+    // How many vertices each place of the cut has before it, on its left rim and on its right rim.
+    struct Counts {
+        std::array<Size, kBands + 1> before{}, left_rim{}, right_rim{};
+    };
+
+    Counts count_bands() const {
+        Counts counts; // first the changes from place to place, then their sums
+        for (int v = 0; v < graph_.size(); ++v) {
+            int first = band_[v], last = band_[v];
+            for (int u : Neighbours{graph_, v}) {
+                first = std::min(first, band_[u]);
+                last = std::max(last, band_[u]);
+            }
+            const Size one{1, outside_[v]};
+            counts.before[band_[v] + 1] += one;
+            if (last > band_[v]) {
+                counts.left_rim[band_[v] + 1] += one;
+                counts.left_rim[last + 1] -= one;
+            }
+            if (first < band_[v]) {
+                counts.right_rim[first + 1] += one;
+                counts.right_rim[band_[v] + 1] -= one;
+            }
+        }
+        for (auto* sizes : {&counts.before, &counts.left_rim, &counts.right_rim})
+            std::partial_sum(sizes->begin(), sizes->end(), sizes->begin());
+        return counts;
+    }
+
     const Graph& graph_;
     const std::vector<Point>& points_;
     const std::vector<char>& outside_;

@@ -58,16 +58,16 @@ Graph graph_of(const std::vector<Run>& runs, const std::vector<int>& block_of_un
     return graph;
 }
 
-class Planner {
+class SymbolicBuilder {
 public:
-    Planner(Symbolic& plan, const AssemblyTree& tree, const std::vector<int>& first_unknown,
-            const std::vector<int>& block_of_unknown)
-        : symbolic_(plan), tree_(tree), first_unknown_(first_unknown), block_of_unknown_(block_of_unknown),
-          place_(tree.order.size()), row_(tree.order.size()) {
+    SymbolicBuilder(Symbolic& symbolic, const AssemblyTree& tree, const std::vector<int>& first_unknown,
+                    const std::vector<int>& block_of_unknown)
+        : symbolic_(symbolic), tree_(tree), first_unknown_(first_unknown),
+          block_of_unknown_(block_of_unknown), place_(tree.order.size()), row_(tree.order.size()) {
         for (size_t place = 0; place < tree.order.size(); ++place) {
             place_[tree.order[place]] = static_cast<int>(place);
             for (int k = 0; k < width(static_cast<int>(place)); ++k)
-                plan.unknowns.push_back(first_unknown[tree.order[place]] + k);
+                symbolic.unknowns.push_back(first_unknown[tree.order[place]] + k);
         }
     }
 
@@ -220,10 +220,10 @@ Symbolic::Symbolic(const Pattern& lower, const Blocks& blocks) {
     const std::vector<Run> runs = runs_of(lower, blocks.block_of_unknown);
     const Graph graph = graph_of(runs, blocks.block_of_unknown, count);
     const AssemblyTree tree = assembly_tree(graph, nested_dissection(graph, blocks.points), widths);
-    Planner planner(*this, tree, first_unknown, blocks.block_of_unknown);
-    planner.add_fronts();
-    planner.add_entries(runs);
-    planner.add_transfers();
+    SymbolicBuilder builder(*this, tree, first_unknown, blocks.block_of_unknown);
+    builder.add_fronts();
+    builder.add_entries(runs);
+    builder.add_transfers();
 }
 
 size_t Symbolic::bytes() const {

@@ -6,8 +6,8 @@
 
 namespace cholesky {
 
-// All that a factorisation needs to know beforehand: a multifrontal method (Duff and Reid 1983) whose fronts
-// are assembled from entries of the matrix and from the updates that their children leave.
+// The symbolic factorisation, which all matrices of a pattern share: a multifrontal method (Duff and Reid
+// 1983) whose fronts are assembled from entries of the matrix and from the updates that their children leave.
 struct Symbolic {
     // Neighbouring numbers of a column of the matrix and their place in the panel of a front, there along a
     // column, or along a row when the order of elimination has swapped the two.

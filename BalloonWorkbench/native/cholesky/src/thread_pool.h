@@ -26,7 +26,7 @@ public:
     int count() const { return static_cast<int>(threads_.size()) + 1; }
 
     // Runs work(0) on the calling thread, and work(1), work(2) ... on others as they come. Every work must
-    // close once and barrier as often as the leader. It must not throw.
+    // call close once and barrier as often as the leader, and must not throw.
     void run(const std::function<void(int)>& work);
 
     // Waits for all who have come; from here on nobody else joins. The number of threads at work.
