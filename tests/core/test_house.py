@@ -7,6 +7,7 @@ import os
 import re
 import subprocess
 import sys
+from collections import Counter
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
@@ -258,6 +259,50 @@ def test_benchmarks_take_nothing_private() -> None:
         for name in _private(path)
     ]
     assert not private
+
+
+#: Files of a room, `__init__` with them.
+MOST_FILES = 13
+#: Rooms of the core that are to be divided yet.
+LARGE_ROOMS = {
+    f"BalloonWorkbench/core{room}" for room in ("", "/design", "/export", "/outline", "/pattern", "/solver")
+}
+
+
+def test_rooms_are_small() -> None:
+    counts = {named(folder): len([*folder.glob("*.py")]) for folder in rooms()}
+    assert {name for name, count in counts.items() if count > MOST_FILES} == LARGE_ROOMS
+
+
+def test_a_room_says_what_lives_in_it() -> None:
+    """Its first sentence says what does, and mostly what does not."""
+    silent = []
+    for folder in rooms():
+        text = ast.get_docstring(ast.parse((folder / "__init__.py").read_text(encoding="utf-8"))) or ""
+        if len(text.partition(".")[0].split()) < 4:
+            silent.append(named(folder))
+    assert not silent
+
+
+def rooms() -> list[Path]:
+    return sorted({path.parent for path in layer()})
+
+
+#: Classes of the core that share a name yet.
+NAMED_TWICE = {
+    *("Drawing", "Film", "Finding", "Grain", "Piece", "State", "Stretch", "Subject", "Work"),
+    *("_Frame", "_Weights"),
+}
+
+
+def test_no_class_name_twice() -> None:
+    names = Counter(
+        node.name
+        for path in layer()
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        if isinstance(node, ast.ClassDef)
+    )
+    assert {name for name, count in names.items() if count > 1} == NAMED_TWICE
 
 
 #: Where an unforeseen error ends, by file: each is told in a sentence, and its details are kept in a file.

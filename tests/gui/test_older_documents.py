@@ -22,8 +22,9 @@ OLDEST += ("Drawing", "Kind")
 
 @pytest.mark.parametrize("path", KEPT, ids=lambda path: path.stem)
 def test_document_of_an_older_release_opens_without_a_fault(path):
-    App.openDocument(str(path.resolve()))
+    doc = App.openDocument(str(path.resolve()))
     hands.wait(0.2)  # the fixture no_fault looks whether one is told
+    assert all(obj.ViewObject.Proxy is not None for obj in (doc.Outline, doc.Balloon, doc.Pattern))
 
 
 @pytest.mark.parametrize("mode", MODES)

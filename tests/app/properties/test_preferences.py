@@ -23,10 +23,9 @@ def usual():
 
 def test_usual_values_are_those_of_new_objects(doc):
     made = create.make(doc)
-    for item in preferences.items().values():
-        if item.prop:
-            value = getattr(getattr(made, item.part), item.key)
-            assert getattr(value, "Value", value) == pytest.approx(preferences.get(item.key)), item.key
+    for item in (each for each in preferences.items().values() if each.prop):
+        value = getattr(getattr(made, item.part), item.key)
+        assert getattr(value, "Value", value) == pytest.approx(preferences.get(item.key)), item.key
 
 
 def test_new_balloon_begins_with_them(doc):

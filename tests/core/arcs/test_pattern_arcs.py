@@ -53,13 +53,23 @@ def rounded(width: float, height: float, radius: float, step: float) -> np.ndarr
     )
 
 
-@pytest.mark.parametrize("points", [24, 90, 720])
-@pytest.mark.parametrize("radius", [0.003, 0.15])
+def circle_of(points: int, radius: float) -> np.ndarray:
+    return polar(radius, np.linspace(0.0, 2.0 * np.pi, points, endpoint=False)) + 0.2
+
+
+@pytest.mark.parametrize(("points", "radius"), [(24, 0.003), (24, 0.15), (90, 0.15)])
+def test_a_coarse_polygon_is_no_circle(points: int, radius: float) -> None:
+    """The middle of each side is further from the circle than the tolerance: the curve keeps to the sides."""
+    assert radius * (1.0 - np.cos(np.pi / points)) > TOLERANCE
+    loop = circle_of(points, radius)
+    curve = fit_curve(loop, True)
+    assert len(curve) > 4
+    assert apart(curve, loop) <= TOLERANCE
+
+
+@pytest.mark.parametrize(("points", "radius"), [(90, 0.003), (720, 0.003), (720, 0.15)])
 def test_circle_is_a_few_arcs(points: int, radius: float) -> None:
-    turn = np.linspace(0.0, 2.0 * np.pi, points, endpoint=False)
-    loop = polar(radius, turn) + 0.2
-    if radius * (1.0 - np.cos(np.pi / points)) > TOLERANCE:
-        return  # a polygon
+    loop = circle_of(points, radius)
     curve = fit_curve(loop, True)
     assert len(curve) <= 4
     assert not curve.corners.any()

@@ -162,7 +162,13 @@ def test_ranges_end_where_they_say(number: int, low: float, high: float) -> None
     for value, allowed in ((low, True), (high, True), (0.9 * low - 1e-9, False), (1.1 * high, False)):
         values = [*usual[:number], value, *usual[number + 1 :]]
         if allowed:
-            custom_film(*values)
+            made = custom_film(*values)
+            assert values[number] in (
+                made.young_modulus,
+                made.poisson_ratio,
+                made.thickness,
+                made.areal_density,
+            )
         else:
             with pytest.raises(InputError):
                 custom_film(*values)

@@ -144,6 +144,7 @@ def test_nothing_is_cut_through_the_air_space(kind: str, extras: str) -> None:
 def test_nothing_is_cut_through_the_air_space_of_any_shape(seed: int) -> None:
     """Generated outlines, each with every intake and other extras."""
     known = [machines()[name] for name in ("silhouette", "lightburn-project", "any-dxf", "hpgl-plotter")]
+    made = 0
     for k, kind in enumerate(intake_kinds()):
         extras = list(EXTRAS.values())[(seed + k) % len(EXTRAS)]
         wanted = PatternOptions(intake_kind=kind, intake_along=0.07 * seed if seed % 3 else None, **extras)
@@ -154,6 +155,8 @@ def test_nothing_is_cut_through_the_air_space_of_any_shape(seed: int) -> None:
         air = air_spaces(sheet)
         for machine in known:
             assert not through_air(sheet, air, machine), (seed, kind, machine.name)
+        made += 1
+    assert made
 
 
 def test_the_net_sees_a_slit() -> None:

@@ -148,5 +148,7 @@ def test_an_empty_document_and_one_that_is_closed(doc):
     create.make(doc)
     fit_view.fit_all()
     fit_view.fit_all(None)
+    assert view().getCameraNode().position.getValue().length() < 1e6
     App.closeDocument(doc.Name)
     fit_view.fit_all()
+    assert not App.listDocuments()
