@@ -3,15 +3,17 @@
 
 from __future__ import annotations
 
-from functools import lru_cache, partial
+from functools import partial
 from pathlib import Path
 
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.document import arrange
 from BalloonWorkbench.app.document.kinds import is_artwork, leader
 from BalloonWorkbench.app.document.proxy import DocumentProxy
+from BalloonWorkbench.app.drawings.drawing_file import File, file_of, pixels_of, read_drawing
 from BalloonWorkbench.app.properties.property_table import Property, properties_of, results
 from BalloonWorkbench.core.errors import ExportError, InputError
+from BalloonWorkbench.core.memoize import memoized
 from BalloonWorkbench.core.options.making import ArtworkOptions
 
 FRONT, BACK = "Front", "Back"
@@ -205,11 +207,13 @@ def _pictures(obj):
         raise InputError("There is no picture to print: choose one, as the outline has none of its own.")
     own = bool(drawing) and (path == drawing or Path(path).read_bytes() == Path(drawing).read_bytes())
     front = (
-        _traced(path, DRAWN_AS[leader(obj.Pattern.Balloon.Outline).DrawnAs], *low, *size)
+        _traced(file_of(path), DRAWN_AS[leader(obj.Pattern.Balloon.Outline).DrawnAs], low, size)
         if own
-        else covering(_pixels(path), low, size)
+        else covering(pixels_of(file_of(path)), low, size)
     )
-    behind = mirrored(covering(_pixels(obj.BackPicture), low, size)) if obj.BackPicture else None
+    behind = None
+    if obj.BackPicture:
+        behind = mirrored(covering(pixels_of(file_of(obj.BackPicture)), low, size))
     return front, behind
 
 
@@ -217,7 +221,6 @@ def _frame(balloon):
     """Lower left corner and size (2,) [m] of all that was drawn, and its file where that is a picture."""
     import numpy as np
 
-    from BalloonWorkbench.app.drawings.drawing_file import read_drawing
     from BalloonWorkbench.app.engine import film_result
     from BalloonWorkbench.app.outline import SYMMETRY
     from BalloonWorkbench.core.tracing.segment import DRAWN_AS
@@ -240,31 +243,8 @@ def _frame(balloon):
     return points.min(axis=0), np.ptp(points, axis=0), first.Drawing
 
 
-def _pixels(path: str):
-    return _decoded(path, Path(path).stat().st_mtime_ns)
-
-
-@lru_cache(maxsize=4)
-def _decoded(path: str, _changed: int):
-    from BalloonWorkbench.core.tracing.picture_file import decode, picture_size
-    from BalloonWorkbench.core.tracing.raster import opencv
-
-    picture_size(Path(path))
-    if opencv() is not None:
-        return decode(Path(path))
-    from BalloonWorkbench.app.drawings import qt_picture
-
-    return qt_picture.decode(path)
-
-
-def _traced(path: str, drawn_as: str, *frame: float):
-    return _traced_once(path, Path(path).stat().st_mtime_ns, drawn_as, frame)
-
-
-@lru_cache(maxsize=4)
-def _traced_once(path: str, changed: int, drawn_as: str, frame: tuple[float, ...]):
-    import numpy as np
-
+@memoized(most=4)
+def _traced(file: File, drawn_as: str, low, size):
     from BalloonWorkbench.core.artwork.picture import of_drawing
 
-    return of_drawing(_decoded(path, changed), np.array(frame[:2]), np.array(frame[2:]), drawn_as)
+    return of_drawing(pixels_of(file), low, size, drawn_as)

@@ -82,6 +82,7 @@ class OutlineProxy(DocumentProxy):
         show_in_editor(obj, Source=shared, Symmetry=shared, Passage=shared)
 
     def compute(self, obj):
+        from BalloonWorkbench.app.drawings.drawing_file import trace
         from BalloonWorkbench.app.properties.quantities import metres
         from BalloonWorkbench.core.outline.chambers import linked
 
@@ -90,27 +91,18 @@ class OutlineProxy(DocumentProxy):
             status.set_problem(obj, has_result, "Choose a picture or a sketch.")
             return
         with status.reported(obj, has_result):
-            _trace_ahead(leader(obj))
+            first = leader(obj)
+            if not first.Source:
+                choices = SYMMETRY[first.Symmetry], DRAWN_AS[first.DrawnAs]
+                trace(f"Tracing {first.Label}", first.Drawing, first.Width, first.Height, *choices)
             outline, kind, placement = read(obj)
-            outline = linked(outline, metres(leader(obj).Passage))
-            outline = repairs.repair_outline(obj, outline, scales=not leader(obj).Source)
+            outline = linked(outline, metres(first.Passage))
+            outline = repairs.repair_outline(obj, outline, scales=not first.Source)
             show(obj, outline, kind)
             if placement is not None:
                 obj.Placement = placement * obj.FromSketch
             status.set_status(obj, status.READY)
         obj.positionBySupport()
-
-
-def _trace_ahead(obj) -> None:
-    """Trace a picture in a thread, where there is a window; `read` finds it then."""
-    from BalloonWorkbench.app.border import hooks
-    from BalloonWorkbench.app.drawings.drawing_file import is_known, shapes_in
-    from BalloonWorkbench.app.properties.quantities import metres
-
-    path, choices = obj.Drawing, (SYMMETRY[obj.Symmetry], DRAWN_AS[obj.DrawnAs])
-    wanted = metres(obj.Width) or None, metres(obj.Height) or None
-    if not obj.Source and not is_known(path, wanted, *choices):
-        hooks.work(f"Tracing {obj.Label}", lambda progress: shapes_in(path, wanted, *choices))
 
 
 def set_drawing(obj, path) -> None:

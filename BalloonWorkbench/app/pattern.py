@@ -20,9 +20,6 @@ from BalloonWorkbench.app.properties.property_table import (
 from BalloonWorkbench.app.shapes import pattern_shape
 from BalloonWorkbench.app.shapes.pattern_shape import DIRECTION, PLACE
 from BalloonWorkbench.core.options.pattern import FARTHEST, PatternOptions
-from BalloonWorkbench.core.recent import Recent
-
-_made = Recent(8)  # patterns, by what they were made from
 
 #: What says in a document whether the property after it is given, by that property.
 SWITCHES = {
@@ -114,13 +111,16 @@ class PatternProxy(DocumentProxy):
         )
 
     def compute(self, obj):
+        from BalloonWorkbench.app.border import hooks
+
         has_result = bool(obj.Roles)
         if status.waits_for(obj, obj.Balloon, has_result, "Choose the balloon that it belongs to."):
             return
         with status.reported(obj, has_result):
-            _work_out(obj)
+            request, arcs = _request(obj), obj.Arcs
+            curves = hooks.work(f"Drawing {obj.Label}", lambda progress: draw(*request, arcs))
             with results(obj) as found:
-                pattern_shape.show(found, self.cut_pattern(obj), kind_of(obj).note if obj.Intake else "")
+                pattern_shape.show(found, sheet(obj), curves, kind_of(obj).note if obj.Intake else "")
             status.set_status(obj, status.READY)
         obj.positionBySupport()
 
@@ -201,47 +201,11 @@ def build(obj):
     from dataclasses import replace
 
     from BalloonWorkbench.app.properties import film
-    from BalloonWorkbench.app.properties.quantities import metres
-    from BalloonWorkbench.app.shapes import part_shapes
-    from BalloonWorkbench.core.pattern.make import pieces_remarks
+    from BalloonWorkbench.core.pattern.make import make_pattern, pieces_remarks
 
-    wanted = values(obj)
-    remarks = pieces_remarks(wanted, film.read(obj.Balloon))
-    pattern = made(part_shapes.stored(obj.Balloon, "Seam"), metres(obj.Balloon.SealWidth), wanted)
+    remarks = pieces_remarks(values(obj), film.read(obj.Balloon))
+    pattern = make_pattern(*_request(obj))
     return replace(pattern, warnings=(*pattern.warnings, *remarks))
-
-
-def _work_out(obj) -> None:
-    """What `show` needs and finds remembered: in a thread, where there is a window."""
-    from BalloonWorkbench.app.border import hooks
-    from BalloonWorkbench.app.properties.quantities import metres
-    from BalloonWorkbench.app.shapes import part_shapes
-
-    seam, seal_width = part_shapes.stored(obj.Balloon, "Seam"), metres(obj.Balloon.SealWidth)
-    wanted, arcs = values(obj), obj.Arcs
-    hooks.work(f"Drawing {obj.Label}", lambda progress: work_out(seam, seal_width, wanted, arcs))
-
-
-def work_out(seam, seal_width: float, wanted, arcs: bool = True):
-    """All that is cut, and its arcs; touches no document. Raises what `make_pattern` raises."""
-    from BalloonWorkbench.core.arcs.fit_arcs import fit_curve
-    from BalloonWorkbench.core.pattern.make import sheet_of
-
-    pattern = sheet_of(made(seam, seal_width, wanted), wanted)
-    for contour in pattern.contours if arcs else ():
-        fit_curve(contour.points, contour.closed)
-    return pattern
-
-
-def made(seam, seal_width: float, wanted):
-    """The core's pattern for a seam; the last ones are remembered, as several steps ask for the same one."""
-    from BalloonWorkbench.core.pattern.make import make_pattern
-
-    lines = tuple(line.tobytes() for line in (*seam.loops, *seam.welds))
-    key = lines, len(seam.loops), len(seam.spots), seal_width, wanted
-    if key not in _made:
-        _made[key] = make_pattern(seam, seal_width, wanted)
-    return _made[key]
 
 
 def sheet(obj):
@@ -249,3 +213,26 @@ def sheet(obj):
     from BalloonWorkbench.core.pattern.make import sheet_of
 
     return sheet_of(build(obj), values(obj))
+
+
+def _request(obj) -> tuple:
+    """Seam, width of the film's weld and values: all that a pattern is made from."""
+    from BalloonWorkbench.app.properties.quantities import metres
+    from BalloonWorkbench.app.shapes import part_shapes
+
+    return part_shapes.stored(obj.Balloon, "Seam"), metres(obj.Balloon.SealWidth), values(obj)
+
+
+def draw(seam, seal_width: float, wanted, arcs: bool = True) -> tuple:
+    """What is drawn of a pattern: a curve for each contour of its sheet; touches no document.
+
+    arcs  lines and arcs in place of many short lines
+    Raises what `make_pattern` raises.
+    """
+    from BalloonWorkbench.core.arcs.curves import polyline
+    from BalloonWorkbench.core.arcs.fit_arcs import fit_curve
+    from BalloonWorkbench.core.pattern.make import make_pattern, sheet_of
+
+    curve = fit_curve if arcs else polyline
+    contours = sheet_of(make_pattern(seam, seal_width, wanted), wanted).contours
+    return tuple(curve(contour.points, contour.closed) for contour in contours)

@@ -140,6 +140,7 @@ def make_balloon(
     pictures where OpenCV is missing; attempt makes what the patterns can do without. Raises BalloonError of
     some kind for anything a user can mend.
     """
+    settings = rounded(settings)
     settings.filling.lightness()  # a mistake shows before the work
     remarks = pieces_remarks(settings.wanted, settings.film)
     if settings.goal is not None and width is None and height is None:
@@ -219,8 +220,15 @@ def _share(progress: Progress, number: int, count: int) -> Progress:
 
 
 def design_outline(outline: Outline, settings: Settings, progress: Progress = no_progress) -> Design:
-    """The design of an outline: fitted to it, or with the outline as its pattern."""
-    outline, settings = rounded_outline(outline), rounded(settings)
+    """The design of an outline: fitted to it, or with the outline as its pattern.
+
+    Its seam is on the grid on which documents keep it.
+    """
+    design = _designed(rounded_outline(outline), rounded(settings), progress)
+    return replace(design, pattern=rounded_outline(design.pattern))
+
+
+def _designed(outline: Outline, settings: Settings, progress: Progress) -> Design:
     work = partial(
         fit if settings.correct else inflate_outline,
         mesh_size=settings.mesh_size,
@@ -241,7 +249,7 @@ def _design_to_goal(outline: Outline, settings: Settings, goal: SizeGoal, progre
 
     def work(outline: Outline, *, start: Design | None, progress: Progress) -> Design:
         if not settings.correct:
-            return design_outline(outline, replace(settings, goal=None), progress)
+            return _designed(outline, replace(settings, goal=None), progress)
         return fit(
             outline,
             settings.film,

@@ -79,7 +79,7 @@ def build(
     source: Source,
     film: Film,
     design: Design,
-    pattern: Pattern,
+    pattern: Pattern | None = None,
     volume: float | None = None,
     filling: Filling | None = None,
     goal: SizeGoal | None = None,
@@ -89,6 +89,7 @@ def build(
 
     volume [m3]: what was asked for instead of a pressure; filling: what lifts, helium by default; goal: what
     decided the size, None for the drawing's own; valve: what its intake weighs besides the panels [kg].
+    Without a pattern nothing is said of it and of what the balloon lifts.
     """
     load = {"kind": "pressure" if volume is None else "volume", "target_volume_m3": volume}
     return {
@@ -101,9 +102,8 @@ def build(
         "design": _design(design, max(source.outline.size)),
         "inflated": _inflated(design, film),
         "goal": None if goal is None else _goal(goal),
-        "lift": _lift(design, film, pattern, filling or Filling(), valve),
-        "pattern": _pattern(pattern),
-        "warnings": [*design.warnings, *pattern.warnings],
+        **({} if pattern is None else _cut(design, film, pattern, filling or Filling(), valve)),
+        "warnings": [*design.warnings, *(() if pattern is None else pattern.warnings)],
     }
 
 
@@ -199,6 +199,11 @@ def _pattern(pattern: Pattern) -> dict[str, Any]:
 
 def _goal(goal: SizeGoal) -> dict[str, Any]:
     return {"volume_m3": goal.volume, "lift_g": None if goal.lift is None else to_grams(goal.lift)}
+
+
+def _cut(design: Design, film: Film, pattern: Pattern, filling: Filling, valve: float) -> dict[str, Any]:
+    """What there is to tell about a pattern, and what the balloon made from it lifts."""
+    return {"lift": _lift(design, film, pattern, filling, valve), "pattern": _pattern(pattern)}
 
 
 def _lift(design: Design, film: Film, pattern: Pattern, filling: Filling, valve: float) -> dict[str, Any]:

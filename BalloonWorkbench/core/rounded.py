@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Input without its last digits.
+"""Values without their last digits: on the grid that files and other units lead back to.
 
 Numbers that went through a file or another unit differ in their last digits. Left in, they would let the same
 balloon come out a little different in FreeCAD and on the command line, or after a value was changed and
-changed back.
+changed back. So what comes in is rounded, and the seam that a document keeps in mm.
 """
 
 from __future__ import annotations

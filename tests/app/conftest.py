@@ -5,6 +5,13 @@ import FreeCAD as App
 import pytest
 
 from BalloonWorkbench.app.border import status
+from BalloonWorkbench.core import memoize
+
+
+@pytest.fixture(autouse=True)
+def nothing_known():
+    """Each test works out what it asks for."""
+    memoize.forget()
 
 
 @pytest.fixture

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import pytest
 
+from BalloonWorkbench.core import memoize
 from BalloonWorkbench.core.pictures import render
 
 _LOOKED_AT = {"test_export_preview", "test_assembly", "test_house"}
@@ -16,3 +17,9 @@ def rough_pictures(request: pytest.FixtureRequest) -> None:
         patch = pytest.MonkeyPatch()
         patch.setattr(render, "_OVERSAMPLING", 1)
         request.addfinalizer(patch.undo)
+
+
+@pytest.fixture(autouse=True)
+def nothing_known() -> None:
+    """Each test works out what it asks for."""
+    memoize.forget()

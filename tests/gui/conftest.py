@@ -15,7 +15,7 @@ import hands
 import sketches
 
 from BalloonWorkbench.app.document import create
-from BalloonWorkbench.core import faults
+from BalloonWorkbench.core import faults, memoize
 from BalloonWorkbench.gui.window import file_dialogs
 
 
@@ -31,6 +31,12 @@ def workbench():
         App.closeDocument(name)
     hands.wait(0.05)
     assert not hands.panel_is_open()
+
+
+@pytest.fixture(autouse=True)
+def nothing_known():
+    """Each test works out what it asks for."""
+    memoize.forget()
 
 
 @pytest.fixture(autouse=True)

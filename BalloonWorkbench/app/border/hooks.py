@@ -39,3 +39,10 @@ def work(title: str, job: Callable[..., Any]) -> Any:
     from BalloonWorkbench.core.types import no_progress
 
     return job(no_progress)
+
+
+def ask(title: str, function, *values) -> Any:
+    """What a memoized function of the engine says: at once where it is known, else as `work`."""
+    if function.knows(*values):
+        return function(*values)
+    return work(title, lambda progress: function(*values))

@@ -4,19 +4,16 @@
 from __future__ import annotations
 
 import hashlib
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from BalloonWorkbench.app.properties.quantities import metres
-from BalloonWorkbench.core.recent import Recent
+from BalloonWorkbench.core.memoize import memoized
 from BalloonWorkbench.core.tracing.segment import AS_PEN, AUTO
 
-_LONGEST_SIDE = 1600  # px; as fine as the engine looks
 #: Name of the text in a PNG file that holds the strokes of a painting.
 KEY = "FilmBalloonPainting"
 _HEAD = 4096  # bytes in which its name appears, before the pixels
-_read = Recent(8)  # shapes of pictures by their content: tracing takes a good part of a second
-_places = Recent(8)  # where the shapes are in those
 
 
 def read_drawing(
@@ -27,12 +24,20 @@ def read_drawing(
     symmetry is a choice of core/outline/symmetry.py, drawn_as of segment.py. Raises BalloonError when there
     is no usable shape in the file.
     """
-    wanted = metres(width) or None, metres(height) or None
-    drawing, kind = shapes_in(path, wanted, symmetry, drawn_as)
-    if None in wanted or keep_aspect:
+    size = metres(width) or None, metres(height) or None
+    drawing, kind = shapes_in(file_of(path), size, symmetry, drawn_as)
+    if None in size or keep_aspect:
         return drawing, kind
-    factors = [want / have for want, have in zip(wanted, drawing.size, strict=True)]
+    factors = [want / have for want, have in zip(size, drawing.size, strict=True)]
     return drawing.map(lambda loop: loop * factors), kind
+
+
+def trace(title: str, path: str, width, height, symmetry: str, drawn_as: str) -> None:
+    """Read a file beside the window: `read_drawing`, with or without the aspect, has it at once then."""
+    from BalloonWorkbench.app.border import hooks
+
+    size = metres(width) or None, metres(height) or None
+    hooks.ask(title, shapes_in, file_of(path), size, symmetry, drawn_as)
 
 
 def is_painting(path) -> bool:
@@ -44,38 +49,48 @@ def is_painting(path) -> bool:
         return False
 
 
-def is_known(path: str, wanted, symmetry: str, drawn_as: str) -> bool:
-    """The picture was read lately, or the file is none: reading it takes no time."""
-    suffix = Path(path).suffix.lower()
-    return suffix in (".svg", ".dxf", ".json") or _key(Path(path), wanted, symmetry, drawn_as) in _read
+@dataclass(frozen=True)
+class File:
+    """A file, known by what is in it and how its name ends."""
+
+    path: Path = field(compare=False)
+    content: bytes
+    suffix: str
 
 
-def _key(path: Path, *choices):
-    """What a picture is remembered by; None for a file that cannot be read: the reader says what is wrong."""
+def file_of(path) -> File:
+    """A file as it is now; one that cannot be read is left to the reader, who says what is wrong."""
+    path = Path(path)
     try:
-        return hashlib.sha256(path.read_bytes()).digest(), *choices
+        content = hashlib.sha256(path.read_bytes()).digest()
     except OSError:
-        return None
+        content = b""
+    return File(path, content, path.suffix)
 
 
-def shapes_in(path: str, wanted, symmetry: str, drawn_as: str):
-    """The shapes in a file at their size [m] and its kind; a picture read lately is not traced again."""
+@memoized(most=8)  # tracing takes a good part of a second
+def shapes_in(file: File, size: tuple, symmetry: str, drawn_as: str):
+    """The shapes in a file at their size [m], None where it is free, and its kind."""
     from BalloonWorkbench.core.outline.symmetry import evened
     from BalloonWorkbench.core.outline.validity import scale_to
     from BalloonWorkbench.core.readers import read
 
-    key = _key(Path(path), wanted, symmetry, drawn_as)
-    if key in _read:
-        return _read[key]
-    drawing, kind = read.read_drawing(Path(path), *wanted, decode=_decoder(), drawn_as=drawn_as)
-    drawing = scale_to(evened(drawing, symmetry, drawn=kind == "picture"), *wanted)
-    if is_painting(path):
+    drawing, kind = read.read_drawing(file.path, *size, decode=_decoder(), drawn_as=drawn_as)
+    drawing = scale_to(evened(drawing, symmetry, drawn=kind == "picture"), *size)
+    if is_painting(file.path):
         first, *others = drawing.parts
         first = replace(first, notes=tuple(note for note in first.notes if note != AS_PEN))
         drawing = replace(drawing, parts=(first, *others))
-    if kind == "picture":
-        _read[key] = drawing, kind
     return drawing, kind
+
+
+@memoized(most=4)
+def pixels_of(file: File):
+    """Pixels (h, w, 4) of a picture file as red, green, blue, alpha, upright. Raises BalloonError."""
+    from BalloonWorkbench.core.tracing.picture_file import decode, picture_size
+
+    picture_size(file.path)
+    return (_decoder() or decode)(file.path)
 
 
 def _decoder():
@@ -96,24 +111,19 @@ def place_in_picture(path: str, drawn_as: str = AUTO) -> tuple[float, float, flo
     """
     from BalloonWorkbench.app.border import hooks
 
-    key = _key(Path(path), drawn_as)
-    if key not in _places:
-        _places[key] = hooks.work("Looking at the picture", lambda progress: _found_in(path, drawn_as))
-    return _places[key]
+    return hooks.ask("Looking at the picture", _place, file_of(path), drawn_as)
 
 
-def _found_in(path: str, drawn_as: str) -> tuple[float, float, float, float] | None:
+@memoized(most=8)
+def _place(file: File, drawn_as: str) -> tuple[float, float, float, float] | None:
     from BalloonWorkbench.core.errors import BalloonError
-    from BalloonWorkbench.core.tracing.contour import contours
-    from BalloonWorkbench.core.tracing.picture_file import decode, picture_size
-    from BalloonWorkbench.core.tracing.segment import segment
+    from BalloonWorkbench.core.tracing.picture import placed_drawing, shrunk
 
     try:
-        step = -(-max(picture_size(Path(path))) // _LONGEST_SIDE)
-        silhouette, _ = segment((_decoder() or decode)(Path(path))[::step, ::step], drawn_as)
+        rgba = shrunk(pixels_of(file))
+        drawing, corner = placed_drawing(rgba, drawn_as=drawn_as)
     except BalloonError:
         return None
-    loop, _ = max(contours(silhouette), key=lambda item: item[1])
-    height, width = silhouette.shape
+    loop, (height, width) = corner + drawing.largest.outer, rgba.shape[:2]
     (left, low), (right, high) = loop.min(axis=0), loop.max(axis=0)
     return left / width, low / height, right / width, high / height

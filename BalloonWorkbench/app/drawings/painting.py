@@ -3,11 +3,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass, replace
-from functools import lru_cache
 from pathlib import Path
-from types import MappingProxyType
 
 import numpy as np
 
@@ -22,7 +20,9 @@ from BalloonWorkbench.app.outline import set_drawing
 from BalloonWorkbench.core.checkpoint import checkpoint, stoppable
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.job import Settings
+from BalloonWorkbench.core.memoize import memoized
 from BalloonWorkbench.core.outline.chambers import linked
+from BalloonWorkbench.core.rounded import rounded
 from BalloonWorkbench.core.tracing.segment import AUTO, DRAWN_AS
 from BalloonWorkbench.core.types import Progress, no_progress
 
@@ -83,7 +83,7 @@ def place(path, width: float, height: float = 0.0, drawn_as: str = AUTO) -> Artw
     return Artwork(rgba, -pixel * corner, pixel)
 
 
-@lru_cache(maxsize=4)
+@memoized(most=4)
 def _placed(content: bytes, drawn_as: str):
     """Pixels of a painting, where its drawing begins in them (2,), y up, and how large it is (2,) [px]."""
     from BalloonWorkbench.app.drawings.qt_picture import decode_bytes
@@ -104,17 +104,16 @@ def solve(
     settings: Settings,
     progress: Progress = no_progress,
     fitted: Callable[[list[Request], list[Design]], object] = lambda requests, designs: None,
-    known: Mapping[str, Design] = MappingProxyType({}),
 ) -> Solved:
     """Design the balloons of a painting [width in mm]; may run in another thread.
 
-    The arcs of the patterns, as the settings want them, are prepared. fitted: called as soon as all balloons
-    have their shape, before what there is to tell about them. known: designs that are not made again, by the
-    keys of their requests.
+    What the document's objects will ask for is worked out. fitted: called as soon as all balloons have their
+    shape, before what there is to tell about them.
     Raises BalloonError when there is none, Cancelled when progress says stop.
     """
     from BalloonWorkbench.core.report import Source
 
+    settings = rounded(settings)
     drawing, kind = read_drawing(
         str(path), width, 0.0, symmetry=settings.symmetry, drawn_as=settings.drawn_as
     )
@@ -125,17 +124,14 @@ def solve(
         alike = settings if number == 0 else replace(settings, goal=None)
         request = Request(Source(path.name, kind, outline), alike)
         requests.append(request)
-        same = known.get(request.key())
-        designs.append(
-            request.design(_share(progress, number, count)) if same is None else same.of_drawing(outline)
-        )
+        designs.append(request.design(_share(progress, number, count)))
     fitted(requests, designs)
     with stoppable(progress):
         for number, (request, design) in enumerate(zip(requests, designs)):
             checkpoint(_FITTING + (1.0 - _FITTING) * number / count)
             told.append(describe(request, design))
             checkpoint(_FITTING + (1.0 - _FITTING) * (number + 0.5) / count)
-            _prepare(design.pattern, settings)
+            _draw(design.pattern, settings)
         place(path, width, drawn_as=settings.drawn_as)  # the window will ask for it, and shall not wait
     return Solved(tuple(requests), tuple(designs), tuple(told))
 
@@ -145,19 +141,16 @@ def _share(progress: Progress, number: int, count: int) -> Progress:
     return lambda fraction, text: progress(_FITTING * (number + fraction) / count, text)
 
 
-def _prepare(seam, settings: Settings) -> None:
-    """Work out what the Pattern object will ask for, to the last digit: it keeps its seam in mm."""
+def _draw(seam, settings: Settings) -> None:
+    """Draw the pattern as its object will ask for it."""
     from BalloonWorkbench.core.errors import InputError
     from BalloonWorkbench.core.pattern.intake.kinds import intake_kind
-    from BalloonWorkbench.core.units import from_mm, to_mm
 
     wanted = settings.wanted
     if wanted.intake_width is None:
-        width = from_mm(to_mm(intake_kind(wanted.intake_kind).width))
-        wanted = replace(wanted, intake_width=width)
-    kept = seam.map(lambda line: from_mm(to_mm(line)))
+        wanted = replace(wanted, intake_width=intake_kind(wanted.intake_kind).width)
     try:
-        pattern.work_out(kept, from_mm(to_mm(settings.film.seal_width)), wanted)
+        pattern.draw(seam, settings.film.seal_width, wanted)
     except InputError:  # the pattern object will say what is wrong
         return
 

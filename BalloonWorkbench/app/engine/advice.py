@@ -4,13 +4,10 @@
 from __future__ import annotations
 
 import json
-from functools import lru_cache
 
 from BalloonWorkbench.app.border import status
-from BalloonWorkbench.core.recent import Recent
 
 #: What is said of the intake, which may change without the balloon.
-_intakes = Recent(8)  # findings about the intake, by what they came from
 _OF_INTAKE = ("hidden_intake", "delicate_intake")
 
 
@@ -38,12 +35,9 @@ def _of_intake(balloon, wanted) -> list:
     from BalloonWorkbench.app.shapes import part_shapes
     from BalloonWorkbench.core.advice.advise import intake_findings
 
-    key = balloon.Document.Name, balloon.Name, balloon.SolvedFor, balloon.SolvedWith, wanted
-    if key not in _intakes:
-        inflation, film = film_result.stored(balloon)
-        seam, drawn = part_shapes.stored(balloon, "Seam"), film_result.drawing(balloon)
-        _intakes[key] = intake_findings(drawn, film, inflation, seam, balloon.Passes > 0, wanted)
-    return _on_outline(balloon, _intakes[key])
+    inflation, film = film_result.stored(balloon)
+    seam, drawn = part_shapes.stored(balloon, "Seam"), film_result.drawing(balloon)
+    return _on_outline(balloon, intake_findings(drawn, film, inflation, seam, balloon.Passes > 0, wanted))
 
 
 def is_solved(balloon) -> bool:
@@ -81,27 +75,8 @@ def advice_before(parts):
     """The core's advice from the outline alone, with the map of the thickness to be expected."""
     from BalloonWorkbench.app.balloon import request
     from BalloonWorkbench.app.pattern import values
-
-    return _predicted(_Key(request(parts.balloon)), values(parts.pattern))
-
-
-class _Key:
-    """A request, the same as another one that asks for the same balloon."""
-
-    def __init__(self, wanted):
-        self.wanted = wanted
-        self._key = wanted.key()
-
-    def __eq__(self, other):
-        return isinstance(other, _Key) and self._key == other._key
-
-    def __hash__(self):
-        return hash(self._key)
-
-
-@lru_cache(maxsize=8)
-def _predicted(key: _Key, wanted):
     from BalloonWorkbench.core.advice.advise import advise
 
-    settings = key.wanted.settings
-    return advise(key.wanted.source.outline, settings.film, fitted=settings.correct, wanted=wanted)
+    asked = request(parts.balloon)
+    settings = asked.settings
+    return advise(asked.source.outline, settings.film, fitted=settings.correct, wanted=values(parts.pattern))

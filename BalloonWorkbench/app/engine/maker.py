@@ -4,17 +4,12 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import partial
 from pathlib import Path
 
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.engine import film_result
 from BalloonWorkbench.app.properties import size_goal
 from BalloonWorkbench.core.errors import ExportError
-from BalloonWorkbench.core.recent import Recent
-
-_counted = Recent(8)  # numbers of balloons by all that they come from
-_safe = Recent(8)  # what holds balloons together, by their results
 
 
 def numbers(parts, exact: bool = True):
@@ -31,18 +26,20 @@ def counting(parts, exact: bool = True):
     from BalloonWorkbench.app.pattern import build, values
     from BalloonWorkbench.app.properties import film
     from BalloonWorkbench.app.shapes import part_shapes
+    from BalloonWorkbench.core.making.numbers import maker_numbers
+    from BalloonWorkbench.core.pattern.make import sheet_of
 
     balloon = parts.balloon
-    panel, wanted = build(parts.pattern), values(parts.pattern)
+    panel, whole = build(parts.pattern), replace(values(parts.pattern), mirror=True, copies=1)
     own, filling = film.read(balloon), size_goal.filling(balloon)
-    result = balloon.Document.Name, balloon.Name, balloon.SolvedFor, balloon.SolvedWith
-    key = result, panel_key(panel), own, filling, exact
-    if key in _counted:
-        return partial(_counted.__getitem__, key)
     seam, width = part_shapes.stored(balloon, "Seam"), film_result.drawing(balloon).size[0]
-    return partial(
-        _count, key, film_result.stored(balloon)[0], own, seam, panel, wanted, width, filling, exact
-    )
+    inflation, _ = film_result.stored(balloon)
+
+    def count():
+        pieces = sheet_of(panel, whole)
+        return maker_numbers(inflation, own, seam, panel, width, filling, pieces=pieces, exact=exact)
+
+    return count
 
 
 def safety_of(balloon):
@@ -52,38 +49,7 @@ def safety_of(balloon):
     """
     from BalloonWorkbench.core.making.safety import safety
 
-    key = balloon.Document.Name, balloon.Name, balloon.SolvedWith
-    if key not in _safe:
-        _safe[key] = safety(*film_result.stored(balloon), exact=False)
-    return _safe[key]
-
-
-def panel_key(pattern) -> bytes:
-    """The same for the same lines."""
-    import hashlib
-
-    digest = hashlib.sha256(repr((pattern.seal_width, pattern.seam_length)).encode())
-    for contour in pattern.contours:
-        digest.update(contour.points.tobytes())
-    return digest.digest()
-
-
-def _count(key, inflation, own, seam, panel, wanted, width: float, filling, exact: bool):
-    from BalloonWorkbench.core.making.numbers import maker_numbers
-    from BalloonWorkbench.core.pattern.make import sheet_of
-
-    found = maker_numbers(
-        inflation,
-        own,
-        seam,
-        panel,
-        width,
-        filling,
-        pieces=sheet_of(panel, replace(wanted, mirror=True, copies=1)),
-        exact=exact,
-    )
-    _counted[key] = found
-    return found
+    return safety(*film_result.stored(balloon), exact=False)
 
 
 def write_assembly(parts, target, paper: str = "A4") -> Path:

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a balloon object asks of the engine, free of the document: it may be solved in another thread."""
+"""What a balloon object asks of the engine, and what there is to tell about the answer; free of the document,
+so that it may be solved in another thread."""
 
 from __future__ import annotations
 
@@ -9,15 +10,15 @@ from dataclasses import asdict, dataclass, replace
 
 import numpy as np
 
-from BalloonWorkbench.app.properties import size_goal
 from BalloonWorkbench.core import report
 from BalloonWorkbench.core.advice.advise import advise_design
 from BalloonWorkbench.core.advice.as_data import advice_report
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.job import Settings, design_outline
 from BalloonWorkbench.core.making.weight import weighing
+from BalloonWorkbench.core.memoize import memoized
 from BalloonWorkbench.core.options.pattern import PatternOptions
-from BalloonWorkbench.core.pattern.build import build_pattern
+from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.report import Source
 from BalloonWorkbench.core.solver.model import Model
 from BalloonWorkbench.core.types import Progress, no_progress
@@ -86,7 +87,9 @@ class Request:
 
     def design(self, progress: Progress = no_progress) -> Design:
         """The balloon and its seam; BalloonError when there is none, Cancelled when progress says stop."""
-        return design_outline(self.source.outline, self.settings, progress)
+        outline = self.source.outline
+        design = _design(replace(outline, notes=()), _of_balloon(self.settings), progress)
+        return design.of_drawing(outline)
 
     def solve(self, progress: Progress = no_progress) -> tuple[Design, dict]:
         """The design, and what `describe` says about it; raises as `design` does."""
@@ -94,14 +97,21 @@ class Request:
         return design, describe(self, design)
 
 
+def _of_balloon(settings: Settings) -> Settings:
+    """Settings without how the drawing was read: that is in the outline."""
+    usual = Settings()
+    return replace(settings, symmetry=usual.symmetry, drawn_as=usual.drawn_as, passage=usual.passage)
+
+
+@memoized(most=8)
+def _design(outline: Outline, settings: Settings, progress: Progress) -> Design:
+    return design_outline(outline, settings, progress)
+
+
 def describe(request: Request, design: Design) -> dict:
     """What there is to tell about a design, as plain data; touches no document."""
     settings, source = request.settings, request.source
     if settings.goal is not None:
         source = replace(source, outline=design.target)
-    plain = build_pattern(design.pattern, settings.film.seal_width, PatternOptions(intake=False))
-    told = report.build(source, settings.film, design, plain, settings.volume, goal=settings.goal)
-    told |= advice_report(advise_design(design, settings.film, wanted=settings.wanted))
-    size_goal.prepare(design.pattern, settings.film, settings.wanted)
-    del told["pattern"], told["lift"]  # the Pattern object, and the properties, have their own
-    return told
+    told = report.build(source, settings.film, design, volume=settings.volume, goal=settings.goal)
+    return told | advice_report(advise_design(design, settings.film, wanted=settings.wanted))

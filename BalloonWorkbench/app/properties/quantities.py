@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Between FreeCAD's units and those of the engine.
 
-FreeCAD counts in mm, kg and s: lengths in mm, pressures in kg/(mm s2) = kPa. The engine counts in SI.
+FreeCAD counts in mm, kg and s: lengths in mm, pressures in kg/(mm s2) = kPa. The engine counts in SI, and
+what comes from a document is on its grid: see the core's rounded.py.
 """
 
 from __future__ import annotations
@@ -9,6 +10,7 @@ from __future__ import annotations
 import math
 
 from BalloonWorkbench.core import units
+from BalloonWorkbench.core.rounded import rounded
 
 _KILO = 1000.0  # Pa per kPa
 
@@ -20,17 +22,17 @@ def number(value) -> float:
 
 def metres(value) -> float:
     """A length property, quantity or number of mm, in m."""
-    return units.from_mm(number(value))
+    return rounded(units.from_mm(number(value)))
 
 
 def pascals(value) -> float:
     """A pressure property, quantity or number of kPa, in Pa."""
-    return number(value) * _KILO
+    return rounded(number(value) * _KILO)
 
 
 def cubic_metres(value) -> float:
     """A volume property, quantity or number of mm3, in m3."""
-    return number(value) * units.MILLIMETRE**3
+    return rounded(number(value) * units.MILLIMETRE**3)
 
 
 def kilopascals(pressure: float) -> float:
@@ -55,7 +57,7 @@ def volume(value) -> float:
 
 def radians(value) -> float:
     """An angle property or number of degrees, in rad."""
-    return math.radians(number(value))
+    return rounded(math.radians(number(value)))
 
 
 def square_millimetres(area: float) -> float:

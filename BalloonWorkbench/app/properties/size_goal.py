@@ -19,7 +19,6 @@ from BalloonWorkbench.app.properties.property_table import (
 )
 from BalloonWorkbench.core.options.drawing import FillingOptions, GoalOptions
 from BalloonWorkbench.core.options.option import option_of, options_of
-from BalloonWorkbench.core.recent import Recent
 
 WIDTH, VOLUME, LIFT = "Width", "Volume", "Lift"
 WARM_AIR = "warm-air"
@@ -50,9 +49,6 @@ RESULTS = (
         "Length", "FloatsFrom", "Result", "Width from which it carries itself; 0 when never", result=True
     ),
 )
-
-
-_weights = Recent(8)
 
 
 def follow(obj) -> None:
@@ -120,48 +116,23 @@ def wanted_of(obj):
     return PatternOptions()
 
 
-def film_and_valve(seam, film, wanted) -> tuple[float, float]:
-    """As the core's; those of the last seams are remembered."""
-    from BalloonWorkbench.core.making import weight
-
-    key = _weight_key(seam, film, wanted)
-    if key not in _weights:
-        _weights[key] = weight.film_and_valve(seam, film, wanted)
-    return _weights[key]
-
-
-def _weight_key(seam, film, wanted) -> tuple:
-    from BalloonWorkbench.core.making.weight import weighing
-
-    lines = tuple(line.tobytes() for line in (*seam.loops, *seam.welds))
-    return lines, len(seam.spots), film.seal_width, weighing(wanted)
-
-
-def prepare(seam, film, wanted) -> None:
-    """Find in a thread what `show_lift` will ask for: the object keeps its seam in mm."""
-    from BalloonWorkbench.core.errors import InputError
-    from BalloonWorkbench.core.units import from_mm, to_mm
-
-    try:
-        film_and_valve(seam.map(lambda line: from_mm(to_mm(line))), film, wanted)
-    except InputError:  # `show_lift` will say what is wrong
-        return
-
-
 def show_lift(obj) -> None:
     """Weight and lift of the balloon that is shown, for film, gas and pattern as they are now."""
+    from functools import partial
+
     from BalloonWorkbench.app.border import hooks
     from BalloonWorkbench.app.properties.film import read
     from BalloonWorkbench.app.properties.quantities import cubic_metres, metres, pascals
     from BalloonWorkbench.app.shapes import part_shapes
     from BalloonWorkbench.core.design.size_goal import Buoyancy, Scaling
+    from BalloonWorkbench.core.making.weight import film_and_valve
+    from BalloonWorkbench.core.pattern.make import make_pattern
     from BalloonWorkbench.core.units import to_grams, to_mm
 
     own, seam, wanted = read(obj), part_shapes.stored(obj, "Seam"), wanted_of(obj)
-    if _weight_key(seam, own, wanted) in _weights:
-        area, valve = film_and_valve(seam, own, wanted)
-    else:
-        area, valve = hooks.work(f"Weighing {obj.Label}", lambda progress: film_and_valve(seam, own, wanted))
+    weigh = partial(film_and_valve, seam, own, wanted)
+    known = film_and_valve.knows(seam, own, wanted) or make_pattern.knows(seam, own.seal_width, wanted)
+    area, valve = weigh() if known else hooks.work(f"Weighing {obj.Label}", lambda progress: weigh())
     lightness = filling(obj).lightness(pascals(obj.ActivePressure))
     buoyancy = Buoyancy(lightness, own.areal_density, lambda seam: area, valve)
     width = metres(obj.InflatedWidth)

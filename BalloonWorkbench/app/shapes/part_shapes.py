@@ -14,6 +14,7 @@ from BalloonWorkbench.core.geometry.nearest import nearest_on_line
 from BalloonWorkbench.core.geometry.polyline import ring
 from BalloonWorkbench.core.outline.drawing import sealed
 from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.rounded import rounded_outline
 from BalloonWorkbench.core.units import from_mm, to_mm
 
 #: How far a spline may be from the arcs [m], how far it turns [rad], and how often it gets more points.
@@ -107,9 +108,9 @@ def store(obj, prefix: str, outline: Outline) -> None:
 
 
 def stored(obj, prefix: str) -> Outline:
-    """The outline kept by `store`."""
+    """The outline kept by `store`, on the grid of the engine."""
     outer, *holes = _lines(obj, prefix)
-    return sealed(Outline(outer, tuple(holes)), _lines(obj, prefix + "Weld"))
+    return rounded_outline(sealed(Outline(outer, tuple(holes)), _lines(obj, prefix + "Weld")))
 
 
 def _lines(obj, prefix: str) -> list:

@@ -8,20 +8,26 @@ DIRECTION, PLACE = "Direction", "Place on the seam"
 #: Where it is found unless it is told.
 
 
-def show(obj, pattern, how_to_fill: str) -> None:
-    """Write a pattern into the object: the sheets to cut out first, then welds and marks."""
+def show(obj, pattern, curves, how_to_fill: str) -> None:
+    """Write a pattern into the object: the sheets to cut out first, then welds and marks.
+
+    curves  that are drawn for its contours
+    """
     import math
 
     import Part
 
+    from BalloonWorkbench.app.shapes import part_shapes
     from BalloonWorkbench.core.pattern.pattern import Role
     from BalloonWorkbench.core.units import to_mm
 
     cuts = _nested(pattern.of(Role.CUT), pattern.of(Role.CUT_INNER))
     beside = (Role.SEAL, Role.WELD, Role.NOTCH, Role.FOLD, Role.PEN, Role.ENGRAVE)
     lines = [contour for role in beside for contour in pattern.of(role)]
-    faces = [Part.Face([_wire(obj, each) for each in sheet]) for sheet in cuts]
-    obj.Shape = Part.Compound([*faces, *(_wire(obj, line) for line in lines)])
+    wire = part_shapes.spline_wire if obj.Arcs and obj.Splines else part_shapes.curve_wire
+    drawn = {id(contour): wire(curve) for contour, curve in zip(pattern.contours, curves, strict=True)}
+    faces = [Part.Face([drawn[id(each)] for each in sheet]) for sheet in cuts]
+    obj.Shape = Part.Compound([*faces, *(drawn[id(line)] for line in lines)])
     obj.Roles = [contour.role.value for contour in (*(each for sheet in cuts for each in sheet), *lines)]
     obj.SeamLength = to_mm(pattern.seam_length)
     obj.PatternWidth, obj.PatternHeight = (to_mm(length) for length in pattern.of_stock("").size)
@@ -31,17 +37,6 @@ def show(obj, pattern, how_to_fill: str) -> None:
         obj.IntakeAngle = math.degrees(pattern.intake.angle)
     if pattern.intake is not None and (obj.IntakeAuto or obj.IntakeBy == DIRECTION):
         obj.IntakeAlong = to_mm(pattern.intake.along)
-
-
-def _wire(obj, contour):
-    from BalloonWorkbench.app.shapes import part_shapes
-    from BalloonWorkbench.core.arcs.curves import polyline
-    from BalloonWorkbench.core.arcs.fit_arcs import fit_curve
-
-    if not obj.Arcs:
-        return part_shapes.curve_wire(polyline(contour.points, contour.closed))
-    fitted = fit_curve(contour.points, contour.closed)
-    return part_shapes.spline_wire(fitted) if obj.Splines else part_shapes.curve_wire(fitted)
 
 
 def _nested(outer, inner) -> list:

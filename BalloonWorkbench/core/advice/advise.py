@@ -16,6 +16,7 @@ from BalloonWorkbench.core.advice.subject import Subject
 from BalloonWorkbench.core.checkpoint import checkpoint
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.film.film import Film
+from BalloonWorkbench.core.memoize import memoized
 from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.outline.validity import check
@@ -34,6 +35,7 @@ _RULES = (
 )
 
 
+@memoized(most=8)
 def advise(outline: Outline, film: Film, *, fitted: bool = True, wanted: PatternOptions = _USUAL) -> Advice:
     """Advice from the outline alone, within a fraction of a second.
 
@@ -54,6 +56,7 @@ def advise_design(design: Design, film: Film, *, wanted: PatternOptions = _USUAL
     return _advice(Subject(design.target, film, gauge, fitted, faired_seam(design.pattern), wanted))
 
 
+@memoized(most=8)
 def intake_findings(
     outline: Outline, film: Film, inflation: Inflation, seam: Outline, fitted: bool, wanted: PatternOptions
 ) -> list[Finding]:

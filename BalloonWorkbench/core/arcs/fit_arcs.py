@@ -20,8 +20,8 @@ from BalloonWorkbench.core.arcs.stretches import Stretch, heading_at, stretches
 from BalloonWorkbench.core.checkpoint import checkpoint
 from BalloonWorkbench.core.geometry.nearest import nearest_on_line
 from BalloonWorkbench.core.geometry.vectors import direction, norm, perpendicular
+from BalloonWorkbench.core.memoize import memoized
 from BalloonWorkbench.core.packages import shapely
-from BalloonWorkbench.core.recent import Recent
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import from_mm
 
@@ -48,20 +48,16 @@ def fit_curve(points: Floats, closed: bool, tolerance: float = TOLERANCE) -> Cur
     Corners above 25 degrees, corners of polygons, straight edges and the ends of an open polyline are kept
     exactly; elsewhere the tangent goes through. A closed curve begins near the polyline's first point.
     Where a closed curve would cross itself between the sides of a sharp tip, it stays nearer to the polyline.
-    The last curves are remembered, wherever they were: shape, check and file of a pattern ask for the same
-    ones, and copies are alike.
+    It is that of the polyline's shape, moved to its place: copies have the same one.
     """
     shape = np.round(points - points[0], _SAME_SHAPE) + 0.0
-    key = shape.tobytes(), closed, tolerance
-    if key not in _remembered:
-        _remembered[key] = points[0].copy(), _uncrossed(points, closed, tolerance)
-    place, curve = _remembered[key]
-    return curve if np.array_equal(place, points[0]) else curve.moved(points[0] - place)
+    curve = _uncrossed(shape, closed, tolerance)
+    exact = dict(zip(map(tuple, shape.tolist()), points.tolist(), strict=True))
+    joints = [exact.get(tuple(joint), joint + points[0]) for joint in curve.joints]
+    return Curve(np.array(joints), curve.bulges, curve.closed)
 
 
-_remembered: Recent[tuple[bytes, bool, float], tuple[Floats, Curve]] = Recent(64)
-
-
+@memoized(most=64)  # shape, check and file of a pattern ask for the same ones
 def _uncrossed(points: Floats, closed: bool, tolerance: float) -> Curve:
     """The curve, of a polyline that does not cross itself one that does not either."""
     curve = _fit(points, closed, tolerance)

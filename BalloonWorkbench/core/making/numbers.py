@@ -14,6 +14,7 @@ from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.making.safety import Safety, safety
 from BalloonWorkbench.core.making.trade_figures import Making, making
 from BalloonWorkbench.core.making.weight import valve_weight
+from BalloonWorkbench.core.memoize import memoized
 from BalloonWorkbench.core.nesting.layout import Piece, Stock, check, layout_of
 from BalloonWorkbench.core.nesting.rows import in_rows
 from BalloonWorkbench.core.outline.outline import Outline
@@ -91,6 +92,7 @@ class Numbers:
         return f"{gas} lifts {carries}, {weighs}: no. From {wide} width on it would."
 
 
+@memoized(most=8)
 def maker_numbers(
     inflation: Inflation,
     film: Film,

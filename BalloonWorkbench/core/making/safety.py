@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.making.trade_figures import making
+from BalloonWorkbench.core.memoize import memoized
 from BalloonWorkbench.core.results.strength import Load, Loads, settled_loads
 from BalloonWorkbench.core.solver.inflate import inflate
 from BalloonWorkbench.core.solver.inflation import Inflation
@@ -50,6 +51,7 @@ class Safety:
         return self.load.place if self.weakest else None
 
 
+@memoized(most=8)
 def safety(inflation: Inflation, film: Film, *, exact: bool = True) -> Safety:
     """The pressure at which film and weld still bear a margin times their load, by the data of the trade."""
     data = making()

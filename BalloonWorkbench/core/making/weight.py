@@ -9,6 +9,7 @@ from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.geometry.polyline import signed_area
 from BalloonWorkbench.core.making.trade_figures import making
+from BalloonWorkbench.core.memoize import memoized
 from BalloonWorkbench.core.options.option import options_of
 from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.outline.outline import Outline
@@ -35,17 +36,19 @@ def weighing(wanted: PatternOptions) -> PatternOptions:
     )
 
 
+@memoized(most=8)
 def film_and_valve(seam: Outline, film: Film, wanted: PatternOptions) -> tuple[float, float]:
     """Film of one panel with weld and intake [m2], and what the intake's own pieces weigh [kg].
 
     Where there is no room for what is wanted, the usual pattern's: the pattern itself will say what is wrong.
     """
-    one = weighing(wanted)
-    try:
-        pattern = make_pattern(seam, film.seal_width, one)
-    except InputError:
-        return usual_pattern(seam, film, wanted.intake).film_area, 0.0
-    return pattern.film_area, valve_weight(pattern, sheet_of(pattern, one))
+    for each in (wanted, weighing(wanted)):  # as it is made, or at least without what weighs nothing
+        try:
+            pattern = make_pattern(seam, film.seal_width, each)
+        except InputError:
+            continue
+        return pattern.film_area, valve_weight(pattern, sheet_of(pattern, weighing(wanted)))
+    return usual_pattern(seam, film, wanted.intake).film_area, 0.0
 
 
 def valve_weight(pattern: Pattern, pieces: Pattern | None) -> float:

@@ -6,6 +6,7 @@ from __future__ import annotations
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.film.library import films
+from BalloonWorkbench.core.memoize import memoized
 from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.pattern.build import build_pattern
@@ -16,6 +17,7 @@ from BalloonWorkbench.core.pattern.pattern import Pattern
 from BalloonWorkbench.core.pattern.sheet import on_sheet
 
 
+@memoized(most=8)
 def make_pattern(seam: Outline, seal_width: float, options: PatternOptions) -> Pattern:
     """The pattern of one panel with everything on it; seal_width is the film's [m].
 

@@ -14,6 +14,7 @@ from BalloonWorkbench.core.errors import InputError, PictureError
 from BalloonWorkbench.core.files.foreign_reader import foreign_reader
 from BalloonWorkbench.core.geometry.crossings import contains, first_crossing
 from BalloonWorkbench.core.geometry.polyline import extent, perimeter
+from BalloonWorkbench.core.memoize import memoized
 from BalloonWorkbench.core.outline.budget import Budget
 from BalloonWorkbench.core.outline.drawing import SPECK, Drawing, checked, speck_note
 from BalloonWorkbench.core.outline.outline import Outline
@@ -79,6 +80,7 @@ def drawing_of(rgba: NDArray[np.uint8], drawn_as: str = AUTO) -> Drawing:
     return placed_drawing(rgba, drawn_as=drawn_as)[0]
 
 
+@memoized(most=4)
 def placed_drawing(
     rgba: NDArray[np.uint8], step: float = STEP, drawn_as: str = AUTO, budget: Budget | None = None
 ) -> tuple[Drawing, Floats]:

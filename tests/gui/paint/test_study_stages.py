@@ -28,7 +28,6 @@ def searches(monkeypatch):
         return search(*arguments)
 
     monkeypatch.setattr(fit_arcs, "_fit", searched)
-    fit_arcs._remembered.clear()
     return found
 
 

@@ -3,8 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -70,7 +69,7 @@ class Look:
     solved    what the document takes over, at the end of a study. It belongs to `file`
     traced    the loops (k, 2) that were seen at a glance, in parts of the picture
     width     that was asked for, mm
-    designs   the fitted balloons by the keys of their requests
+    designs   the fitted balloons
     """
 
     revision: int
@@ -86,7 +85,7 @@ class Look:
     file: Path | None = None
     traced: tuple[np.ndarray, ...] = ()
     width: float = 0.0
-    designs: Mapping[str, Design] = field(default_factory=dict)
+    designs: tuple[Design, ...] = ()
 
     @property
     def loops(self) -> tuple[np.ndarray, ...]:

@@ -116,7 +116,7 @@ class Study:
     show        is given the look of the balloons as soon as they are fitted; what there is to tell about them
                 and what the document needs comes later
     is_awaited  somebody waits for that
-    known       fitted looks, the newest first: balloons that are the same are not fitted again
+    known       fitted looks, the newest first: what shows the same balloons is not made again
     """
 
     image: object
@@ -145,19 +145,17 @@ class Study:
         looks = []
 
         def fitted(requests, designs) -> None:
-            made = {request.key(): design for request, design in zip(requests, designs)}
-            same = (look for look in self.known if list(look.designs) == list(made))
-            look = next((look for look in same if look.is_of(traced, self.width)), None)
+            same = (look for look in self.known if look.is_of(traced, self.width))
+            look = next((look for look in same if _are_same(look.designs, designs)), None)
             if look is None:
-                look = replace(self._look(frame, requests, designs), traced=traced, designs=made)
+                look = replace(self._look(frame, requests, designs), traced=traced, designs=tuple(designs))
                 self.show(look)
             else:
                 look = replace(look, revision=self.revision, drawing=_drawing(requests))
             looks.append(look)
             self._pause()
 
-        designs = {key: design for look in reversed(self.known) for key, design in look.designs.items()}
-        solved = painting.solve(self.file, self.width, self.settings, progress, fitted, designs)
+        solved = painting.solve(self.file, self.width, self.settings, progress, fitted)
         findings = [finding_from(data) for told in solved.told for data in told["advice"]]
         findings.sort(key=lambda finding: -finding.severity.rank)
         pattern = contours([design.pattern for design in solved.designs], self.settings)
@@ -186,6 +184,13 @@ class Study:
             fitted=True,
             width=self.width,
         )
+
+
+def _are_same(designs, others) -> bool:
+    """The same balloons; what was said of their drawings may differ."""
+    return len(designs) == len(others) and all(
+        one.inflation is other.inflation for one, other in zip(designs, others)
+    )
 
 
 def _drawing(requests) -> Drawing:

@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Finished results, so that several steps of the work may ask for the same one: the only memory there is.
+
+Invariant: a result belongs to the exact value of its request, all arguments to the last bit, and is what
+working it out anew would give. So it does not matter who asked for what before, or in which thread.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Callable, Mapping
+from dataclasses import fields, is_dataclass
+from enum import Enum
+from functools import update_wrapper
+from inspect import signature
+from pathlib import Path
+from typing import Any, Generic, ParamSpec, TypeVar
+
+import numpy as np
+
+_Arguments = ParamSpec("_Arguments")
+_Result = TypeVar("_Result")
+
+#: Arguments that watch the work, or end it, and do not change what comes of it.
+_WATCHING = ("progress", "budget")
+_memories: list[dict[bytes, Any]] = []
+
+
+class Memoized(Generic[_Arguments, _Result]):
+    """A function of values whose last results are kept. What it raises is not."""
+
+    def __init__(self, function: Callable[_Arguments, _Result], most: int) -> None:
+        self._function, self._most = function, most
+        self._signature = signature(function)
+        self._results: dict[bytes, _Result] = {}
+        _memories.append(self._results)
+        update_wrapper(self, function)
+
+    def __call__(self, *args: _Arguments.args, **kwargs: _Arguments.kwargs) -> _Result:
+        """What the function returns."""
+        key = self._key(*args, **kwargs)
+        if key in self._results:
+            return self._results[key]
+        result = self._results[key] = self._function(*args, **kwargs)
+        for old in list(self._results)[: -self._most]:
+            self._results.pop(old, None)  # another thread may have been here
+        return result
+
+    def knows(self, *args: _Arguments.args, **kwargs: _Arguments.kwargs) -> bool:
+        """The result is there at once."""
+        return self._key(*args, **kwargs) in self._results
+
+    def _key(self, *args: Any, **kwargs: Any) -> bytes:
+        bound = self._signature.bind(*args, **kwargs)
+        bound.apply_defaults()
+        digest = hashlib.sha256()
+        for name, value in bound.arguments.items():
+            if name not in _WATCHING:
+                for part in _parts(value):
+                    digest.update(len(part).to_bytes(8, "little"))
+                    digest.update(part)
+        return digest.digest()
+
+
+def memoized(
+    most: int,
+) -> Callable[[Callable[_Arguments, _Result]], Memoized[_Arguments, _Result]]:
+    """Keep the last so many results of a function whose arguments are values: numbers, texts, arrays,
+    dataclasses, and tuples of those."""
+    return lambda function: Memoized(function, most)
+
+
+def forget() -> None:
+    """Forget all results: the next ones are worked out."""
+    for memory in _memories:
+        memory.clear()
+
+
+def _parts(value: Any) -> Any:
+    """All of a value, in bytes; fields of a dataclass that are not compared are no part of it."""
+    if isinstance(value, np.generic):
+        value = value.item()
+    if isinstance(value, np.ndarray):
+        yield f"{value.dtype.str}{value.shape}".encode()
+        yield np.ascontiguousarray(value).tobytes()
+    elif isinstance(value, bytes):
+        yield value
+    elif isinstance(value, (tuple, list)):
+        yield f"{len(value)} items".encode()
+        for item in value:
+            yield from _parts(item)
+    elif isinstance(value, Mapping):
+        yield from _parts(tuple(value.items()))
+    elif is_dataclass(value):
+        yield type(value).__qualname__.encode()
+        for field in fields(value):
+            if field.compare:
+                yield from _parts(getattr(value, field.name))
+    elif value is None or isinstance(value, (bool, int, float, str, Enum, Path)):
+        yield f"{type(value).__name__} {value!r}".encode(errors="surrogatepass")
+    else:
+        raise TypeError(f"{type(value).__name__} is no value that a result can be kept for")
