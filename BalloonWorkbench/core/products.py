@@ -19,7 +19,7 @@ from BalloonWorkbench.core.artwork.picture import Pixels, covering, mirrored, of
 from BalloonWorkbench.core.artwork.sheet import DPI, Print, Sheet, artwork_sheets
 from BalloonWorkbench.core.assembly_sheet.page import Subject, assembly_pdf
 from BalloonWorkbench.core.design.design import Design
-from BalloonWorkbench.core.geometry.polyline import signed_area
+from BalloonWorkbench.core.geometry.polyline import bounds, signed_area
 from BalloonWorkbench.core.job import Balloon
 from BalloonWorkbench.core.nesting.layout import Layout, Piece, Stock
 from BalloonWorkbench.core.nesting.nest import nest
@@ -80,7 +80,7 @@ def printed(
 def print_files(balloon: Balloon, artwork: Artwork) -> tuple[dict[str, bytes], tuple[str, ...], Sheet, Sheet]:
     """Contents of the files to print by name, remarks, and both sheets: their patterns are what is cut."""
     points = np.concatenate([part.outer for part in balloon.drawing.parts])
-    low, high = points.min(axis=0), points.max(axis=0)
+    low, high = bounds(points)
     front, back = printed(balloon.designs, balloon.patterns, (low, high - low), artwork)
     return (*artwork_files(front, back), front, back)
 

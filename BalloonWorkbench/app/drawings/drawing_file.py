@@ -117,6 +117,7 @@ def place_in_picture(path: str, drawn_as: str = AUTO) -> tuple[float, float, flo
 @memoized(most=8)
 def _place(file: File, drawn_as: str) -> tuple[float, float, float, float] | None:
     from BalloonWorkbench.core.errors import BalloonError
+    from BalloonWorkbench.core.geometry.polyline import bounds
     from BalloonWorkbench.core.tracing.picture import placed_drawing, shrunk
 
     try:
@@ -125,5 +126,5 @@ def _place(file: File, drawn_as: str) -> tuple[float, float, float, float] | Non
     except BalloonError:
         return None
     loop, (height, width) = corner + drawing.largest.outer, rgba.shape[:2]
-    (left, low), (right, high) = loop.min(axis=0), loop.max(axis=0)
+    (left, low), (right, high) = bounds(loop)
     return left / width, low / height, right / width, high / height

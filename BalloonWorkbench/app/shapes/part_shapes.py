@@ -38,12 +38,10 @@ def curve_wire(curve: Curve):
     """A wire of straight edges and true arcs."""
     edges = []
     for segment in curve.segments:
-        chord = segment.end - segment.start
         if segment.bulge == 0.0:
             edges.append(Part.LineSegment(*vectors([segment.start, segment.end])).toShape())
             continue
-        middle = 0.5 * (segment.start + segment.end + segment.bulge * np.array([chord[1], -chord[0]]))
-        edges.append(Part.Arc(*vectors([segment.start, middle, segment.end])).toShape())
+        edges.append(Part.Arc(*vectors([segment.start, segment.middle, segment.end])).toShape())
     return Part.Wire(edges)
 
 

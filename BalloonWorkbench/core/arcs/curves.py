@@ -8,7 +8,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from BalloonWorkbench.core.geometry.vectors import direction, norm, wrapped
+from BalloonWorkbench.core.geometry.polyline import bounds
+from BalloonWorkbench.core.geometry.vectors import direction, norm, perpendicular, wrapped
 from BalloonWorkbench.core.types import Bools, Floats
 from BalloonWorkbench.core.units import from_mm
 
@@ -27,6 +28,11 @@ class Segment(NamedTuple):
     start: Floats
     end: Floats
     bulge: float
+
+    @property
+    def middle(self) -> Floats:
+        """The point (2,) halfway along it."""
+        return 0.5 * (self.start + self.end - self.bulge * perpendicular(self.end - self.start))
 
 
 @dataclass(frozen=True)
@@ -117,7 +123,7 @@ class Curve:
             shares = (0.5 * np.pi * quarters - first[k]) / turns[k]
             points.append(_on_arc(self.starts[k], float(first[k]), float(turns[k]), float(radii[k]), shares))
         every = np.concatenate(points)
-        return every.min(axis=0), every.max(axis=0)
+        return bounds(every)
 
     def flattened(self, tolerance: float) -> Floats:
         """Points (k, 2) m of a polyline that stays within the tolerance [m]; all joints are among them."""

@@ -205,14 +205,8 @@ def _as_one(first: Segment, second: Segment) -> Segment | None:
     if abs(half) > 0.25 * np.pi + 1e-9:
         return None
     one = Segment(first.start, second.end, float(np.tan(half)))
-    middle = np.stack([first.end, _middle(first), _middle(second)])
+    middle = np.stack([first.end, first.middle, second.middle])
     return one if np.abs(off_arc(middle, *one)).max() < STRAIGHT else None
-
-
-def _middle(segment: Segment) -> Floats:
-    """The point halfway along a segment."""
-    chord = segment.end - segment.start
-    return 0.5 * (segment.start + segment.end + segment.bulge * np.array([chord[1], -chord[0]]))
 
 
 def _begun_near(curve: Curve, point: Floats) -> Curve:

@@ -9,7 +9,7 @@ from itertools import pairwise
 import numpy as np
 
 from BalloonWorkbench.core.geometry.normals import turns
-from BalloonWorkbench.core.geometry.polyline import line_lengths, point_on, ring
+from BalloonWorkbench.core.geometry.polyline import edge_vectors, line_lengths, point_on, ring
 from BalloonWorkbench.core.geometry.vectors import cross, norm, turn
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.types import Bools, Floats
@@ -87,7 +87,7 @@ def _without_needless(points: Floats, closed: bool) -> Floats:
 
 def _marks(points: Floats, closed: bool, tolerance: float) -> tuple[Bools, Bools]:
     """Which vertices are corners, and which edges are straight."""
-    ahead = np.roll(points, -1, axis=0) - points
+    ahead = edge_vectors(points)
     lengths = norm(ahead)
     bend = np.abs(turn(np.roll(ahead, 1, axis=0), ahead))
     corner = (bend > CORNER) & (np.abs(_wide_turn(points, closed, 10.0 * tolerance)) > CORNER)

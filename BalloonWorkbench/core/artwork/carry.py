@@ -13,9 +13,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from BalloonWorkbench.core.errors import MissingPackageError
+from BalloonWorkbench.core.geometry.nearest import kd_tree
 from BalloonWorkbench.core.geometry.normals import left_normals
 from BalloonWorkbench.core.geometry.polyline import arc_lengths, point_at
-from BalloonWorkbench.core.geometry.vectors import cross
+from BalloonWorkbench.core.geometry.raster import covered
+from BalloonWorkbench.core.geometry.triangulation import signed_areas
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.types import Bools, Floats, Ints
 from BalloonWorkbench.core.units import from_mm
@@ -24,8 +27,6 @@ from BalloonWorkbench.core.units import from_mm
 GRID = from_mm(0.5)
 #: Points along the seam from which the fin is measured [m].
 _ALONG = from_mm(0.25)
-#: A triangle takes points this part of its size outside, so that none between two is missed.
-_HAIR = 1e-9
 _BLOCK = 4_000_000  # distances looked at in one go
 
 
@@ -65,23 +66,9 @@ def seen_from(film: Film, x: Floats, y: Floats, wanted: Bools) -> Floats:
     wanted  (len(y), len(x)) the places that matter outside the seam; the others there are NaN
     """
     found = np.full((len(y), len(x), 2), np.nan)
-    corners, images = film.flat[film.triangles], film.seen[film.triangles]
-    step = np.array([x[1] - x[0], y[1] - y[0]])
-    origin = np.array([x[0], y[0]])
-    low = np.ceil((corners.min(axis=1) - origin) / step - 1e-6).astype(int).clip(0)
-    high = np.floor((corners.max(axis=1) - origin) / step + 1e-6).astype(int) + 1
-    for corner, image, (left, bottom), (right, top) in zip(corners, images, low, high):
-        columns, rows = x[left:right], y[bottom:top, None]
-        one, other = corner[1] - corner[0], corner[2] - corner[0]
-        area = cross(one, other)
-        if area <= 0.0 or not len(columns) or not len(rows):
-            continue
-        dx, dy = columns - corner[0, 0], rows - corner[0, 1]
-        second = (dx * other[1] - dy * other[0]) / area
-        third = (dy * one[0] - dx * one[1]) / area
-        inside = (second >= -_HAIR) & (third >= -_HAIR) & (second + third <= 1.0 + _HAIR)
-        share = np.stack([1.0 - second - third, second, third], axis=-1)[inside]
-        found[bottom:top, left:right][inside] = share @ image
+    triangles = film.triangles[signed_areas(film.flat, film.triangles) > 0.0]
+    for number, rows, columns, shares in covered(film.flat, triangles, x, y):
+        found[rows, columns] = shares @ film.seen[triangles[number]]
     _add_fin(film, x, y, wanted, found)
     return found
 
@@ -112,8 +99,8 @@ def _along_seams(film: Film) -> Iterator[tuple[Floats, Floats, Floats]]:
 def _nearest(points: Floats, at: Floats) -> tuple[Ints, Floats]:
     """For each of points (n, 2) the nearest of `at` (k, 2), and how far it is."""
     try:
-        from scipy.spatial import cKDTree
-    except ImportError:
+        away, nearest = kd_tree(at).query(points)
+    except MissingPackageError:
         found, away = np.zeros(len(points), dtype=np.int32), np.zeros(len(points))
         block = max(1, _BLOCK // len(at))
         for start in range(0, len(points), block):
@@ -122,5 +109,4 @@ def _nearest(points: Floats, at: Floats) -> tuple[Ints, Floats]:
             found[part] = square.argmin(axis=1)
             away[part] = np.sqrt(square.min(axis=1))
         return found, away
-    away, found = cKDTree(at).query(points)
-    return found.astype(np.int32), away
+    return nearest.astype(np.int32), away

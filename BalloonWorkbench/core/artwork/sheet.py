@@ -15,6 +15,7 @@ from BalloonWorkbench.core.artwork.picture import Picture, Pixels
 from BalloonWorkbench.core.artwork.sample import sampled
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.geometry.crossings import crossed_at
+from BalloonWorkbench.core.geometry.polyline import bounds
 from BalloonWorkbench.core.geometry.vectors import foot
 from BalloonWorkbench.core.options.making import ArtworkOptions
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
@@ -144,7 +145,7 @@ def _print(sheet: Pixels, frame: _Frame, one: Print, film: Film, picture: Pictur
     """Print one balloon on the sheet, within its border."""
     borders = one.pattern.of(Role.PRINT)
     points = np.concatenate([border.points for border in borders])
-    low, high = points.min(axis=0), points.max(axis=0)
+    low, high = bounds(points)
     left, right = (int(np.rint(frame.columns(value))) for value in (low[0], high[0]))
     top, bottom = (int(np.rint(frame.rows(value))) for value in (high[1], low[1]))
     left, top = max(left, 0), max(top, 0)

@@ -16,6 +16,7 @@ from BalloonWorkbench.core.assembly_sheet.texts import figures, material
 from BalloonWorkbench.core.assembly_sheet.valve_figure import draw_valve, has_valve
 from BalloonWorkbench.core.errors import ExportError, MissingPackageError
 from BalloonWorkbench.core.film.film import Film
+from BalloonWorkbench.core.geometry.polyline import bounds
 from BalloonWorkbench.core.language.fonts import fonts_for, readable, shown
 from BalloonWorkbench.core.machines.layers import LAYERS
 from BalloonWorkbench.core.making.numbers import Numbers
@@ -129,7 +130,7 @@ def _fill(pen: Pen, subject: Subject, size: tuple[float, float]) -> None:
 
 
 def _head(pen: Pen, subject: Subject, right: float, top: float) -> None:
-    low, high = subject.inflation.positions.min(axis=0), subject.inflation.positions.max(axis=0)
+    low, high = bounds(subject.inflation.positions)
     across, up, _ = map(float, high - low)
     size = size_text(across, up, 2.0 * float(high[2]))
     pen.text(_MARGIN, top - 6.5, subject.title, 20.0, right - _MARGIN, fontweight="bold")

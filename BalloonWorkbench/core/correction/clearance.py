@@ -9,7 +9,7 @@ import numpy as np
 
 from BalloonWorkbench.core.geometry.nearest import kd_tree
 from BalloonWorkbench.core.geometry.normals import left_normals
-from BalloonWorkbench.core.geometry.polyline import arc_lengths
+from BalloonWorkbench.core.geometry.polyline import arc_lengths, gaps
 from BalloonWorkbench.core.types import Floats, Ints
 
 #: Between two seams lie two welds, two allowances of 2 mm (pattern/build.py) and a strip of 1 mm that a blade
@@ -64,8 +64,7 @@ def _too_near(
     across = points[other] - points[one]
     distance = np.linalg.norm(across, axis=1)
     missing = np.minimum(clearance, np.linalg.norm(drawn[other] - drawn[one], axis=1)) - distance
-    way = np.abs(along[one] - along[other])
-    way = np.where(owner[one] == owner[other], np.minimum(way, around[one] - way), np.inf)
+    way = np.where(owner[one] == owner[other], gaps(along[one], along[other], around[one]), np.inf)
     facing = ((across * normals[one]).sum(axis=1) > _FACING * distance) & (
         (across * normals[other]).sum(axis=1) < -_FACING * distance
     )
@@ -80,8 +79,7 @@ def _spread(loop: Floats, push: Floats, clearance: float) -> Floats:
         return push
     lengths = arc_lengths(loop)
     pushed = np.flatnonzero(push.any(axis=1))
-    gap = np.abs(lengths[:-1, None] - lengths[pushed])
-    weight = np.exp(-0.5 * (np.minimum(gap, lengths[-1] - gap) / (clearance / 3.0)) ** 2)
+    weight = np.exp(-0.5 * (gaps(lengths[:-1, None], lengths[pushed], lengths[-1]) / (clearance / 3.0)) ** 2)
     # pushes side by side may well be opposite: they are blended, the nearest and strongest count most
     share = weight * np.linalg.norm(push[pushed], axis=1)
     blend = share @ push[pushed] / np.maximum(share.sum(axis=1), 1e-300)[:, None]

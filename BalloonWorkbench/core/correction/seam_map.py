@@ -17,7 +17,7 @@ from BalloonWorkbench.core.correction.weld_lines import WeldLine, weld_lines
 from BalloonWorkbench.core.geometry.crossings import first_crossing
 from BalloonWorkbench.core.geometry.nearest import locate
 from BalloonWorkbench.core.geometry.normals import corners
-from BalloonWorkbench.core.geometry.polyline import arc_lengths, extent, point_at
+from BalloonWorkbench.core.geometry.polyline import arc_lengths, extent, gaps, point_at
 from BalloonWorkbench.core.geometry.sampling import resample
 from BalloonWorkbench.core.geometry.vectors import cross
 from BalloonWorkbench.core.outline.outline import Outline
@@ -125,8 +125,7 @@ def _bridged(drawing: Floats, pattern: Floats, zone: float) -> Floats:
     if not len(tips):
         return pattern
     here, around = along[:-1], float(along[-1])
-    gap = np.abs(here[:, None] - here[tips])
-    sure = np.minimum(gap, around - gap).min(axis=1) > zone
+    sure = gaps(here[:, None], here[tips], around).min(axis=1) > zone
     sure[tips] = True
     shift = (pattern - drawing)[sure]
     return drawing + np.column_stack(
@@ -166,8 +165,7 @@ class SeamNodes:
         """Node values (k, d) averaged with a Gaussian of this width, at all points of the drawing: (n, d)."""
         along = arc_lengths(drawing)
         here, around = along[:-1], float(along[-1])
-        gap = np.abs(here[:, None] - self.lengths)
-        weight = np.exp(-0.5 * (np.minimum(gap, around - gap) / width) ** 2)
+        weight = np.exp(-0.5 * (gaps(here[:, None], self.lengths, around) / width) ** 2)
         share = np.empty(len(self.lengths))  # of the loop that belongs to each node
         order = np.argsort(self.lengths, kind="stable")
         steps = np.diff(np.append(self.lengths[order], self.lengths[order[0]] + around))

@@ -8,7 +8,7 @@ import numpy as np
 from BalloonWorkbench.core.correction.seam_map import SeamMap
 from BalloonWorkbench.core.design.compare import Misfit
 from BalloonWorkbench.core.design.design import UnreachedStretch
-from BalloonWorkbench.core.geometry.polyline import arc_lengths, point_at
+from BalloonWorkbench.core.geometry.polyline import arc_lengths, gaps, point_at
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.types import Bools, Floats
 
@@ -91,8 +91,8 @@ def _nearness(drawing: Floats, marked: Bools, width: float) -> Floats:
     if not marked.any():
         return np.zeros(len(drawing))
     lengths = arc_lengths(drawing)
-    gap = np.abs(lengths[:-1, None] - lengths[:-1][marked])
-    return np.asarray(np.exp(-0.5 * (np.minimum(gap, lengths[-1] - gap).min(axis=1) / width) ** 2))
+    gap = gaps(lengths[:-1, None], lengths[:-1][marked], lengths[-1]).min(axis=1)
+    return np.asarray(np.exp(-0.5 * (gap / width) ** 2))
 
 
 def unreached_stretches(drawing: Outline, misfit: Misfit) -> tuple[UnreachedStretch, ...]:

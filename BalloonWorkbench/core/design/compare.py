@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from BalloonWorkbench.core.design.design import Residual
-from BalloonWorkbench.core.geometry.nearest import nearest_on_loops
+from BalloonWorkbench.core.geometry.nearest import nearest_on_loops, way_round
 from BalloonWorkbench.core.geometry.polyline import arc_lengths
 from BalloonWorkbench.core.geometry.sampling import evenly
 from BalloonWorkbench.core.outline.outline import Outline
@@ -46,12 +46,11 @@ def misfit(drawing: Outline, shown: Outline) -> Misfit:
     spacing = max(float(arc_lengths(loop)[-1]) for loop in drawing.loops) / _SAMPLES
     here = [evenly(loop, spacing) for loop in drawing.loops]
     there = np.concatenate([evenly(loop, spacing) for loop in shown.loops])
-    forth = nearest_on_loops(shown.loops, np.concatenate(here), spacing)[0]
-    back, nearest, share = nearest_on_loops(drawing.loops, there, spacing)
+    forth, back = nearest_on_loops(shown.loops, np.concatenate(here)), nearest_on_loops(drawing.loops, there)
+    loop, share = way_round(drawing.loops, back)
+    owner = np.repeat(np.arange(len(here)), [len(points) for points in here])
     return Misfit(
-        np.concatenate([forth, back]),
-        np.concatenate([np.repeat(np.arange(len(here)), [len(points) for points in here]), nearest]).astype(
-            np.int32
-        ),
+        np.concatenate([forth.distance, back.distance]),
+        np.concatenate([owner, loop]).astype(np.int32),
         np.concatenate([*(np.arange(len(points)) / len(points) for points in here), share]),
     )

@@ -16,7 +16,7 @@ from BalloonWorkbench.core.design.initial_pattern import initial_displacements
 from BalloonWorkbench.core.errors import MeshError
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.geometry.nearest import locate
-from BalloonWorkbench.core.geometry.polyline import arc_lengths, signed_area
+from BalloonWorkbench.core.geometry.polyline import arc_lengths, bounds, signed_area
 from BalloonWorkbench.core.geometry.sampling import simplify
 from BalloonWorkbench.core.mesh.triangulate import triangulate
 from BalloonWorkbench.core.outline.outline import Outline
@@ -117,5 +117,5 @@ def check_area(outline: Outline) -> None:
 
 def _box(points: Floats) -> tuple[Floats, Floats]:
     """Middle and size (2,) of the bounding box."""
-    low, high = points.min(axis=0), points.max(axis=0)
+    low, high = bounds(points)
     return 0.5 * (low + high), high - low

@@ -9,39 +9,55 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from BalloonWorkbench.core.geometry.polyline import arc_lengths, edge_vectors, point_at, ring
-from BalloonWorkbench.core.geometry.sampling import divided
+from BalloonWorkbench.core.errors import MissingPackageError
+from BalloonWorkbench.core.geometry.polyline import arc_lengths, edge_vectors, point_at
 from BalloonWorkbench.core.geometry.vectors import foot
 from BalloonWorkbench.core.packages import shapely, without_scipy
 from BalloonWorkbench.core.types import Floats
 
-# Pairs of point and edge looked at together: some 50 MB.
+Indices = NDArray[np.intp]
+
+#: Up to so many pairs of point and edge all are compared: that is quicker than to make an index.
+_FEW = 20_000
+# Pairs compared at once where there is no index: some 50 MB.
 _CHUNK = 1_000_000
-_CANDIDATES = 4  # points of a loop beside which its nearest place may be
 
 
 class Nearest(NamedTuple):
     """Of each of k points the nearest place: number (k,) of the edge, share (k,) of it, distance (k,)."""
 
-    edge: NDArray[np.intp]
+    edge: Indices
     share: Floats
     distance: Floats
 
 
 def nearest_edges(points: Floats, starts: Floats, ends: Floats) -> Nearest:
-    """Of edges from starts (m, 2) to ends (m, 2) the one nearest to each of points (k, 2).
+    """Of edges from starts (m, 2) to ends (m, 2) the one nearest to each of points (k, 2)."""
+    edge = _nearest_of_many(points, starts, ends) if len(points) * len(starts) > _FEW else None
+    edge = _nearest_of_all(points, starts, ends) if edge is None else edge
+    offset, ahead = points - starts[edge], ends[edge] - starts[edge]
+    return Nearest(edge, *foot(offset[:, 0], offset[:, 1], ahead[:, 0], ahead[:, 1]))
 
-    Each point is compared with each edge: shapely's indices are slower below some thousand edges.
-    """
+
+def _nearest_of_many(points: Floats, starts: Floats, ends: Floats) -> Indices | None:
+    """By shapely's index, which takes a tenth of the time; None without shapely."""
+    try:
+        package = shapely()
+    except MissingPackageError:
+        return None
+    index = package.STRtree(package.linestrings(np.stack([starts, ends], axis=1)))
+    return np.asarray(index.query_nearest(package.points(points), all_matches=False)[1])
+
+
+def _nearest_of_all(points: Floats, starts: Floats, ends: Floats) -> Indices:
     u, v = (ends - starts).T
-    parts = []
-    step = max(1, _CHUNK // max(len(starts), 1))
-    for first in range(0, max(len(points), 1), step):
+    step = max(1, _CHUNK // len(starts))
+    parts = [np.zeros(0, dtype=np.intp)]
+    for first in range(0, len(points), step):
         some = points[first : first + step]
-        share, away = foot(some[:, :1] - starts[:, 0], some[:, 1:] - starts[:, 1], u, v)
-        row, edge = np.arange(len(some)), np.argmin(away, axis=1)
-        parts.append((edge, share[row, edge], away[row, edge]))
-    return Nearest(*(np.concatenate(each) for each in zip(*parts)))
+        _, away = foot(some[:, :1] - starts[:, 0], some[:, 1:] - starts[:, 1], u, v)
+        parts.append(np.argmin(away, axis=1))
+    return np.concatenate(parts)
 
 
 def nearest_on_line(line: Floats, points: Floats) -> Nearest:
@@ -49,21 +65,33 @@ def nearest_on_line(line: Floats, points: Floats) -> Nearest:
     return nearest_edges(points, line[:-1], line[1:])
 
 
-def locate(loop: Floats, points: Floats) -> Floats:
-    """Arc lengths (k,) along a closed loop (n, 2) of the places nearest to points (k, 2).
-
-    By shapely, which is ten times as quick as each point with each edge.
-    """
-    package = shapely()
-    return np.asarray(package.line_locate_point(package.LineString(ring(loop)), package.points(points)))
+def nearest_on_loops(loops: Sequence[Floats], points: Floats) -> Nearest:
+    """The places of closed loops that are nearest to points (k, 2), edges numbered through all loops."""
+    ends = np.concatenate([np.roll(loop, -1, axis=0) for loop in loops])
+    return nearest_edges(points, np.concatenate(loops), ends)
 
 
 def nearest_places(loops: Sequence[Floats], points: Floats) -> Floats:
-    """Nearest places (k, 2) of closed loops to points (k, 2). By shapely, as `locate`."""
-    package = shapely()
-    lines = package.MultiLineString([ring(loop) for loop in loops])
-    package.prepare(lines)
-    return np.asarray(package.get_coordinates(package.shortest_line(package.points(points), lines))[1::2])
+    """The places (k, 2) of closed loops that are nearest to points (k, 2)."""
+    edge, share, _ = nearest_on_loops(loops, points)
+    ahead = np.concatenate([edge_vectors(loop) for loop in loops])
+    return np.asarray(np.concatenate(loops)[edge] + share[:, None] * ahead[edge])
+
+
+def way_round(loops: Sequence[Floats], nearest: Nearest) -> tuple[Indices, Floats]:
+    """For the nearest places of closed loops: the loop (k,) of each, and how far round it, 0 to 1 (k,)."""
+    owner = np.repeat(np.arange(len(loops)), [len(loop) for loop in loops])
+    lengths = [along / along[-1] for along in map(arc_lengths, loops)]
+    begin, end = (np.concatenate([each[part] for each in lengths]) for part in (slice(-1), slice(1, None)))
+    edge = nearest.edge
+    return owner[edge], begin[edge] + nearest.share * (end - begin)[edge]
+
+
+def locate(loop: Floats, points: Floats) -> Floats:
+    """Arc lengths (k,) along a closed loop (n, 2) of the places nearest to points (k, 2)."""
+    lengths = arc_lengths(loop)
+    edge, share, _ = nearest_on_loops([loop], points)
+    return np.asarray(np.mod(lengths[edge] + share * np.diff(lengths)[edge], lengths[-1]))
 
 
 def nearest_along(loop: Floats, points: Floats, around: Floats, reach: Floats) -> Floats:
@@ -83,31 +111,6 @@ def nearest_along(loop: Floats, points: Floats, around: Floats, reach: Floats) -
     away[np.abs(drift) > reach[:, None]] = np.inf
     row, best = np.arange(len(points)), np.argmin(away, axis=1)
     return point_at(loop, lengths, np.where(np.isfinite(away[row, best]), along[row, best], around))
-
-
-def nearest_on_loops(
-    loops: Sequence[Floats], points: Floats, spacing: float
-) -> tuple[Floats, NDArray[np.intp], Floats]:
-    """Distances (k,) from points (k, 2) to closed loops, the nearest loop (k,), and how far round it, 0 to 1.
-
-    Looked for among the edges beside the nearest points of the loops, `spacing` apart or less: for many
-    points and many edges.
-    """
-    dense = [divided(loop, spacing) for loop in loops]
-    starts = np.concatenate(dense)
-    ahead = np.concatenate([edge_vectors(loop) for loop in dense])
-    lengths = [arc_lengths(loop) / arc_lengths(loop)[-1] for loop in dense]
-    begin, end = (np.concatenate([each[part] for each in lengths]) for part in (slice(-1), slice(1, None)))
-    owner = np.repeat(np.arange(len(loops)), [len(loop) for loop in dense])
-    counts = np.cumsum([0, *(len(loop) for loop in dense)])
-    before = np.concatenate([first + np.roll(np.arange(len(loop)), 1) for first, loop in zip(counts, dense)])
-    near = kd_tree(starts).query(points, k=_CANDIDATES)[1]
-    edge = np.concatenate([near, before[near]], axis=1)
-    offset = points[:, None] - starts[edge]
-    share, away = foot(offset[..., 0], offset[..., 1], ahead[edge, 0], ahead[edge, 1])
-    row, best = np.arange(len(points)), np.argmin(away, axis=1)
-    chosen, part = edge[row, best], share[row, best]
-    return away[row, best], owner[chosen], np.asarray(begin[chosen] + part * (end - begin)[chosen])
 
 
 def kd_tree(points: Floats) -> Any:

@@ -60,6 +60,12 @@ def point_on(line: Floats, lengths: Floats, at: Floats) -> Floats:
     return np.column_stack([np.interp(at, lengths, part) for part in line.T])
 
 
+def gaps(one: Floats, other: Floats, around: Floats | float) -> Floats:
+    """The shorter way (...) between arc lengths along closed loops that are so long."""
+    gap = np.abs(one - other)
+    return np.minimum(gap, around - gap)
+
+
 def part_of(line: Floats, start: float, end: float) -> Floats:
     """The part (k, d) of an open line from one length along it to another."""
     lengths = line_lengths(line)
@@ -100,6 +106,11 @@ def centroid(loops: Sequence[Floats]) -> Floats:
         ahead = np.roll(here, -1, axis=0)
         moment += (cross(here, ahead)[:, None] * (here + ahead)).sum(axis=0) / 6.0
     return np.asarray(origin + moment / sum(signed_area(loop) for loop in loops))
+
+
+def bounds(points: Floats) -> tuple[Floats, Floats]:
+    """Lower and upper corner (d,) of the bounding box of points (n, d)."""
+    return points.min(axis=0), points.max(axis=0)
 
 
 def extent(points: Floats) -> float:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Other points on the same line: evenly spaced, divided, few enough, smoothed."""
+"""Other points on the same line: evenly spaced, few enough, smoothed."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from BalloonWorkbench.core.geometry.normals import CORNER_ANGLE, corners
-from BalloonWorkbench.core.geometry.polyline import arc_lengths, edge_lengths, edge_vectors, point_at
+from BalloonWorkbench.core.geometry.polyline import arc_lengths, point_at
 from BalloonWorkbench.core.geometry.vectors import foot
 from BalloonWorkbench.core.types import Floats
 
@@ -20,14 +20,6 @@ def evenly(loop: Floats, spacing: float) -> Floats:
     lengths = arc_lengths(loop)
     count = max(12, int(np.ceil(lengths[-1] / spacing)))
     return point_at(loop, lengths, np.arange(count) * (lengths[-1] / count))
-
-
-def divided(loop: Floats, spacing: float) -> Floats:
-    """The closed loop (n, 2) with each edge that is longer than `spacing` divided evenly."""
-    pieces = np.maximum(np.ceil(edge_lengths(loop) / spacing), 1.0).astype(np.int64)
-    share = np.concatenate([np.arange(count) / count for count in pieces])
-    edge = np.repeat(np.arange(len(loop)), pieces)
-    return np.asarray(loop[edge] + share[:, None] * edge_vectors(loop)[edge])
 
 
 def with_points_at(loop: Floats, lengths: Floats, at: Floats) -> tuple[Floats, NDArray[np.intp]]:

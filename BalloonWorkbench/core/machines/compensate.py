@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 
 from BalloonWorkbench.core.arcs.curves import Curve
-from BalloonWorkbench.core.geometry.vectors import direction
+from BalloonWorkbench.core.geometry.vectors import direction, wrapped
 from BalloonWorkbench.core.pattern.pattern import Contour, Role
 from BalloonWorkbench.core.pattern.shapes import closed_loop, offset, parts, polygon
 from BalloonWorkbench.core.types import Floats
@@ -44,7 +44,7 @@ def trailing_knife(curve: Curve, behind: float) -> Curve:
         if not inside:
             break
         if corners[after]:
-            swing = (first[after] - last[k] + np.pi) % (2.0 * np.pi) - np.pi
+            swing = wrapped(first[after] - last[k])
             bulges.append(float(np.tan(0.25 * swing)))
         else:
             joints.pop()

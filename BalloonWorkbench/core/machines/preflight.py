@@ -14,7 +14,7 @@ from BalloonWorkbench.core.arcs.curves import polyline
 from BalloonWorkbench.core.arcs.fit_arcs import TOLERANCE, fit_curve
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.geometry.crossings import first_crossing
-from BalloonWorkbench.core.geometry.polyline import line_lengths, point_on
+from BalloonWorkbench.core.geometry.polyline import gaps, line_lengths, point_on
 from BalloonWorkbench.core.machines.bed import fits_turned, fits_upright, pieces_fit, size_on
 from BalloonWorkbench.core.machines.machine import Machine
 from BalloonWorkbench.core.machines.order import CUTS
@@ -183,8 +183,7 @@ def _gap(contours: list[Contour], machine: Machine) -> list[Finding]:
     nodes = package.points(points)
     first, second = package.STRtree(nodes).query(nodes, predicate="dwithin", distance=machine.least_gap)
     across = np.hypot(*(points[first] - points[second]).T)
-    way = np.abs(along[first] - along[second])
-    way = np.minimum(way, lengths[first] - way)
+    way = gaps(along[first], along[second], lengths[first])
     apart = (line[first] != line[second]) | (way > _WAY_ROUND * across + 2.0 * _SPACING)
     if not apart.any():
         return []

@@ -12,6 +12,7 @@ from collections import deque
 import numpy as np
 
 from BalloonWorkbench.core.errors import MeshError
+from BalloonWorkbench.core.geometry.polyline import bounds
 from BalloonWorkbench.core.geometry.triangulation import signed_areas
 from BalloonWorkbench.core.packages import without_scipy
 from BalloonWorkbench.core.types import Floats, Ints
@@ -26,7 +27,7 @@ def recovered_delaunay(points: Floats, segments: Ints) -> Ints:
     except ImportError as error:
         raise without_scipy("Meshing needs pythoncdt or scipy: install one of them with pip.") from error
     # A wide frame keeps the boundary off the convex hull, where Qhull may drop collinear points.
-    low, high = points.min(axis=0), points.max(axis=0)
+    low, high = bounds(points)
     middle, reach = 0.5 * (low + high), 2.0 * float(np.max(high - low))
     frame = middle + reach * np.array([[-1.0, -1.1], [1.1, -1.0], [1.0, 1.1], [-1.1, 1.0]])
     plain = Delaunay((np.concatenate([points, frame]) - middle) / reach)

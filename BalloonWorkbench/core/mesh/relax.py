@@ -7,7 +7,7 @@ import numpy as np
 
 from BalloonWorkbench.core.geometry.nearest import kd_tree
 from BalloonWorkbench.core.geometry.triangulation import corner_angles, side_lengths, signed_areas
-from BalloonWorkbench.core.geometry.vectors import direction
+from BalloonWorkbench.core.geometry.vectors import cross, direction
 from BalloonWorkbench.core.mesh.delaunay import triangulate_points
 from BalloonWorkbench.core.mesh.sizing import SizeField
 from BalloonWorkbench.core.types import Bools, Floats, Ints
@@ -202,12 +202,12 @@ def _ring_scores(points: Floats, ring: Ints, vertex: int, trials: Floats) -> Flo
     row = np.arange(len(ring))
     p, q = points[ring[row, corner - 2]], points[ring[row, corner - 1]]
     u, v, w = p - trials[:, None], q - trials[:, None], np.broadcast_to(q - p, (len(trials), *p.shape))
-    cross = u[..., 0] * v[..., 1] - u[..., 1] * v[..., 0]
+    area = cross(u, v)
     angles = np.stack(
         [
-            np.arctan2(cross, (u * v).sum(-1)),
-            np.arctan2(cross, -(u * w).sum(-1)),
-            np.arctan2(cross, (v * w).sum(-1)),
+            np.arctan2(area, (u * v).sum(-1)),
+            np.arctan2(area, -(u * w).sum(-1)),
+            np.arctan2(area, (v * w).sum(-1)),
         ]
     )
     return angles.min(axis=(0, 2))

@@ -9,7 +9,7 @@ import numpy as np
 
 from BalloonWorkbench.core.geometry.nearest import kd_tree
 from BalloonWorkbench.core.geometry.normals import left_normals, turns
-from BalloonWorkbench.core.geometry.polyline import arc_lengths, signed_area
+from BalloonWorkbench.core.geometry.polyline import arc_lengths, gaps, signed_area
 from BalloonWorkbench.core.geometry.sampling import evenly
 from BalloonWorkbench.core.geometry.vectors import cross
 from BalloonWorkbench.core.outline.outline import Outline
@@ -75,9 +75,8 @@ def _way_round(loops: list[Floats], first: Ints, second: Ints) -> Floats:
     around = [arc_lengths(loop) for loop in loops]
     along, whole = np.concatenate([one[:-1] for one in around]), np.array([one[-1] for one in around])
     owner = np.searchsorted(starts, first, side="right") - 1
-    arc = np.abs(along[first] - along[second])
     same = owner == np.searchsorted(starts, second, side="right") - 1
-    return np.where(same, np.minimum(arc, whole[owner] - arc), np.inf)
+    return np.where(same, gaps(along[first], along[second], whole[owner]), np.inf)
 
 
 def thickness(outline: Outline, reach: float, spacing: float) -> Thickness:

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from BalloonWorkbench.core.errors import InputError, OutlineError
-from BalloonWorkbench.core.geometry.nearest import nearest_edges
+from BalloonWorkbench.core.geometry.nearest import nearest_on_loops
 from BalloonWorkbench.core.geometry.polyline import (
     centroid,
     edge_vectors,
@@ -198,7 +198,6 @@ def _settled(outline: Outline, samples: Floats, mirror: Mirror, size: float) -> 
 
 def _nearest(outline: Outline, points: Floats) -> tuple[Floats, Floats]:
     """Nearest places (k, 2) of the outline to points (k, 2), and its unit normals (k, 2) there."""
-    starts = np.concatenate(outline.loops)
-    edges = np.concatenate([edge_vectors(loop) for loop in outline.loops])
-    edge, share, _ = nearest_edges(points, starts, starts + edges)
-    return starts[edge] + share[:, None] * edges[edge], -perpendicular(unit(edges[edge]))
+    edge, share, _ = nearest_on_loops(outline.loops, points)
+    ahead = np.concatenate([edge_vectors(loop) for loop in outline.loops])[edge]
+    return np.concatenate(outline.loops)[edge] + share[:, None] * ahead, -perpendicular(unit(ahead))

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.geometry.polyline import bounds
 from BalloonWorkbench.core.language.fonts import outlines, plain, unshown
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
@@ -75,7 +76,7 @@ def _at(letters: list[Floats], middle: Floats) -> tuple[Contour, ...]:
 
 def _box(letters: list[Floats]) -> tuple[Floats, Floats]:
     points = np.concatenate(letters)
-    return points.min(axis=0), points.max(axis=0)
+    return bounds(points)
 
 
 def _letters(text: str, height: float) -> list[Floats]:

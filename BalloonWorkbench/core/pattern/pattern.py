@@ -8,7 +8,7 @@ from enum import Enum
 
 import numpy as np
 
-from BalloonWorkbench.core.geometry.polyline import ring, signed_area
+from BalloonWorkbench.core.geometry.polyline import bounds, ring, signed_area
 from BalloonWorkbench.core.types import Floats
 
 
@@ -98,7 +98,7 @@ class Pattern:
     def bounds(self) -> tuple[Floats, Floats]:
         """Lower left and upper right corner (2,) of everything to be cut [m]."""
         points = np.concatenate([contour.points for contour in self.contours])
-        return points.min(axis=0), points.max(axis=0)
+        return bounds(points)
 
     @property
     def size(self) -> tuple[float, float]:

@@ -9,6 +9,7 @@ from dataclasses import replace
 import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.geometry.polyline import bounds
 from BalloonWorkbench.core.geometry.vectors import perpendicular
 from BalloonWorkbench.core.options.pattern import MOST_COPIES
 from BalloonWorkbench.core.packages import shapely
@@ -16,13 +17,12 @@ from BalloonWorkbench.core.pattern.intake.kinds import Piece, intake_kind, measu
 from BalloonWorkbench.core.pattern.label import lettering
 from BalloonWorkbench.core.pattern.layout import SPACING, in_rows
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
+from BalloonWorkbench.core.pattern.placement import back_of
 from BalloonWorkbench.core.pattern.shapes import closed_loop
 from BalloonWorkbench.core.units import from_mm
 
 #: Height of the label on a piece [m].
 _LETTERS = from_mm(3.0)
-#: Lines on which a second panel is measured and mirrored but not turned over: text stays readable.
-_TEXT = (Role.ENGRAVE, Role.PRINT)
 
 
 def on_sheet(pattern: Pattern, mirror: bool, copies: int) -> Pattern:
@@ -87,7 +87,7 @@ def _of_other_film(pattern: Pattern) -> list[str]:
 def _in_rows(pattern: Pattern, pieces: Sequence[list[Contour]]) -> Pattern:
     """Pieces of another film than the pattern's, as a pattern of their own."""
     points = [np.concatenate([line.points for line in piece]) for piece in pieces]
-    shifts = in_rows([(each.min(axis=0), each.max(axis=0)) for each in points])
+    shifts = in_rows([bounds(each) for each in points])
     laid = [
         replace(line, points=line.points + shift)
         for piece, shift in zip(pieces, shifts, strict=True)
@@ -129,22 +129,9 @@ def _begun(line: Contour) -> Contour:
 
 
 def _mirrored(pattern: Pattern) -> Pattern:
-    """The back panel: without what only the front has, turned over left to right; text keeps its sense."""
-    axis = float(0.5 * (pattern.bounds[0][0] + pattern.bounds[1][0]))
-    text = [contour.points for contour in pattern.contours if contour.role in _TEXT]
-    ends = np.concatenate(text)[:, 0] if text else np.array([axis])
-    shift = np.array([2.0 * axis - ends.min() - ends.max(), 0.0])
-
-    def turned(contour: Contour) -> Contour:
-        if contour.role in _TEXT:
-            return replace(contour, points=contour.points + shift)
-        points = np.stack([2.0 * axis - contour.points[:, 0], contour.points[:, 1]], axis=1)
-        # closed lines keep their sense of turning
-        return replace(contour, points=points[::-1] if contour.closed else points)
-
-    return replace(
-        pattern, contours=tuple(turned(contour) for contour in pattern.contours if not contour.front)
-    )
+    """The back panel, turned over in its place."""
+    low, high = pattern.bounds
+    return back_of(pattern).moved(np.array([low[0] + high[0], 0.0]))
 
 
 def _beside(first: Pattern, second: Pattern) -> Pattern:

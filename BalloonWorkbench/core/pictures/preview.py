@@ -11,7 +11,7 @@ import numpy as np
 
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.errors import MissingPackageError
-from BalloonWorkbench.core.geometry.polyline import ring
+from BalloonWorkbench.core.geometry.polyline import bounds, ring
 from BalloonWorkbench.core.machines.layers import LAYERS
 from BalloonWorkbench.core.machines.machine import ANY, FOLDER, read_machine
 from BalloonWorkbench.core.machines.toolpaths import Path, draw
@@ -123,7 +123,7 @@ def _common_frame(axes: Any, designs: Sequence[Design]) -> _Frame:
     points = to_mm(
         np.concatenate([part.outer for design in designs for part in (design.target, design.silhouette)])
     )
-    return _Frame(points.min(axis=0), points.max(axis=0), _box(axes, 34, 62, 34, 66))
+    return _Frame(*bounds(points), _box(axes, 34, 62, 34, 66))
 
 
 def _box(

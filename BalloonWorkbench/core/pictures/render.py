@@ -8,6 +8,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from BalloonWorkbench.core.geometry.normals import left_normals
+from BalloonWorkbench.core.geometry.polyline import bounds
+from BalloonWorkbench.core.geometry.raster import covered
 from BalloonWorkbench.core.geometry.triangulation import signed_areas
 from BalloonWorkbench.core.geometry.vectors import unit
 from BalloonWorkbench.core.solver.inflation import Inflation
@@ -44,7 +46,7 @@ def balloon_picture(
     fallen /= reach
     flat, flat_shadow = _projected(seen), _projected(fallen)
     everything = np.concatenate([flat, flat_shadow])
-    low, high = everything.min(axis=0), everything.max(axis=0)
+    low, high = bounds(everything)
     scale = 0.86 * float(np.min(size / (high - low)))
     shift = 0.5 * size - 0.5 * scale * (low + high)
 
@@ -147,25 +149,13 @@ def _rasterised(
     height, width = shape[:2]
     drawn = np.zeros((height, width, attributes.shape[1]))
     nearest = np.full((height, width), -np.inf)
-    corners = pixels[triangles]
-    low = np.floor(corners.min(axis=1)).astype(int).clip(0)
-    high = np.ceil(corners.max(axis=1)).astype(int) + 1
-    for triangle, (x, y), (left, top), (right, bottom) in zip(triangles, corners.swapaxes(1, 2), low, high):
-        area = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0])
-        if area == 0.0:
-            continue
-        columns = np.arange(left, min(right, width)) + 0.5
-        rows = (np.arange(top, min(bottom, height)) + 0.5)[:, None]
-        second = ((columns - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (rows - y[0])) / area
-        third = ((x[1] - x[0]) * (rows - y[0]) - (columns - x[0]) * (y[1] - y[0])) / area
-        first = 1.0 - second - third
-        away = first * depth[triangle[0]] + second * depth[triangle[1]] + third * depth[triangle[2]]
-        window = nearest[top : top + len(rows), left : left + len(columns)]
-        # A hair wider than the triangle, so that no background shows between neighbours.
-        covers = (first >= -1e-9) & (second >= -1e-9) & (third >= -1e-9) & (away > window)
-        window[covers] = away[covers]
-        shares = np.stack([first[covers], second[covers], third[covers]], axis=1)
-        drawn[top : top + len(rows), left : left + len(columns)][covers] = shares @ attributes[triangle]
+    x, y = np.arange(width) + 0.5, np.arange(height) + 0.5
+    for number, rows, columns, shares in covered(pixels, triangles, x, y):
+        away = shares @ depth[triangles[number]]
+        before = away > nearest[rows, columns]
+        place = rows[before], columns[before]
+        nearest[place] = away[before]
+        drawn[place] = shares[before] @ attributes[triangles[number]]
     return drawn
 
 

@@ -15,7 +15,7 @@ import numpy as np
 
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.film.film import Film
-from BalloonWorkbench.core.geometry.polyline import edge_lengths
+from BalloonWorkbench.core.geometry.polyline import edge_lengths, extent
 from BalloonWorkbench.core.panels.panel import Panel
 from BalloonWorkbench.core.solver.element.dkt import gradients, rotation_stiffness
 from BalloonWorkbench.core.solver.element.kinematics import deformation_gradients, green_strains
@@ -232,7 +232,7 @@ def _film_load(inflation: Inflation, film: Film) -> Load:
     """Largest principal tension, averaged over the film within a round piece as wide as the window."""
     panel = inflation.panel
     width, _ = _windows(panel, film)
-    size = float(np.ptp(panel.rest_positions, axis=0).max())
+    size = extent(panel.rest_positions)
     pitch = max(width / _ACROSS, size / _MOST_CELLS)
     cells, low = _in_cells(inflation, film, pitch)
     there = cells[..., 0] > 0.0

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from BalloonWorkbench.core.errors import InputError, PictureError
 from BalloonWorkbench.core.files.foreign_reader import foreign_reader
 from BalloonWorkbench.core.geometry.crossings import contains, first_crossing
-from BalloonWorkbench.core.geometry.polyline import extent, perimeter
+from BalloonWorkbench.core.geometry.polyline import bounds, extent, perimeter
 from BalloonWorkbench.core.memoize import memoized
 from BalloonWorkbench.core.outline.budget import Budget
 from BalloonWorkbench.core.outline.drawing import SPECK, Drawing, checked, speck_note
@@ -177,7 +177,7 @@ def _notes(
     """Remarks on what the outlines leave out of the picture."""
     notes = []
     points = np.concatenate(parts)
-    (left, low), (right, high) = points.min(axis=0), points.max(axis=0)
+    (left, low), (right, high) = bounds(points)
     at_border = zip(
         ("left", "right", "upper", "lower"), (left, shape[1] - right, shape[0] - high, low), strict=True
     )

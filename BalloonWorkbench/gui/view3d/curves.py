@@ -6,6 +6,7 @@ from __future__ import annotations
 import numpy as np
 
 from BalloonWorkbench.app.engine import film_result
+from BalloonWorkbench.core.geometry.polyline import ring
 from BalloonWorkbench.core.results.colour_map import distances
 from BalloonWorkbench.core.units import to_mm
 from BalloonWorkbench.gui.qt import translate
@@ -65,7 +66,7 @@ def _curves(lines, rgb, width: float, closed: bool):
     light.model.setValue(coin.SoLightModel.BASE_COLOR)
     colour.rgb.setValue(*(part / 255.0 for part in rgb))
     points, strips = coin.SoCoordinate3(), coin.SoLineSet()
-    whole = [np.vstack([line, line[:1]]) if closed else line for line in lines]
+    whole = [ring(line, closed) for line in lines]
     corners = [(x, y, 0.0) for line in whole for x, y in line.tolist()]
     points.point.setValues(0, len(corners), corners)
     strips.numVertices.setValues(0, len(whole), [len(line) for line in whole])

@@ -10,6 +10,7 @@ import numpy as np
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.engine import film_result, maker
 from BalloonWorkbench.app.properties.property_table import QT_TRANSLATE_NOOP
+from BalloonWorkbench.core.geometry.polyline import ring
 from BalloonWorkbench.core.results import colour_map
 from BalloonWorkbench.core.results.film_state import FilmState, State, film_state
 from BalloonWorkbench.core.results.result_files import results
@@ -123,7 +124,7 @@ def _residual_nodes(obj, inflation, skin) -> list:
     for loop, distance in zip(found.loops, found.distances):
         rgb = colour_map.colours(np.append(distance, distance[:1]) / top) / 255.0
         points, colours, line = coin.SoCoordinate3(), coin.SoMaterial(), coin.SoLineSet()
-        corners = [(x, y, 0.0) for x, y in to_mm(np.vstack([loop, loop[:1]])).tolist()]
+        corners = [(x, y, 0.0) for x, y in to_mm(ring(loop)).tolist()]
         points.point.setValues(0, len(corners), corners)
         colours.diffuseColor.setValues(0, len(corners), rgb.tolist())
         line.numVertices.setValue(len(corners))

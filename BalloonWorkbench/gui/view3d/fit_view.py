@@ -14,6 +14,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 import numpy as np
 
+from BalloonWorkbench.core.geometry.polyline import bounds, extent
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets
 
 _AROUND = 1.1  # of what is seen
@@ -155,7 +156,7 @@ def _seen(view, corners) -> tuple[np.ndarray, np.ndarray]:
     else:
         reach = np.maximum(at[2] - corners[:, 2:], 1e-9) * math.tan(0.5 * camera.heightAngle.getValue())
     places = 0.5 + 0.5 * (corners[:, :2] - at[:2]) / (reach * _stretch(view))
-    return places.min(axis=0), places.max(axis=0)
+    return bounds(places)
 
 
 def _is_parallel(camera) -> bool:
@@ -177,7 +178,7 @@ def _aim(view, seen, around: float) -> None:
     middle, half = 0.5 * (low + high), 0.5 * (high - low) / around
     low, high = (middle - half) * _stretch(view), (middle + half) * _stretch(view)
     across, depth = seen[:, :2], seen[:, 2:]
-    size = max(float(np.ptp(seen, axis=0).max()), 1e-3)
+    size = max(extent(seen), 1e-3)
     if _is_parallel(camera):
         scale = max(float((np.ptp(across, axis=0) / (high - low)).max()), 1e-3 * size)
         place = 0.5 * (across.min(axis=0) + across.max(axis=0)) - 0.5 * scale * (low + high)

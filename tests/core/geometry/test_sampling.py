@@ -3,11 +3,12 @@
 
 import numpy as np
 import pytest
+import shapely
 from plane_shapes import circle, rectangle
 
 from BalloonWorkbench.core.geometry.normals import corners
-from BalloonWorkbench.core.geometry.polyline import signed_area
-from BalloonWorkbench.core.geometry.sampling import resample, simplify, smooth
+from BalloonWorkbench.core.geometry.polyline import arc_lengths, perimeter, signed_area
+from BalloonWorkbench.core.geometry.sampling import evenly, resample, simplify, smooth, with_points_at
 
 
 def test_resampling_keeps_corners_and_spaces_evenly():
@@ -42,7 +43,6 @@ def test_corners_are_seen_through_cut_off_tips():
 
 
 def test_simplifying_stays_within_its_tolerance():
-    shapely = pytest.importorskip("shapely")
     drawn = circle(1.0, 2000)
     loop = simplify(drawn, 0.001)
     assert 60 < len(loop) < 150  # chords of 0.001 sagitta: at least 71
@@ -71,3 +71,25 @@ def test_smoothing_removes_ripples_and_keeps_corners_and_size():
         assert np.abs(smoothed - corner).sum(axis=1).min() < 1e-9
     ring = smooth(circle(50.0, 1000), 2.0, np.zeros(0, dtype=int))
     assert np.linalg.norm(ring, axis=1) == pytest.approx(50 - 2.0**2 / (2 * 50), abs=2e-3)
+
+
+@pytest.mark.parametrize("spacing", [0.013, 0.1, 99.0])
+def test_even_points_are_no_farther_apart_than_asked_for(spacing: float) -> None:
+    """Twelve at least. Three copies differed: one rounded the number of points down."""
+    for loop in (circle(1.0, 333), rectangle(3.0, 2.0)):
+        even = evenly(loop, spacing)
+        around = perimeter(loop)
+        assert len(even) == max(12, np.ceil(around / spacing))
+        assert np.array_equal(even[0], loop[0])
+        there = shapely.LinearRing(loop)
+        places = there.project(shapely.points(even))
+        assert np.diff(np.append(places, around)) == pytest.approx(around / len(even), abs=1e-9)
+
+
+def test_points_are_added_without_changing_the_loop() -> None:
+    drawn = rectangle(3.0, 2.0)
+    lengths = arc_lengths(drawn)
+    more, numbers = with_points_at(drawn, lengths, np.array([0.5, 3.0, 9.9]))
+    assert more[numbers] == pytest.approx(np.array([[0.5, 0.0], [3.0, 0.0], [0.0, 0.1]]))
+    assert len(more) == 6
+    assert signed_area(more) == pytest.approx(6.0)

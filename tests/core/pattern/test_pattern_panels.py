@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 import shapely
@@ -14,6 +16,8 @@ from BalloonWorkbench.core.geometry.polyline import signed_area
 from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.pattern.make import make_pattern, sheet_of
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
+from BalloonWorkbench.core.pattern.shapes import closed_loop
+from BalloonWorkbench.core.pattern.sheet import on_sheet
 
 SEAL = 0.005
 
@@ -43,6 +47,24 @@ def test_cut_is_half_a_seal_and_the_allowance_outside_the_weld(
     assert away.min() == pytest.approx(wanted, abs=1.5e-5)
     assert away.max() < 2.2 * wanted  # mitred corners
     assert (np.abs(away - wanted) < 3e-5).mean() > 0.6
+
+
+def test_the_second_panel_has_the_border_of_its_print_on_its_own_film() -> None:
+    """It goes past the cut by so much all round, on both panels; text alone is not turned over."""
+    pattern = make_pattern(generated(4), SEAL, PatternOptions())
+    (cut,) = pattern.of(Role.CUT)
+    border = closed_loop(shapely.Polygon(cut.points).buffer(0.003).exterior, True)
+    with_print = replace(pattern, contours=(Contour(Role.PRINT, border, True), *pattern.contours))
+    sheet = on_sheet(with_print, True, 1)
+    for own, film in zip(
+        *(sorted(sheet.of(role), key=_left) for role in (Role.PRINT, Role.CUT)), strict=True
+    ):
+        past = shapely.distance(line(film), shapely.points(np.asarray(line(own).coords)))
+        assert past == pytest.approx(0.003, abs=2e-5)
+
+
+def _left(contour: Contour) -> float:
+    return float(contour.points[:, 0].min())
 
 
 def test_second_panel_is_the_mirror_image() -> None:

@@ -15,6 +15,7 @@ import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film.film import Film
+from BalloonWorkbench.core.geometry.polyline import extent
 from BalloonWorkbench.core.panels.panel import Panel
 from BalloonWorkbench.core.solver.backend import backend_named
 from BalloonWorkbench.core.solver.dynamics import motion
@@ -62,7 +63,7 @@ def inflate_in_time(
     newmark = backend_named("newmark")
     recording = replace(newmark, solve=partial(motion.solve, record=states.append))
     inflation = inflate(panel, film, pressure, backend=recording, model=model, progress=progress)
-    size = float(np.ptp(panel.rest_positions, axis=0).max())
+    size = extent(panel.rest_positions)
     unit = float(np.sqrt(film.areal_density * size / pressure))
     upper, half = len(panel.rest_positions), len(states[-1].positions) // 2
     strip = []

@@ -15,6 +15,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from BalloonWorkbench.core.geometry.vectors import perpendicular
 from BalloonWorkbench.core.types import Floats
 
 SIDES = ((0, 1), (1, 2), (2, 0))
@@ -59,7 +60,7 @@ def curvature_operators(corners: Floats) -> Floats:
         vector = corners[:, j] - corners[:, i]
         length = np.linalg.norm(vector, axis=1)
         s = vector / length[:, None]
-        n = np.column_stack([-s[:, 1], s[:, 0]])
+        n = perpendicular(s)
         average = 0.5 * n[:, :, None] * n[:, None, :] - 0.25 * s[:, :, None] * s[:, None, :]
         slope = 1.5 * s / length[:, None]
         for corner, sign in ((i, 1.0), (j, -1.0)):

@@ -19,6 +19,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from BalloonWorkbench.core.geometry.vectors import direction
 from BalloonWorkbench.core.types import Bools, Floats
 
 
@@ -45,7 +46,7 @@ def principal_strains(strain: Floats) -> tuple[Floats, Floats, Floats]:
     half_difference = 0.5 * (strain[:, 0] - strain[:, 1])
     radius = np.hypot(half_difference, 0.5 * strain[:, 2])
     angle = 0.5 * np.arctan2(0.5 * strain[:, 2], half_difference)
-    return mean + radius, mean - radius, np.column_stack([np.cos(angle), np.sin(angle)])
+    return mean + radius, mean - radius, direction(angle)
 
 
 def states(major: Floats, minor: Floats, poisson_ratio: float) -> tuple[Bools, Bools]:

@@ -19,6 +19,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from BalloonWorkbench.core.geometry.vectors import cross
 from BalloonWorkbench.core.types import Floats, Ints
 
 
@@ -40,7 +41,7 @@ class SeamBand:
         before, after = middle - previous, following - middle
         length_before, length_after = np.linalg.norm(before, axis=1), np.linalg.norm(after, axis=1)
         cosine = np.einsum("ij,ij->i", before, after) / (length_before * length_after)
-        sine = (before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0]) / (length_before * length_after)
+        sine = cross(before, after) / (length_before * length_after)
         turn = np.array([[cosine, -sine], [sine, cosine]]).transpose(2, 0, 1) / length_before[:, None, None]
         straight = np.eye(2)[None] / length_after[:, None, None]
         self._operator = np.concatenate([turn, -turn - straight, straight], axis=2)  # (h, 2, 6)

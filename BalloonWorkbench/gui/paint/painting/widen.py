@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from BalloonWorkbench.core.geometry.vectors import foot
 from BalloonWorkbench.gui.qt import QtCore, QtGui
 
 WIDEN = "widen"
@@ -104,14 +105,15 @@ def _along(line, x, y, fade: float):
     nearest_x, nearest_y, share = np.zeros_like(x), np.zeros_like(x), np.zeros_like(x)
     for k in range(len(nodes) - 1):
         (ax, ay), (dx, dy) = nodes[k], nodes[k + 1] - nodes[k]
-        t = np.clip(((x - ax) * dx + (y - ay) * dy) / max(dx * dx + dy * dy, 1e-9), 0.0, 1.0)
-        px, py = ax + t * dx, ay + t * dy
-        squared = (x - px) ** 2 + (y - py) ** 2
-        nearer = squared < best
-        best = np.where(nearer, squared, best)
-        nearest_x, nearest_y = np.where(nearer, px, nearest_x), np.where(nearer, py, nearest_y)
+        t, away = foot(x - ax, y - ay, dx, dy)
+        nearer = away < best
+        best = np.where(nearer, away, best)
+        nearest_x, nearest_y = (
+            np.where(nearer, ax + t * dx, nearest_x),
+            np.where(nearer, ay + t * dy, nearest_y),
+        )
         share = np.where(nearer, shares[k] + t * (shares[k + 1] - shares[k]), share)
-    return nearest_x, nearest_y, np.sqrt(best), share * share * (3.0 - 2.0 * share)
+    return nearest_x, nearest_y, best, share * share * (3.0 - 2.0 * share)
 
 
 def _direction(vector):

@@ -8,6 +8,7 @@ import numpy as np
 
 from BalloonWorkbench.app.document.arrange import free_shift
 from BalloonWorkbench.app.drawings.qt_picture import pixels
+from BalloonWorkbench.core.geometry.polyline import bounds, ring
 from BalloonWorkbench.core.machines.layers import LAYERS
 from BalloonWorkbench.core.pattern.pattern import Role
 from BalloonWorkbench.core.tracing.raster import label, neighbours
@@ -158,7 +159,7 @@ class Scene:
             place.rotation.setValue(*at.Rotation.Q)
         else:
             seen = np.concatenate([skin.positions[:, :2] for skin in look.skins])
-            low, high = seen.min(axis=0), seen.max(axis=0)
+            low, high = bounds(seen)
             if look.contours:
                 low[1] -= _BESIDE * look.size[0] + np.ptp(_pattern_points(look)[:, 1])
             low[0], high[0] = low[0] + self._shift, high[0] + self._shift
@@ -294,7 +295,7 @@ def _pattern(coin, look):
         colour, line = coin.SoBaseColor(), coin.SoLineSet()
         coordinates = coin.SoCoordinate3()
         colour.rgb.setValue(*_layer_colour(role))
-        corners = [(x, y, 0.0) for x, y in np.concatenate([points, points[:1]]).tolist()]
+        corners = [(x, y, 0.0) for x, y in ring(points).tolist()]
         coordinates.point.setValues(0, len(corners), corners)
         line.numVertices.setValue(len(corners))
         for child in (colour, coordinates, line):
