@@ -8,7 +8,7 @@ import time
 from pathlib import Path
 
 from speed import machine
-from validation import balloons, coach, convergence, correction, plates, strength, trade
+from validation import balloons, coach, convergence, correction, panels, plates, strength, trade
 from validation.report import Section, paragraphs
 
 DOCS = Path(__file__).resolve().parents[1] / "docs"
@@ -22,6 +22,7 @@ def main() -> int:
         balloons.ring,
         balloons.square,
         balloons.airbag,
+        panels.panels,
         plates.hencky,
         plates.bending,
         plates.wrinkled_beam,

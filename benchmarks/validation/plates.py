@@ -15,7 +15,7 @@ from BalloonWorkbench.core.solver.element.membrane import principal_stresses, te
 from BalloonWorkbench.core.solver.element.shell import Shell, tangent_frames
 from BalloonWorkbench.core.solver.equilibrium import newton
 from BalloonWorkbench.core.solver.native import c_interface
-from BalloonWorkbench.core.solver.problem import FilmProblem, NewtonSettings
+from BalloonWorkbench.core.solver.problem import FilmProblem, NewtonSettings, Start
 from BalloonWorkbench.core.solver.start import vertex_normals
 from BalloonWorkbench.core.types import Bools, Floats, Ints
 
@@ -31,7 +31,7 @@ def hencky() -> Section:
     start[rim, 2] = 0.0
     problem = FilmProblem(rest, disc.triangles, fixed, stiffness, 0.3, 1e-9)
     state = c_interface.solve(
-        problem, start, vertex_normals(start, disc), (stiffness,), NewtonSettings(1e-10)
+        problem, Start(start, vertex_normals(start, disc), (stiffness,)), NewtonSettings(1e-10)
     )
     corners = rest[disc.triangles]
     strain = green_strains(deformation_gradients(state.positions, disc.triangles, gradients(corners)[0]))
@@ -206,7 +206,7 @@ def _deflection(points: Floats, triangles: Ints, fixed: Bools, load: Floats, at:
     loads = np.zeros((len(points), 3))
     loads[:, 2] = 1e-5 * load
     problem = FilmProblem(points, triangles, fixed, 1.0, 0.3, 1.0, 0.0, loads)
-    state = c_interface.solve(problem, *flat_state(points), (1.0,), NewtonSettings(1e-12))
+    state = c_interface.solve(problem, Start(*flat_state(points), (1.0,)), NewtonSettings(1e-12))
     return float(state.positions[at, 2]) / 1e-5
 
 
@@ -237,7 +237,7 @@ def _rolled(cells: int) -> tuple[float, float]:
     fixed = held(len(points), moves="xyz")
     fixed[(points[:, 0] == 0.0) | (points[:, 0] == 1.0), 3:] = True
     problem = FilmProblem(points, triangles, fixed, 1.0, 0.0, 1.0, 0.0)
-    state = newton.solve(problem, rolled, normals, (1.0,), NewtonSettings(1e-12))
+    state = newton.solve(problem, Start(rolled, normals, (1.0,)), NewtonSettings(1e-12))
     frames = tangent_frames(state.directors)
     free = FilmProblem(points, triangles, held(len(points), moves="xyz"), 1.0, 0.0, 1.0, 0.0)
     slope = Shell(free).derivatives(state.positions, state.directors, frames)[0].reshape(-1, 2)
@@ -261,7 +261,7 @@ def _beam() -> tuple[float, float]:
     start[:, 0] += strain * x + curvature * x * y
     start[:, 1] -= 0.5 * curvature * x**2
     problem = FilmProblem(points, triangles, fixed, 1.0, 0.0, 1e-12, 0.0)
-    state = newton.solve(problem, start, directors, (1.0,), NewtonSettings(1e-9))
+    state = newton.solve(problem, Start(start, directors, (1.0,)), NewtonSettings(1e-9))
     free = FilmProblem(points, triangles, held(len(points)), 1.0, 0.0, 1e-12, 0.0)
     pull = Shell(free).derivatives(state.positions, state.directors, tangent_frames(state.directors))[0]
     right = x == 0.75

@@ -43,10 +43,8 @@ class Surface:
 
     @property
     def euler_number(self) -> int:
-        """Vertices - edges + triangles: 2 for a ball, 0 for a ring; of a mirrored panel its own."""
-        corners = self.by_seams[self.triangles]
-        edges = np.sort(np.concatenate([corners[:, [k, (k + 1) % 3]] for k in range(3)]), axis=1)
-        return len(np.unique(self.by_seams)) - len(np.unique(edges, axis=0)) + len(corners)
+        """Vertices - edges + triangles where all seams are given: 2 for a ball, 0 for a ring."""
+        return len(np.unique(self.by_seams)) - len(self.triangles) // 2  # two triangles to an edge
 
     @property
     def poles(self) -> Ints:

@@ -28,7 +28,7 @@ class State(IntEnum):
 
 @dataclass(frozen=True)
 class FilmState:
-    """Results for each of m triangles of the upper half.
+    """Results for each of m triangles, of the upper half where one panel stands for two.
 
     strains    (m, 2) larger and smaller principal Green strain
     tensions   (m, 2) N/m, principal membrane tensions
@@ -57,10 +57,10 @@ def film_state(inflation: Inflation, film: Film) -> FilmState:
 
     A plain shell is said to be wrinkled or slack where it is compressed instead.
     """
-    panel = inflation.panel
-    problem = film_problem(panel, film, inflation.report.pressure, inflation.report.model)
-    shape, areas = gradients(panel.rest_positions[panel.triangles])
-    deformation = deformation_gradients(inflation.positions, panel.triangles, shape)
+    surface = inflation.assembly.surface
+    problem = film_problem(inflation.assembly, film, inflation.report.pressure, inflation.report.model)
+    shape, areas = gradients(surface.rest_positions[surface.triangles])
+    deformation = deformation_gradients(inflation.positions, surface.triangles, shape)
     strains = green_strains(deformation)
     major, minor, longest = principal_strains(strains)
     stress = problem.membrane(strains).stress

@@ -7,7 +7,7 @@ Both are the same quasi-static Newton method. Motion in time (Newmark) is slower
 from __future__ import annotations
 
 import functools
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -16,7 +16,7 @@ from BalloonWorkbench.core.errors import InputError, MissingPackageError
 from BalloonWorkbench.core.solver.dynamics import motion
 from BalloonWorkbench.core.solver.equilibrium import newton
 from BalloonWorkbench.core.solver.native import load
-from BalloonWorkbench.core.solver.problem import Energies, Equilibrium, FilmProblem, NewtonSettings
+from BalloonWorkbench.core.solver.problem import Energies, Equilibrium, FilmProblem, NewtonSettings, Start
 from BalloonWorkbench.core.types import Floats, Progress
 
 SOLVERS = ("native", "numpy", "newmark")
@@ -28,9 +28,7 @@ class Solve(Protocol):
     def __call__(
         self,
         problem: FilmProblem,
-        positions: Floats,
-        directors: Floats,
-        levels: Sequence[float],
+        start: Start,
         settings: NewtonSettings,
         progress: Progress,
     ) -> Equilibrium:

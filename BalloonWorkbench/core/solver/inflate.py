@@ -64,23 +64,24 @@ def inflate(
     problem = problem_of(split, film, pressure, model)
     first = start_of(split, problem, start, model.twist)
     settings = settings or NewtonSettings()
-    rest = solver.solve(problem, first.positions, first.directors, first.levels, settings, progress)
+    rest = solver.solve(problem, first, settings, progress)
     if not assembly.mirror:
         rest = _laid_over(rest, first.positions)
         if not model.bending:  # nothing has turned the directors
             rest = replace(rest, directors=vertex_normals(rest.positions, problem))
     energies = solver.energies(problem, rest.positions, rest.directors)
+    seconds = time.perf_counter() - began
     report = SolveReport(
-        solver.name,
-        rest.steps,
-        rest.factorisations,
-        time.perf_counter() - began,
-        rest.converged,
-        problem.membrane_stiffness,
-        problem.flexural_rigidity * pressure * size**3,
-        energies.bending / max(-energies.pressure, 1e-300),
-        pressure,
-        model,
+        backend=solver.name,
+        newton_steps=rest.steps,
+        factorisations=rest.factorisations,
+        seconds=seconds,
+        converged=rest.converged,
+        stiffness_k=problem.membrane_stiffness,
+        flexural_rigidity=problem.flexural_rigidity * pressure * size**3,
+        bending_share=energies.bending / max(-energies.pressure, 1e-300),
+        pressure=pressure,
+        model=model,
     )
     count, faces = int(whole.offsets[-1]), sum(len(panel.triangles) for panel in whole.panels)
     volume = film_volume(rest.positions, rest.directors, problem.triangles)

@@ -16,6 +16,7 @@ from BalloonWorkbench.core.panels.assembly import Assembly
 from BalloonWorkbench.core.panels.panel import Panel
 from BalloonWorkbench.core.solver.element.dkt import gradients
 from BalloonWorkbench.core.solver.element.orthotropic import Grain
+from BalloonWorkbench.core.solver.element.seam_band import hinge_rigidities, seam_hinges
 from BalloonWorkbench.core.solver.problem import FilmProblem
 from BalloonWorkbench.core.solver.split_along_welds import SplitFilm, split_assembly
 from BalloonWorkbench.core.units import number_text
@@ -109,7 +110,8 @@ def _with_bands(problem: FilmProblem, split: SplitFilm, film: Film, pressure: fl
     taut = len(panel.seams) - 1 + len(welds)
     films = 1.0 if assembly.mirror else 2.0
     rigidities = tuple(films * (rigidity * (width / size) ** 4) for rigidity in (outer, *[hole] * taut))
-    return replace(problem, seams=panel.seams, welds=welds, seam_rigidities=rigidities)
+    hinges = seam_hinges(panel.seams, welds)
+    return replace(problem, hinges=hinges, hinge_rigidities=hinge_rigidities(panel.seams, rigidities, welds))
 
 
 def grain_of(film: Film) -> Grain | None:

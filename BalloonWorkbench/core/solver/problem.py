@@ -25,11 +25,10 @@ class FilmProblem:
     """A film with its supports and loads.
 
     rest_positions (n, 2), triangles (m, 3); fixed (n, 5) True where x, y, z or one of the two turns of the
-    director is held; loads (n, 3) or None; seams: vertex loops that carry a sealed band, welds: open lines of
-    vertices that do, and seam_rigidities: its E I for each of them. A grain makes the film orthotropic;
-    tension_field False makes it a plain shell, which carries compression. tied (n,): the vertex,
-    itself or one before it, whose position a vertex shares; each keeps its own director, so that the film can
-    fold there.
+    director is held; loads (n, 3) or None; hinges (h, 3) of the sealed band, see seam_band.py, with its E I
+    at each of them. A grain makes the film orthotropic; tension_field False makes it a plain shell, which
+    carries compression. tied (n,): the vertex, itself or one before it, whose position a vertex shares; each
+    keeps its own director, so that the film can fold there.
     """
 
     rest_positions: Floats
@@ -40,9 +39,8 @@ class FilmProblem:
     flexural_rigidity: float
     pressure: float = 1.0
     loads: Floats | None = None
-    seams: tuple[Ints, ...] = ()
-    welds: tuple[Ints, ...] = ()
-    seam_rigidities: tuple[float, ...] = ()
+    hinges: Ints | None = None
+    hinge_rigidities: Floats | None = None
     grain: Grain | None = None
     tension_field: bool = True
     tied: Ints | None = None
@@ -76,11 +74,23 @@ class Energies:
 
 
 @dataclass(frozen=True)
+class Start:
+    """Where a solve begins: positions (n, 3), directors (n, 3).
+
+    levels  membrane stiffnesses that it goes through, the film's own last
+    """
+
+    positions: Floats
+    directors: Floats
+    levels: tuple[float, ...]
+
+
+@dataclass(frozen=True)
 class NewtonSettings:
     """When Newton's method stops.
 
     tolerance   converged when a step would lower the energy by less than this part of it, or when two steps
-    in a row left the balloon as it was, as far as the eye can tell (convergence.py)
+    in a row left its outline and its volume as they were (convergence.py)
     max_steps   over all stiffness levels; the best state is kept when they are used up
     """
 

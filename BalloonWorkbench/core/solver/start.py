@@ -3,17 +3,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
+from BalloonWorkbench.core.errors import AssemblyError
 from BalloonWorkbench.core.panels.panel import Panel
 from BalloonWorkbench.core.solver.element.dkt import gradients
 from BalloonWorkbench.core.solver.embedding import embedding
 from BalloonWorkbench.core.solver.equilibrium.linear import conjugate_gradients
 from BalloonWorkbench.core.solver.inflation import MIRROR, Inflation
 from BalloonWorkbench.core.solver.model import stiffness_levels
-from BalloonWorkbench.core.solver.problem import FilmProblem
+from BalloonWorkbench.core.solver.problem import FilmProblem, Start
 from BalloonWorkbench.core.solver.split_along_welds import SplitFilm
 from BalloonWorkbench.core.types import Floats
 
@@ -26,19 +25,6 @@ LEAST_STRETCH, MOST_STRETCH = 0.01, 0.03
 LARGE_EDIT = 0.03
 LARGE_STRETCH = 0.08
 SOFTENING = (16.0, 4.0, 1.0)
-
-
-@dataclass(frozen=True)
-class Start:
-    """Where a solve begins, dimensionless.
-
-    positions  (n, 3), directors (n, 3)
-    levels     membrane stiffnesses that it goes through, the film's own last
-    """
-
-    positions: Floats
-    directors: Floats
-    levels: tuple[float, ...]
 
 
 def start_of(split: SplitFilm, problem: FilmProblem, start: Inflation | Floats | None, twist: float) -> Start:
@@ -80,6 +66,8 @@ def _in_space(
     count = int(assembly.offsets[-1])
     places = start.positions if isinstance(start, Inflation) else start
     if places is None or len(places) != count:
+        if (bodies := assembly.surface.bodies) > 1:
+            raise AssemblyError(f"The panels are sealed to {bodies} bodies. Inflate each by itself.")
         _, corners = np.unique(split.tied, return_inverse=True)
         places = embedding(split.rest_positions[split.triangles], corners.ravel()[split.triangles])
         positions = places[corners.ravel()]

@@ -15,18 +15,19 @@ import numpy as np
 import pytest
 from solver_cases import PRESSURE, both_backends, film, needs_native, panel
 
-from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.errors import AssemblyError, InputError
 from BalloonWorkbench.core.film.library import film as known_film
 from BalloonWorkbench.core.panels.assembly import Assembly
 from BalloonWorkbench.core.results.film_state import film_state
 from BalloonWorkbench.core.solver.element.kinematics import facet_volume
+from BalloonWorkbench.core.solver.equilibrium import newton
 from BalloonWorkbench.core.solver.inflate import inflate
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.solver.model import Model, film_problem
 from BalloonWorkbench.core.solver.problem import NewtonSettings
 
 BARE = Model(bending=False)
-EXACT = NewtonSettings(1e-8)
+EXACT = NewtonSettings(1e-7)
 A = 1.3110287771  # of the Mylar balloon
 
 
@@ -61,9 +62,9 @@ def drum_volume(height: float) -> float:
     ("make", "coarse", "k", "volume"),
     [
         (cube, 4, 1e3, 1.2629),
-        (cube, 5, 1e4, 1.2608),
-        (bodies.tetrahedron, 7, 1e4, 0.17296),
-        (bodies.octahedron, 6, 1e4, 0.5398),
+        (cube, 4, 1e4, 1.2608),
+        (bodies.tetrahedron, 6, 1e4, 0.17296),
+        (bodies.octahedron, 3, 1e4, 0.5398),
     ],
     ids=["cube", "stiff-cube", "tetrahedron", "octahedron"],
 )
@@ -78,7 +79,7 @@ def test_polyhedra(
 @pytest.mark.parametrize("height", [0.25, 1.0, 2.0])
 @both_backends
 def test_drums(height: float, backend: str) -> None:
-    volume = refined(lambda rows: bodies.drum(height, rows), 5, 1e3, backend)
+    volume = refined(lambda rows: bodies.drum(height, rows), 3, 1e3, backend)
     assert volume == pytest.approx(drum_volume(height), rel=0.003)
 
 
@@ -90,9 +91,8 @@ def test_the_very_mesh_of_another_program() -> None:
     result = blown(body)
     assert between_facets(result) == pytest.approx(1.256910, abs=2e-6)
     problem = film_problem(body, film(1000.0), PRESSURE, BARE)
-    strained = film_state(result, film(1000.0)).strains
-    assert strained[:, 0].max() < 0.01
-    assert problem.membrane_stiffness == pytest.approx(1000.0)
+    energies = newton.energies(problem, result.positions, result.directors)
+    assert energies.total == pytest.approx(-1.255604, abs=2e-6)
 
 
 @pytest.mark.parametrize(
@@ -135,7 +135,7 @@ def test_two_panels_find_their_shape_in_space() -> None:
 @pytest.mark.parametrize(
     ("body", "volume"),
     [
-        (bodies.gored_sphere(8, 12, 4), 0.9858 * 4.0 * np.pi / 3.0),
+        (bodies.gored_sphere(8, 16, 4), 0.9858 * 4.0 * np.pi / 3.0),
         (bodies.box(1.0, 1.0, 8.0, 3), None),
         (bodies.thick_ring(0.7, 1.0, 0.3, 2, 30), None),
         (bodies.thick_ring(0.85, 1.0, 0.1, 2, 48), None),
@@ -191,7 +191,7 @@ def test_bodies_beside_each_other_are_two() -> None:
         ),
     )
     assert both.surface.bodies == 2
-    with pytest.raises(InputError, match="2 bodies"):
+    with pytest.raises(AssemblyError, match="2 bodies"):
         inflate(both, film(1000.0), PRESSURE)
 
 

@@ -15,7 +15,7 @@ from BalloonWorkbench.core.solver import backend
 from BalloonWorkbench.core.solver.equilibrium import newton
 from BalloonWorkbench.core.solver.inflate import inflate
 from BalloonWorkbench.core.solver.native import c_interface, load
-from BalloonWorkbench.core.solver.problem import FilmProblem, NewtonSettings
+from BalloonWorkbench.core.solver.problem import FilmProblem, NewtonSettings, Start
 from BalloonWorkbench.core.types import no_progress
 
 LIBRARY = load._FOLDER / "libfilm_solver.so"
@@ -104,7 +104,7 @@ def test_broken_meshes_are_refused(solver: object, case: str) -> None:
     lifted = np.column_stack([np.nan_to_num(points), [0.0, 0.0, 0.0, 0.1]])
     with pytest.raises(SolverError):
         solver.solve(
-            problem, lifted, np.tile([0.0, 0.0, 1.0], (4, 1)), (10.0,), NewtonSettings(), no_progress
+            problem, Start(lifted, np.tile([0.0, 0.0, 1.0], (4, 1)), (10.0,)), NewtonSettings(), no_progress
         )
 
 

@@ -10,7 +10,7 @@ from solver_cases import both_solvers, flat_state, grid, held
 from BalloonWorkbench.core.solver.backend import Backend
 from BalloonWorkbench.core.solver.element.shell import Shell, tangent_frames
 from BalloonWorkbench.core.solver.equilibrium import newton
-from BalloonWorkbench.core.solver.problem import FilmProblem, NewtonSettings
+from BalloonWorkbench.core.solver.problem import FilmProblem, NewtonSettings, Start
 from BalloonWorkbench.core.types import no_progress
 
 
@@ -29,7 +29,7 @@ def test_stretched_cantilever_deflects_like_a_beam_with_tension(solver: Backend)
     share = np.array([0.25, 0.5, 0.25])[:, None]  # of the forces at the three vertices of the tip
     loads[tip] = share * (tension, 0.0, load)
     problem = FilmProblem(points, triangles, fixed, 10.0, 0.0, rigidity, 0.0, loads)
-    state = solver.solve(problem, *flat_state(points), (10.0,), NewtonSettings(1e-13), no_progress)
+    state = solver.solve(problem, Start(*flat_state(points), (10.0,)), NewtonSettings(1e-13), no_progress)
     assert state.converged
     a = np.sqrt(tension / (0.25 * rigidity))
     deflection = load / tension * (1.0 - np.tanh(a) / a)
@@ -61,7 +61,7 @@ def test_wrinkled_beam() -> None:
     )
     shaken[:, 2] = 0.0
     problem = FilmProblem(points, triangles, fixed, 1.0, 0.0, 1e-12, 0.0)
-    state = newton.solve(problem, shaken, directors, (1.0,), NewtonSettings(1e-9))
+    state = newton.solve(problem, Start(shaken, directors, (1.0,)), NewtonSettings(1e-9))
     assert state.converged
     free = FilmProblem(points, triangles, held(len(points)), 1.0, 0.0, 1e-12, 0.0)
     pull = Shell(free).derivatives(state.positions, state.directors, tangent_frames(state.directors))[0]
@@ -90,7 +90,7 @@ def test_full_circle_of_a_bent_strip() -> None:
         fixed = held(len(points), moves="xyz")
         fixed[ends, 3:] = True
         problem = FilmProblem(points, triangles, fixed, 1.0, 0.0, 1.0, 0.0)
-        state = newton.solve(problem, rolled, normals, (1.0,), NewtonSettings(1e-12))
+        state = newton.solve(problem, Start(rolled, normals, (1.0,)), NewtonSettings(1e-12))
         bending = newton.energies(problem, state.positions, state.directors).bending
         # the moment is what turns the directors of one end
         frames = tangent_frames(state.directors)

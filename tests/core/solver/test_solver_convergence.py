@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A solve ends when the eye sees no change: outline and volume against those of a far longer solve."""
+"""A solve ends when neither changes: outline and volume against those of a far longer solve."""
 
 import numpy as np
 import pytest
@@ -11,7 +11,7 @@ from BalloonWorkbench.core.mesh.reuse import move_rim
 from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.mesh.triangulate import triangulate
 from BalloonWorkbench.core.panels.panel import Panel
-from BalloonWorkbench.core.solver.equilibrium.convergence import Sight
+from BalloonWorkbench.core.solver.equilibrium.convergence import Convergence
 from BalloonWorkbench.core.solver.inflate import inflate
 from BalloonWorkbench.core.solver.problem import Energies, NewtonSettings
 from BalloonWorkbench.core.types import Floats
@@ -22,22 +22,22 @@ TURN = np.linspace(0.0, 2.0 * np.pi, COUNT, endpoint=False)
 RIM = 0.5 * np.stack([np.cos(TURN), np.sin(TURN), np.zeros(COUNT)], axis=1)
 
 
-def sight(seam: bool = True) -> Sight:
+def criterion(seam: bool = True) -> Convergence:
     fixed = np.zeros((COUNT, 5), dtype=bool)
     fixed[:, 2] = seam
-    return Sight(fixed, TOLERANCE)
+    return Convergence(fixed, TOLERANCE)
 
 
 def energy(volume: float) -> Energies:
     return Energies(0.1 * volume, 0.0, -volume, 0.0, 0.0)
 
 
-def told(
-    seen: Sight, move: Floats, *, length: float = 1.0, gain: float = 1e-4, held_back: bool = False
+def at_rest(
+    steps: Convergence, move: Floats, *, length: float = 1.0, gain: float = 1e-4, held_back: bool = False
 ) -> bool:
-    """A step of this movement whose volume changes by 5e-5, and what it says."""
+    """A step of this movement whose volume changes by 5e-5, and whether the film is at rest."""
     before, after = energy(1.0), energy(1.0 + 5e-5 * length)
-    return seen.at_rest(RIM, RIM + length * move, before, after, length, gain, held_back)
+    return steps.at_rest(RIM, RIM + length * move, before, after, length, gain, held_back)
 
 
 def wave(height: float) -> Floats:
@@ -46,25 +46,25 @@ def wave(height: float) -> Floats:
 
 
 def test_two_still_steps_in_a_row() -> None:
-    seen = sight()
-    assert [told(seen, wave(h)) for h in (2.0, 4.0, 2.0, 3.0, 1.0)] == [False, False, False, True, True]
+    steps = criterion()
+    assert [at_rest(steps, wave(h)) for h in (2.0, 4.0, 2.0, 3.0, 1.0)] == [False, False, False, True, True]
 
 
 def test_what_moves_and_turns_as_a_whole_is_not_seen() -> None:
     turned = 0.01 * np.stack([-RIM[:, 1], RIM[:, 0], RIM[:, 2]], axis=1)
-    seen = sight()
-    assert [told(seen, wave(2.0) + turned + (0.1, -0.2, 0.0)) for _ in range(2)] == [False, True]
+    steps = criterion()
+    assert [at_rest(steps, wave(2.0) + turned + (0.1, -0.2, 0.0)) for _ in range(2)] == [False, True]
 
 
 def test_a_short_step_counts_as_the_whole_one() -> None:
-    seen = sight()
-    assert not any(told(seen, wave(4.0), length=0.125) for _ in range(4))
+    steps = criterion()
+    assert not any(at_rest(steps, wave(4.0), length=0.125) for _ in range(4))
 
 
 def test_steps_that_say_nothing() -> None:
-    assert not any(told(seen, wave(0.0)) for seen in [sight(seam=False)] for _ in range(3))
-    assert not any(told(seen, wave(0.0), held_back=True) for seen in [sight()] for _ in range(3))
-    assert not any(told(seen, wave(0.0), gain=0.01) for seen in [sight()] for _ in range(3))
+    assert not any(at_rest(steps, wave(0.0)) for steps in [criterion(seam=False)] for _ in range(3))
+    assert not any(at_rest(steps, wave(0.0), held_back=True) for steps in [criterion()] for _ in range(3))
+    assert not any(at_rest(steps, wave(0.0), gain=0.01) for steps in [criterion()] for _ in range(3))
 
 
 def rim_distance(one: Floats, other: Floats) -> float:

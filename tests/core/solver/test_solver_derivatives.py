@@ -27,7 +27,8 @@ def problem() -> FilmProblem:
     fixed[3] = True
     fixed[5, 3] = True
     loads = np.random.default_rng(8).normal(0.0, 0.01, (len(fixed), 3))
-    return replace(bare, fixed=fixed, loads=loads, flexural_rigidity=0.05, seam_rigidities=(0.2, 0.3))
+    rigidities = np.linspace(0.2, 0.3, len(bare.hinges))
+    return replace(bare, fixed=fixed, loads=loads, flexural_rigidity=0.05, hinge_rigidities=rigidities)
 
 
 def random_state(seed: int, problem: FilmProblem, scatter: float = 0.02) -> tuple[Floats, Floats]:
@@ -77,9 +78,7 @@ def test_hessian_is_the_slope_of_the_gradient(seed: int) -> None:
 
 
 def test_bending_hessian_is_positive_semi_definite() -> None:
-    bending = replace(
-        problem(), membrane_stiffness=0.0, pressure=0.0, loads=None, seams=(), seam_rigidities=()
-    )
+    bending = replace(problem(), membrane_stiffness=0.0, pressure=0.0, loads=None, hinges=None)
     shell = Shell(bending)
     positions, directors = random_state(1, bending)
     _, hessian = shell.derivatives(positions, directors, tangent_frames(directors))

@@ -17,7 +17,7 @@ from solver_cases import (
 
 from BalloonWorkbench.core.solver.backend import Backend
 from BalloonWorkbench.core.solver.element import dkt
-from BalloonWorkbench.core.solver.problem import FilmProblem, NewtonSettings
+from BalloonWorkbench.core.solver.problem import FilmProblem, NewtonSettings, Start
 from BalloonWorkbench.core.types import Bools, Floats, Ints, no_progress
 
 UNIT = np.array([[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]])
@@ -128,7 +128,7 @@ def deflection_in_shell(
     loads = np.zeros((len(points), 3))
     loads[:, 2] = small * load
     problem = FilmProblem(points, triangles, fixed, 1.0, 0.3, 1.0, 0.0, loads)
-    state = solver.solve(problem, *flat_state(points), (1.0,), NewtonSettings(1e-12), no_progress)
+    state = solver.solve(problem, Start(*flat_state(points), (1.0,)), NewtonSettings(1e-12), no_progress)
     assert state.converged
     return float(state.positions[at, 2]) / small
 

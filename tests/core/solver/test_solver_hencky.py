@@ -9,7 +9,7 @@ from BalloonWorkbench.core.solver.backend import Backend
 from BalloonWorkbench.core.solver.element.dkt import gradients
 from BalloonWorkbench.core.solver.element.kinematics import deformation_gradients, green_strains
 from BalloonWorkbench.core.solver.element.membrane import principal_tensions
-from BalloonWorkbench.core.solver.problem import FilmProblem, NewtonSettings
+from BalloonWorkbench.core.solver.problem import FilmProblem, NewtonSettings, Start
 from BalloonWorkbench.core.solver.start import vertex_normals
 from BalloonWorkbench.core.types import no_progress
 
@@ -26,7 +26,7 @@ def test_hencky_disc(solver: Backend) -> None:
     start[rim, 2] = 0.0
     problem = FilmProblem(rest, disc.triangles, fixed, stiffness, 0.3, 1e-9)
     state = solver.solve(
-        problem, start, vertex_normals(start, disc), (stiffness,), NewtonSettings(1e-10), no_progress
+        problem, Start(start, vertex_normals(start, disc), (stiffness,)), NewtonSettings(1e-10), no_progress
     )
     assert state.converged
     assert state.positions[:, 2].max() == pytest.approx(deflection, rel=0.001)

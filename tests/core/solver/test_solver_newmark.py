@@ -27,7 +27,7 @@ from BalloonWorkbench.core.solver.equilibrium.linear import IncompleteFactor, co
 from BalloonWorkbench.core.solver.inflate import inflate
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.solver.model import Model, film_problem
-from BalloonWorkbench.core.solver.problem import FilmProblem, NewtonSettings
+from BalloonWorkbench.core.solver.problem import FilmProblem, NewtonSettings, Start
 from BalloonWorkbench.core.types import Floats
 
 MYLAR = films()["mylar"]
@@ -340,7 +340,7 @@ def test_broken_mesh_is_refused() -> None:
     problem = FilmProblem(points, triangles, held(4), 10.0, 0.3, 1e-6)
     start = np.column_stack([np.nan_to_num(points), [0.0, 0.0, 0.0, 0.1]])
     with pytest.raises(SolverError, match="degenerate"):
-        motion.solve(problem, start, np.tile([0.0, 0.0, 1.0], (4, 1)), (10.0,), NewtonSettings())
+        motion.solve(problem, Start(start, np.tile([0.0, 0.0, 1.0], (4, 1)), (10.0,)), NewtonSettings())
 
 
 def test_failing_from_the_first_step_is_an_error(monkeypatch: pytest.MonkeyPatch) -> None:

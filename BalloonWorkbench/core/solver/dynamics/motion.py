@@ -9,13 +9,13 @@ method.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 
 import numpy as np
 
 from BalloonWorkbench.core.errors import Cancelled, SolverError
 from BalloonWorkbench.core.solver.dynamics.newmark import Newmark, Scheme, State
-from BalloonWorkbench.core.solver.problem import Equilibrium, FilmProblem, NewtonSettings
+from BalloonWorkbench.core.solver.problem import Equilibrium, FilmProblem, NewtonSettings, Start
 from BalloonWorkbench.core.types import Floats, Progress, no_progress
 
 #: Times are in units of sqrt(m L / p), in 2 of which the film is taut. With gamma below 0.8 a film that
@@ -58,9 +58,7 @@ def motion(newmark: Newmark, start: State, pressure: Callable[[float], float]) -
 
 def solve(
     problem: FilmProblem,
-    positions: Floats,
-    directors: Floats,
-    levels: Sequence[float],
+    start: Start,
     settings: NewtonSettings,
     progress: Progress = no_progress,
     record: Callable[[State], object] = lambda state: None,
@@ -77,7 +75,7 @@ def solve(
             raise Cancelled("The simulation was stopped.")
 
     newmark = Newmark(problem, SCHEME, watch)
-    flat, normals = pressed_flat(problem, positions, directors)
+    flat, normals = pressed_flat(problem, start.positions, start.directors)
     state = newmark.released(flat, normals, 0.0)
     record(state)
     resting = 0

@@ -24,19 +24,14 @@ from BalloonWorkbench.core.types import Floats, Ints
 
 
 class SeamBand:
-    """The band along all seams and welds of a panel; hinges (h, 3) are neighbours along one of them.
+    """The band along all seams and welds of a panel.
 
-    rigidities: E I of the band for each seam, then for each weld, which is an open line.
+    hinges      (h, 3) vertices that are neighbours along one of them
+    rigidities  (h,) E I of the band there
     """
 
-    def __init__(
-        self,
-        rest_positions: Floats,
-        seams: Sequence[Ints],
-        rigidities: Sequence[float],
-        welds: Sequence[Ints] = (),
-    ) -> None:
-        self.hinges = seam_hinges(seams, welds)
+    def __init__(self, rest_positions: Floats, hinges: Ints, rigidities: Floats) -> None:
+        self.hinges = hinges
         previous, middle, following = (rest_positions[self.hinges[:, corner]] for corner in range(3))
         before, after = middle - previous, following - middle
         length_before, length_after = np.linalg.norm(before, axis=1), np.linalg.norm(after, axis=1)
@@ -45,7 +40,7 @@ class SeamBand:
         turn = np.array([[cosine, -sine], [sine, cosine]]).transpose(2, 0, 1) / length_before[:, None, None]
         straight = np.eye(2)[None] / length_after[:, None, None]
         self._operator = np.concatenate([turn, -turn - straight, straight], axis=2)  # (h, 2, 6)
-        self._stiffness = 2.0 * hinge_rigidities(seams, rigidities, welds) / (length_before + length_after)
+        self._stiffness = 2.0 * rigidities / (length_before + length_after)
 
     def _kinks(self, positions: Floats) -> Floats:
         return np.einsum("hij,hj->hi", self._operator, positions[self.hinges][:, :, :2].reshape(-1, 6))

@@ -65,8 +65,8 @@ class Shell:
         if not np.all(self.vertex_areas):
             raise SolverError("The mesh has a vertex without triangles. Mesh the outline anew.")
         self._band: SeamBand | None = None
-        if problem.seams:
-            self._band = SeamBand(rest_positions, problem.seams, problem.seam_rigidities, problem.welds)
+        if problem.hinges is not None and problem.hinge_rigidities is not None:
+            self._band = SeamBand(rest_positions, problem.hinges, problem.hinge_rigidities)
 
         self.number, self.count = _numbered(fixed, problem.tied)
         at_corners = self.number[triangles]  # (m, 3, 5)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""When a balloon is at rest, as far as it can be seen.
+"""When a balloon is at rest, by its outline and its volume.
 
 The eye sees the outline, which is the seam, and the volume. The last steps of a solve move only crumples. A
 balloon that still sinks slowly shows it in both, step after step, though a step hardly lowers its energy.
@@ -20,8 +20,8 @@ STILL_SEAM = 0.1  # movement in a whole step, root mean square
 STILL_STEPS = 2  # in a row
 
 
-class Sight:
-    """What the eye sees of the steps of a solve."""
+class Convergence:
+    """Counts the steps of a solve after which outline and volume stay."""
 
     def __init__(self, fixed: Bools, tolerance: float) -> None:
         self._seam = np.flatnonzero(fixed[:, 2] & ~fixed[:, 0] & ~fixed[:, 1])

@@ -9,15 +9,15 @@ the mesh and lets the balloon move as a whole, so that as much of it serves on e
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from BalloonWorkbench.core.errors import Cancelled, SolverError
 from BalloonWorkbench.core.solver.element.shell import Shell, tangent_frames, turned
-from BalloonWorkbench.core.solver.equilibrium.convergence import Sight
-from BalloonWorkbench.core.solver.problem import Energies, Equilibrium, FilmProblem, NewtonSettings
+from BalloonWorkbench.core.solver.equilibrium.convergence import Convergence
+from BalloonWorkbench.core.solver.problem import Energies, Equilibrium, FilmProblem, NewtonSettings, Start
 from BalloonWorkbench.core.types import Floats, Progress, no_progress
 
 if TYPE_CHECKING:
@@ -43,71 +43,123 @@ MIDDLING_STEP = 0.5  # so that the next may be as long as that
 
 def solve(
     problem: FilmProblem,
-    positions: Floats,
-    directors: Floats,
-    levels: Sequence[float],
+    start: Start,
     settings: NewtonSettings,
     progress: Progress = no_progress,
 ) -> Equilibrium:
-    """Bring the film to rest, through the membrane stiffnesses in levels (the last one is the film's own).
+    """Bring the film to rest, through the membrane stiffnesses of the start.
 
-    positions (n, 3) and directors (n, 3) are the start. Raises Cancelled when progress asks for it and
-    SolverError when the start has no finite energy.
+    Raises Cancelled when progress asks for it and SolverError when the start has no finite energy.
     """
-    shell = Shell(problem)
-    shift = SHIFT * _masses(shell)
-    shell.tension = needed = 0.0
-    sight = Sight(problem.fixed, settings.tolerance)
-    steps = factorisations = 0
-    converged = False
-    for level, stiffness in enumerate(levels):
-        shell.membrane_stiffness = stiffness
-        last = level == len(levels) - 1
-        tolerance = settings.tolerance if last else LEVEL_TOLERANCE
-        energy = shell.energies(positions, directors)
-        if not np.isfinite(energy.total):
-            raise SolverError("The simulation has no finite start. Check the outline for degenerate parts.")
-        level_done = False
-        while not level_done and steps < settings.max_steps:
-            frames = tangent_frames(directors)
-            gradient, factor, tries = _definite_factor(shell, positions, directors, frames, shift)
-            factorisations += tries
-            if tries > 1:
-                needed = shell.tension
-            if factor is None:
-                return Equilibrium(positions, directors, steps, factorisations, False)
-            step = factor.solve(-gradient)
-            decrement = -0.5 * float(gradient @ step)
-            steps += 1
-            moves, turns = shell.spread(step)
-            length, trial = 1.0, energy
-            while length >= SHORTEST:
-                next_positions = positions + length * moves
-                next_directors = turned(directors, frames, length * turns)
-                trial = shell.energies(next_positions, next_directors)
-                if trial.total <= energy.total - SUFFICIENT * length * decrement:
-                    break
-                length *= 0.5
-            if length < SHORTEST:
-                level_done = decrement <= tolerance * abs(energy.total)
-                shell.tension = min(max(TENSION_GROWTH**2 * shell.tension, FIRST_TENSION), LARGEST_TENSION)
-            else:
-                held_back = last and shell.tension > HELD_BACK
-                at_rest = sight.at_rest(
-                    positions, next_positions, energy, trial, length, decrement, held_back
-                )
-                positions, directors, energy = next_positions, next_directors, trial
-                small = decrement <= tolerance * abs(energy.total)
-                level_done = not held_back and (small or at_rest)
-                needed *= NEED_DECAY
-                shell.tension = max(_next_tension(shell.tension, length), needed)
-            converged = last and level_done
-            if not progress(
-                (level + min(1.0, tolerance * abs(energy.total) / max(decrement, 1e-300))) / len(levels),
-                "inflating",
-            ):
+    newton = _Newton(problem, start, settings)
+    for level, stiffness in enumerate(start.levels):
+        newton.begin_level(stiffness, last=level == len(start.levels) - 1)
+        while not newton.level_done and newton.steps < settings.max_steps:
+            if not newton.step():
+                return newton.result(converged=False)
+            if not progress((level + newton.nearness()) / len(start.levels), "inflating"):
                 raise Cancelled("The simulation was stopped.")
-    return Equilibrium(positions, directors, steps, factorisations, converged)
+    return newton.result(converged=newton.last and newton.level_done)
+
+
+@dataclass(frozen=True)
+class _Trial:
+    """A state on the way of a step: this part of a Newton step from the one before."""
+
+    positions: Floats
+    directors: Floats
+    energy: Energies
+    length: float
+
+
+class _Newton:
+    """The state of the iteration, moved on step by step."""
+
+    def __init__(self, problem: FilmProblem, start: Start, settings: NewtonSettings) -> None:
+        self._shell = Shell(problem)
+        self._shift = SHIFT * _masses(self._shell)
+        self._shell.tension = self._needed = 0.0
+        self._settings = settings
+        self._convergence = Convergence(problem.fixed, settings.tolerance)
+        self._positions, self._directors = start.positions, start.directors
+        self.steps = self._factorisations = 0
+        self.last = self.level_done = False
+
+    def begin_level(self, stiffness: float, *, last: bool) -> None:
+        """Go on with another membrane stiffness."""
+        self._shell.membrane_stiffness = stiffness
+        self.last, self.level_done = last, False
+        self._tolerance = self._settings.tolerance if last else LEVEL_TOLERANCE
+        self._energy = self._shell.energies(self._positions, self._directors)
+        if not np.isfinite(self._energy.total):
+            raise SolverError("The simulation has no finite start. Check the outline for degenerate parts.")
+
+    def step(self) -> bool:
+        """One Newton step, or none where even the shortest part of it brings nothing.
+
+        False where no stiffness makes the Hessian positive definite.
+        """
+        shell = self._shell
+        frames = tangent_frames(self._directors)
+        gradient, factor, tries = _definite_factor(
+            shell, self._positions, self._directors, frames, self._shift
+        )
+        self._factorisations += tries
+        if tries > 1:
+            self._needed = shell.tension
+        if factor is None:
+            return False
+        step = factor.solve(-gradient)
+        self._decrement = -0.5 * float(gradient @ step)
+        self.steps += 1
+        trial = self._line_search(step, frames)
+        if trial is None:
+            self.level_done = self._small()
+            shell.tension = min(max(TENSION_GROWTH**2 * shell.tension, FIRST_TENSION), LARGEST_TENSION)
+        else:
+            self._accept(trial)
+        return True
+
+    def _line_search(self, step: Floats, frames: Floats) -> _Trial | None:
+        """The longest part of a step, halved again and again, that lowers the energy as it should."""
+        moves, turns = self._shell.spread(step)
+        length = 1.0
+        while length >= SHORTEST:
+            positions = self._positions + length * moves
+            directors = turned(self._directors, frames, length * turns)
+            energy = self._shell.energies(positions, directors)
+            if energy.total <= self._energy.total - SUFFICIENT * length * self._decrement:
+                return _Trial(positions, directors, energy, length)
+            length *= 0.5
+        return None
+
+    def _accept(self, trial: _Trial) -> None:
+        shell = self._shell
+        held_back = self.last and shell.tension > HELD_BACK
+        at_rest = self._convergence.at_rest(
+            self._positions,
+            trial.positions,
+            self._energy,
+            trial.energy,
+            trial.length,
+            self._decrement,
+            held_back,
+        )
+        self._positions, self._directors, self._energy = trial.positions, trial.directors, trial.energy
+        self.level_done = not held_back and (self._small() or at_rest)
+        self._needed *= NEED_DECAY
+        shell.tension = max(_next_tension(shell.tension, trial.length), self._needed)
+
+    def _small(self) -> bool:
+        return self._decrement <= self._tolerance * abs(self._energy.total)
+
+    def nearness(self) -> float:
+        """How near the level is to its end, 0 to 1."""
+        return min(1.0, self._tolerance * abs(self._energy.total) / max(self._decrement, 1e-300))
+
+    def result(self, *, converged: bool) -> Equilibrium:
+        """The state that was reached."""
+        return Equilibrium(self._positions, self._directors, self.steps, self._factorisations, converged)
 
 
 def _masses(shell: Shell) -> Floats:

@@ -7,17 +7,16 @@ A ctypes call releases the interpreter, so a window stays alive while the librar
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from contextlib import contextmanager
 
 import numpy as np
 
 from BalloonWorkbench.core.errors import Cancelled, SolverError
 from BalloonWorkbench.core.solver.element import orthotropic
-from BalloonWorkbench.core.solver.element.seam_band import hinge_rigidities, seam_hinges
 from BalloonWorkbench.core.solver.equilibrium import convergence, newton
 from BalloonWorkbench.core.solver.native.load import library as loaded_library
-from BalloonWorkbench.core.solver.problem import Energies, Equilibrium, FilmProblem, NewtonSettings
+from BalloonWorkbench.core.solver.problem import Energies, Equilibrium, FilmProblem, NewtonSettings, Start
 from BalloonWorkbench.core.types import Floats, Progress, no_progress
 
 _CANCELLED = 3
@@ -85,8 +84,9 @@ def _solver(library: ctypes.CDLL, problem: FilmProblem) -> Iterator[ctypes.c_voi
     fixed = np.ascontiguousarray(problem.fixed, dtype=np.uint8)
     tied = None if problem.tied is None else np.ascontiguousarray(problem.tied, dtype=np.int32)
     loads = None if problem.loads is None else np.ascontiguousarray(problem.loads, dtype=np.float64)
-    hinges = np.ascontiguousarray(seam_hinges(problem.seams, problem.welds))
-    rigidities = hinge_rigidities(problem.seams, problem.seam_rigidities, problem.welds)
+    none = np.zeros((0, 3), dtype=np.int32)
+    hinges = none if problem.hinges is None else np.ascontiguousarray(problem.hinges, dtype=np.int32)
+    rigidities = problem.hinge_rigidities
     grain = problem.grain
     material = _Material(
         problem.membrane_stiffness,
@@ -133,16 +133,14 @@ def _check(library: ctypes.CDLL, status: int) -> None:
 
 def solve(
     problem: FilmProblem,
-    positions: Floats,
-    directors: Floats,
-    levels: Sequence[float],
+    start: Start,
     settings: NewtonSettings,
     progress: Progress = no_progress,
 ) -> Equilibrium:
     """Bring the film to rest; the same contract and the same steps as newton.solve."""
-    positions = np.array(positions, dtype=np.float64, order="C")
-    directors = np.array(directors, dtype=np.float64, order="C")
-    stiffnesses = np.array(levels, dtype=np.float64)
+    positions = np.array(start.positions, dtype=np.float64, order="C")
+    directors = np.array(start.directors, dtype=np.float64, order="C")
+    stiffnesses = np.array(start.levels, dtype=np.float64)
     library, result = loaded_library(), _Result()
     failure = _Failure()
 
