@@ -66,7 +66,7 @@ def texts() -> list[Text]:
         layer = path.relative_to(PACKAGE).parts[0] if PACKAGE in path.parents else ""
         if (layer in _SPOKEN or str(path).endswith(_SPOKEN_FILE)) and not str(path).endswith(_SILENT):
             found |= {Text(OURS, source, True) for source in (*_sentences(tree), *_said(tree))}
-        if layer == "app" or "options" in path.parts:
+        if layer == "app" or path.parent == PACKAGE / "core" / "options":
             found |= {Text(OURS, source, True) for source in _choices(tree)}
         found |= {Text(OURS, source, True) for source in _titles(tree)}
     found |= {Text(OURS, source, True) for source in _data()}
@@ -94,6 +94,8 @@ def _named(tree: ast.AST) -> Iterator[Text]:
         elif name == "Property" and len(given) > 3 and isinstance(given[3], str):
             yield Text(PROPERTY, given[3])
             yield from _labels(node)
+        elif name == "result" and len(given) == 3 and isinstance(given[2], str):
+            yield Text(PROPERTY, given[2])
         elif _is_option(node):
             if not any(word.arg == "prop" and ast.unparse(word.value) == "''" for word in node.keywords):
                 yield Text(PROPERTY, str(given[2]))
@@ -102,7 +104,10 @@ def _named(tree: ast.AST) -> Iterator[Text]:
 
 def _is_option(node: ast.AST) -> bool:
     """A declaration of core/options: SECTION(Kind.LENGTH, default, "text", ...)."""
-    return isinstance(node, ast.Call) and len(node.args) > 2 and ast.unparse(node.args[0]).startswith("Kind.")
+    if not isinstance(node, ast.Call) or len(node.args) < 3:
+        return False
+    kind, _, text = node.args[:3]
+    return ast.unparse(kind).startswith("Kind.") and isinstance(getattr(text, "value", None), str)
 
 
 def _labels(node: ast.AST) -> Iterator[Text]:
@@ -135,17 +140,12 @@ def _sentences(tree: ast.AST) -> Iterator[str]:
 
 
 def _not_for_people(tree: ast.AST) -> Iterator[ast.AST]:
-    """Docstrings, annotations, tooltips, keys, declarations of options, the help of the command line."""
+    """Docstrings, annotations, tooltips, what is looked up, options, and the help of the command line."""
     for node in ast.walk(tree):
         if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant):
             yield node.value
-        if isinstance(node, ast.Call) and getattr(node.func, "id", "") in (
-            "Property",
-            "QT_TRANSLATE_NOOP",
-            "Section",
-        ):
-            yield node
-        if _is_option(node):
+        unread = ("Property", "result", "QT_TRANSLATE_NOOP", "Section")
+        if (isinstance(node, ast.Call) and getattr(node.func, "id", "") in unread) or _is_option(node):
             yield node
         if isinstance(node, ast.Call) and _called(node) in (
             "_Parser",

@@ -11,7 +11,7 @@ from BalloonWorkbench.app.document import arrange
 from BalloonWorkbench.app.document.kinds import is_artwork, leader
 from BalloonWorkbench.app.document.proxy import DocumentProxy
 from BalloonWorkbench.app.drawings.drawing_file import File, file_of, pixels_of, read_drawing
-from BalloonWorkbench.app.properties.property_table import Property, properties_of, results
+from BalloonWorkbench.app.properties.property_table import Property, properties_of, result, results
 from BalloonWorkbench.core.errors import ExportError, InputError
 from BalloonWorkbench.core.memoize import memoized
 from BalloonWorkbench.core.options.making import ArtworkOptions
@@ -29,11 +29,11 @@ PROPERTIES = (
         label="Shown side",
         entries=lambda: (FRONT, BACK),
     ),
-    Property("Length", "SeamLength", "Result", "Length of the weld", result=True),
-    Property("Length", "PatternWidth", "Result", "Width of the print with its marks", result=True),
-    Property("Length", "PatternHeight", "Result", "Height of the print with its marks", result=True),
-    Property("StringList", "Roles", "Result", "What to do along each wire of the shape", result=True),
-    Property("String", "Status", "Result", "Up to date, or what is wrong", result=True),
+    result("Length", "SeamLength", "Length of the weld"),
+    result("Length", "PatternWidth", "Width of the print with its marks"),
+    result("Length", "PatternHeight", "Height of the print with its marks"),
+    result("StringList", "Roles", "What to do along each wire of the shape"),
+    result("String", "Status", "Up to date, or what is wrong"),
     *arrange.PROPERTIES,
 )
 

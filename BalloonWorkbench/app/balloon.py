@@ -11,6 +11,7 @@ from BalloonWorkbench.app.properties.property_table import (
     Property,
     options_from,
     properties_of,
+    result,
     results,
     show_in_editor,
     with_switches,
@@ -46,28 +47,24 @@ PROPERTIES = (
     *with_switches(properties_of(InflationOptions), SWITCHES),
     *properties_of(ModelOptions),
     *size_goal.PROPERTIES,
-    Property("Length", "InflatedWidth", "Result", "Width of the inflated balloon", result=True),
-    Property("Length", "InflatedHeight", "Result", "Height of the inflated balloon", result=True),
-    Property("Length", "InflatedThickness", "Result", "Thickness of the inflated balloon", result=True),
-    Property("Volume", "Volume", "Result", "Volume of the inflated balloon", result=True),
-    Property("Area", "FilmArea", "Result", "Area of film inside the welds, both panels", result=True),
-    Property("Pressure", "ActivePressure", "Result", "Pressure in the inflated balloon", result=True),
-    Property("Float", "MaxTension", "Result", "Largest membrane tension in N/m", result=True),
-    Property("Float", "MaxStrain", "Result", "Largest strain of the film", result=True),
-    Property("Float", "WrinkledShare", "Result", "Part of the film's area that is wrinkled", result=True),
-    Property("Float", "SlackShare", "Result", "Part of the film's area that hangs loose", result=True),
-    Property("Length", "ResidualMean", "Result", "Mean distance between drawing and silhouette", result=True),
-    Property("Length", "ResidualP95", "Result", "Distance that 95 % of the silhouette keep to", result=True),
-    Property(
-        "Length", "ResidualMax", "Result", "Largest distance between drawing and silhouette", result=True
-    ),
-    Property(
-        "Bool", "Reached", "Result", "The silhouette is within the tolerance of the drawing", result=True
-    ),
-    Property("Bool", "Converged", "Result", "The balloon shown has come to rest", result=True),
-    Property("Integer", "Passes", "Result", "Corrections of the pattern", result=True),
-    Property("Integer", "NewtonSteps", "Result", "Steps of the solver in the last inflation", result=True),
-    Property("String", "ActiveBackend", "Result", "Solver that was used", result=True),
+    result("Length", "InflatedWidth", "Width of the inflated balloon"),
+    result("Length", "InflatedHeight", "Height of the inflated balloon"),
+    result("Length", "InflatedThickness", "Thickness of the inflated balloon"),
+    result("Volume", "Volume", "Volume of the inflated balloon"),
+    result("Area", "FilmArea", "Area of film inside the welds, both panels"),
+    result("Pressure", "ActivePressure", "Pressure in the inflated balloon"),
+    result("Float", "MaxTension", "Largest membrane tension in N/m"),
+    result("Float", "MaxStrain", "Largest strain of the film"),
+    result("Float", "WrinkledShare", "Part of the film's area that is wrinkled"),
+    result("Float", "SlackShare", "Part of the film's area that hangs loose"),
+    result("Length", "ResidualMean", "Mean distance between drawing and silhouette"),
+    result("Length", "ResidualP95", "Distance that 95 % of the silhouette keep to"),
+    result("Length", "ResidualMax", "Largest distance between drawing and silhouette"),
+    result("Bool", "Reached", "The silhouette is within the tolerance of the drawing"),
+    result("Bool", "Converged", "The balloon shown has come to rest"),
+    result("Integer", "Passes", "Corrections of the pattern"),
+    result("Integer", "NewtonSteps", "Steps of the solver in the last inflation"),
+    result("String", "ActiveBackend", "Solver that was used"),
     *size_goal.RESULTS,
     Property(
         "Float",
@@ -78,22 +75,14 @@ PROPERTIES = (
     ),
     Property("StringList", "Advice", "Result", "What would make the balloon better", result=True),
     *film_result.PROPERTIES,
-    Property("StringList", "Warnings", "Result", "Remarks made during the design", result=True),
-    Property("String", "Status", "Result", "Up to date, or what is wrong", result=True),
-    Property("String", "Report", "Result", "The whole report as JSON", result=True, hidden=True),
-    Property("VectorList", "SeamPoints", "Result", "Corners of the pattern's seam", result=True, hidden=True),
-    Property(
-        "IntegerList", "SeamCounts", "Result", "Number of corners of each seam", result=True, hidden=True
-    ),
-    Property(
-        "VectorList", "SeamWeldPoints", "Result", "Corners of the welds inside", result=True, hidden=True
-    ),
-    Property(
-        "IntegerList", "SeamWeldCounts", "Result", "Number of corners of each weld", result=True, hidden=True
-    ),
-    Property(
-        "String", "SolvedFor", "Result", "Label of the values the mesh belongs to", result=True, hidden=True
-    ),
+    result("StringList", "Warnings", "Remarks made during the design"),
+    result("String", "Status", "Up to date, or what is wrong"),
+    result("String", "Report", "The whole report as JSON", hidden=True),
+    result("VectorList", "SeamPoints", "Corners of the pattern's seam", hidden=True),
+    result("IntegerList", "SeamCounts", "Number of corners of each seam", hidden=True),
+    result("VectorList", "SeamWeldPoints", "Corners of the welds inside", hidden=True),
+    result("IntegerList", "SeamWeldCounts", "Number of corners of each weld", hidden=True),
+    result("String", "SolvedFor", "Label of the values the mesh belongs to", hidden=True),
 )
 
 

@@ -9,7 +9,13 @@ import json
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.document import arrange
 from BalloonWorkbench.app.document.proxy import DocumentProxy
-from BalloonWorkbench.app.properties.property_table import Property, options_from, properties_of, results
+from BalloonWorkbench.app.properties.property_table import (
+    Property,
+    options_from,
+    properties_of,
+    result,
+    results,
+)
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.options.making import SheetOptions
 
@@ -28,18 +34,18 @@ PROPERTIES = (
     ),
     *properties_of(SheetOptions),
     Property("Integer", "Shown", "Film", "Number of the sheet that is shown and exported", 1),
-    Property("Float", "Used", "Result", "Part of the film that the pieces take, in per cent", result=True),
-    Property("Length", "UsedLength", "Result", "Length of the roll that is used", result=True),
-    Property("Integer", "Sheets", "Result", "Number of sheets", result=True),
-    Property("Integer", "Pieces", "Result", "Number of pieces on what is shown", result=True),
-    Property("Length", "SeamLength", "Result", "Length of all welds on it", result=True),
-    Property("Length", "PatternWidth", "Result", "Width of all that is cut", result=True),
-    Property("Length", "PatternHeight", "Result", "Height of all that is cut", result=True),
-    Property("StringList", "Roles", "Result", "What to do along each wire of the shape", result=True),
-    Property("StringList", "Warnings", "Result", "Remarks on the layout", result=True),
-    Property("String", "Status", "Result", "Up to date, or what is wrong", result=True),
-    Property("String", "Layouts", "Result", "Where all pieces lie, as JSON", result=True, hidden=True),
-    Property("String", "LaidOutFor", "Result", "Label of what was laid out", result=True, hidden=True),
+    result("Float", "Used", "Part of the film that the pieces take, in per cent"),
+    result("Length", "UsedLength", "Length of the roll that is used"),
+    result("Integer", "Sheets", "Number of sheets"),
+    result("Integer", "Pieces", "Number of pieces on what is shown"),
+    result("Length", "SeamLength", "Length of all welds on it"),
+    result("Length", "PatternWidth", "Width of all that is cut"),
+    result("Length", "PatternHeight", "Height of all that is cut"),
+    result("StringList", "Roles", "What to do along each wire of the shape"),
+    result("StringList", "Warnings", "Remarks on the layout"),
+    result("String", "Status", "Up to date, or what is wrong"),
+    result("String", "Layouts", "Where all pieces lie, as JSON", hidden=True),
+    result("String", "LaidOutFor", "Label of what was laid out", hidden=True),
     *arrange.PROPERTIES,
 )
 

@@ -10,7 +10,13 @@ from BalloonWorkbench.app.document import arrange
 from BalloonWorkbench.app.document.kinds import leader
 from BalloonWorkbench.app.document.proxy import DocumentProxy
 from BalloonWorkbench.app.engine import repairs
-from BalloonWorkbench.app.properties.property_table import Property, properties_of, results, show_in_editor
+from BalloonWorkbench.app.properties.property_table import (
+    Property,
+    properties_of,
+    result,
+    results,
+    show_in_editor,
+)
 from BalloonWorkbench.core.options.drawing import ReadingOptions, SizeOptions
 from BalloonWorkbench.core.options.option import option_of
 
@@ -44,20 +50,16 @@ PROPERTIES = (
     *repairs.PROPERTIES,
     *arrange.PROPERTIES,
     arrange.FROM_SKETCH,
-    Property("String", "Kind", "Outline", "What the outline was read from", result=True),
-    Property("Length", "SizeX", "Outline", "Width of the outline", result=True),
-    Property("Length", "SizeY", "Outline", "Height of the outline", result=True),
-    Property("Integer", "HoleCount", "Outline", "Number of holes", result=True),
-    Property("StringList", "Notes", "Outline", "Remarks made while the outline was found", result=True),
-    Property("String", "Status", "Outline", "Up to date, or what is wrong", result=True),
-    Property("VectorList", "LoopPoints", "Outline", "Corners of all loops", result=True, hidden=True),
-    Property(
-        "IntegerList", "LoopCounts", "Outline", "Number of corners of each loop", result=True, hidden=True
-    ),
-    Property("VectorList", "LoopWeldPoints", "Outline", "Corners of all welds", result=True, hidden=True),
-    Property(
-        "IntegerList", "LoopWeldCounts", "Outline", "Number of corners of each weld", result=True, hidden=True
-    ),
+    result("String", "Kind", "What the outline was read from", group="Outline"),
+    result("Length", "SizeX", "Width of the outline", group="Outline"),
+    result("Length", "SizeY", "Height of the outline", group="Outline"),
+    result("Integer", "HoleCount", "Number of holes", group="Outline"),
+    result("StringList", "Notes", "Remarks made while the outline was found", group="Outline"),
+    result("String", "Status", "Up to date, or what is wrong", group="Outline"),
+    result("VectorList", "LoopPoints", "Corners of all loops", hidden=True, group="Outline"),
+    result("IntegerList", "LoopCounts", "Number of corners of each loop", hidden=True, group="Outline"),
+    result("VectorList", "LoopWeldPoints", "Corners of all welds", hidden=True, group="Outline"),
+    result("IntegerList", "LoopWeldCounts", "Number of corners of each weld", hidden=True, group="Outline"),
 )
 
 

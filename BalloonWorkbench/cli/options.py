@@ -18,6 +18,7 @@ from BalloonWorkbench.core.options.option import Kind, Option, options_of
 from BalloonWorkbench.core.options.table import options
 from BalloonWorkbench.core.units import (
     length_text,
+    number_text,
     parse_length,
     parse_mass,
     parse_pressure,
@@ -46,12 +47,12 @@ def degrees(text: str) -> float:
 _KINDS: dict[Kind, tuple[str, Callable[..., Any], Callable[[Any], str]]] = {
     Kind.LENGTH: ("LENGTH", parse_length, length_text),
     Kind.HEIGHT: ("LENGTH", parse_length, length_text),
-    Kind.ANGLE: ("DEGREES", degrees, "{:g}".format),
+    Kind.ANGLE: ("DEGREES", degrees, number_text),
     Kind.PRESSURE: ("PRESSURE", parse_pressure, pressure_text),
     Kind.VOLUME: ("VOLUME", parse_volume, str),
     Kind.MASS: ("MASS", parse_mass, str),
     Kind.TEMPERATURE: ("T", parse_temperature, temperature_text),
-    Kind.NUMBER: ("N", float, "{:g}".format),
+    Kind.NUMBER: ("N", float, number_text),
     Kind.COUNT: ("N", int, str),
     Kind.CHOICE: ("NAME", str, str),
     Kind.TEXT: ("TEXT", str, str),
@@ -154,8 +155,15 @@ def _argument(option: Option) -> dict[str, Any]:
         none = [NONE] if option.switch else []
         return told | {"choices": [*(value for value in option.titles if value is not None), *none]}
     if option.switch:
-        told |= {"nargs": "?", "const": NONE}
+        told |= {"nargs": "?", "const": True}
     return told | {"metavar": option.metavar or name}
+
+
+def metavar(option: Option) -> str:
+    """What is typed after an option: its kind of value, or what may be chosen."""
+    told = _argument(option)
+    choices = "{" + ",".join(told["choices"]) + "}" if "choices" in told else told.get("metavar", "")
+    return f"[{choices}]" if "nargs" in told else choices
 
 
 def help_text(option: Option) -> str:
@@ -176,8 +184,8 @@ def typed(arguments: argparse.Namespace, declaring: type[_Declared]) -> _Declare
             continue
         value = getattr(arguments, option.key)
         if option.switch:
-            values[option.switch] = value is not None and (value != NONE or option.kind is not Kind.CHOICE)
-            value = option.default if value == NONE else value
+            values[option.switch] = value not in (None, NONE)
+            value = option.default if value == NONE or value is True else value
         if value == 0.0 and option.default is None and option.kind in _MAY_BE_0 and not option.rivals:
             value = None
         values[option.name] = value

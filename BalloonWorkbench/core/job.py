@@ -39,6 +39,7 @@ from BalloonWorkbench.core.making.numbers import told as told_numbers
 from BalloonWorkbench.core.making.weight import film_and_valve
 from BalloonWorkbench.core.options.drawing import ReadingOptions
 from BalloonWorkbench.core.options.film import DEFAULT_FILM
+from BalloonWorkbench.core.options.option import unusual
 from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.options.simulation import InflationOptions
 from BalloonWorkbench.core.outline.chambers import linked
@@ -190,6 +191,7 @@ def _report(balloon: Balloon, file: str, kind: str) -> dict[str, Any]:
             settings.goal,
             part.numbers.valve,
         )
+        of_part["pattern"]["options"] = unusual(settings.wanted)
         of_part["maker"] = told_numbers(part.numbers)
         told.append(
             of_part | advice_report(advise_design(part.design, settings.film, wanted=settings.wanted))

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -15,13 +15,13 @@ from BalloonWorkbench.core.film.filling import Filling
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.geometry.triangulation import signed_areas
 from BalloonWorkbench.core.mesh.quality import min_angles
+from BalloonWorkbench.core.options.option import unusual
 from BalloonWorkbench.core.outline.drawing import Drawing
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.pattern.intake.kinds import intake_kind
 from BalloonWorkbench.core.pattern.pattern import Intake, Pattern
 from BalloonWorkbench.core.results.film_state import film_state, thickness
 from BalloonWorkbench.core.solver.inflation import Inflation
-from BalloonWorkbench.core.solver.model import Model
 from BalloonWorkbench.core.units import to_grams, to_mm
 
 SCHEMA = 2
@@ -145,7 +145,7 @@ def _solved(inflation: Inflation) -> dict[str, Any]:
         },
         "solve": {
             "integrator": "Newmark in time" if solve.backend == "newmark" else "quasi-static Newton",
-            "options": _options(solve.model),
+            "options": unusual(solve.model),
             "newton_steps": solve.newton_steps,
             "factorisations": solve.factorisations,
             "seconds": solve.seconds,
@@ -226,12 +226,6 @@ def _lift(design: Design, film: Film, pattern: Pattern, filling: Filling, valve:
 
 def _grain(film: Film, across: float) -> dict[str, Any]:
     return {"E_across_Pa": across, "angle_deg": float(np.degrees(film.grain_angle))}
-
-
-def _options(model: Model) -> dict[str, Any]:
-    """The options that are not as usual."""
-    usual = asdict(Model())
-    return {name: value for name, value in asdict(model).items() if value != usual[name]}
 
 
 def _stretch(stretch: UnreachedStretch) -> dict[str, Any]:

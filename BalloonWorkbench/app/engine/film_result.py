@@ -12,43 +12,23 @@ from dataclasses import asdict, replace
 
 import FreeCAD as App
 
-from BalloonWorkbench.app.properties.property_table import Property
+from BalloonWorkbench.app.properties.property_table import result
 
 PROPERTIES = (
-    Property("VectorList", "PanelPoints", "Result", "Vertices of the flat panel", result=True, hidden=True),
-    Property(
-        "IntegerList", "PanelTriangles", "Result", "Vertices of each triangle", result=True, hidden=True
-    ),
-    Property(
-        "IntegerList",
-        "PanelLines",
-        "Result",
-        "Vertices along all seams, then along all welds inside",
-        result=True,
-        hidden=True,
-    ),
-    Property(
+    result("VectorList", "PanelPoints", "Vertices of the flat panel", hidden=True),
+    result("IntegerList", "PanelTriangles", "Vertices of each triangle", hidden=True),
+    result("IntegerList", "PanelLines", "Vertices along all seams, then along all welds inside", hidden=True),
+    result(
         "IntegerList",
         "PanelLineCounts",
-        "Result",
         "Number of seams, then the number of vertices of each seam and weld",
-        result=True,
         hidden=True,
     ),
-    Property(
-        "VectorList", "FilmPoints", "Result", "Vertices of the inflated upper film", result=True, hidden=True
+    result("VectorList", "FilmPoints", "Vertices of the inflated upper film", hidden=True),
+    result(
+        "VectorList", "LowerFilmPoints", "Vertices of the lower film where both were simulated", hidden=True
     ),
-    Property(
-        "VectorList",
-        "LowerFilmPoints",
-        "Result",
-        "Vertices of the lower film where both were simulated",
-        result=True,
-        hidden=True,
-    ),
-    Property(
-        "String", "SolvedWith", "Result", "Film, model and solver of the result", result=True, hidden=True
-    ),
+    result("String", "SolvedWith", "Film, model and solver of the result", hidden=True),
 )
 
 

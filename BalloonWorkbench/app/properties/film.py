@@ -4,9 +4,9 @@
 from __future__ import annotations
 
 from BalloonWorkbench.app.properties.property_table import (
-    Property,
     options_from,
     properties_of,
+    result,
     show_in_editor,
     write_options,
 )
@@ -17,9 +17,7 @@ CUSTOM = "Custom"
 PROPERTIES = (
     *(item._replace(entries=None) for item in properties_of(MaterialOptions)),  # see `offer`
     *properties_of(FilmOptions),
-    Property(
-        "String", "Material", "Film", "FreeCAD's material card that the values were taken from", result=True
-    ),
+    result("String", "Material", "FreeCAD's material card that the values were taken from", group="Film"),
 )
 #: How its panels are joined, and whether a laser may cut it.
 _JOINING = ("joining", "one_side", "laser")

@@ -41,6 +41,11 @@ class Property(NamedTuple):
     option: Option | None = None
 
 
+def result(kind: str, name: str, tooltip: str, *, hidden: bool = False, group: str = "Result") -> Property:
+    """A property that the object itself writes."""
+    return Property(kind, name, group, tooltip, result=True, hidden=hidden)
+
+
 #: The property of each kind of option, and its unit in SI: FreeCAD counts in mm, kg, s and degrees.
 _property_types = {
     Kind.LENGTH: ("Length", 1e-3),

@@ -13,6 +13,7 @@ from BalloonWorkbench.app.properties.property_table import (
     engine_value,
     options_from,
     properties_of,
+    result,
     show_in_editor,
     with_switches,
     write_options,
@@ -40,14 +41,10 @@ PROPERTIES = (
     *properties_of(FillingOptions),
 )
 RESULTS = (
-    Property("Float", "Weight", "Result", "Film of both panels with weld and intake, in grams", result=True),
-    Property(
-        "Float", "Lift", "Result", "What it carries with its gas, in grams; below 0 it sinks", result=True
-    ),
-    Property("Bool", "Floats", "Result", "It carries itself", result=True),
-    Property(
-        "Length", "FloatsFrom", "Result", "Width from which it carries itself; 0 when never", result=True
-    ),
+    result("Float", "Weight", "Film of both panels with weld and intake, in grams"),
+    result("Float", "Lift", "What it carries with its gas, in grams; below 0 it sinks"),
+    result("Bool", "Floats", "It carries itself"),
+    result("Length", "FloatsFrom", "Width from which it carries itself; 0 when never"),
 )
 
 

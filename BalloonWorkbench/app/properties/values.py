@@ -5,13 +5,13 @@ from __future__ import annotations
 
 import json
 import os
-import re
 from typing import Any
 
 from BalloonWorkbench.app import balloon, outline, pattern
 from BalloonWorkbench.app.properties import quantities
 from BalloonWorkbench.app.properties.property_table import Property
 from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.options.option import snake
 
 #: They decide about others, so they come first.
 _FIRST = ("film", "load", "size_goal", "drawing", "source")
@@ -33,11 +33,6 @@ def places() -> dict[str, tuple[str, Property]]:
                 twice = part == "balloon" and item.name in cut
                 found[("film_" if twice else "") + snake(item.name)] = (part, item)
     return found
-
-
-def snake(name: str) -> str:
-    """MeshSize to mesh_size."""
-    return re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name).lower()
 
 
 def check(names) -> None:

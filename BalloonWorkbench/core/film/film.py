@@ -5,6 +5,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from BalloonWorkbench.core.options.film import FilmOptions
+
 #: Metallic; see-through and shiny; fibres; without any shine.
 LOOKS = ("foil", "clear", "paper", "matt")
 
@@ -53,7 +55,7 @@ class Film:
     poisson_ratio: float  # nu
     thickness: float  # t [m]
     areal_density: float  # [kg/m2]
-    seal_width: float = 5e-3  # [m]
+    seal_width: float = FilmOptions.seal_width  # [m]
     max_stress: float | None = None  # tensile strength [Pa], if known
     title: str = ""
     note: str = ""

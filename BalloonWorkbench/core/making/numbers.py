@@ -122,7 +122,7 @@ def maker_numbers(
             seen[each.gas.name] = _floating(each, inflation, film, seam.area, grown, valve, width, data)
     return Numbers(
         2.0 * pattern.film_area,
-        film_of_roll(pattern, film, data.roll_width),
+        film_on_roll(pattern, film, data.roll_width),
         pattern.seam_length,
         2.0 * film.areal_density * seam.area,
         2.0 * film.areal_density * grown,
@@ -163,8 +163,11 @@ def _floating(
     )
 
 
-def film_of_roll(pattern: Pattern, film: Film, width: float) -> tuple[float, float] | None:
-    """Width and length [m] for both panels, by the boxes around them: nesting may need less."""
+def film_on_roll(pattern: Pattern, film: Film, width: float) -> tuple[float, float] | None:
+    """Width and length of film for both panels on a roll, by the boxes around them: nesting may need less.
+
+    None where the roll is too narrow.
+    """
     pieces, stock = [Piece(pattern, 1, 1, film.lies)], Stock(width)
     try:
         check(pieces, stock)

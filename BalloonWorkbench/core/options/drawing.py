@@ -4,8 +4,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 
-from BalloonWorkbench.core.options.option import Kind, Section
+from BalloonWorkbench.core.options.option import Kind, Section, titles_in
 
 DRAWING, SIZE, FILLING = Section("Drawing"), Section("Size"), Section("Filling")
 
@@ -47,18 +48,12 @@ class GoalOptions:
         decimals=1, most=1e7)
 
 
-def _gases() -> dict[str, str]:
-    from BalloonWorkbench.core.film.filling import gases
-
-    return {gas.name: gas.title for gas in gases().values()}
-
-
 @dataclass(frozen=True)
 class FillingOptions:
     """What it is filled with, and the air around it; temperatures [K], altitude [m]."""
 
     gas: str = FILLING(Kind.CHOICE, "helium", "What fills it when it shall float", label="Gas",
-        choices=_gases, metavar="NAME")
+        choices=partial(titles_in, "gases.json"), metavar="NAME")
     gas_temperature: float | None = FILLING(Kind.TEMPERATURE, None, "Of warm air, in degrees Celsius",
         typed="Of the gas, such as 80C; by default that of the air, 80C for warm-air", begins=353.15)
     air_temperature: float = FILLING(Kind.TEMPERATURE, 293.15, "Around the balloon, in degrees Celsius",

@@ -4,18 +4,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 
-from BalloonWorkbench.core.options.option import Kind, Section
+from BalloonWorkbench.core.options.option import Kind, Section, titles_in
 
 FILM = Section("Film")
 UNKNOWN = "Unknown"
 DEFAULT_FILM = "mylar"
-
-
-def _films() -> dict[str, str]:
-    from BalloonWorkbench.core.film.library import films
-
-    return {film.name: film.title for film in films().values()}
 
 
 # fmt: off
@@ -25,8 +20,8 @@ class MaterialOptions:
 
     material: str | None = FILM(Kind.CHOICE, None,
         "What the balloon is made of; Custom lets you give your own values", label="Film", prop="Film",
-        typed="Film of the library",
-        choices=_films, metavar="NAME", begins=DEFAULT_FILM, preference="Film")
+        typed=f"Film of the library, by default {DEFAULT_FILM}, one of",
+        choices=partial(titles_in, "films"), metavar="NAME", begins=DEFAULT_FILM, preference="Film")
 
 
 @dataclass(frozen=True)

@@ -4,19 +4,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 
-from BalloonWorkbench.core.options.option import Kind, Section
+from BalloonWorkbench.core.options.option import Kind, Section, titles_in
 
 MAKING, ARTWORK, SHEET = Section("Making"), Section("Artwork"), Section("Film", topic="Layout on film")
 #: What becomes of a pattern that is larger than the bed: no file, the file all the same, a smaller balloon.
 REFUSE, WRITE, SCALE = "refuse", "write", "scale"
 MOST_BALLOONS = 100
-
-
-def _machines() -> dict[str, str]:
-    from BalloonWorkbench.core.machines.machine import machines
-
-    return {machine.name: machine.title for machine in machines().values()}
 
 
 # fmt: off
@@ -26,7 +21,7 @@ class MachineOptions:
 
     machine: tuple[str, ...] = MAKING(Kind.CHOICE, (),
         "Also write what a machine reads: the name of one, or a .json file; may be repeated", prop="",
-        choices=_machines, metavar="NAME")
+        choices=partial(titles_in, "machines"), metavar="NAME")
     bed: str | None = MAKING(Kind.TEXT, None,
         "What the machine can work on, such as 600mmx400mm, 600mm for a roll, or none; by default as its"
         " file has it", prop="", metavar="WIDTH[xHEIGHT]")

@@ -3,10 +3,18 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field, fields, replace
 from enum import Enum
+from functools import cache
+from pathlib import Path
 from typing import Any
+
+from BalloonWorkbench.core.files.data_file import UNUSABLE, data_files, read_data
+
+_RESOURCES = Path(__file__).resolve().parents[3] / "resources"
 
 
 class Kind(Enum):
@@ -88,6 +96,11 @@ class Option:
         return "--" + self.name.replace("_", "-") if self.flag is None else self.flag
 
     @property
+    def api_name(self) -> str:
+        """Its name in the Python API: that of the property in small letters; empty without one."""
+        return snake(self.property_name)
+
+    @property
     def titles(self) -> dict[Any, str]:
         """What may be chosen: the values, with titles for people."""
         return dict(self.choices() if callable(self.choices) else self.choices or {})
@@ -106,6 +119,11 @@ class Option:
         return next(value for value, known in self.titles.items() if known == title)
 
 
+def snake(name: str) -> str:
+    """MeshSize to mesh_size."""
+    return re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name).lower()
+
+
 @dataclass(frozen=True)
 class Section:
     """Options that belong together: their group, the page of the panel where it is not the object's, and
@@ -122,6 +140,19 @@ class Section:
         return field(default=default, metadata={"option": declared})
 
 
+@cache
+def titles_in(name: str, first: str = "") -> Mapping[str, str]:
+    """Names and titles of what a folder or file of resources describes; what is of no use there has none."""
+    place = _RESOURCES / name
+    known: dict[str, str] = {}
+    for path in data_files(lambda: place) if place.is_dir() else [place]:
+        with suppress(*UNUSABLE):
+            told = read_data(path)
+            described = {told["name"]: told} if place.is_dir() else told
+            known |= {each: str(entry["title"]) for each, entry in described.items()}
+    return {each: known[each] for each in sorted(known, key=lambda each: (each != first, each))}
+
+
 def options_of(declaring: type) -> tuple[Option, ...]:
     """The options that a dataclass declares, in their order."""
     return tuple(
@@ -134,3 +165,9 @@ def options_of(declaring: type) -> tuple[Option, ...]:
 def option_of(declaring: type, name: str) -> Option:
     """One of them."""
     return next(option for option in options_of(declaring) if option.name == name)
+
+
+def unusual(options: Any) -> dict[str, Any]:
+    """The options of a dataclass that are not as usual, by name."""
+    own = ((option, getattr(options, option.name)) for option in options_of(type(options)))
+    return {option.name: value for option, value in own if value != option.default}

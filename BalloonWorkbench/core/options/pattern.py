@@ -4,8 +4,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 
-from BalloonWorkbench.core.options.option import Kind, Section
+from BalloonWorkbench.core.options.option import Kind, Section, titles_in
 
 #: The usual kind of intake.
 STRAW = "straw"
@@ -13,12 +14,6 @@ STRAW = "straw"
 FARTHEST, LOW = "farthest", "low"
 MOST_COPIES, MOST_NOTCHES = 100, 1000
 WELD, INTAKE, MARKS = Section("Pattern"), Section("Intake"), Section("Marks")
-
-
-def _intakes() -> dict[str, str]:
-    from BalloonWorkbench.core.pattern.intake.kinds import intake_kinds
-
-    return {kind.name: kind.title for kind in intake_kinds().values()}
 
 
 # fmt: off
@@ -44,7 +39,7 @@ class PatternOptions:
     intake: bool = INTAKE(Kind.FLAG, True, "Add what the balloon is filled through", label="Air intake",
         flag="")
     intake_kind: str = INTAKE(Kind.CHOICE, STRAW, "How the balloon is filled and closed", label="Kind",
-        flag="--intake", choices=_intakes, switch="intake", needs="Intake")
+        flag="--intake", choices=partial(titles_in, "intakes", STRAW), switch="intake", needs="Intake")
     intake_width: float | None = INTAKE(Kind.LENGTH, None, "Inner width of the neck, or bore of the nozzle",
         label="Width", begins=0.01, needs="Intake")
     intake_length: float | None = INTAKE(Kind.LENGTH, None,

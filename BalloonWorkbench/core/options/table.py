@@ -29,9 +29,9 @@ DECLARED: tuple[type, ...] = (
     PatternOptions,
     MachineOptions,
     ResultOptions,
+    AssemblyOptions,
     ArtworkOptions,
     SheetOptions,
-    AssemblyOptions,
 )
 
 

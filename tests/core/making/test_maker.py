@@ -15,7 +15,7 @@ from solver_cases import circle
 from BalloonWorkbench.core.film.filling import ROOM, Filling, gas, gases
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.film.library import FOLDER, film, films
-from BalloonWorkbench.core.making.numbers import Numbers, film_of_roll, maker_numbers, told
+from BalloonWorkbench.core.making.numbers import Numbers, maker_numbers, told
 from BalloonWorkbench.core.making.safety import FILM, WELD, safety_with
 from BalloonWorkbench.core.making.trade_figures import FILE, making
 from BalloonWorkbench.core.mesh.sizing import size_for
@@ -107,8 +107,8 @@ def test_film_of_the_roll() -> None:
     outline = corners_of((0.0, 0.0), (0.2, 0.0), (0.2, 0.1), (0.0, 0.1))
     pattern = build_pattern(outline, 0.005, PatternOptions(allowance=0.002, intake=False))
     for width, length in ((0.3, 0.220), (0.15, 0.437), (0.6, 0.120)):
-        assert film_of_roll(pattern, FOIL, width) == pytest.approx((width, length), abs=2e-4)
-    assert film_of_roll(pattern, FOIL, 0.1) is None
+        assert film_on_roll(pattern, FOIL, width) == pytest.approx((width, length), abs=2e-4)
+    assert film_on_roll(pattern, FOIL, 0.1) is None
 
 
 @pytest.mark.parametrize("name", ["mylar", "bopp-foil"])
@@ -119,10 +119,9 @@ def test_film_that_is_told_is_what_a_layout_takes(name: str, monkeypatch: pytest
     made_of = film(name)
     seam = Outline(NAMED["heart"].outer * 0.3 / NAMED["heart"].size[0])
     pattern = build_pattern(seam, made_of.seal_width)
-    roll = film_of_roll(pattern, made_of, 0.5)
     pieces = pieces_of(pattern, pattern, 1, made_of.lies)
     (layout,), _ = nesting.nest(pieces, Stock(0.5))
-    assert roll == pytest.approx((0.5, layout.length), abs=1e-9)
+    assert film_on_roll(pattern, made_of, 0.5) == pytest.approx((0.5, layout.length), abs=1e-9)
     assert layout.length > 2.0 * pattern.film_area / 0.5
     if name == "mylar":
         assert layout.length < 0.45

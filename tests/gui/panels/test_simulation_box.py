@@ -9,10 +9,10 @@ from BalloonWorkbench.app.border import status
 
 def test_a_volume_instead_of_the_pressure(opened):
     balloon = opened.balloon
-    assert not hands.find("TargetVolume").isEnabled()
+    assert hands.find("TargetVolume").isHidden()
     hands.choose(hands.find("Load"), "Volume")
-    assert hands.find("TargetVolume").isEnabled()
-    assert not hands.find("Pressure").isEnabled()
+    assert not hands.find("TargetVolume").isHidden()
+    assert hands.find("Pressure").isHidden()
     assert hands.find("TargetVolume").property("rawValue") == pytest.approx(balloon.Volume.Value, rel=0.01)
     wanted = 1.05 * balloon.Volume.Value
     hands.type_into(hands.find("TargetVolume"), f"{wanted * 1e-6:.6f} l")

@@ -11,21 +11,17 @@ from BalloonWorkbench.app.outline import PROPERTIES, read_all, set_drawing
 from BalloonWorkbench.core.tracing.segment import DRAWN_AS
 from BalloonWorkbench.core.units import to_mm
 from BalloonWorkbench.gui.panels.widgets.drawing_preview import Preview, notes_of
-from BalloonWorkbench.gui.panels.widgets.fields import Fields, PropertyForm, ReturnKey
-from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
+from BalloonWorkbench.gui.panels.widgets.fields import PropertyPage, ReturnKey
+from BalloonWorkbench.gui.qt import QtWidgets, translate
 from BalloonWorkbench.gui.window import file_dialogs as choose
 from BalloonWorkbench.gui.window import macro_recorder
 
 
-class FileBox(QtWidgets.QWidget):
-    """Chooses the drawing of an outline. `changed` follows each edit, `refused` carries a message."""
-
-    changed = QtCore.Signal()
-    refused = QtCore.Signal(str)
+class FileBox(PropertyPage):
+    """Chooses the drawing of an outline."""
 
     def __init__(self, outline):
-        super().__init__()
-        self.outline = outline
+        super().__init__(outline)
         self._placed = "", ""  # the drawing, and how it is read, for which _place holds
         self._place = None
         self.path = QtWidgets.QLineEdit(os.path.basename(outline.Drawing))
@@ -39,60 +35,53 @@ class FileBox(QtWidgets.QWidget):
         row = QtWidgets.QHBoxLayout()
         row.addWidget(self.path)
         row.addWidget(browse)
-        self.fields = Fields(outline, self)
         self.preview = Preview()
         self.notes = QtWidgets.QLabel()
         self.notes.setWordWrap(True)
-        self.form = form = PropertyForm(self.fields, self)
+        form, sizes = self.form, {"Width": lambda: self._size()[0], "Height": lambda: self._size()[1]}
         form.addRow(QtWidgets.QLabel(translate("File")))
         form.addRow(row)
         for item in PROPERTIES:
             if item.label:
-                self.form.add(item, self._sizes().get(item.name))
+                form.add(item, sizes.get(item.name))
         form.addRow(self.preview)
         form.addRow(self.notes)
         browse.clicked.connect(self._browse)
         self.path.editingFinished.connect(self._take_path)
         ReturnKey(self.path, self._take_path)
-        self.fields.changed.connect(self._edited)
 
     def choose(self, path: str) -> None:
         """Take a file as the drawing."""
         try:
-            set_drawing(self.outline, path)
+            set_drawing(self.obj, path)
         except OSError:
             self.refused.emit(translate("There is no file {}: check the name and the folder.").format(path))
             return
-        macro_recorder.came_from(self.outline, path)
+        macro_recorder.came_from(self.obj, path)
         self.path.setText(os.path.basename(path))
         self.path.setModified(False)
         self.changed.emit()
 
     def finish_typing(self) -> None:
-        self.fields.finish_typing()
+        super().finish_typing()
         self._take_path()
 
     def refresh(self) -> None:
-        self.form.refresh()
-        asked = self.outline.Drawing, DRAWN_AS[self.outline.DrawnAs]
+        super().refresh()
+        asked = self.obj.Drawing, DRAWN_AS[self.obj.DrawnAs]
         if asked != self._placed:
             self._placed = asked
-            self._place = place_in_picture(*asked) if self.outline.Drawing else None
-        self.preview.show(self.outline, self._place)
-        self.notes.setText(notes_of(self.outline))
+            self._place = place_in_picture(*asked) if self.obj.Drawing else None
+        self.preview.show(self.obj, self._place)
+        self.notes.setText(notes_of(self.obj))
 
     def release(self) -> None:
-        """The panel closes."""
         self.path.setModified(False)
-        self.fields.release()
-
-    def _sizes(self):
-        """What a size of 0 comes to."""
-        return {"Width": lambda: self._size()[0], "Height": lambda: self._size()[1]}
+        super().release()
 
     def _size(self) -> tuple[float, float]:
         """Width and height of the whole drawing in mm; 0 while there is none."""
-        outline = self.outline
+        outline = self.obj
         if not status.is_ready(outline):
             return 0.0, 0.0
         if any(getattr(other, "Leader", None) == outline for other in outline.InList):
@@ -100,9 +89,9 @@ class FileBox(QtWidgets.QWidget):
             return to_mm(width), to_mm(height)
         return outline.SizeX.Value, outline.SizeY.Value
 
-    def _edited(self, name: str) -> None:
+    def edited(self, name: str) -> None:
         """With the proportions kept, the side that was given last decides; without, both are given."""
-        outline, driven = self.outline, dict(self.outline.ExpressionEngine)
+        outline, driven = self.obj, dict(self.obj.ExpressionEngine)
         if outline.KeepAspect:
             for other in {"Width": ("Height",), "Height": ("Width",)}.get(name, ()):
                 if getattr(outline, other).Value and other not in driven:
@@ -110,7 +99,7 @@ class FileBox(QtWidgets.QWidget):
         elif name == "KeepAspect":
             width, height = self._size()
             outline.Width, outline.Height = outline.Width.Value or width, outline.Height.Value or height
-        self.changed.emit()
+        super().edited(name)
 
     def _browse(self) -> None:
         path = choose.ask_for_drawing(self)

@@ -7,26 +7,20 @@ from BalloonWorkbench.app.balloon import PROPERTIES
 from BalloonWorkbench.app.properties import film as film_values
 from BalloonWorkbench.app.properties.film import CUSTOM
 from BalloonWorkbench.gui.panels.balloon.card_box import CardBox
-from BalloonWorkbench.gui.panels.widgets.fields import Fields, PropertyForm
+from BalloonWorkbench.gui.panels.widgets.fields import PropertyPage
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.window.sentences import tell
 
 
-class FilmBox(QtWidgets.QWidget):
-    """Edits a balloon's film, pressure and size. `changed` follows each edit, `refused` carries a message."""
-
-    changed = QtCore.Signal()
-    refused = QtCore.Signal(str)
+class FilmBox(PropertyPage):
+    """Edits a balloon's film, pressure and size."""
 
     def __init__(self, balloon):
-        super().__init__()
-        self.balloon = balloon
-        self.fields = Fields(balloon, self)
+        super().__init__(balloon)
         film_values.offer(balloon)
         self.card = CardBox(balloon)
         self.card.changed.connect(self.changed)
         self.card.refused.connect(self.refused)
-        self.form = PropertyForm(self.fields, self)
         for item in PROPERTIES:
             if item.label and item.page != "Solver":
                 self.form.add(item)
@@ -34,20 +28,15 @@ class FilmBox(QtWidgets.QWidget):
                 _describe(self.fields.widget(item.name))
                 self.form.addRow(QtWidgets.QLabel(translate("Material")))
                 self.form.addRow(self.card)
-        self.fields.changed.connect(lambda name: self.changed.emit())
-
-    def finish_typing(self) -> None:
-        self.fields.finish_typing()
 
     def release(self) -> None:
-        """The panel closes."""
         self.card.release()
-        self.fields.release()
+        super().release()
 
     def refresh(self) -> None:
-        self.form.refresh()
+        super().refresh()
         self.card.refresh()
-        if self.balloon.Film != CUSTOM:  # the library's films have no grain
+        if self.obj.Film != CUSTOM:  # the library's films have no grain
             for name in ("YoungModulusAcross", "GrainAngle"):
                 self.form.show_row(name, False)
 

@@ -9,24 +9,20 @@ from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.pattern import PROPERTIES, choose_kind
 from BalloonWorkbench.app.shapes.pattern_shape import PLACE
 from BalloonWorkbench.core.errors import BalloonError
-from BalloonWorkbench.gui.panels.widgets.fields import Fields, PropertyForm
+from BalloonWorkbench.gui.panels.widgets.fields import PropertyPage
 from BalloonWorkbench.gui.panels.widgets.narrow import WrappedLabel
-from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
+from BalloonWorkbench.gui.qt import QtWidgets, translate
 from BalloonWorkbench.gui.view3d.intake_handle import IntakeHandle
 from BalloonWorkbench.gui.window.sentences import tell
 
 
-class PatternBox(QtWidgets.QWidget):
-    """Edits a pattern. `changed` follows each edit."""
-
-    changed = QtCore.Signal()
+class PatternBox(PropertyPage):
+    """Edits a pattern."""
 
     def __init__(self, pattern):
-        super().__init__()
-        self.pattern = pattern
+        super().__init__(pattern)
         self.handle: IntakeHandle | None = None
-        self.fields = fields = Fields(pattern, self)
-        self.form = form = PropertyForm(fields, self)
+        form = self.form
         self.note, self.advice = WrappedLabel(), WrappedLabel()
         self.note.setObjectName("HowToFill")
         self.advice.setObjectName("PatternAdvice")
@@ -53,23 +49,17 @@ class PatternBox(QtWidgets.QWidget):
         self.sketch.setObjectName("MakeSketch")
         self.sketch.setToolTip(translate("A new Sketcher sketch of lines and arcs, to go on with in FreeCAD"))
         form.addRow(self.sketch)
-        fields.changed.connect(self._edited)
         self.sketch.clicked.connect(self._make_sketch)
         self.drag.toggled.connect(self._follow_drag)
 
-    def finish_typing(self) -> None:
-        self.fields.finish_typing()
-
     def release(self) -> None:
-        """The panel closes."""
         self.drag.setChecked(False)
         self._remove_handle()
-        self.fields.release()
+        super().release()
 
     def refresh(self) -> None:
-        """Show the values, and only those that have an effect."""
-        pattern = self.pattern
-        self.form.refresh()
+        super().refresh()
+        pattern = self.obj
         self.note.setText(tell(pattern.HowToFill))
         self.note.setVisible(bool(pattern.HowToFill))
         self.advice.setText("\n".join(tell(text) for text in pattern.Warnings))
@@ -82,24 +72,24 @@ class PatternBox(QtWidgets.QWidget):
 
     def _without(self, item):
         """What a value of 0 comes to, where the balloon has that."""
-        balloon, option = self.pattern.Balloon, item.option
+        balloon, option = self.obj.Balloon, item.option
         known = option is not None and option.default is None and item.name in balloon.PropertiesList
         return (lambda: getattr(balloon, item.name).Value) if known else None
 
-    def _edited(self, name: str) -> None:
+    def edited(self, name: str) -> None:
         if name == "IntakeKind":
-            choose_kind(self.pattern, self.pattern.IntakeKind)
-        self.changed.emit()
+            choose_kind(self.obj, self.obj.IntakeKind)
+        super().edited(name)
 
     def _follow_drag(self, pressed: bool) -> None:
         self._remove_handle()
-        if pressed and self.pattern is not None and self.pattern.Roles:
-            self.handle = IntakeHandle(self.pattern, self._dropped)
+        if pressed and self.obj is not None and self.obj.Roles:
+            self.handle = IntakeHandle(self.obj, self._dropped)
 
     def _dropped(self, along: float) -> None:
         """The intake was put to a place along the seam [mm]."""
-        self.pattern.IntakeAuto, self.pattern.IntakeBy = False, PLACE
-        self.pattern.IntakeAlong = along
+        self.obj.IntakeAuto, self.obj.IntakeBy = False, PLACE
+        self.obj.IntakeAlong = along
         self.changed.emit()
 
     def _make_sketch(self, _checked: bool = False) -> None:
@@ -107,7 +97,7 @@ class PatternBox(QtWidgets.QWidget):
 
         self.finish_typing()
         try:
-            sketch = make_sketch(self.pattern)
+            sketch = make_sketch(self.obj)
         except BalloonError as error:
             self.advice.setText(tell(str(error)))
             self.advice.setVisible(True)

@@ -11,6 +11,7 @@ from BalloonWorkbench.app import artwork
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.properties import values
 from BalloonWorkbench.core.errors import BalloonError
+from BalloonWorkbench.core.options.option import snake
 from BalloonWorkbench.gui.paint.preview.painting_display import MODE
 from BalloonWorkbench.gui.panels import show
 from BalloonWorkbench.gui.panels.widgets.fields import PropertyForm
@@ -74,7 +75,7 @@ class ArtworkPanel(ObjectPanel):
                 translate("There is no file {}: check the name and the folder.").format(path)
             )
             return
-        self.files[values.snake(name)] = macro_recorder.text(path)
+        self.files[snake(name)] = macro_recorder.text(path)
         self.update()
 
     def update(self) -> None:

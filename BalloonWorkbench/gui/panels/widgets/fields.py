@@ -224,29 +224,60 @@ class PropertyForm(NarrowForm):
     def __init__(self, fields: Fields, *parent):
         super().__init__(*parent)
         self.fields = fields
-        self._labels: dict[str, QtWidgets.QWidget] = {}
+        self._rows: dict[str, tuple] = {}
 
     def add(self, item: Property, free: Callable[[], float] | None = None) -> None:
         """The row of a property; free: see `Fields.quantity`."""
         field = self.fields.of(item, free)
-        label = QtWidgets.QLabel("" if item.type == "Bool" else translate(item.label))
-        self._labels[item.name] = label
         if item.type == "Bool":
+            self._rows[item.name] = (field,)
             self.addRow(field)
             return
+        label = QtWidgets.QLabel(translate(item.label))
         label.setBuddy(field)
+        self._rows[item.name] = label, field
         self.addRow(label, field)
 
     def refresh(self) -> None:
         """Show the values, and only those that have an effect."""
         self.fields.refresh()
-        for name in self._labels:
+        for name in self._rows:
             self.show_row(name, "Hidden" not in self.fields.obj.getEditorMode(name))
 
     def show_row(self, name: str, shown: bool) -> None:
         """Show a row or hide it."""
-        self.fields.widget(name).setVisible(shown)
-        self._labels[name].setVisible(shown)
+        for widget in self._rows[name]:
+            widget.setVisible(shown)
+
+
+class PropertyPage(QtWidgets.QWidget):
+    """A page of a panel that edits an object: `changed` follows each edit, `refused` carries a message."""
+
+    changed = QtCore.Signal()
+    refused = QtCore.Signal(str)
+
+    def __init__(self, obj):
+        super().__init__()
+        self.obj = obj
+        self.fields = Fields(obj, self)
+        self.form = PropertyForm(self.fields, self)
+        self.fields.changed.connect(self.edited)
+
+    def edited(self, _name: str) -> None:
+        """The user has edited a property."""
+        self.changed.emit()
+
+    def finish_typing(self) -> None:
+        """Take over what is still being typed."""
+        self.fields.finish_typing()
+
+    def refresh(self) -> None:
+        """Show the values."""
+        self.form.refresh()
+
+    def release(self) -> None:
+        """The panel closes."""
+        self.fields.release()
 
 
 def _give_room(widget) -> None:
