@@ -15,7 +15,7 @@ from solver_cases import circle
 from BalloonWorkbench.core.film.filling import ROOM, Filling, gas, gases
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.film.library import FOLDER, film, films
-from BalloonWorkbench.core.making.numbers import Numbers, maker_numbers, told
+from BalloonWorkbench.core.making.numbers import Numbers, film_on_roll, maker_numbers, told
 from BalloonWorkbench.core.making.safety import FILM, WELD, safety_with
 from BalloonWorkbench.core.making.trade_figures import FILE, making
 from BalloonWorkbench.core.mesh.sizing import size_for
