@@ -37,10 +37,8 @@ PACKAGES = {
     "pythoncdt": Package(
         "pythoncdt", "MPL-2.0 AND BSD-3-Clause AND Apache-2.0 WITH LLVM-exception", optional=True
     ),
-    "reportlab": Package("reportlab", "BSD-3-Clause", True),
     "matplotlib": Package("matplotlib", "PSF-2.0", True),
     "opencv-python-headless": Package("cv2", "Apache-2.0", True),
-    "pillow": Package("PIL", "MIT-CMU", True),
     "spyrrow": Package("spyrrow", "MIT", True),
 }
 

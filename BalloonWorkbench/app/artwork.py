@@ -139,7 +139,7 @@ def _printing(obj, dpi: float):
 def write(obj, folder, machine_names=("any-dxf", "any-svg")) -> list[Path]:
     """Write both sides as PNG and PDF, and what cutters read, with the same marks; returns the files.
 
-    Without reportlab there is no PDF. A machine that cannot make it is left out, which the report view tells.
+    Without matplotlib there is no PDF. A machine that cannot make it is left out: the report view tells.
     Raises ExportError, and writes nothing, when something is not up to date or cannot be made.
     """
     import FreeCAD as App

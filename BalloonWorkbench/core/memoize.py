@@ -83,8 +83,6 @@ def _parts(value: Any) -> Any:
     if isinstance(value, np.ndarray):
         yield f"{value.dtype.str}{value.shape}".encode()
         yield np.ascontiguousarray(value).tobytes()
-    elif isinstance(value, bytes):
-        yield value
     elif isinstance(value, (tuple, list)):
         yield f"{len(value)} items".encode()
         for item in value:
@@ -96,7 +94,7 @@ def _parts(value: Any) -> Any:
         for field in fields(value):
             if field.compare:
                 yield from _parts(getattr(value, field.name))
-    elif value is None or isinstance(value, (bool, int, float, str, Enum, Path)):
+    elif value is None or isinstance(value, (bool, int, float, str, bytes, Enum, Path)):
         yield f"{type(value).__name__} {value!r}".encode(errors="surrogatepass")
     else:
         raise TypeError(f"{type(value).__name__} is no value that a result can be kept for")

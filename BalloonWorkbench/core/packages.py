@@ -13,13 +13,12 @@ ABSENCES = {
     "numpy": "Nothing can be computed without it; documents open and keep their shapes.",
     "scipy": "No balloon can be inflated anew without it; patterns can be changed and written.",
     "shapely": "No pattern can be drawn anew without it; documents keep theirs.",
-    "cv2": "Pictures are read by Qt and traced with SciPy or NumPy instead, a little slower.",
+    "cv2": "Pictures are read by Qt and traced with SciPy instead, a little slower.",
     "ezdxf": "DXF files can be neither read nor written without it; SVG files can.",
     "svgelements": "SVG files can be written but not read without it; pictures, DXF and JSON can be read.",
     "pythoncdt": "SciPy triangulates instead, a little slower.",
-    "matplotlib": "Previews and labels need it; everything else works.",
+    "matplotlib": "PDF files, previews and labels need it; DXF, SVG and HPGL can be written.",
     "spyrrow": "Panels are laid on the film in rows instead of closely; nothing else changes.",
-    "reportlab": "PDF files need it; DXF, SVG and HPGL can be written.",
 }
 #: One sentence for a Python that was built or packed without it, as in some Snaps.
 NO_CTYPES = (
@@ -73,15 +72,15 @@ def ezdxf() -> Any:
     return package
 
 
-def reportlab_canvas() -> Any:
-    """The class Canvas of the package reportlab. Raises MissingPackageError."""
+def matplotlib_pdf() -> Any:
+    """What matplotlib writes PDF with, its backend_pdf. Raises MissingPackageError."""
     try:
-        from reportlab.pdfgen.canvas import Canvas
+        from matplotlib.backends import backend_pdf
     except ImportError as error:
         raise MissingPackageError(
-            "Writing PDF needs reportlab: install it with pip install reportlab, or use the SVG file."
+            "Writing PDF needs matplotlib: install it with pip install matplotlib, or use the SVG file."
         ) from error
-    return Canvas
+    return backend_pdf
 
 
 def matplotlib_text() -> Any:

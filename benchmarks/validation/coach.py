@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The coach's findings before any simulation, against the simulation of generated shapes."""
+"""The coach's findings before the design, against the simulation of generated shapes."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.tracing.picture import read_picture
 
-FIRST, SHAPES = 2000, 240  # seeds; the constants in core/coach come from those below
+FIRST, SHAPES = 2000, 240  # seeds
 FITTED = 200  # of these once more, with the pattern corrected
 #: What makes a finding of a rule true in the simulation.
 TRUE_WHEN = {
@@ -86,8 +86,7 @@ def coach(images: Path) -> Section:
         pass
     text = paragraphs(
         f"""{SHAPES} generated outlines of 0.3 m ({", ".join(KINDS)}, in equal parts), film "mylar" at
-        {PRESSURE / 1e3:g} kPa, each its own pattern; not those that the coach's constants come from. The
-        coach sees the outline alone; the simulation has
+        {PRESSURE / 1e3:g} kPa, each its own pattern. The coach inflates it once, coarsely; the simulation has
         about {VERTICES} vertices. Whether a finding is true is measured on the inflated mesh at the
         finding's place, by code of its own (`tests/core/coach_study.py`). Recall counts the places where
         the generator drew such a part, or for notches all places of the outer rim, and the simulation shows
@@ -118,7 +117,7 @@ def coach(images: Path) -> Section:
         [(rule, *one.row) for rule, one in sorted(mended.items())],
     )
     text += "\n" + paragraphs(
-        """The example pictures before any simulation, dark where the balloon will be thick: hints blue,
+        """The example pictures before the design, dark where the balloon will be thick: hints blue,
         warnings orange, serious findings red."""
     )
     figures.advice(_pictures(), images / "validation-coach.png")

@@ -19,7 +19,7 @@ _LEFT_OUT = (
     "core.types",
     "core.packages",
     "core.recent",
-    "core.language.fonts",
+    "core.pages.fonts",
 )
 
 

@@ -9,7 +9,7 @@ import pytest
 
 
 @pytest.mark.parametrize(
-    "name", ["numpy", "scipy.sparse.linalg", "cv2", "ezdxf", "shapely", "pythoncdt", "reportlab"]
+    "name", ["numpy", "scipy.sparse.linalg", "cv2", "ezdxf", "shapely", "pythoncdt", "matplotlib"]
 )
 def test_package_is_importable(name: str) -> None:
     assert importlib.import_module(name).__name__ == name

@@ -19,7 +19,7 @@ from BalloonWorkbench.core.tracing import raster
 @contextmanager
 def without(*names: str, folder: Path) -> Iterator[None]:
     """Packages that cannot be imported; "native" is the library, looked for in an empty folder."""
-    cached = (raster.opencv, raster.ndimage, load._load, backend.available)
+    cached = (raster.opencv, load._load, backend.available)
     with pytest.MonkeyPatch.context() as patch:
         for name in names:
             for module in [name, *(known for known in sys.modules if known.startswith(f"{name}."))]:

@@ -177,7 +177,7 @@ class Score:
 def compared(
     case: Flawed, scores: dict[str, Score], name: str = "", fitted: bool = False
 ) -> tuple[Advice, Truth]:
-    """Advice on a shape before any simulation, counted against what its simulation shows."""
+    """Advice on a shape before its design, counted against what its simulation shows."""
     truth = Truth(case, fitted)
     advice = advise(case.outline, FILM, fitted=fitted)
     count(case, truth, advice, scores, name)

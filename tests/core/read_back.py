@@ -102,15 +102,17 @@ def svg_lines(text: str) -> tuple[Lines, float]:
     for path in picture.elements(lambda element: isinstance(element, svgelements.Path)):
         if path.stroke is None or path.stroke.value is None:
             continue
-        points: list[tuple[float, float]] = []
-        drawn = [segment for segment in path if not isinstance(segment, svgelements.Move)]
-        for segment in drawn:
-            straight = isinstance(segment, (svgelements.Line, svgelements.Close))
-            for share in (0.0, 1.0) if straight else np.linspace(0.0, 1.0, _STEPS):
-                at = segment.point(share)
-                points.append((float(at.x), picture.height - float(at.y)))
-        closed = isinstance(drawn[-1], svgelements.Close)
-        found.append((path.stroke.hex, line(np.array(points) * _PIXEL, closed)))
+        for part in path.as_subpaths():
+            points: list[tuple[float, float]] = []
+            drawn = [segment for segment in part if not isinstance(segment, svgelements.Move)]
+            for segment in drawn:
+                straight = isinstance(segment, (svgelements.Line, svgelements.Close))
+                for share in (0.0, 1.0) if straight else np.linspace(0.0, 1.0, _STEPS):
+                    at = segment.point(share)
+                    points.append((float(at.x), picture.height - float(at.y)))
+            if drawn:
+                closed = isinstance(drawn[-1], svgelements.Close)
+                found.append((path.stroke.hex, line(np.array(points) * _PIXEL, closed)))
     return found, picture.height * _PIXEL
 
 

@@ -135,10 +135,10 @@ def test_without_pythoncdt_scipy_meshes(drawing: Path, balloon: Balloon, tmp_pat
     assert other.design.inflation.volume == pytest.approx(balloon.design.inflation.volume, rel=1e-3)
 
 
-def test_without_reportlab_other_machines_are_served(balloon: Balloon, tmp_path: Path) -> None:
-    with without("reportlab", folder=tmp_path):
+def test_without_matplotlib_other_machines_are_served(balloon: Balloon, tmp_path: Path) -> None:
+    with without("matplotlib", folder=tmp_path):
         assert machine_file(balloon.patterns[0], machine("hpgl-plotter"))
-        with pytest.raises(MissingPackageError, match="pip install reportlab"):
+        with pytest.raises(MissingPackageError, match="pip install matplotlib"):
             machine_file(balloon.patterns[0], machine("paper"))
 
 

@@ -98,29 +98,30 @@ def is_check(node: ast.AST, known: set[str]) -> bool:
 def checks(statements: list[ast.stmt], known: set[str]) -> bool:
     """Whether something is checked on every way through these statements."""
     for statement in statements:
-        if isinstance(statement, ast.If):
-            if is_checked(statement.test, known) or (
-                checks(statement.body, known) and checks(statement.orelse, known)
-            ):
-                return True
-        elif isinstance(statement, ast.Try):
-            if checks(statement.finalbody, known) or (
-                checks([*statement.body, *statement.orelse], known)
-                and all(checks(handler.body, known) for handler in statement.handlers)
-            ):
-                return True
-        elif isinstance(statement, (ast.For, ast.While, ast.With)):
-            heads = [statement.iter] if isinstance(statement, ast.For) else []
-            heads += [item.context_expr for item in getattr(statement, "items", [])]
-            if any(is_checked(head, known) for head in heads) or checks(statement.body, known):
-                return True
-        elif isinstance(statement, ast.Return):
+        if isinstance(statement, ast.Return):
             return statement.value is not None and is_checked(statement.value, known)
-        elif isinstance(statement, ast.Continue):
+        if isinstance(statement, ast.Continue):
             return False
+        if isinstance(statement, (ast.If, ast.Try, ast.For, ast.While, ast.With)):
+            if checks_inside(statement, known):
+                return True
         elif not isinstance(statement, ast.FunctionDef) and is_checked(statement, known):
             return True
     return False
+
+
+def checks_inside(statement: ast.If | ast.Try | ast.For | ast.While | ast.With, known: set[str]) -> bool:
+    """The same for a statement that has others in it."""
+    if isinstance(statement, ast.If):
+        both = checks(statement.body, known) and checks(statement.orelse, known)
+        return both or is_checked(statement.test, known)
+    if isinstance(statement, ast.Try):
+        all_ways = checks([*statement.body, *statement.orelse], known)
+        all_ways = all_ways and all(checks(handler.body, known) for handler in statement.handlers)
+        return all_ways or checks(statement.finalbody, known)
+    heads = [statement.iter] if isinstance(statement, ast.For) else []
+    heads += [item.context_expr for item in getattr(statement, "items", [])]
+    return any(is_checked(head, known) for head in heads) or checks(statement.body, known)
 
 
 def is_checked(node: ast.AST, known: set[str]) -> bool:

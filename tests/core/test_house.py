@@ -53,7 +53,7 @@ ROOMS = [
 ROOMS += ["solver", "design", "correction", "results", "pattern", "nesting", "making", "machines", "pictures"]
 ROOMS += ["artwork", "assembly_sheet", "advice"]
 
-OPTIONAL = ["cv2", "scipy", "ezdxf", "shapely", "pythoncdt", "matplotlib", "reportlab", "PIL"]
+OPTIONAL = ["cv2", "scipy", "ezdxf", "shapely", "pythoncdt", "matplotlib", "PIL"]
 OPTIONAL += ["spyrrow"]
 
 

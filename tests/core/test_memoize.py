@@ -19,6 +19,8 @@ from BalloonWorkbench.core.types import Floats
 
 @dataclass(frozen=True)
 class Request:
+    """A request as a value."""
+
     points: Floats
     size: float | None = None
     path: str = field(default="", compare=False)
@@ -88,14 +90,14 @@ def test_a_curve_does_not_depend_on_those_before(monkeypatch: pytest.MonkeyPatch
     turn = np.linspace(0.0, 2.0 * np.pi, 90, endpoint=False)
     points = np.column_stack([0.1 * np.cos(turn) + 0.01 * np.cos(5.0 * turn), 0.07 * np.sin(turn)])
     alone = fit_curve(points, True)
-    for other in (points + 3e-12 * np.sin(9.0 * turn)[:, None], points + (0.1234567, 1.0 / 3.0)):
+    for other in (points + 3e-12 * np.sin(9.0 * turn)[:, None], points + np.array([0.1234567, 1.0 / 3.0])):
         forget()
         fit_curve(other, True)
         again = fit_curve(points, True)
         assert np.array_equal(again.joints, alone.joints)
         assert np.array_equal(again.bulges, alone.bulges)
     monkeypatch.setattr(arcs, "_fit", None)
-    copy = fit_curve(points + (0.5, -0.25), True)  # copies are alike, and found once
+    copy = fit_curve(points + np.array([0.5, -0.25]), True)  # copies are alike, and found once
     assert np.allclose(copy.joints - alone.joints, (0.5, -0.25), rtol=0.0, atol=1e-15)
 
 

@@ -58,7 +58,7 @@ class Finding:
     rule      its name in resources/advice/rules.json
     place     (x, y) m, in the drawing
     extent    stretches (k, 2) m of the outline, or lines across the shape, that it is about
-    measured  what was predicted or measured, and `limit` what it was compared with, in the rule's own unit
+    measured  what was found on the balloon, and `limit` what it was compared with, in the rule's own unit
     """
 
     rule: str
@@ -91,7 +91,7 @@ class Advice:
 
     puffiness  V / A^1.5 relative to a disc's, A the area of one panel: 1 is as round as film can be
     findings   the worst first
-    inflated   measured from a simulation; else predicted from the outline
+    inflated   measured on the finished balloon; else on a coarse one of the first pattern
     """
 
     puffiness: float

@@ -35,7 +35,7 @@ def sharp_notches(subject: Subject) -> Iterator[Finding]:
     reach = PEAK_REACH * subject.size
     limit = rules()["notch"].first(subject.scales)
     for notch in notches(subject.outline):
-        measured = subject.gauge.peak(notch.place, reach, notch.radius)
+        measured = subject.gauge.peak(notch.place, reach)
         wanted = min(reach * measured / limit, _LARGEST_RADIUS * subject.size)
         found = subject.finding(
             "notch",

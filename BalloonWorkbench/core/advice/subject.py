@@ -9,7 +9,7 @@ from functools import cached_property
 import numpy as np
 
 from BalloonWorkbench.core.advice.findings import Finding, Repair
-from BalloonWorkbench.core.advice.gauge import FITTED_THICKNESS, NARROW_GROWTH, Gauge
+from BalloonWorkbench.core.advice.gauge import Gauge
 from BalloonWorkbench.core.advice.places import ThinPart, simple_line, thin_parts
 from BalloonWorkbench.core.advice.repairs import repaired
 from BalloonWorkbench.core.advice.rules import rules
@@ -22,6 +22,8 @@ from BalloonWorkbench.core.types import Floats
 
 #: Thickness of a tube of film over its flat width.
 TUBE = 2.0 / np.pi
+#: Width of the film over the drawn width of an arm, where the pattern is corrected: a round tube's.
+ARM_GROWTH = np.pi / 2.0
 #: Marks follow the outline to this part of the size.
 _DETAIL = 1e-3
 
@@ -60,9 +62,10 @@ class Subject:
     def intakes(self, wish: Wish) -> list[Floats]:
         """Where in the drawing the intakes sit (2,) [m]; none where the pattern refuses them."""
         try:
-            return [self.gauge.drawn(place) for place in self._places.of(wish)]
+            places = self._places.of(wish)
         except (InputError, OutlineError):
             return []
+        return places if self.seam is self.outline else [self.gauge.drawn(place) for place in places]
 
     @property
     def size(self) -> float:
@@ -72,7 +75,7 @@ class Subject:
     @property
     def growth(self) -> float:
         """Flat width of the film over drawn width, in narrow parts."""
-        return NARROW_GROWTH if self.fitted else 1.0
+        return ARM_GROWTH if self.fitted else 1.0
 
     @cached_property
     def scales(self) -> dict[str, float]:
@@ -86,7 +89,7 @@ class Subject:
 
     def width_for(self, thickness: float) -> float:
         """Drawn width of a narrow part that becomes so thick."""
-        return thickness / (TUBE * (FITTED_THICKNESS if self.fitted else 1.0))
+        return thickness / (TUBE * self.growth)
 
     def thin(self, width: float) -> list[ThinPart]:
         """The parts drawn narrower than a width."""

@@ -97,7 +97,7 @@ def tips(subject: Subject) -> Iterator[Finding]:
     for part in subject.thin(_MARGIN * width):
         if part.kind is not Kind.TIP:
             continue
-        flat = _flat_length(subject, part, enough / subject.gauge.at_tips)
+        flat = _flat_length(subject, part, enough)
         found = subject.finding(
             "flat_tip",
             flat / subject.size,

@@ -3,10 +3,10 @@
 
 from __future__ import annotations
 
-import io
 import struct
 import zlib
 from collections.abc import Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -14,12 +14,12 @@ import numpy as np
 from BalloonWorkbench.core.artwork.picture import Pixels
 from BalloonWorkbench.core.artwork.sheet import Sheet
 from BalloonWorkbench.core.errors import MissingPackageError
-from BalloonWorkbench.core.packages import reportlab_canvas
+from BalloonWorkbench.core.pages.fonts import fonts_for
+from BalloonWorkbench.core.pages.pdf import POINT, draw_line, pdf, picture
 from BalloonWorkbench.core.pattern.pattern import Role
-from BalloonWorkbench.core.units import INCH, from_mm
+from BalloonWorkbench.core.units import INCH, to_mm
 
-_POINT = INCH / 72.0  # m
-_LINE = from_mm(0.25)
+_LINE = 0.25  # mm
 
 
 def artwork_files(front: Sheet, back: Sheet) -> tuple[dict[str, bytes], tuple[str, ...]]:
@@ -63,44 +63,19 @@ def _chunk(kind: bytes, content: bytes) -> bytes:
 def artwork_pdf(sheets: Sequence[Sheet]) -> bytes:
     """A page in real size for each sheet: the picture, and the marks as lines.
 
-    The same bytes for the same sheets. MissingPackageError without reportlab or Pillow.
+    The same bytes for the same sheets. MissingPackageError without matplotlib.
     """
-    stream = io.BytesIO()
-    # invariant: no date and no identifier that changes
-    canvas = reportlab_canvas()(stream, invariant=1)
-    canvas.setTitle("Balloon artwork")
-    canvas.setAuthor("")
-    canvas.setViewerPreference("PrintScaling", "None")  # printers must not fit the page
-    for sheet in sheets:
-        width, height = (length / _POINT for length in sheet.size)
-        canvas.setPageSize((width, height))
-        canvas.drawImage(_image(sheet.pixels), 0.0, 0.0, width, height, mask="auto")
-        _draw_marks(canvas, sheet)
-        canvas.showPage()
-    canvas.save()
-    return stream.getvalue()
+    title = "Balloon artwork"
+    return pdf(title, fonts_for(title, ""), [(_size(sheet), partial(_draw, sheet)) for sheet in sheets])
 
 
-def _image(pixels: Pixels) -> Any:
-    try:
-        from PIL import Image
-        from reportlab.lib.utils import ImageReader
-    except ImportError as error:
-        raise MissingPackageError(
-            "Artwork as PDF needs Pillow: install it with pip install pillow, or use the PNG files."
-        ) from error
-    return ImageReader(Image.fromarray(np.ascontiguousarray(pixels)))
+def _size(sheet: Sheet) -> tuple[float, float]:
+    """Width and height [mm]."""
+    width, height = sheet.size
+    return to_mm(width), to_mm(height)
 
 
-def _draw_marks(canvas: Any, sheet: Sheet) -> None:
-    canvas.setStrokeColor("#000000")
-    canvas.setLineWidth(_LINE / _POINT)
+def _draw(sheet: Sheet, axes: Any) -> None:
+    picture(axes, sheet.pixels, (0.0, 0.0, *_size(sheet)))
     for contour in sheet.pattern.of(Role.REGISTRATION):
-        points = ((contour.points - sheet.origin) / _POINT).tolist()
-        course = canvas.beginPath()
-        course.moveTo(*points[0])
-        for point in points[1:]:
-            course.lineTo(*point)
-        if contour.closed:
-            course.close()
-        canvas.drawPath(course, stroke=1, fill=0)
+        draw_line(axes, to_mm(contour.points - sheet.origin), contour.closed, lw=_LINE / POINT)

@@ -8,9 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from BalloonWorkbench.core.errors import MissingPackageError
 from BalloonWorkbench.core.tracing.picture import placed_drawing, shrunk
-from BalloonWorkbench.core.tracing.raster import opencv
+from BalloonWorkbench.core.tracing.raster import ndimage, opencv
 from BalloonWorkbench.core.tracing.segment import AUTO, segment
 from BalloonWorkbench.core.types import Bools, Floats
 
@@ -97,13 +96,8 @@ def carried_on(pixels: Pixels, inside: Bools) -> Pixels:
         source = np.zeros(int(labels.max()) + 1, dtype=np.intp)
         source[labels[inside]] = np.flatnonzero(inside)
         return np.asarray(pixels.reshape(-1, 4)[source[labels]])
-    try:
-        from scipy.ndimage import distance_transform_edt
-    except ImportError as error:
-        raise MissingPackageError(
-            "Artwork needs OpenCV or SciPy: install the package python3-opencv or python3-scipy."
-        ) from error
-    rows, columns = distance_transform_edt(~inside, return_distances=False, return_indices=True)
+    nearest = ndimage().distance_transform_edt(~inside, return_distances=False, return_indices=True)
+    rows, columns = nearest
     return np.asarray(pixels[rows, columns])
 
 

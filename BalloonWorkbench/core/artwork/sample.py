@@ -3,10 +3,12 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 import numpy as np
 from numpy.typing import NDArray
 
-from BalloonWorkbench.core.tracing.raster import opencv
+from BalloonWorkbench.core.tracing.raster import ndimage, opencv
 
 Pixels = NDArray[np.uint8]
 Places = NDArray[np.float32]
@@ -25,18 +27,10 @@ def sampled(pixels: Pixels, columns: Places, rows: Places) -> Pixels:
         if pixels[..., 3].min() == 255:
             return np.asarray(cv2.remap(pixels, columns, rows, **mix))
         return _unweighted(cv2.remap(_weighted(pixels), columns, rows, **mix))
-    height, width = pixels.shape[:2]
-    x, y = np.clip(columns, 0.0, width - 1.0), np.clip(rows, 0.0, height - 1.0)
-    left, top = (
-        np.minimum(x.astype(np.intp), max(width - 2, 0)),
-        np.minimum(y.astype(np.intp), max(height - 2, 0)),
+    mix_plain = partial(ndimage().map_coordinates, coordinates=(rows, columns), order=1, mode="nearest")
+    return _unweighted(
+        np.stack([mix_plain(channel) for channel in np.moveaxis(_weighted(pixels), 2, 0)], axis=-1)
     )
-    right, below = np.minimum(left + 1, width - 1), np.minimum(top + 1, height - 1)
-    across, down = (x - left)[..., None], (y - top)[..., None]
-    values = _weighted(pixels)
-    upper = values[top, left] + across * (values[top, right] - values[top, left])
-    lower = values[below, left] + across * (values[below, right] - values[below, left])
-    return _unweighted(upper + down * (lower - upper))
 
 
 def _weighted(pixels: Pixels) -> NDArray[np.float32]:

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import io
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
@@ -14,12 +13,14 @@ from BalloonWorkbench.core.assembly_sheet.pen import ACCENT, BAND, INK, RULE, SO
 from BalloonWorkbench.core.assembly_sheet.steps import steps
 from BalloonWorkbench.core.assembly_sheet.texts import figures, material
 from BalloonWorkbench.core.assembly_sheet.valve_figure import draw_valve, has_valve
-from BalloonWorkbench.core.errors import ExportError, MissingPackageError
+from BalloonWorkbench.core.errors import ExportError
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.geometry.polyline import bounds
-from BalloonWorkbench.core.language.fonts import fonts_for, readable, shown
 from BalloonWorkbench.core.machines.layers import LAYERS
 from BalloonWorkbench.core.making.numbers import Numbers
+from BalloonWorkbench.core.packages import matplotlib_pdf
+from BalloonWorkbench.core.pages.fonts import fonts_for, readable, shown
+from BalloonWorkbench.core.pages.pdf import pdf, picture
 from BalloonWorkbench.core.pattern.pattern import Pattern, Role
 from BalloonWorkbench.core.pictures.render import balloon_picture
 from BalloonWorkbench.core.solver.inflation import Inflation
@@ -28,7 +29,6 @@ from BalloonWorkbench.core.units import from_mm, length_text, number_text, size_
 
 #: Pages by name, upright [mm].
 PAGES = {"A4": (210.0, 297.0), "Letter": (215.9, 279.4)}
-_INCH = 25.4
 _MARGIN = 13.0
 #: Scales of the drawing: 1 to so many.
 _SCALES = (*np.arange(1.0, 8.0, 0.5), *range(8, 12), 12, 15, 20, 25, 30, 40, 50, 75, 100)
@@ -69,33 +69,13 @@ def assembly_pdf(subject: Subject, paper: str = "A4", say: Say = in_english) -> 
     size = PAGES.get("A4" if paper.upper() == "A4" else paper.capitalize())
     if size is None:
         raise ExportError(f'There is no paper "{paper}" for the assembly sheet: choose A4 or Letter.')
-    try:
-        from matplotlib import style
-        from matplotlib.backends.backend_pdf import FigureCanvasPdf
-        from matplotlib.figure import Figure
-    except ImportError as error:
-        raise MissingPackageError(
-            "The assembly sheet needs matplotlib: install it with pip install matplotlib."
-        ) from error
+    matplotlib_pdf()
     say = readable(say, "Assembly sheet")
     film = replace(subject.film, title=shown(subject.film.title), name=shown(subject.film.name))
     subject = replace(subject, title=shown(subject.title), film=film)
     fonts = fonts_for(say("Assembly sheet"), subject.title + say(film.title))
-    own = {"pdf.fonttype": fonts.kind, "pdf.compression": 6, "font.family": list(fonts.families)}
-    with style.context(["default", own]):  # not as the user's other diagrams
-        figure = Figure(figsize=(size[0] / _INCH, size[1] / _INCH))
-        canvas = FigureCanvasPdf(figure)
-        axes = figure.add_axes((0.0, 0.0, 1.0, 1.0))
-        axes.set_xlim(0.0, size[0])
-        axes.set_ylim(0.0, size[1])
-        axes.axis("off")
-        _fill(Pen(axes, say, fonts), subject, size)
-        stream = io.BytesIO()
-        # no date: the same bytes again
-        title = f"{subject.title}: {say('Assembly sheet')}"
-        told = {"Title": title, "CreationDate": None, "Creator": None, "Producer": None}
-        canvas.print_pdf(stream, metadata=told)
-    return stream.getvalue()
+    title = f"{subject.title}: {say('Assembly sheet')}"
+    return pdf(title, fonts, [(size, lambda axes: _fill(Pen(axes, say, fonts), subject, size))])
 
 
 def _fill(pen: Pen, subject: Subject, size: tuple[float, float]) -> None:
@@ -125,7 +105,7 @@ def _fill(pen: Pen, subject: Subject, size: tuple[float, float]) -> None:
         half = low + 0.5 * (top - 17.0 - low)
         draw_valve(pen, subject.pattern, (split + 4.0, low, right, half))
         low = half + 2.0
-    _balloon(pen, subject, (split + 4.0, low, right, top - 17.0), size)
+    _balloon(pen, subject, (split + 4.0, low, right, top - 17.0))
     _foot(pen, scale, foot, right)
 
 
@@ -133,7 +113,7 @@ def _head(pen: Pen, subject: Subject, right: float, top: float) -> None:
     low, high = bounds(subject.inflation.positions)
     across, up, _ = map(float, high - low)
     size = size_text(across, up, 2.0 * float(high[2]))
-    pen.text(_MARGIN, top - 6.5, subject.title, 20.0, right - _MARGIN, fontweight="bold")
+    pen.text(_MARGIN, top - 6.5, subject.title, 20.0, right - _MARGIN, bold=True)
     told = pen.say(f"inflated {size}, {volume_text(subject.numbers.volume)}")
     pen.text(_MARGIN, top - 12.0, f"{pen.say('Assembly sheet')}  ·  {told}", 9.0, right - _MARGIN, color=SOFT)
     pen.axes.plot([_MARGIN, right], [top - 14.6, top - 14.6], color=ACCENT, lw=1.6, solid_capstyle="butt")
@@ -204,19 +184,15 @@ def _dimension(
     axes.text(*middle, text, fontsize=8.0, color=INK, ha="center", va="center", rotation=rotation, bbox=box)
 
 
-def _balloon(
-    pen: Pen, subject: Subject, box: tuple[float, float, float, float], size: tuple[float, float]
-) -> None:
-    axes, (left, bottom, right, top) = pen.axes, box
+def _balloon(pen: Pen, subject: Subject, box: tuple[float, float, float, float]) -> None:
+    left, bottom, right, top = box
     pen.heading(left, top - 3.4, pen.say("Inflated"))
     wide, tall = right - left, top - 7.0 - bottom
     pixels = int(_DOTS * wide), int(_DOTS * tall)
-    picture = balloon_picture(
+    shown = balloon_picture(
         [subject.inflation], subject.pattern.seal_width, *pixels, subject.film.look.colour
     )
-    axes.imshow(picture, extent=(left, right, bottom, top - 7.0), interpolation="nearest", aspect="auto")
-    axes.set_xlim(0.0, size[0])
-    axes.set_ylim(0.0, size[1])
+    picture(pen.axes, shown, (left, bottom, right, top - 7.0))
 
 
 def _rows(pen: Pen, told: Sequence[tuple[str, str]], column: float) -> list[tuple[str, list[str]]]:
@@ -253,7 +229,7 @@ def _tall(column: _Column) -> float:
 
 def _steps(pen: Pen, column: _Column, x: float, top: float) -> None:
     y = top - 6.0
-    look: dict[str, Any] = {"color": "white", "ha": "center", "va": "center", "fontweight": "bold"}
+    look: dict[str, Any] = {"color": "white", "ha": "center", "va": "center", "bold": True}
     for count, lines in column:
         pen.axes.plot([x + 2.2], [y - 1.6], marker="o", ms=11.0, color=ACCENT, mew=0.0)
         pen.text(x + 2.2, y - 1.7, str(count), 7.0, **look)

@@ -6,7 +6,8 @@ from __future__ import annotations
 from typing import Any
 
 from BalloonWorkbench.core.assembly_sheet.texts import broken
-from BalloonWorkbench.core.language.fonts import Fonts
+from BalloonWorkbench.core.pages.fonts import Fonts
+from BalloonWorkbench.core.pages.pdf import write
 from BalloonWorkbench.core.types import Say
 
 INK, SOFT, RULE, BAND, ACCENT = "#1f2937", "#64748b", "#d3d9e3", "#f2f4f8", "#c81e4a"
@@ -23,14 +24,11 @@ class Pen:
         self, x: float, y: float, text: str, size: float = _BODY, room: float = 0.0, **look: Any
     ) -> None:
         """A line; smaller where it would be wider than the room."""
-        wide = self.width(text, size, look.get("fontweight") == "bold")
-        look = {"color": INK, "va": "baseline", **look}
-        shrunk = size * room / wide if 0.0 < room < wide else size
-        self.axes.text(x, y, text, fontsize=shrunk, parse_math=False, **look)
+        write(self.axes, self.fonts, (x, y), text, size, room, **{"color": INK, **look})
 
     def heading(self, x: float, y: float, text: str, room: float = 0.0) -> None:
         """The name of a part of the page."""
-        self.text(x, y, text, _HEADING, room, fontweight="bold", color=ACCENT)
+        self.text(x, y, text, _HEADING, room, bold=True, color=ACCENT)
 
     def width(self, text: str, size: float = _BODY, bold: bool = False) -> float:
         """Width of a line [mm]."""

@@ -7,9 +7,9 @@ import re
 from collections.abc import Callable
 
 from BalloonWorkbench.core.film.film import Film
-from BalloonWorkbench.core.language.fonts import WIDE
 from BalloonWorkbench.core.making.numbers import Numbers
 from BalloonWorkbench.core.making.safety import WELD
+from BalloonWorkbench.core.pages.fonts import WIDE
 from BalloonWorkbench.core.pattern.intake.kinds import intake_kind
 from BalloonWorkbench.core.pattern.pattern import Pattern
 from BalloonWorkbench.core.types import Say, in_english

@@ -102,7 +102,7 @@ def _steps(
         max(tacks, key=lambda tack: float(tack[1])) + np.array([2.6, 0.0]),
         across[int(np.argmin(across[:, 1]))] - np.array([0.0, 1.0]),
     )
-    look: dict[str, Any] = {"ha": "center", "va": "center", "color": "white", "fontweight": "bold"}
+    look: dict[str, Any] = {"ha": "center", "va": "center", "color": "white", "bold": True}
     x, y, right = legend
     for letter, at, text in zip("ABCD", places, order, strict=True):
         for spot in (at, np.array([x + 1.5, y])):

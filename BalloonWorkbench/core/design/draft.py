@@ -61,7 +61,18 @@ def draft(
     what triangulate and inflate raise.
     """
     check_area(outline)
-    drawing = _meshed(outline, vertices)
+    return inflate_drawing(outline, _meshed(outline, vertices), film, pressure, progress, corrected)
+
+
+def inflate_drawing(
+    outline: Outline,
+    drawing: Panel,
+    film: Film,
+    pressure: float,
+    progress: Progress = no_progress,
+    corrected: bool = True,
+) -> Draft:
+    """The draft of an outline on a mesh of it; arguments and errors as for `draft`."""
     if not corrected:
         return Draft(inflate(drawing, film, pressure, progress=progress), outline)
     pattern = replace(drawing, rest_positions=drawing.rest_positions + initial_displacements(drawing))

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Constrained Delaunay triangulation on top of scipy's unconstrained one.
+"""Edges that a plain Delaunay triangulation lacks.
 
-Missing boundary edges are recovered by swapping the diagonals they cross (Sloan, Computers & Structures 47
-(1993) 441-450), then the swapped region is made Delaunay again.
+They are recovered by swapping the diagonals they cross (Sloan, Computers & Structures 47 (1993) 441-450),
+then the swapped region is made Delaunay again.
 """
 
 from __future__ import annotations
@@ -12,40 +12,27 @@ from collections import deque
 import numpy as np
 
 from BalloonWorkbench.core.errors import MeshError
-from BalloonWorkbench.core.geometry.polyline import bounds
-from BalloonWorkbench.core.geometry.triangulation import signed_areas
-from BalloonWorkbench.core.packages import without_scipy
-from BalloonWorkbench.core.types import Floats, Ints
+from BalloonWorkbench.core.types import Bools, Floats, Ints
 
-_CROSSING = "The outline crosses or touches itself and cannot be meshed: separate the parts that meet."
+CROSSING = "The outline crosses or touches itself and cannot be meshed: separate the parts that meet."
 
 
-def recovered_delaunay(points: Floats, segments: Ints) -> Ints:
-    """Triangles (m, 3), counter-clockwise, enclosed by segments (k, 2) which all become edges."""
-    try:
-        from scipy.spatial import Delaunay
-    except ImportError as error:
-        raise without_scipy("Meshing needs pythoncdt or scipy: install one of them with pip.") from error
-    # A wide frame keeps the boundary off the convex hull, where Qhull may drop collinear points.
-    low, high = bounds(points)
-    middle, reach = 0.5 * (low + high), 2.0 * float(np.max(high - low))
-    frame = middle + reach * np.array([[-1.0, -1.1], [1.1, -1.0], [1.0, 1.1], [-1.1, 1.0]])
-    plain = Delaunay((np.concatenate([points, frame]) - middle) / reach)
-    if len(plain.coplanar):
-        raise MeshError(_CROSSING)
-    mesh = _Swapper(plain.points, plain.simplices, plain.neighbors)
-    mesh.recover(segments)
-    return mesh.enclosed(segments)
+def recovered(
+    points: Floats, triangles: Ints, neighbours: Ints, segments: Ints, missing: Bools
+) -> tuple[Ints, Ints]:
+    """Triangles and neighbours (m, 3) in which the missing ones of the segments (k, 2) are edges too."""
+    mesh = _Swapper(points, triangles, neighbours)
+    ends = np.sort(segments, axis=1)
+    fixed = set(map(tuple, ends.tolist()))
+    for a, b in sorted(map(tuple, ends[missing].tolist())):
+        mesh.recover(a, b, fixed)
+    return np.asarray(mesh.triangles), np.asarray(mesh.neighbours)
 
 
 class _Swapper:
     """Triangles with neighbours in plain lists: few edges are swapped, one at a time."""
 
     def __init__(self, points: Floats, triangles: Ints, neighbours: Ints) -> None:
-        clockwise = signed_areas(points, triangles) < 0.0
-        triangles, neighbours = triangles.copy(), neighbours.copy()
-        triangles[clockwise] = triangles[clockwise][:, [0, 2, 1]]
-        neighbours[clockwise] = neighbours[clockwise][:, [0, 2, 1]]
         self.points: list[list[float]] = points.tolist()
         self.triangles: list[list[int]] = triangles.tolist()
         self.neighbours: list[list[int]] = neighbours.tolist()
@@ -54,42 +41,10 @@ class _Swapper:
             for vertex in triangle:
                 self.triangle_at[vertex] = index
 
-    def recover(self, segments: Ints) -> None:
-        """Make every segment an edge."""
-        flat = np.sort(np.asarray(self.triangles)[:, [1, 2, 2, 0, 0, 1]].reshape(-1, 2), axis=1)
-        present = set(map(tuple, flat.tolist()))
-        fixed = {(min(a, b), max(a, b)) for a, b in segments.tolist()}
-        for a, b in sorted(fixed - present):
-            self._recover(a, b, fixed)
-
-    def enclosed(self, segments: Ints) -> Ints:
-        """Triangles inside: an odd number of segments away from the frame."""
-        fixed = {(min(a, b), max(a, b)) for a, b in segments.tolist()}
-        depth = [-1] * len(self.triangles)
-        border = [index for index, row in enumerate(self.neighbours) if -1 in row]
-        for index in border:
-            depth[index] = 0
-        queue = deque(border)
-        while queue:
-            index = queue.popleft()
-            triangle = self.triangles[index]
-            for k, other in enumerate(self.neighbours[index]):
-                if other < 0:
-                    continue
-                a, b = triangle[k - 2], triangle[k - 1]
-                crossed = (min(a, b), max(a, b)) in fixed
-                level = depth[index] + crossed
-                if depth[other] < 0 or level < depth[other]:
-                    depth[other] = level
-                    # Breadth first by depth: what lies on the same side of a segment goes first.
-                    if crossed:
-                        queue.append(other)
-                    else:
-                        queue.appendleft(other)
-        inside = np.asarray(depth) % 2 == 1
-        return np.asarray(self.triangles, dtype=np.int32)[inside]
-
-    def _recover(self, a: int, b: int, fixed: set[tuple[int, int]]) -> None:
+    def recover(self, a: int, b: int, fixed: set[tuple[int, int]]) -> None:
+        """Make a-b an edge, unless an earlier swap did."""
+        if self._pair(a, b) is not None:
+            return
         crossing = deque(self._crossed(a, b))
         created: list[tuple[int, int]] = []
         patience = 50 * (len(crossing) + 2) ** 2
@@ -97,7 +52,7 @@ class _Swapper:
             patience -= 1
             p, q = crossing.popleft()
             if patience < 0 or (min(p, q), max(p, q)) in fixed:
-                raise MeshError(_CROSSING)
+                raise MeshError(CROSSING)
             swapped = self._swap(p, q)
             if swapped is None:
                 crossing.append((p, q))
@@ -134,18 +89,18 @@ class _Swapper:
             if self._side(a, b, p) < 0.0 < self._side(a, b, q):
                 break
         else:
-            raise MeshError(_CROSSING)
+            raise MeshError(CROSSING)
         edges = [(p, q)]
         while True:
             index = self.neighbours[index][self.triangles[index].index(self._opposite(index, p, q))]
             if index < 0:
-                raise MeshError(_CROSSING)
+                raise MeshError(CROSSING)
             apex = self._opposite(index, p, q)
             if apex == b:
                 return edges
             side = self._side(a, b, apex)
             if side == 0.0:
-                raise MeshError(_CROSSING)
+                raise MeshError(CROSSING)
             p, q = (apex, q) if side < 0.0 else (p, apex)
             edges.append((p, q))
 

@@ -10,8 +10,8 @@ import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.geometry.polyline import bounds
-from BalloonWorkbench.core.language.fonts import outlines, plain, unshown
 from BalloonWorkbench.core.packages import shapely
+from BalloonWorkbench.core.pages.fonts import outlines, plain, unshown
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
 from BalloonWorkbench.core.pattern.shapes import closed_loop
 from BalloonWorkbench.core.types import Floats

@@ -70,7 +70,7 @@ def close_gaps(drawn: Bools, lines: Strokes) -> list[tuple[Floats, Floats]]:
     for one, other in bridges:
         draw_line(ink, one, other, lines.width)
     refused: set[int] = set()
-    height, ground = _landscape(ink, 4 * limit)
+    height, ground = _landscape(ink)
     for level in limit * 2.0 ** np.arange(-np.ceil(2 * np.log2(limit)) / 2, 0.25, 0.5):
         while len(bridges) + len(refused) < _MOST_GAPS:
             summit = _open_room(height, ground, level, lines.width, refused)
@@ -83,7 +83,7 @@ def close_gaps(drawn: Bools, lines: Strokes) -> list[tuple[Floats, Floats]]:
                 continue
             draw_line(ink, one, other, lines.width)
             bridges.append((one, other))
-            height, ground = _landscape(ink, 4 * limit)
+            height, ground = _landscape(ink)
     return [(one - margin, other - margin) for one, other in bridges]
 
 
@@ -123,9 +123,9 @@ def draw_line(coverage: Pixels, one: Floats, other: Floats, width: float) -> Non
     np.maximum(part, np.clip(0.5 * width + 0.5 - away, 0, 1), out=part)
 
 
-def _landscape(ink: Pixels, limit: float) -> tuple[Pixels, Bools]:
+def _landscape(ink: Pixels) -> tuple[Pixels, Bools]:
     """Distance to the lines (h, w), and where one gets from outside without crossing any."""
-    height = distance(ink <= 0.5, limit)
+    height = distance(ink <= 0.5)
     labels, _ = label(height > 0)
     return height, labels == labels[0, 0]
 
@@ -159,9 +159,8 @@ def _highest_pass(height: Pixels, summit: int, level: float) -> Floats:
     labels, _ = label(height > high)
     room, outside = labels == labels.flat[summit], labels == labels[0, 0]
     joined, _ = label(height > low)
-    reach = 4 * level + 8  # farther from either it is not the pass
     between = (joined == joined[0, 0]) & ~room & ~outside
-    way = np.where(between, distance(~room, reach) + distance(~outside, reach), np.inf)
+    way = np.where(between, distance(~room) + distance(~outside), np.inf)
     y, x = np.unravel_index(int(np.argmin(way)), way.shape)
     return np.array([x, y], dtype=np.float64)
 

@@ -69,12 +69,19 @@ def test_thickness_map_of_a_tube() -> None:
     assert advise(strip, FILM).map.thickness.max() == pytest.approx(0.05, rel=0.17)
 
 
-@pytest.mark.parametrize(("width", "severity"), [(0.006, Severity.SERIOUS), (0.012, Severity.WARNING)])
-def test_thin_arm(width: float, severity: Severity) -> None:
-    """The tube becomes 2 w / pi thick: below one seal of 5 mm serious, below two a warning."""
+@pytest.mark.parametrize(
+    ("width", "inflated", "severity"),
+    [(0.006, 0.00299, Severity.SERIOUS), (0.012, 0.00740, Severity.WARNING)],
+)
+def test_thin_arm(width: float, inflated: float, severity: Severity) -> None:
+    """Below one seal of 5 mm serious, below two a warning; as thick as on a mesh of 4000 vertices.
+
+    A tube without stiffness would be 2 w / pi thick.
+    """
     (arm,) = found(with_arm(width), "thin_arm")
     assert arm.severity is severity
-    assert arm.measured == pytest.approx(2.0 * width / np.pi, rel=0.1)
+    assert arm.measured == pytest.approx(inflated, rel=0.12)
+    assert arm.measured < 2.0 * width / np.pi
     assert 0.07 < arm.place[0] < 0.18
     assert arm.place[1] == pytest.approx(0.0, abs=0.1 * width)
     assert f"drawn {1e3 * width:.1f} mm wide" in arm.text or f"drawn {1e3 * width:.0f} mm wide" in arm.text
@@ -90,14 +97,23 @@ def test_wide_arm_is_no_arm_too_thin() -> None:
 
 
 @pytest.mark.parametrize(
-    ("width", "severity"), [(0.004, Severity.SERIOUS), (0.008, Severity.WARNING), (0.013, Severity.HINT)]
+    ("width", "inflated", "severity"),
+    [
+        (0.004, 0.00289, Severity.SERIOUS),
+        (0.008, 0.00776, Severity.WARNING),
+        (0.013, 0.01287, Severity.HINT),
+    ],
 )
-def test_neck_is_compared_with_the_intake(width: float, severity: Severity) -> None:
-    """The intake is 10 mm: half of it, all of it, and half as much again."""
+def test_neck_is_compared_with_the_intake(width: float, inflated: float, severity: Severity) -> None:
+    """The intake is 10 mm: half of it, all of it, and half as much again.
+
+    As much room as on a mesh of 4000 vertices: stiff film fills a narrow neck less than a tube of it.
+    """
     outline = dumb_bell(width)
     (neck,) = found(outline, "choked_neck")
     assert neck.severity is severity
-    assert neck.measured == pytest.approx(width, rel=0.05)
+    assert neck.measured == pytest.approx(inflated, rel=0.1)
+    assert neck.measured < width
     assert 0.075 < neck.place[0] < 0.115
     behind = np.pi * 0.03**2 / outline.area
     assert f"{100.0 * behind:.0f} %" in neck.text
@@ -170,7 +186,7 @@ def test_size_does_not_matter_where_only_proportions_count() -> None:
     large = star.map(lambda loop: 3.0 * loop)
     peaks = [[finding.measured for finding in found(outline, "notch")] for outline in (star, large)]
     assert len(peaks[0]) == 5
-    assert peaks[0] == pytest.approx(peaks[1], rel=0.02)
+    assert peaks[0] == pytest.approx(peaks[1], rel=0.03)
 
 
 def test_worst_comes_first() -> None:

@@ -219,12 +219,12 @@ def test_files(heart: tuple, tmp_path: Path) -> None:
     assert (off.max(axis=1) < 0.1).mean() > 0.97
 
 
-def test_without_reportlab_there_is_no_pdf(heart: tuple, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_without_matplotlib_there_is_no_pdf(heart: tuple, monkeypatch: pytest.MonkeyPatch) -> None:
     *_, sheet, behind, _ = heart
-    monkeypatch.setitem(sys.modules, "reportlab.pdfgen.canvas", None)
+    monkeypatch.setitem(sys.modules, "matplotlib.backends.backend_pdf", None)
     files, (remark,) = artwork_files(sheet, behind)
     assert set(files) == {"artwork-front.png", "artwork-back.png"}
-    assert "pip install reportlab" in remark
+    assert "pip install matplotlib" in remark
 
 
 def test_marks_are_the_same_in_the_cut_file(heart: tuple) -> None:

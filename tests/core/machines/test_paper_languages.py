@@ -17,9 +17,9 @@ from BalloonWorkbench.core.assembly_sheet.page import assembly_pdf
 from BalloonWorkbench.core.assembly_sheet.steps import steps
 from BalloonWorkbench.core.assembly_sheet.texts import broken, figures, material
 from BalloonWorkbench.core.film.library import films
-from BalloonWorkbench.core.language import fonts
 from BalloonWorkbench.core.language.speech import languages, speech
 from BalloonWorkbench.core.machines.machine_file import machine_file
+from BalloonWorkbench.core.pages import fonts
 from BalloonWorkbench.core.pattern.intake.kinds import intake_kinds
 from BalloonWorkbench.core.types import in_english
 

@@ -64,7 +64,7 @@ def test_artwork_is_chosen_shown_written_and_undone(made, tmp_path, monkeypatch)
     )
     hands.click(hands.find("WriteArtwork"))
     hands.wait_until(lambda: hands.find("ArtworkMessage").text())
-    assert len(list((tmp_path / "prints").iterdir())) >= 6  # the PDF needs reportlab
+    assert len(list((tmp_path / "prints").iterdir())) >= 6
     assert hands.find("ArtworkMessage").text() == f"Files written to {tmp_path / 'prints'}"
     for obj in (made.outline, made.pattern, art):
         obj.ViewObject.Visibility = False

@@ -13,7 +13,7 @@ import pytest
 import BalloonWorkbench
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.document import create
-from BalloonWorkbench.core.language import fonts
+from BalloonWorkbench.core.pages import fonts
 from BalloonWorkbench.gui.window.sentences import tell
 
 

@@ -3,26 +3,24 @@
 
 from __future__ import annotations
 
-import io
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import numpy as np
 
 from BalloonWorkbench.core.errors import ExportError
 from BalloonWorkbench.core.geometry.polyline import line_lengths, point_on, ring
-from BalloonWorkbench.core.language.fonts import readable
 from BalloonWorkbench.core.machines.machine import Machine
 from BalloonWorkbench.core.machines.toolpaths import BAR, Drawing
-from BalloonWorkbench.core.machines.writers.pdf_text import write
-from BalloonWorkbench.core.packages import reportlab_canvas
-from BalloonWorkbench.core.types import Say, in_english
+from BalloonWorkbench.core.pages.fonts import Fonts, fonts_for, readable
+from BalloonWorkbench.core.pages.pdf import POINT, draw_line, pdf, write
+from BalloonWorkbench.core.types import Floats, Say, in_english
 from BalloonWorkbench.core.units import from_mm, number_text, size_text
 
 PAPERS = {"A4": (210.0, 297.0), "A3": (297.0, 420.0), "LETTER": (215.9, 279.4)}  # mm
 #: Their names as people write them.
 TILES = ("A4", "A3", "Letter")
-_POINT = 72.0 / 25.4  # points per mm
 #: Margin that a home printer leaves white, and how much of the drawing two neighbouring pages share [mm].
 _MARGIN = 12.0
 _OVERLAP = 10.0
@@ -32,6 +30,7 @@ _CHORD = 0.005
 _TITLE = "Pattern on several pages"
 #: More pages than that are a mistake.
 _MOST_PAGES = 400
+_Line = tuple[Floats, bool, dict[str, Any]]
 
 
 @dataclass(frozen=True)
@@ -55,35 +54,33 @@ class Tiles:
 def drawing_pdf(drawing: Drawing, machine: Machine, say: Say = in_english) -> bytes:
     """One page of the drawing's size with a margin; the same bytes for the same drawing.
 
-    MissingPackageError without reportlab.
+    MissingPackageError without matplotlib.
     """
     size = (drawing.width + 2.0 * _MARGIN, drawing.height + 2.0 * _MARGIN)
-    stream, canvas = _new(size, say)
-    _show(canvas, drawing, machine, (_MARGIN, _MARGIN))
-    canvas.showPage()
-    canvas.save()
-    return stream.getvalue()
+    lines = _lines(drawing, machine)
+    title = say("Balloon pattern")
+    return pdf(title, fonts_for(title, ""), [(size, lambda axes: _show(axes, lines, (_MARGIN, _MARGIN)))])
 
 
 def tiled_pdf(drawing: Drawing, machine: Machine, paper: str, say: Say = in_english) -> bytes:
     """A map of the pages, then the pages of "A4", "A3" or "Letter" with overlap, crop marks and their place.
 
     say  gives the texts in the reader's language; English stays where no font has its letters
-    ExportError for other paper and for far too many pages; MissingPackageError without reportlab.
+    ExportError for other paper and for far too many pages; MissingPackageError without matplotlib.
     """
     tiles = divide(drawing, paper)
     say = readable(say, _TITLE)
-    stream, canvas = _new(tiles.paper, say)
-    _map(canvas, drawing, machine, tiles, say)
-    canvas.showPage()
-    for number, (column, row) in enumerate(tiles.pages, 1):
-        canvas.setPageSize((tiles.paper[0] * _POINT, tiles.paper[1] * _POINT))
-        _page(canvas, drawing, machine, tiles, (column, row))
-        place = say(f"Page {number} of {len(tiles.pages)}: column {column + 1}, row {tiles.rows - row}")
-        write(canvas, (_MARGIN + 10.0, 5.0), place, 9.0, tiles.usable[0] - 20.0)
-        canvas.showPage()
-    canvas.save()
-    return stream.getvalue()
+    fonts, lines = fonts_for(say(_TITLE), ""), _lines(drawing, machine)
+
+    def page(number: int, place: tuple[int, int], axes: Any) -> None:
+        _page(axes, lines, tiles, place)
+        column, row = place[0] + 1, tiles.rows - place[1]
+        where = say(f"Page {number} of {len(tiles.pages)}: column {column}, row {row}")
+        write(axes, fonts, (_MARGIN + 10.0, 5.0), where, 9.0, tiles.usable[0] - 20.0)
+
+    pages = [partial(page, number, place) for number, place in enumerate(tiles.pages, 1)]
+    first = partial(_map, fonts=fonts, drawing=drawing, lines=lines, tiles=tiles, say=say)
+    return pdf(say("Balloon pattern"), fonts, [(tiles.paper, draw) for draw in (first, *pages)])
 
 
 def divide(drawing: Drawing, paper: str) -> Tiles:
@@ -121,59 +118,44 @@ def _has_lines(drawing: Drawing, tiles: Tiles, column: int, row: int) -> bool:
     return False
 
 
-def _new(size: tuple[float, float], say: Say) -> tuple[io.BytesIO, Any]:
-    stream = io.BytesIO()
-    # invariant: no date and no identifier that changes
-    canvas = reportlab_canvas()(stream, pagesize=(size[0] * _POINT, size[1] * _POINT), invariant=1)
-    canvas.setTitle(say("Balloon pattern"))
-    canvas.setAuthor("")
-    canvas.setViewerPreference("PrintScaling", "None")  # printers must not fit the page
-    return stream, canvas
-
-
-def _show(canvas: Any, drawing: Drawing, machine: Machine, at: tuple[float, float]) -> None:
-    """The lines with the drawing's origin at a place of the page [mm]."""
-    canvas.saveState()
-    canvas.translate(at[0] * _POINT, at[1] * _POINT)
-    canvas.setLineWidth(_LINE * _POINT)
-    canvas.setLineJoin(1)
+def _lines(drawing: Drawing, machine: Machine) -> list[_Line]:
+    """Points [mm] of the drawing's lines, whether they are closed, and their looks."""
+    lines = []
     for path in drawing.paths:
         line = machine.layers[path.role]
-        canvas.setStrokeColor(line.rgb)
-        canvas.setDash([4.0 * _POINT, 2.0 * _POINT] if line.line == "DASHED" else [])
-        course = canvas.beginPath()
-        points = (path.curve.flattened(_CHORD) * _POINT).tolist()
-        course.moveTo(*points[0])
-        for point in points[1:]:
-            course.lineTo(*point)
-        if path.curve.closed:
-            course.close()
-        canvas.drawPath(course, stroke=1, fill=0)
-    canvas.restoreState()
+        dashes = (0.0, (4.0 / _LINE, 2.0 / _LINE)) if line.line == "DASHED" else "solid"
+        lines.append((path.curve.flattened(_CHORD), path.curve.closed, {"ec": line.rgb, "ls": dashes}))
+    return lines
 
 
-def _page(canvas: Any, drawing: Drawing, machine: Machine, tiles: Tiles, place: tuple[int, int]) -> None:
+def _show(
+    axes: Any, lines: list[_Line], at: tuple[float, float], scale: float = 1.0, window: Any = None
+) -> None:
+    """The lines with the drawing's origin at a place of the page [mm], cut off at a window."""
+    for points, closed, look in lines:
+        drawn = draw_line(axes, scale * points + at, closed, lw=scale * _LINE / POINT, **look)
+        if window is not None:
+            drawn.set(clip_path=window, clip_on=True)
+
+
+def _page(axes: Any, lines: list[_Line], tiles: Tiles, place: tuple[int, int]) -> None:
     """One page: its part of the drawing, and the marks along which it is cut."""
+    from matplotlib.patches import Rectangle
+
     left, bottom = tiles.corner(*place)
-    canvas.saveState()
-    window = canvas.beginPath()
-    window.rect(*(value * _POINT for value in (_MARGIN, _MARGIN, *tiles.usable)))
-    canvas.clipPath(window, stroke=0, fill=0)
-    _show(canvas, drawing, machine, (_MARGIN - left, _MARGIN - bottom))
-    canvas.restoreState()
-    canvas.setStrokeColor("#000000")
-    canvas.setLineWidth(0.1 * _POINT)
+    window = Rectangle((_MARGIN, _MARGIN), *tiles.usable, transform=axes.transData)
+    _show(axes, lines, (_MARGIN - left, _MARGIN - bottom), window=window)
     # cut along the marks on two sides and lay the edge on the marks of the neighbour
     for x in (_MARGIN, _MARGIN + tiles.usable[0] - _OVERLAP):
         for y in (_MARGIN, _MARGIN + tiles.usable[1] - _OVERLAP):
-            canvas.line((x - _MARK) * _POINT, y * _POINT, (x + _MARK) * _POINT, y * _POINT)
-            canvas.line(x * _POINT, (y - _MARK) * _POINT, x * _POINT, (y + _MARK) * _POINT)
+            for end in ((_MARK, 0.0), (0.0, _MARK)):
+                draw_line(axes, np.array([(x, y), (x, y)]) + np.outer([-1, 1], end), False, lw=0.1 / POINT)
 
 
-def _map(canvas: Any, drawing: Drawing, machine: Machine, tiles: Tiles, say: Say) -> None:
+def _map(axes: Any, fonts: Fonts, drawing: Drawing, lines: list[_Line], tiles: Tiles, say: Say) -> None:
     """The first page: what goes where, how to join it, and a bar to measure."""
     width, height = tiles.paper
-    write(canvas, (_MARGIN, height - 18.0), say(_TITLE), 14.0, tiles.usable[0], bold=True)
+    write(axes, fonts, (_MARGIN, height - 18.0), say(_TITLE), 14.0, tiles.usable[0], bold=True)
     for k, text in enumerate(
         (
             f"Pattern {size_text(from_mm(drawing.width), from_mm(drawing.height), digits=4)}"
@@ -183,25 +165,18 @@ def _map(canvas: Any, drawing: Drawing, machine: Machine, tiles: Tiles, say: Say
             "Cut each page along its left and lower crosses, lay it on the crosses of its neighbours, tape.",
         )
     ):
-        write(canvas, (_MARGIN, height - 25.0 - 5.0 * k), say(text), 9.0, tiles.usable[0])
-    canvas.setLineWidth(_LINE * _POINT)
+        write(axes, fonts, (_MARGIN, height - 25.0 - 5.0 * k), say(text), 9.0, tiles.usable[0])
     left, y = _MARGIN, height - 48.0
     for a, b in (((left, y), (left + BAR, y)), *(((x, y - 2), (x, y + 2)) for x in (left, left + BAR))):
-        canvas.line(a[0] * _POINT, a[1] * _POINT, b[0] * _POINT, b[1] * _POINT)
+        draw_line(axes, np.array([a, b]), False, lw=_LINE / POINT, capstyle="butt")
     scale = min((width - 2.0 * _MARGIN) / _reach(tiles, 0), (height - 70.0) / _reach(tiles, 1))
-    canvas.saveState()
-    canvas.translate(_MARGIN * _POINT, _MARGIN * _POINT)
-    canvas.scale(scale, scale)
-    _show(canvas, drawing, machine, (0.0, 0.0))
-    canvas.restoreState()
-    canvas.setDash([])
-    for number, (column, row) in enumerate(tiles.pages, 1):
-        x, y = (_MARGIN + scale * value for value in tiles.corner(column, row))
-        w, h = (scale * value for value in tiles.usable)
-        canvas.setStrokeColor("#808080")
-        canvas.rect(x * _POINT, y * _POINT, w * _POINT, h * _POINT, stroke=1, fill=0)
-        canvas.setFont("Helvetica", 12)
-        canvas.drawCentredString((x + 0.5 * w) * _POINT, (y + 0.5 * h) * _POINT - 4.0, str(number))
+    _show(axes, lines, (_MARGIN, _MARGIN), scale)
+    for number, place in enumerate(tiles.pages, 1):
+        corner = _MARGIN + scale * np.array(tiles.corner(*place))
+        box = scale * np.array(tiles.usable)
+        draw_line(axes, corner + box * [(0, 0), (1, 0), (1, 1), (0, 1)], True, ec="#808080", lw=_LINE / POINT)
+        middle = corner + 0.5 * box
+        write(axes, fonts, (middle[0], middle[1]), str(number), 12.0, ha="center", va="center")
 
 
 def _reach(tiles: Tiles, axis: int) -> float:

@@ -66,7 +66,7 @@ def _opencv() -> None:
 
 def _fonts() -> None:
     """Find the font of an assembly sheet in the user's language."""
-    from BalloonWorkbench.core.language.fonts import can_show
+    from BalloonWorkbench.core.pages.fonts import can_show
 
     can_show(translate("Assembly sheet"))
 

@@ -8,7 +8,7 @@ import FreeCADGui as Gui
 from BalloonWorkbench.app.engine import maker
 from BalloonWorkbench.core.assembly_sheet.page import PAGES
 from BalloonWorkbench.core.errors import BalloonError
-from BalloonWorkbench.core.language.fonts import can_show
+from BalloonWorkbench.core.pages.fonts import can_show
 from BalloonWorkbench.gui.panels.making.maker_rows import MakerRows
 from BalloonWorkbench.gui.panels.widgets.narrow import NarrowForm, WrappedLabel
 from BalloonWorkbench.gui.panels.widgets.target_file import TargetFile, name_of

@@ -16,7 +16,7 @@ from drawn_shapes import LETTERS, NAMED, TURN, generated, letter, oriented, pola
 
 from BalloonWorkbench.core.advice.advise import advise
 from BalloonWorkbench.core.advice.findings import RepairKind
-from BalloonWorkbench.core.advice.gauge import Predicted
+from BalloonWorkbench.core.advice.gauge import Gauge
 from BalloonWorkbench.core.advice.places import whole
 from BalloonWorkbench.core.advice.subject import Subject
 from BalloonWorkbench.core.errors import InputError
@@ -34,7 +34,16 @@ STEPS = int(os.environ.get("BALLOON_INTAKES", "1"))
 PICTURES = sorted(Path("resources/examples/pictures").glob("*.png"))
 FEW = [path for path in PICTURES if path.stem == "heart"]
 WIDTH = 0.010
-UNMOVED = Predicted(NAMED["disc"], False)
+
+
+class Unmoved(Gauge):
+    """Of a balloon whose seam lies where it was drawn."""
+
+    def __init__(self) -> None:
+        pass
+
+    def drawn(self, place: np.ndarray) -> np.ndarray:
+        return place
 
 
 def outline_of(*areas: shapely.Geometry) -> Outline:
@@ -83,7 +92,7 @@ def intake_of(outline: Outline, wanted: PatternOptions) -> Intake:
 
 def coached(outline: Outline, wanted: PatternOptions) -> np.ndarray:
     """Where the coach sees the intake."""
-    subject = Subject(outline, FILM, UNMOVED, False, faired_seam(outline), wanted)
+    subject = Subject(outline, FILM, Unmoved(), False, faired_seam(outline), wanted)
     return subject.intakes(subject.wish)[0]
 
 

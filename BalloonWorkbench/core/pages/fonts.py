@@ -17,7 +17,7 @@ from typing import Any
 
 import numpy as np
 
-from BalloonWorkbench.core.packages import matplotlib_text
+from BalloonWorkbench.core.packages import matplotlib_pdf, matplotlib_text
 from BalloonWorkbench.core.types import Floats, Say, in_english
 
 _EUROPE = "DejaVu Sans"  # matplotlib has it
@@ -96,17 +96,13 @@ def outlines(text: str, size: float) -> list[Floats]:
 def fonts_for(language: str, others: str) -> Fonts:
     """Fonts for a page in the language that a text of it is written in, and for other texts on it.
 
-    Needs matplotlib.
+    MissingPackageError without matplotlib.
     """
+    matplotlib_pdf()
     japanese = _japanese() if is_wide(language) else None
     families = tuple(dict.fromkeys(([japanese] if japanese else []) + _families(others)))
     whole = all(_outlines(Path(_opened(family).fname)) != b"OTTO" for family in families)
     return Fonts(families, 42 if whole else 3)
-
-
-def drawn(text: str, bold: bool = False) -> Any:
-    """A line with Japanese letters as a Path of matplotlib, one unit high, where `can_show` says yes."""
-    return _path(text, [_japanese() or _EUROPE, _EUROPE], 1.0, bold)
 
 
 def readable(say: Say, text: str) -> Say:
@@ -124,13 +120,13 @@ def is_wide(text: str) -> bool:
     return re.search(f"[{WIDE}]", text) is not None
 
 
-def _path(text: str, families: list[str], size: float, bold: bool = False) -> Any:
+def _path(text: str, families: list[str], size: float) -> Any:
     """A line as a Path of matplotlib, never read as mathematics."""
     from matplotlib.font_manager import FontProperties
     from matplotlib.path import Path as Lines
 
     text_to_path = matplotlib_text()
-    font = FontProperties(family=families, weight="bold" if bold else "normal")
+    font = FontProperties(family=families)
     points, codes = text_to_path.get_text_path(font, text, ismath=False)
     return Lines(np.reshape(points, (-1, 2)) * size / text_to_path.FONT_SCALE, codes)
 
