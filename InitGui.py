@@ -41,8 +41,8 @@ def _plug_in():
     from BalloonWorkbench.gui.long_work import blocking
     from BalloonWorkbench.gui.window import borders, preferences_page, sentences
 
-    hooks.dress = attach_view.dress
-    hooks.work = blocking.work
+    hooks.attach_view = attach_view.attach_view
+    hooks.run_blocking = blocking.run_blocking
     hooks.say = sentences.tell
     hooks.tell = borders.tell
     borders.watch()

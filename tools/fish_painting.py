@@ -68,10 +68,10 @@ FILLS = ((0.28, 0.60, BELLY), (0.84, 0.50, FIN))
 
 def steps(side):
     """What the paint window would have made of it."""
-    from BalloonWorkbench.gui.paint.painting.strokes import BRUSH, PEN, Fill, Stroke
+    from BalloonWorkbench.gui.paint.painting.strokes import BRUSH, PEN, Fill, PaintStroke
 
     def stroke(tool, colour, places, width):
-        return Stroke(tool, colour, points=[(side * x, side * y, width) for x, y in places])
+        return PaintStroke(tool, colour, points=[(side * x, side * y, width) for x, y in places])
 
     yield stroke(PEN, BODY, RIM, 16.0)
     yield stroke(PEN, BODY, TAIL_LINE, 12.0)

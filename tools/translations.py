@@ -43,7 +43,7 @@ _DATA = {
 }
 _WORDS = "words.json"
 #: Functions that are given what to say, and as which argument.
-_SAYING = {"say": 0, "work": 0, "progress": 1}
+_SAYING = {"say": 0, "run_blocking": 0, "progress": 1}
 _ENTRY = re.compile(r"[A-Z][a-z]+([ -][A-Za-z]+)*")  # of an enumeration
 _LETTERS = 7  # that a sentence with places must have, to be recognised
 
@@ -123,7 +123,7 @@ def _called(node: ast.AST) -> str:
 
 
 def _said(tree: ast.AST) -> Iterator[str]:
-    """say("..."), work("...", job), progress(part, "..."): what is said through a function, be it a word."""
+    """say("..."), run_blocking("...", job), progress(part, "..."): what is said through a function."""
     for node in ast.walk(tree):
         name = _called(node)
         if name in _SAYING:

@@ -70,7 +70,7 @@ def make(pattern_obj, picture: str = "", back: str = ""):
 
     obj = pattern_obj.Document.addObject("Part::Part2DObjectPython", "Artwork")
     ArtworkProxy(obj)
-    hooks.dress(obj)
+    hooks.attach_view(obj)
     obj.Pattern = pattern_obj
     group = pattern_obj.getParentGroup()
     if group is not None:
@@ -96,7 +96,7 @@ def on_balloon(balloon_obj):
 
     The back's is as it is seen through the front.
     """
-    from BalloonWorkbench.app.drawings.painting import Artwork
+    from BalloonWorkbench.app.drawings.painting import PaintedArtwork
     from BalloonWorkbench.core.units import to_mm
 
     obj = of_balloon(balloon_obj)
@@ -104,7 +104,7 @@ def on_balloon(balloon_obj):
         return None
     front, behind = _pictures(obj)
     return tuple(
-        Artwork(each.pixels, to_mm(each.low), to_mm(each.pixel)) for each in (front, behind or front)
+        PaintedArtwork(each.pixels, to_mm(each.low), to_mm(each.pixel)) for each in (front, behind or front)
     )
 
 
@@ -163,7 +163,7 @@ def write(obj, folder, machine_names=("any-dxf", "any-svg")) -> list[Path]:
             doubts.extend(remarks)
         return contents
 
-    written = list(write_files(folder, hooks.work(f"Writing {obj.Label}", made)))
+    written = list(write_files(folder, hooks.run_blocking(f"Writing {obj.Label}", made)))
     for doubt in dict.fromkeys(doubts):
         App.Console.PrintMessage(f"{doubt}\n")
     return written

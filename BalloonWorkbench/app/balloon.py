@@ -129,7 +129,7 @@ class BalloonProxy(DocumentProxy):
                 if not obj.Live:
                     status.set_problem(obj, bool(obj.SolvedFor), _not_asked(obj))
                     return
-                design, told = hooks.work(f"Inflating {obj.Label}", wanted.solve)
+                design, told = hooks.run_blocking(f"Inflating {obj.Label}", wanted.solve)
                 show(obj, wanted, design, told)
             size_goal.show_lift(obj)
             status.set_status(obj, _verdict(obj))
@@ -147,7 +147,7 @@ def inflate_now(obj) -> None:
     with status.reported(obj, bool(obj.SolvedFor)):
         wanted = request(obj)
         if wanted.key() != obj.SolvedFor:
-            design, told = hooks.work(f"Inflating {obj.Label}", wanted.solve)
+            design, told = hooks.run_blocking(f"Inflating {obj.Label}", wanted.solve)
             show(obj, wanted, design, told)
         obj.touch()
         obj.Document.recompute()

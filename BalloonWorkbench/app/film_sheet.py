@@ -78,7 +78,7 @@ class FilmSheetProxy(DocumentProxy):
         if wanted != obj.LaidOutFor:
             from BalloonWorkbench.core.nesting.nest import nest
 
-            layouts, remarks = hooks.work(
+            layouts, remarks = hooks.run_blocking(
                 f"Laying out {obj.Label}", lambda progress: nest(pieces, stock, progress)
             )
             _keep(found, layouts)
@@ -100,7 +100,7 @@ def make(doc, patterns):
     obj = doc.addObject("Part::Part2DObjectPython", "FilmSheet")
     obj.Label = "Film sheet"
     FilmSheetProxy(obj)
-    hooks.dress(obj)
+    hooks.attach_view(obj)
     obj.Patterns = list(patterns)
     arrange.place_when_ready(obj)
     return obj

@@ -19,7 +19,7 @@ class GroupProxy(Stateless):
         from BalloonWorkbench.app.border import hooks
 
         migrate.bring_up_to_date(obj, ())
-        hooks.dress(obj)
+        hooks.attach_view(obj)
 
 
 #: What its members are called: their labels are theirs.
@@ -32,7 +32,7 @@ def make_group(doc):
 
     obj = doc.addObject("App::DocumentObjectGroupPython", "BalloonGroup")
     GroupProxy(obj)
-    hooks.dress(obj)
+    hooks.attach_view(obj)
     return obj
 
 

@@ -119,7 +119,7 @@ class PatternProxy(DocumentProxy):
             return
         with status.reported(obj, has_result):
             request, arcs = _request(obj), obj.Arcs
-            curves = hooks.work(f"Drawing {obj.Label}", lambda progress: draw(*request, arcs))
+            curves = hooks.run_blocking(f"Drawing {obj.Label}", lambda progress: draw(*request, arcs))
             with results(obj) as found:
                 pattern_shape.show(found, sheet(obj), curves, kind_of(obj).note if obj.Intake else "")
             status.set_status(obj, status.READY)

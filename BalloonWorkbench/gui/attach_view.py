@@ -17,7 +17,7 @@ def _view_of(proxy: str):
     return getattr(making_view, kind)
 
 
-def dress(obj) -> None:
+def attach_view(obj) -> None:
     """Give an object its view provider unless it has one, as after loading a file saved without a window."""
     vobj = obj.ViewObject
     if vobj is None:

@@ -102,7 +102,7 @@ def solved(case: Case, edge: float) -> Point:
     )
 
 
-def study(cases: list[Case]) -> dict[str, list[Point]]:
+def begin_full_design(cases: list[Case]) -> dict[str, list[Point]]:
     """Every case on every size."""
     return {case.name: [solved(case, size_for(case.outline, count)) for count in SIZES] for case in cases}
 
@@ -115,7 +115,7 @@ def order(sizes: Floats, errors: Floats) -> float:
 def convergence(images: Path) -> tuple[Section, Section]:
     """The two sections and their figures."""
     known, plain = references(), everyday()
-    found = study([*known, *plain])
+    found = begin_full_design([*known, *plain])
     return _errors(known, found, images), _work(found, images)
 
 

@@ -220,7 +220,7 @@ def test_stopped_solve_keeps_the_last_mesh(parts, monkeypatch):
         return job(lambda fraction, text: False)
 
     before = measures(parts.balloon)
-    monkeypatch.setattr(hooks, "work", impatient)
+    monkeypatch.setattr(hooks, "run_blocking", impatient)
     parts.balloon.Pressure = 3
     parts.balloon.Document.recompute()
     refused(parts)

@@ -64,7 +64,7 @@ def ask(user, story, says, window, what):
         "Such a place turns orange, and a question says how wide it should be.",
         shown[0] > 200 and shown[0] > shown[1] > shown[2] and "mm" in remark.question,
     )
-    says("The dashed line shows what would come of it.", remark.step.wanted > remark.step.was)
+    says("The dashed line shows what would come of it.", remark.step.widened > remark.step.was)
     before = pixels(painting.image)
     user.click(canvas.mapToGlobal(canvas.thin.question_place().toPoint()))
     wider = (pixels(painting.image)[..., 3] > 127).sum() > (before[..., 3] > 127).sum()

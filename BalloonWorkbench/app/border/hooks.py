@@ -11,7 +11,7 @@ import FreeCAD as App
 from BalloonWorkbench.core.errors import BalloonError, ProgramFault
 
 
-def dress(obj) -> None:
+def attach_view(obj) -> None:
     """Give a document object its view provider; without a window there is none."""
 
 
@@ -31,7 +31,7 @@ def tell(error: BalloonError) -> None:
     report(error)
 
 
-def work(title: str, job: Callable[..., Any]) -> Any:
+def run_blocking(title: str, job: Callable[..., Any]) -> Any:
     """What job(progress) returns: work inside a recompute that takes a while and touches no document.
 
     With a window it runs in a thread, and can be stopped: Cancelled.
@@ -42,7 +42,7 @@ def work(title: str, job: Callable[..., Any]) -> Any:
 
 
 def ask(title: str, function, *values) -> Any:
-    """What a memoized function of the engine says: at once where it is known, else as `work`."""
+    """What a memoized function of the engine says: at once where it is known, else as `run_blocking`."""
     if function.knows(*values):
         return function(*values)
-    return work(title, lambda progress: function(*values))
+    return run_blocking(title, lambda progress: function(*values))

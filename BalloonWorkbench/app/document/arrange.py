@@ -40,7 +40,7 @@ _ENDLESS = 1e6  # mm; planes and axes for construction are no obstacles
 _NEW, _AUTOMATIC, _FIXED = "new", "automatic", "fixed"
 
 
-class _Watch(Guarded):
+class _RecomputeWatch(Guarded):
     """Told by FreeCAD of each recompute."""
 
     def slotRecomputedDocument(self, document) -> None:
@@ -52,13 +52,13 @@ class _Watch(Guarded):
             arrange(obj.Document)
 
 
-_watching: list[_Watch] = []
+_watching: list[_RecomputeWatch] = []
 
 
 def watch() -> None:
     """Arrange each document after its recomputes from now on."""
     if not _watching:
-        _watching.append(_Watch())
+        _watching.append(_RecomputeWatch())
         App.addDocumentObserver(_watching[0])
 
 

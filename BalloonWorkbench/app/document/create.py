@@ -38,7 +38,7 @@ def _make_in(group) -> Parts:
     parts = Parts(*(doc.addObject(kind, name) for kind, name in zip(kinds, MEMBERS, strict=True)))
     for obj, proxy in zip(parts, (OutlineProxy, BalloonProxy, PatternProxy), strict=True):
         proxy(obj)
-        hooks.dress(obj)
+        hooks.attach_view(obj)
         group.addObject(obj)
     parts.balloon.Outline = parts.outline
     parts.pattern.Balloon = parts.balloon

@@ -49,7 +49,7 @@ class DocumentProxy(Stateless):
         if migrate.bring_up_to_date(obj, self.properties):
             offer_choices(obj, self.properties)
         self.opened(obj)
-        hooks.dress(obj)
+        hooks.attach_view(obj)
 
     def opened(self, obj):
         """What an object of an opened document needs besides."""

@@ -24,7 +24,7 @@ _KINDS = {
 _GROUP = ("group", "GroupProxy")
 
 
-class _Watch(Guarded):
+class _OpenedWatch(Guarded):
     """Told by FreeCAD of each document that was opened."""
 
     def slotActivateDocument(self, document) -> None:
@@ -34,7 +34,7 @@ class _Watch(Guarded):
 
 def watch() -> None:
     """Revive the objects of every document that is opened from now on."""
-    App.addDocumentObserver(_Watch())
+    App.addDocumentObserver(_OpenedWatch())
 
 
 def revive(document) -> None:

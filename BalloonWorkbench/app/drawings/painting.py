@@ -30,7 +30,7 @@ _FITTING = 0.6  # of the work of `solve`
 
 
 @dataclass(frozen=True)
-class Solved:
+class SolvedPainting:
     """The balloons of a painting, the largest shape first, free of the document.
 
     told  what `describe` says about each
@@ -42,7 +42,7 @@ class Solved:
 
 
 @dataclass(frozen=True)
-class Artwork:
+class PaintedArtwork:
     """What is painted on a balloon: a picture with its scale and place in the drawing.
 
     rgba    (h, w, 4) uint8, upright; alpha 0 where the film is bare
@@ -62,7 +62,7 @@ class Artwork:
         )
 
 
-def artwork(outline) -> Artwork | None:
+def artwork(outline) -> PaintedArtwork | None:
     """The painting of an Outline object, of its own or of the one whose drawing it shares.
 
     None where there is none: an outline from a sketch, a vector drawing, a photo.
@@ -73,14 +73,14 @@ def artwork(outline) -> Artwork | None:
     return place(first.Drawing, first.Width.Value, first.Height.Value, DRAWN_AS[first.DrawnAs])
 
 
-def place(path, width: float, height: float = 0.0, drawn_as: str = AUTO) -> Artwork | None:
+def place(path, width: float, height: float = 0.0, drawn_as: str = AUTO) -> PaintedArtwork | None:
     """The picture in a painting's file, which becomes so wide or high in mm; None where it has no shape."""
     found = _placed(Path(path).read_bytes(), drawn_as)
     if found is None:
         return None
     rgba, corner, size = found
     pixel = width / size[0] if width else height / size[1]
-    return Artwork(rgba, -pixel * corner, pixel)
+    return PaintedArtwork(rgba, -pixel * corner, pixel)
 
 
 @memoized(most=4)
@@ -104,7 +104,7 @@ def solve(
     settings: Settings,
     progress: Progress = no_progress,
     fitted: Callable[[list[Request], list[Design]], object] = lambda requests, designs: None,
-) -> Solved:
+) -> SolvedPainting:
     """Design the balloons of a painting [width in mm]; may run in another thread.
 
     What the document's objects will ask for is worked out. fitted: called as soon as all balloons have their
@@ -133,7 +133,7 @@ def solve(
             checkpoint(_FITTING + (1.0 - _FITTING) * (number + 0.5) / count)
             _draw(design.pattern, settings)
         place(path, width, drawn_as=settings.drawn_as)  # the window will ask for it, and shall not wait
-    return Solved(tuple(requests), tuple(designs), tuple(told))
+    return SolvedPainting(tuple(requests), tuple(designs), tuple(told))
 
 
 def _share(progress: Progress, number: int, count: int) -> Progress:
@@ -159,7 +159,7 @@ def make(
     doc,
     path: Path,
     width: float,
-    solved: Solved,
+    solved: SolvedPainting,
     pause: Callable[[], object] = bool,
     begin: Callable[..., Parts] = create.make,
 ) -> Parts:
@@ -176,14 +176,14 @@ def make(
 
 
 def update(
-    parts: Parts, path: Path, width: float, solved: Solved, pause: Callable[[], object] = bool
+    parts: Parts, path: Path, width: float, solved: SolvedPainting, pause: Callable[[], object] = bool
 ) -> None:
     """Give a painted balloon its changed painting; as `make`."""
     _fill(parts, path, width, solved, pause)
     parts.balloon.Document.recompute()
 
 
-def _fill(parts: Parts, path: Path, width: float, solved: Solved, pause) -> list[Parts]:
+def _fill(parts: Parts, path: Path, width: float, solved: SolvedPainting, pause) -> list[Parts]:
     set_drawing(parts.outline, path)
     parts.outline.Width, parts.outline.Height = width, 0.0
     drawn_as = solved.requests[0].settings.drawn_as

@@ -43,7 +43,7 @@ def check_for(pattern_obj, machine_name: str, bed: str | None = None, oversize: 
     def findings(_progress) -> list:
         return [finding for part in parts for finding in preflight(part, made_for, oversize)]
 
-    both = (*_film_findings(pattern_obj, made_for), *hooks.work("Checking the pattern", findings))
+    both = (*_film_findings(pattern_obj, made_for), *hooks.run_blocking("Checking the pattern", findings))
     each_once = {finding.text: finding for finding in both}.values()
     return tuple(sorted(each_once, key=lambda finding: finding.severity != ERROR))
 
@@ -114,7 +114,7 @@ def export_for(
             found[name] = machine_file(part, made_for, paper, hooks.say)
         return found
 
-    write_files(path.parent, hooks.work(f"Writing {path.name}", contents))
+    write_files(path.parent, hooks.run_blocking(f"Writing {path.name}", contents))
     return path
 
 

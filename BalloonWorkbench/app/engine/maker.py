@@ -83,5 +83,5 @@ def write_assembly(parts, target, paper: str = "A4") -> Path:
     def page(_progress) -> bytes:
         return assembly_pdf(Subject(name, own, inflation, pattern, count()), paper, hooks.say)
 
-    write_files(path.parent, {path.name: hooks.work(f"Writing {path.name}", page)})
+    write_files(path.parent, {path.name: hooks.run_blocking(f"Writing {path.name}", page)})
     return path

@@ -129,7 +129,7 @@ def show_lift(obj) -> None:
     own, seam, wanted = read(obj), part_shapes.stored(obj, "Seam"), wanted_of(obj)
     weigh = partial(film_and_valve, seam, own, wanted)
     known = film_and_valve.knows(seam, own, wanted) or make_pattern.knows(seam, own.seal_width, wanted)
-    area, valve = weigh() if known else hooks.work(f"Weighing {obj.Label}", lambda progress: weigh())
+    area, valve = weigh() if known else hooks.run_blocking(f"Weighing {obj.Label}", lambda progress: weigh())
     lightness = filling(obj).lightness(pascals(obj.ActivePressure))
     buoyancy = Buoyancy(lightness, own.areal_density, lambda seam: area, valve)
     width = metres(obj.InflatedWidth)

@@ -6,17 +6,17 @@ from __future__ import annotations
 from BalloonWorkbench.gui.commands import command, examples
 from BalloonWorkbench.gui.commands.create import FromPicture, FromSketch, Paint
 from BalloonWorkbench.gui.commands.equipment import Equipment
-from BalloonWorkbench.gui.commands.making import Artwork, AssemblySheet, ExportPattern, Nest
-from BalloonWorkbench.gui.commands.results import Advice, Animate, ColourMap
+from BalloonWorkbench.gui.commands.making import ArtworkCommand, AssemblySheet, ExportPattern, Nest
+from BalloonWorkbench.gui.commands.results import AdviceCommand, Animate, ColourMapCommand
 
 _COMMANDS = {
     "BalloonWorkbench_Paint": Paint,
     "BalloonWorkbench_FromPicture": FromPicture,
     "BalloonWorkbench_FromSketch": FromSketch,
-    "BalloonWorkbench_Advice": Advice,
-    "BalloonWorkbench_ColourMap": ColourMap,
+    "BalloonWorkbench_Advice": AdviceCommand,
+    "BalloonWorkbench_ColourMap": ColourMapCommand,
     "BalloonWorkbench_Animate": Animate,
-    "BalloonWorkbench_Artwork": Artwork,
+    "BalloonWorkbench_Artwork": ArtworkCommand,
     "BalloonWorkbench_Nest": Nest,
     "BalloonWorkbench_ExportPattern": ExportPattern,
     "BalloonWorkbench_AssemblySheet": AssemblySheet,

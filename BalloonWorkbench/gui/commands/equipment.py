@@ -11,7 +11,7 @@ from BalloonWorkbench.gui.commands.command import Command
 from BalloonWorkbench.gui.panels import show
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, icon, number_of, translate
 from BalloonWorkbench.gui.window import native_offer
-from BalloonWorkbench.gui.window.borders import Panel
+from BalloonWorkbench.gui.window.borders import TaskPanel
 from BalloonWorkbench.gui.window.sentences import tell
 
 
@@ -29,7 +29,7 @@ class Equipment(Command):
         show(_Panel())
 
 
-class _Panel(Panel):
+class _Panel(TaskPanel):
     """Text to read and to copy."""
 
     def __init__(self):

@@ -12,7 +12,7 @@ from BalloonWorkbench.gui.qt import translate
 from BalloonWorkbench.gui.window.borders import undo_step
 
 
-class Artwork(ResultCommand):
+class ArtworkCommand(ResultCommand):
     """Opens the panel on the artwork of the selected balloon; makes one where there is none."""
 
     drawing = "artwork"

@@ -13,7 +13,7 @@ from BalloonWorkbench.gui.commands.command import (
 )
 
 
-class Advice(PatternCommand):
+class AdviceCommand(PatternCommand):
     """Opens the panel of the coach on the selected balloon."""
 
     drawing = "advice"
@@ -31,7 +31,7 @@ class Advice(PatternCommand):
             show(AdvicePanel(parts))
 
 
-class ColourMap(ResultCommand):
+class ColourMapCommand(ResultCommand):
     """Opens the panel that chooses what is shown on the selected balloon."""
 
     drawing = "colour_map"

@@ -46,7 +46,7 @@ class _Guard(QtCore.QObject):
         return True
 
 
-def work(title: str, job):
+def run_blocking(title: str, job):
     """What job(progress) returns; it runs in a thread and must not touch the document.
 
     Raises the job's BalloonError, Cancelled after Esc.

@@ -9,10 +9,10 @@ import FreeCADGui as Gui
 from BalloonWorkbench.app.border.guard import Guarded
 from BalloonWorkbench.gui.qt import QtCore
 
-_watching: list[_Follow] = []
+_watching: list[_DocumentFollower] = []
 
 
-class _Follow(Guarded):
+class _DocumentFollower(Guarded):
     """Told by FreeCAD which document is in front; the windows follow a moment later."""
 
     def __init__(self, windows: list):
@@ -43,5 +43,5 @@ class _Follow(Guarded):
 def follow_documents(windows: list) -> None:
     """From now on the windows of this list come and go with their documents."""
     if not _watching:
-        _watching.append(_Follow(windows))
+        _watching.append(_DocumentFollower(windows))
         App.addDocumentObserver(_watching[0])

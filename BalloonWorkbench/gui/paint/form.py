@@ -17,7 +17,7 @@ from BalloonWorkbench.gui.window import sentences
 _AROUND = 60  # px of a number's arrows, its sign for expressions and its frame
 
 
-class Form(QtWidgets.QWidget):
+class PaintForm(QtWidgets.QWidget):
     """`widened` carries the width in mm that was typed, `read_as` how it is read, `made` the wish for
     the balloon.
     """
@@ -97,7 +97,7 @@ class Form(QtWidgets.QWidget):
         """Show how the painting is read."""
         self.drawn_as.setCurrentIndex(self.drawn_as.findData(choice))
 
-    def show_look(self, look) -> None:
+    def show_state(self, look) -> None:
         """The numbers of a look, rounded before it is fitted; None: there is nothing to measure."""
         if look is None:
             self.numbers.setText("")

@@ -24,14 +24,14 @@ from BalloonWorkbench.gui.paint.bars import ActionBar, ToolBox
 from BalloonWorkbench.gui.paint.canvas.canvas_widget import Canvas
 from BalloonWorkbench.gui.paint.dock import PaintDock
 from BalloonWorkbench.gui.paint.documents import follow_documents
-from BalloonWorkbench.gui.paint.form import Form
+from BalloonWorkbench.gui.paint.form import PaintForm
 from BalloonWorkbench.gui.paint.keep import keep, kept, show
 from BalloonWorkbench.gui.paint.painting.lengths import short
 from BalloonWorkbench.gui.paint.painting.painted import Painting
 from BalloonWorkbench.gui.paint.painting.pictures import Pictures
 from BalloonWorkbench.gui.paint.painting.strokes import Clear
 from BalloonWorkbench.gui.paint.painting.tools import TOOLS
-from BalloonWorkbench.gui.paint.preview.live_preview import Live
+from BalloonWorkbench.gui.paint.preview.live_preview import LivePreview
 from BalloonWorkbench.gui.paint.preview.preload import load
 from BalloonWorkbench.gui.paint.preview.scene import Scene
 from BalloonWorkbench.gui.paint.size_card import SizeCard
@@ -95,10 +95,10 @@ class PaintWindow(PaintDock):
         self.painting = Painting(self)
         self.canvas = Canvas(self.painting)
         self.hand = self.canvas.hand
-        self.live = Live(self.painting, self)
+        self.live = LivePreview(self.painting, self)
         self.scene, self.pictures = Scene(doc.Name, parts), Pictures(self.painting, self)
         self.tools, self.actions = ToolBox(), ActionBar()
-        self.form, self.card = Form(self.live.width), SizeCard(self.canvas)
+        self.form, self.card = PaintForm(self.live.width), SizeCard(self.canvas)
         self.fill(self.actions, self.tools, self.canvas, self.form)
         self._connect()
         self.watch = Watch(parts or (), self.finish, doc)
@@ -153,11 +153,11 @@ class PaintWindow(PaintDock):
         self.actions.acted.connect(self.act)
         self.canvas.chosen.connect(self._key)
         self.canvas.accepted.connect(self.widen)
-        self.hand.told.connect(self.form.tell)
-        self.pictures.told.connect(self.form.tell)
+        self.hand.message.connect(self.form.tell)
+        self.pictures.message.connect(self.form.tell)
         self.hand.growing.connect(self.live.drawing)
         self.painting.changed.connect(self._painted)
-        self.live.found.connect(self._found)
+        self.live.shown.connect(self._show)
         self.live.refused.connect(self._refused)
         self.live.empty.connect(self._emptied)
         self.live.progressed.connect(self.form.show_progress)
@@ -242,11 +242,11 @@ class PaintWindow(PaintDock):
             self.form.tell(translate("The pattern is being fitted to the painting ..."))
             self._waiting = StatusProgress(translate("Fitting the pattern"), self._stop_making)
             self.live.progressed.connect(self._waiting.show_part)
-            self.live.study(awaited=True)
+            self.live.begin_full_design(awaited=True)
 
     def _stop_making(self) -> None:
         """The painting stays as it is, and nothing is made of it."""
-        self.live.drop_study()
+        self.live.drop_full_design()
         self._not_making()
         self._is_refused = False  # a look that is still on its way leaves the words
         self.form.tell(translate("Stopped. Your painting is still here."))
@@ -306,14 +306,14 @@ class PaintWindow(PaintDock):
         self.live.changed()
         self.refresh()
 
-    def _found(self, look) -> None:
+    def _show(self, look) -> None:
         self.canvas.overlay.show(look, short(self.live.width))
         self.canvas.scale.fit(look, self.live.width)
         if not self._is_sized and not self.card.isVisible() and self.hand.stroke is None:
             self.canvas.scale.shown = True
             self.card.ask(self.live.width)
         self.scene.show(look, self.painting.image)
-        self.form.show_look(look)
+        self.form.show_state(look)
         if self._is_refused or self.form.says_first:
             self._is_refused = False
             self.form.tell(translate("The pattern is being fitted to the painting ..."))
@@ -353,7 +353,7 @@ class PaintWindow(PaintDock):
         self.canvas.thin.show(())
         self.canvas.update()
         self.scene.clear()
-        self.form.show_look(None)
+        self.form.show_state(None)
 
     def _emptied(self) -> None:
         """Nothing is painted, so there is nothing to say but what to do first."""

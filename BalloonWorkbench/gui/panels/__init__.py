@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Task panels. Messages appear in them, not in front of them."""
+"""Task panels: how one opens; what is in them has rooms. Messages appear in them, not in front of them."""
 
 from __future__ import annotations
 

@@ -28,28 +28,28 @@ def curve_nodes(obj) -> list:
         return []
     inflation, _ = film_result.stored(obj)
     drawing = film_result.drawing(obj)
-    found = distances(inflation, drawing)
-    place, _, largest = found.largest
-    told = lengths_text(obj.ResidualMean.Value, obj.ResidualP95.Value, obj.ResidualMax.Value)
+    measured = distances(inflation, drawing)
+    place, _, largest = measured.largest
+    texts = lengths_text(obj.ResidualMean.Value, obj.ResidualP95.Value, obj.ResidualMax.Value)
     legend = Legend(
         title(obj, translate("Drawing and silhouette")),
         entries=((DRAWING, translate("drawing")), (SILHOUETTE, translate("inflated"))),
-        notes=(translate("apart {} in the mean, 95 % below {}, at most {}").format(*told),),
+        notes=(translate("apart {} in the mean, 95 % below {}, at most {}").format(*texts),),
         warnings=warnings_of(obj),
     )
     return [
         _curves([to_mm(loop) for loop in drawing.loops], DRAWING, _UNDER, closed=True),
-        _curves([to_mm(loop) for loop in found.loops], SILHOUETTE, _OVER, closed=True),
-        _curves(_hairs(found, largest), SILHOUETTE, _HAIR, closed=False),
+        _curves([to_mm(loop) for loop in measured.loops], SILHOUETTE, _OVER, closed=True),
+        _curves(_hairs(measured, largest), SILHOUETTE, _HAIR, closed=False),
         legend_node(obj, legend, BOTTOM),
         label_node((*to_mm(place), 0.0), lengths_text(largest)[0]),
     ]
 
 
-def _hairs(found, largest: float) -> list[np.ndarray]:
+def _hairs(measured, largest: float) -> list[np.ndarray]:
     """Short lines from the silhouette to the drawing, where they can be seen."""
     lines = []
-    for loop, nearest, distance in zip(found.loops, found.nearest, found.distances):
+    for loop, nearest, distance in zip(measured.loops, measured.nearest, measured.distances):
         seen = np.flatnonzero(distance > _SHORT * largest)
         seen = seen[seen % _HAIRS == 0]
         lines += [to_mm(np.stack([loop[at], nearest[at]])) for at in seen.tolist()]

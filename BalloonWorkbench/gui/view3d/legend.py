@@ -69,13 +69,13 @@ def drawn(legend: Legend):
     metrics, bold = QtGui.QFontMetricsF(font), QtGui.QFont(font)
     bold.setBold(True)
     line = metrics.height()
-    told = [(legend.title, bold), *((text, font) for text in (*legend.notes, *legend.warnings))]
+    rows = [(legend.title, bold), *((text, font) for text in (*legend.notes, *legend.warnings))]
     beside = [text for _, text in (*legend.ticks, *legend.entries)]
-    widths = [QtGui.QFontMetricsF(used).horizontalAdvance(text) for text, used in told]
+    widths = [QtGui.QFontMetricsF(used).horizontalAdvance(text) for text, used in rows]
     widths += [_BAR.width() + _TICK + _GAP + metrics.horizontalAdvance(text) for text in beside]
     width = max(widths) + 2 * _MARGIN
     body = _BAR.height() + line if legend.ticks else (line + _GAP) * len(legend.entries)
-    height = 2 * _MARGIN + line + body + line * (len(told) - 1)
+    height = 2 * _MARGIN + line + body + line * (len(rows) - 1)
     image = QtGui.QImage(round(width * ratio), round(height * ratio), QtGui.QImage.Format_RGBA8888)
     image.fill(0)
     painter = _painter(image, ratio, QtCore.QRectF(0, 0, width, height))

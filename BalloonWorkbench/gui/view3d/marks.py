@@ -15,7 +15,7 @@ _RING = 0.03  # radius, of the size of the shape
 _ABOVE = 0.002  # the marks hover over the shape, of its size
 
 
-class Overlay:
+class PlaceMarks:
     """A mark and a map over one balloon; `clear` takes them away."""
 
     def __init__(self, document_name: str):

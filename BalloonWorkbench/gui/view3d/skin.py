@@ -39,9 +39,9 @@ def skin_of(obj) -> Skin | None:
 
 def skin_from(inflation, film) -> Skin:
     """The film of a balloon of the core."""
-    found, panel = results(inflation, film), inflation.panel
+    state, panel = results(inflation, film), inflation.panel
     lines = (*(np.append(seam, seam[:1]) for seam in panel.seams), *panel.welds)
-    return Skin(found.positions, found.triangles, normals(found.positions, found.triangles), lines)
+    return Skin(state.positions, state.triangles, normals(state.positions, state.triangles), lines)
 
 
 def normals(positions: np.ndarray, triangles: np.ndarray) -> np.ndarray:

@@ -57,9 +57,9 @@ def command(name: str, activated):
     """The border of a command: `Activated`."""
 
     @wraps(activated)
-    def call(*given):
+    def call(*arguments):
         try:
-            return activated(*given)
+            return activated(*arguments)
         except faults.UNFORESEEN as error:
             return tell(faults.as_balloon_error(error, f"running {name}"))
 
@@ -91,7 +91,7 @@ def undo_step(doc, title: str):
         raise
 
 
-class Panel:
+class TaskPanel:
     """Base of all task panels. A fault in OK leaves the panel open, and says so in its `message`; Cancel
     closes it in any case."""
 
@@ -121,8 +121,8 @@ def _bordered(method, answer):
         try:
             return method(self)
         except faults.UNFORESEEN as error:
-            told = faults.as_balloon_error(error, f"in {type(self).__name__}.{method.__name__}")
-            return answer(self, told)
+            known = faults.as_balloon_error(error, f"in {type(self).__name__}.{method.__name__}")
+            return answer(self, known)
 
     return call
 
@@ -153,10 +153,10 @@ def _unforeseen(others, kind, error, trace) -> None:
     if not ours or not isinstance(error, faults.UNFORESEEN):
         others(kind, error, trace)
         return
-    told = faults.as_balloon_error(error, "answering the window")
+    known = faults.as_balloon_error(error, "answering the window")
     # Python keeps the last trace: a painter in it would outlive what it paints on
     traceback.clear_frames(trace)
-    tell(told)
+    tell(known)
 
 
 def _show(error: BalloonError) -> None:

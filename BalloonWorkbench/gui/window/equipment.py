@@ -19,10 +19,10 @@ def tell_missing() -> None:
 
 def described() -> list[str]:
     """Paragraphs about this installation."""
-    told = [f"Film Balloon {__version__} in FreeCAD {'.'.join(App.Version()[:3])}", _solver()]
+    paragraphs = [f"Film Balloon {__version__} in FreeCAD {'.'.join(App.Version()[:3])}", _solver()]
     why = _unusable_library()
-    told += [library.unusable(why), _not_fetchable() or library.SLOWER] if why else []
-    return [*told, *(packages.missing() or ["All packages are installed."])]
+    paragraphs += [library.unusable(why), _not_fetchable() or library.SLOWER] if why else []
+    return [*paragraphs, *(packages.missing() or ["All packages are installed."])]
 
 
 def can_be_fetched() -> bool:

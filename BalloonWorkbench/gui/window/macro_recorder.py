@@ -23,10 +23,10 @@ def call(function: str, *arguments: str, result=None, name: str = "", **named: s
 
     result  what the call returns while it is recorded
     """
-    given = [*arguments, *(f"{key}={value}" for key, value in named.items())]
+    listed = [*arguments, *(f"{key}={value}" for key, value in named.items())]
     with api.already_done(result):
         Gui.doCommand("import BalloonWorkbench")
-        Gui.doCommand(f"{name and name + ' = '}BalloonWorkbench.{function}({', '.join(given)})")
+        Gui.doCommand(f"{name and name + ' = '}BalloonWorkbench.{function}({', '.join(listed)})")
 
 
 def text(value) -> str:
@@ -76,7 +76,7 @@ class Edit:
 
     def _write_changes(self) -> None:
         changed = {
-            name: told for name, told in values.texts(self.parts).items() if self._before.get(name) != told
+            name: value for name, value in values.texts(self.parts).items() if self._before.get(name) != value
         }
         outline = self.parts.outline
         if "drawing" in changed:
@@ -105,5 +105,5 @@ class Edit:
             for name in ("width", "height")
             if getattr(self.parts.outline, name.capitalize()).Value > 0.0
         }
-        named = lengths | {name: told for name, told in changed.items() if name not in ("width", "height")}
+        named = lengths | {name: value for name, value in changed.items() if name not in ("width", "height")}
         call("from_picture", "App.ActiveDocument", path, result=self.parts, name="balloon", **named)

@@ -21,7 +21,7 @@ _SHOWN = 15000  # ms that a sentence stays in the status bar
 _worker: Worker | None = None
 
 
-class _Request:
+class _Fetch:
     """What the thread does."""
 
     def __init__(self, wheel):
@@ -83,7 +83,7 @@ def _refuse() -> None:
 def _fetch(wheel) -> None:
     global _worker  # noqa: PLW0603 - one at a time
     _worker = Worker(
-        _Request(wheel), QtWidgets.QApplication.instance(), title=translate("Fetching the native solver")
+        _Fetch(wheel), QtWidgets.QApplication.instance(), title=translate("Fetching the native solver")
     )
     QtWidgets.QApplication.instance().aboutToQuit.connect(_stop)
     _worker.finished.connect(_fetched)

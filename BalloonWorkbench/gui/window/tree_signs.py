@@ -31,8 +31,8 @@ def sign(obj) -> str:
 def remark(obj) -> str:
     """Why an icon has a sign, in a sentence; empty where it has none."""
     if not hasattr(obj, "Status"):
-        told = [f"{member.Label}: {remark(member)}" for member in obj.Group if remark(member)]
-        return "\n".join(told)
+        reasons = [f"{member.Label}: {remark(member)}" for member in obj.Group if remark(member)]
+        return "\n".join(reasons)
     if sign(obj) == CALM:
         return ""
     if obj.Status == status.READY:
@@ -61,10 +61,10 @@ class _TreeTips(QtCore.QObject):
     def eventFilter(self, watched, event):
         if event.type() != QtCore.QEvent.ToolTip:
             return False
-        told = self._remark(event.pos())
-        if told:
-            QtWidgets.QToolTip.showText(event.globalPos(), told, watched)
-        return bool(told)
+        reason = self._remark(event.pos())
+        if reason:
+            QtWidgets.QToolTip.showText(event.globalPos(), reason, watched)
+        return bool(reason)
 
     def _remark(self, position) -> str:
         """About the object at a place: the tree tells labels only."""
@@ -77,8 +77,8 @@ class _TreeTips(QtCore.QObject):
             index = index.parent()
             above.append(index.sibling(index.row(), 0).data())
         documents = [doc for doc in App.listDocuments().values() if doc.Label in above]
-        found = [obj for doc in documents for obj in doc.getObjectsByLabel(label) if _is_ours(obj)]
-        return remark(found[0]) if found else ""
+        ours = [obj for doc in documents for obj in doc.getObjectsByLabel(label) if _is_ours(obj)]
+        return remark(ours[0]) if ours else ""
 
 
 def _is_ours(obj) -> bool:

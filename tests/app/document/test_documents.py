@@ -106,7 +106,7 @@ def test_editor_modes_are_restored(reopened):
 def test_view_providers_are_asked_for(saved, monkeypatch):
     """A window dresses objects that a screenless FreeCAD has saved."""
     dressed = []
-    monkeypatch.setattr(hooks, "dress", lambda obj: dressed.append(obj.Name))
+    monkeypatch.setattr(hooks, "attach_view", lambda obj: dressed.append(obj.Name))
     document = App.openDocument(str(saved[0]))
     App.closeDocument(document.Name)
     assert sorted(dressed) == sorted([*PROXIES, "BalloonGroup"])

@@ -89,13 +89,13 @@ def test_work_runs_beside_the_window_and_its_error_comes_back(doc):
         assert progress(0.5, "half")
         return threading.current_thread() is threading.main_thread()
 
-    assert hooks.work("Testing", job) is False
+    assert hooks.run_blocking("Testing", job) is False
 
     def broken(progress):
         raise MeshError("too thin")
 
     with pytest.raises(MeshError, match="too thin"):
-        hooks.work("Testing", broken)
+        hooks.run_blocking("Testing", broken)
 
     def endless(progress):
         while progress(0.1, ""):
@@ -104,5 +104,5 @@ def test_work_runs_beside_the_window_and_its_error_comes_back(doc):
 
     timer = when_shown(lambda: hands.key(Gui.getMainWindow(), hands.QtCore.Qt.Key_Escape))
     with pytest.raises(Cancelled):
-        hooks.work("Testing", endless)
+        hooks.run_blocking("Testing", endless)
     assert not timer.isActive()

@@ -183,7 +183,7 @@ def test_a_click_widens_an_arm_that_is_too_thin(framed_window):
     mouse_at(canvas, QEvent.MouseButtonPress, place)
     mouse_at(canvas, QEvent.MouseButtonRelease, place, held=Qt.NoButton)
     assert len(window.painting.steps) == steps + 1
-    assert arm_width(window) == pytest.approx(before + remark.step.wanted - remark.step.was, abs=3)
+    assert arm_width(window) == pytest.approx(before + remark.step.widened - remark.step.was, abs=3)
     wide = pixels(window.painting.image)
     hands.wait_until(window.live.is_settled, 60)
     assert not [told for told in canvas.thin.remarks if told.step is not None]

@@ -44,7 +44,7 @@ class Watch:
 
     def __init__(self, window):
         self.window, self.looks, self.texts, self.moving = window, [], set(), []
-        window.live.found.connect(self._found)
+        window.live.shown.connect(self._found)
 
     def _found(self, look):
         self.looks.append(look)

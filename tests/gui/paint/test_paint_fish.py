@@ -31,7 +31,7 @@ from pointer import Pointer
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.drawings.drawing_file import is_painting
 from BalloonWorkbench.app.drawings.painting import artwork
-from BalloonWorkbench.gui.paint.preview.live_preview import Live
+from BalloonWorkbench.gui.paint.preview.live_preview import LivePreview
 
 sys.path.append(str(Path(__file__).resolve().parents[3] / "tools"))
 
@@ -62,14 +62,14 @@ def pointer():
 @pytest.fixture
 def studied(monkeypatch):
     """Processor time of each study, beside those of the glances in `Live.delays`."""
-    found, done = [], Live._study_done
+    found, done = [], LivePreview._full_design_done
 
     def listen(live, worker):
         if worker.design is not None:
             found.append(worker.work)
         done(live, worker)
 
-    monkeypatch.setattr(Live, "_study_done", listen)
+    monkeypatch.setattr(LivePreview, "_study_done", listen)
     return found
 
 

@@ -32,15 +32,15 @@ def searches(monkeypatch):
 
 
 def test_no_arc_is_looked_for_before_the_fitted_balloon_is_shown(window, searches, monkeypatch):
-    before, pause = [], requests.Study._pause
+    before, pause = [], requests.FullDesign._pause
 
-    def shown(study):
+    def shown(begin_full_design):
         before.append(len(searches))
-        pause(study)
+        pause(begin_full_design)
 
-    monkeypatch.setattr(requests.Study, "_pause", shown)
+    monkeypatch.setattr(requests.FullDesign, "_pause", shown)
     looks = []
-    window.live.found.connect(looks.append)
+    window.live.shown.connect(looks.append)
     egg = [(x + 0.3 * max(0.0, x - 0.5), y) for x, y in ellipse(0.5, 0.5, 0.31, 0.23)]
     draw(window.canvas, egg)
     hands.wait_until(window.live.is_settled, 60)
@@ -72,9 +72,9 @@ def test_the_next_stroke_ends_a_study_that_rests(window, monkeypatch):
     live = window.live
     draw(window.canvas, ellipse(0.5, 0.5, 0.3, 0.2))
     hands.wait_until(live.is_fitted, 60)
-    resting = live._study
+    resting = live._full_design
     draw(window.canvas, ellipse(0.5, 0.7, 0.1, 0.2))
-    assert live._study is not resting
+    assert live._full_design is not resting
     hands.wait_until(lambda: resting not in live._retired, 20)
     hands.wait_until(live.is_fitted, 60)
 
@@ -101,7 +101,7 @@ def test_the_balloon_comes_with_the_next_frame_of_the_window(window):
     surface = next(area.viewport() for area in views() if is_drawn_by_opengl(area.viewport()))
     hands.wait(0.3)
     hands.QtCore.QObject.connect(surface, hands.QtCore.SIGNAL("frameSwapped()"), swapped)
-    window.live.found.connect(begin)
+    window.live.shown.connect(begin)
     window._found(window.live.latest)
     begin(None)
     hands.wait_until(lambda: bool(frames), 10)

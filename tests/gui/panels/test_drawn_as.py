@@ -8,7 +8,7 @@ import pytest
 
 from BalloonWorkbench.app.document import create
 from BalloonWorkbench.app.outline import set_drawing
-from BalloonWorkbench.gui.paint.form import Form
+from BalloonWorkbench.gui.paint.form import PaintForm
 from BalloonWorkbench.gui.panels.balloon.file_box import FileBox
 from BalloonWorkbench.gui.panels.balloon.pattern_box import PatternBox
 
@@ -61,7 +61,7 @@ def test_the_panel_offers_the_low_place_while_the_place_is_found(parts):
 
 
 def test_the_paint_window_offers_it(parts):
-    form, heard = Form(300.0), []
+    form, heard = PaintForm(300.0), []
     form.read_as.connect(heard.append)
     choose(form.drawn_as, "shape")
     assert heard == ["shape"]

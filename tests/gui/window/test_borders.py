@@ -92,9 +92,9 @@ def test_whatever_ends_a_thread_the_window_lives(doc, error):
     before = len(beats)
     hands.wait_until(lambda: len(beats) > before + 2, 10)
     with pytest.raises(ProgramFault):
-        hooks.work("Testing", Asked(error()).solve)
+        hooks.run_blocking("Testing", Asked(error()).solve)
     with pytest.raises(Cancelled):
-        hooks.work("Testing", Asked(Cancelled("Stopped.")).solve)
+        hooks.run_blocking("Testing", Asked(Cancelled("Stopped.")).solve)
 
 
 def test_a_command_that_fails_says_so_and_leaves_no_undo_step(made, monkeypatch):

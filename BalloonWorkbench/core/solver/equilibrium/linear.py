@@ -25,7 +25,7 @@ FILL = 20.0  # the factor holds at most so many times the entries of the matrix
 
 
 @dataclass(frozen=True)
-class Solved:
+class LinearSolution:
     """Result of conjugate gradients; not definite: a direction of negative curvature was met."""
 
     solution: Floats
@@ -79,7 +79,7 @@ def conjugate_gradients(
     precondition: Callable[[Floats], Floats],
     tolerance: float,
     most: int = 10_000,
-) -> Solved:
+) -> LinearSolution:
     """Solve matrix(x) = load (Hestenes and Stiefel 1952) until the residual falls below a part of the load.
 
     Both are measured with the preconditioner, sqrt(r . M^-1 r). Gives up after so many iterations, and
@@ -96,11 +96,11 @@ def conjugate_gradients(
         image = matrix(direction)
         curvature = float(direction @ image)
         if curvature <= 0.0:
-            return Solved(solution, iterations, False)
+            return LinearSolution(solution, iterations, False)
         length = size / curvature
         solution += length * direction
         residual -= length * image
         nearly = precondition(residual)
         previous, size = size, float(residual @ nearly)
         direction = nearly + size / previous * direction
-    return Solved(solution, iterations, size >= 0.0)
+    return LinearSolution(solution, iterations, size >= 0.0)

@@ -6,7 +6,7 @@ from __future__ import annotations
 from BalloonWorkbench.gui.paint.canvas.overlay import Overlay
 from BalloonWorkbench.gui.paint.canvas.paper import Paper
 from BalloonWorkbench.gui.paint.canvas.scale import Scale
-from BalloonWorkbench.gui.paint.canvas.stroke_input import Hand
+from BalloonWorkbench.gui.paint.canvas.stroke_input import StrokeInput
 from BalloonWorkbench.gui.paint.canvas.thin import ThinPlaces
 from BalloonWorkbench.gui.paint.painting.painted import SIDE, Painting
 from BalloonWorkbench.gui.paint.painting.strokes import LINE
@@ -37,7 +37,7 @@ class Canvas(QtWidgets.QWidget):
         self.setFocusPolicy(QtCore.Qt.StrongFocus)
         self.setAttribute(QtCore.Qt.WA_OpaquePaintEvent)
         self.painting = painting
-        self.hand = Hand(painting, self)
+        self.hand = StrokeInput(painting, self)
         self.paper = Paper(self)
         self.overlay, self.thin, self.scale = Overlay(), ThinPlaces(), Scale()
         self._held = None  # where the paper is held
@@ -56,16 +56,16 @@ class Canvas(QtWidgets.QWidget):
         self._every_move(False)
         super().hideEvent(event)
 
-    def _every_move(self, wanted: bool) -> None:
+    def _every_move(self, every: bool) -> None:
         """Have each movement of the mouse: Qt leaves out those that came while the window was busy.
 
         That is a choice for the whole program, so it holds only as long as the canvas is seen.
         """
         compressing = QtCore.Qt.AA_CompressHighFrequencyEvents
-        if wanted and self._compressed is None:
+        if every and self._compressed is None:
             self._compressed = QtCore.QCoreApplication.testAttribute(compressing)
             QtCore.QCoreApplication.setAttribute(compressing, False)
-        elif not wanted and self._compressed is not None:
+        elif not every and self._compressed is not None:
             QtCore.QCoreApplication.setAttribute(compressing, self._compressed)
             self._compressed = None
 

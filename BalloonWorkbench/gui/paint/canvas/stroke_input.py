@@ -4,23 +4,23 @@
 from __future__ import annotations
 
 from BalloonWorkbench.gui.paint.painting.painted import SIDE, Painting
-from BalloonWorkbench.gui.paint.painting.strokes import ERASER, FILL, LINE, PEN, Fill, Spill, Stroke
+from BalloonWorkbench.gui.paint.painting.strokes import ERASER, FILL, LINE, PEN, Fill, PaintStroke, Spill
 from BalloonWorkbench.gui.paint.painting.tools import COLOURS, MOVE, THICKEST, THINNEST, TOOLS, USUAL
 from BalloonWorkbench.gui.qt import QtCore, translate
 
 _BEND = 32  # pieces of a bent line
 
 
-class Hand(QtCore.QObject):
+class StrokeInput(QtCore.QObject):
     """Paints on a Painting; places are pixels of it.
 
     tool, colour, thickness, mirror  what it paints with
     stroke, bending                  what it is at: a stroke, and whether that is a line being bent
-    `growing` comes while a stroke is drawn, `told` is for the status line.
+    `growing` comes while a stroke is drawn, `message` is for the status line.
     """
 
     growing = QtCore.Signal()
-    told = QtCore.Signal(str)
+    message = QtCore.Signal(str)
 
     def __init__(self, painting: Painting, parent=None):
         super().__init__(parent)
@@ -28,7 +28,7 @@ class Hand(QtCore.QObject):
         self.tool, self.colour = TOOLS[0], COLOURS[0][0]
         self.thickness = USUAL
         self.mirror = False
-        self.stroke: Stroke | None = None
+        self.stroke: PaintStroke | None = None
         self.bending = False
 
     def set_thickness(self, value: int) -> None:
@@ -47,7 +47,7 @@ class Hand(QtCore.QObject):
             self._fill(at)
             return
         tool = next(tool for tool in TOOLS if tool.name == ERASER) if erase else self.tool
-        self.stroke = Stroke(tool.name, self.colour, self.mirror)
+        self.stroke = PaintStroke(tool.name, self.colour, self.mirror)
         self._pressure_share, self._widening = tool.pressure, tool.widening
         self._add(at, pressure)
 
@@ -70,7 +70,7 @@ class Hand(QtCore.QObject):
             return
         if stroke.tool == LINE and not self.bending and len(stroke.points) > 1:
             self.bending = True
-            self.told.emit(translate("Move the pointer to bend the line, then click. Esc drops it."))
+            self.message.emit(translate("Move the pointer to bend the line, then click. Esc drops it."))
             return
         if stroke.tool == LINE and len(stroke.points) < 2:
             self.cancel()
@@ -129,4 +129,4 @@ class Hand(QtCore.QObject):
         try:
             self.painting.do(Fill(self.colour, at.x(), at.y(), self.mirror))
         except Spill:
-            self.told.emit(translate("The colour would run out: close the line around this place first."))
+            self.message.emit(translate("The colour would run out: close the line around this place first."))

@@ -94,7 +94,7 @@ class ThinPlaces:
         stroker.setWidth(max(step.was * canvas.paper.zoom, 4.0))
         colour.setAlphaF(0.75)
         painter.fillPath(stroker.createStroke(line).simplified(), colour)
-        stroker.setWidth(step.wanted * canvas.paper.zoom)
+        stroker.setWidth(step.widened * canvas.paper.zoom)
         painter.setPen(QtGui.QPen(QtGui.QColor(_ORANGE), 1.6, QtCore.Qt.DashLine))
         painter.setBrush(QtCore.Qt.NoBrush)
         painter.drawPath(stroker.createStroke(line).simplified())

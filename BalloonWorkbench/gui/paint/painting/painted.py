@@ -15,14 +15,27 @@ import numpy as np
 
 from BalloonWorkbench.app.drawings.drawing_file import KEY
 from BalloonWorkbench.core.errors import PictureError
-from BalloonWorkbench.gui.paint.painting.steps import KINDS
-from BalloonWorkbench.gui.paint.painting.strokes import Picture
+from BalloonWorkbench.gui.paint.painting.strokes import (
+    BRUSH,
+    ERASER,
+    FILL,
+    LINE,
+    PEN,
+    Clear,
+    Fill,
+    PaintStroke,
+    PastedPicture,
+)
+from BalloonWorkbench.gui.paint.painting.widen import WIDEN, Widen
 from BalloonWorkbench.gui.qt import QtCore, QtGui, translate
 
 SIDE = 1000  # px; a quarter of a millimetre on a balloon of 250 mm
 _KEPT = 8  # steps between two copies of the picture
 _COPIES = 12
 _MOST_TEXT = 4_000_000  # characters; readers of PNG refuse longer ones
+#: The kinds of steps by the name that their file has.
+_KINDS = dict.fromkeys((PEN, BRUSH, ERASER, LINE), PaintStroke)
+_KINDS |= {FILL: Fill, WIDEN: Widen, "picture": PastedPicture, "clear": Clear}
 
 
 class Painting(QtCore.QObject):
@@ -38,7 +51,7 @@ class Painting(QtCore.QObject):
     def __init__(self, parent=None):
         super().__init__(parent)
         self.image = _blank()
-        self.backdrop: Picture | None = None
+        self.backdrop: PastedPicture | None = None
         self.revision = 0
         self._steps: list = []
         self._undone: list = []
@@ -97,7 +110,7 @@ class Painting(QtCore.QObject):
             step.paint(self.image)
         self.touch()
 
-    def set_backdrop(self, picture: Picture | None) -> None:
+    def set_backdrop(self, picture: PastedPicture | None) -> None:
         self.backdrop = picture
         self.changed.emit()
 
@@ -118,9 +131,9 @@ class Painting(QtCore.QObject):
             )
         text = image.text(KEY)
         data = json.loads(zlib.decompress(base64.b64decode(text))) if text else {}
-        steps = [KINDS[step["tool"]].from_data(step) for step in data.get("steps", ())]
-        self._steps = steps or [Picture(path.read_bytes())]
-        self.backdrop = Picture.from_data(data["backdrop"]) if data.get("backdrop") else None
+        steps = [_KINDS[step["tool"]].from_data(step) for step in data.get("steps", ())]
+        self._steps = steps or [PastedPicture(path.read_bytes())]
+        self.backdrop = PastedPicture.from_data(data["backdrop"]) if data.get("backdrop") else None
         self._undone, self._copies = [], {}
         self.repaint()
 
@@ -139,7 +152,7 @@ class Painting(QtCore.QObject):
             del self._copies[min(self._copies)]
 
 
-def picture_from(path: Path) -> Picture:
+def picture_from(path: Path) -> PastedPicture:
     """The picture in a file, no larger than the paper, upright; PictureError when it is none."""
     reader = QtGui.QImageReader(str(path))
     reader.setAutoTransform(True)
@@ -154,7 +167,7 @@ def picture_from(path: Path) -> Picture:
     buffer = QtCore.QBuffer()
     buffer.open(QtCore.QIODevice.WriteOnly)
     image.save(buffer, "PNG" if image.hasAlphaChannel() else "JPG", -1 if image.hasAlphaChannel() else 92)
-    return Picture(bytes(buffer.data()))
+    return PastedPicture(bytes(buffer.data()))
 
 
 def _blank():

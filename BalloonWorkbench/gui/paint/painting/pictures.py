@@ -8,7 +8,7 @@ from pathlib import Path
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.gui.long_work.worker import Worker
 from BalloonWorkbench.gui.paint.painting.painted import Painting, picture_from
-from BalloonWorkbench.gui.paint.painting.strokes import Picture
+from BalloonWorkbench.gui.paint.painting.strokes import PastedPicture
 from BalloonWorkbench.gui.paint.preview.requests import CutOut
 from BalloonWorkbench.gui.qt import QtCore
 from BalloonWorkbench.gui.window.file_dialogs import ask_for_picture
@@ -17,7 +17,7 @@ from BalloonWorkbench.gui.window.file_dialogs import ask_for_picture
 class Pictures(QtCore.QObject):
     """Puts pictures into a painting; `told` says why one cannot be used."""
 
-    told = QtCore.Signal(str)
+    message = QtCore.Signal(str)
 
     def __init__(self, painting: Painting, parent):
         super().__init__(parent)
@@ -35,7 +35,7 @@ class Pictures(QtCore.QObject):
         try:
             content = picture_from(path).content
         except BalloonError as error:
-            self.told.emit(str(error))
+            self.message.emit(str(error))
             return
         self._worker = Worker(CutOut(content), self)
         self._worker.finished.connect(self._cut_out)
@@ -46,7 +46,7 @@ class Pictures(QtCore.QObject):
         try:
             self._painting.set_backdrop(picture_from(path))
         except BalloonError as error:
-            self.told.emit(str(error))
+            self.message.emit(str(error))
 
     def wait(self) -> None:
         """Let a picture that is being cut out come to its end."""
@@ -56,6 +56,6 @@ class Pictures(QtCore.QObject):
     def _cut_out(self) -> None:
         worker, self._worker = self._worker, None
         if worker.design is not None:
-            self._painting.do(Picture(worker.design))
+            self._painting.do(PastedPicture(worker.design))
         else:
-            self.told.emit(str(worker.error))
+            self.message.emit(str(worker.error))

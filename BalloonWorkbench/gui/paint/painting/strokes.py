@@ -25,7 +25,7 @@ class Spill(Exception):
 
 
 @dataclass
-class Stroke:
+class PaintStroke:
     """A line drawn with pen, brush or eraser, straight or bent.
 
     points  (x, y, width) px each
@@ -103,7 +103,7 @@ class Stroke:
         return {"tool": self.tool, "colour": self.colour, "mirror": self.mirror, "points": points}
 
     @classmethod
-    def from_data(cls, data: dict) -> Stroke:
+    def from_data(cls, data: dict) -> PaintStroke:
         points = [(float(x), float(y), float(width)) for x, y, width in data["points"]]
         return cls(data["tool"], data["colour"], data["mirror"], points)
 
@@ -156,7 +156,7 @@ class Fill:
 
 
 @dataclass
-class Picture:
+class PastedPicture:
     """A picture on the paper, as large as fits.
 
     content  of the file
@@ -192,7 +192,7 @@ class Picture:
         return {"tool": self.tool, "content": base64.b64encode(self.content).decode()}
 
     @classmethod
-    def from_data(cls, data: dict) -> Picture:
+    def from_data(cls, data: dict) -> PastedPicture:
         return cls(base64.b64decode(data["content"]))
 
 

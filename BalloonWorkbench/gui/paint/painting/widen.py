@@ -21,13 +21,13 @@ class Widen:
     """Widens what lies along a line, and a little beyond its ends, so that the roots become round.
 
     points       of the middle line (x, y) px
-    was, wanted  width before and after, px
+    was, widened  width before and after, px
     mirror       on the other half of the paper too
     """
 
     points: list[tuple[float, float]]
     was: float
-    wanted: float
+    widened: float
     mirror: bool = False
     tool: str = WIDEN
 
@@ -39,25 +39,25 @@ class Widen:
 
     def _is_beside_the_axis(self, line, side: float) -> bool:
         away = line[:, 0] - 0.5 * side
-        return bool(abs(away).min() > self.wanted and (away > 0).all() == (away > 0).any())
+        return bool(abs(away).min() > self.widened and (away > 0).all() == (away > 0).any())
 
     def _paint_along(self, image, line) -> None:
-        gain = 0.5 * (self.wanted - self.was)
-        reach = 0.5 * self.wanted * (1.0 + _RIM) + _ROOM * gain
-        low = np.maximum(np.floor(line.min(axis=0) - reach - self.wanted), 0).astype(int)
+        gain = 0.5 * (self.widened - self.was)
+        reach = 0.5 * self.widened * (1.0 + _RIM) + _ROOM * gain
+        low = np.maximum(np.floor(line.min(axis=0) - reach - self.widened), 0).astype(int)
         high = np.minimum(
-            np.ceil(line.max(axis=0) + reach + self.wanted), [image.width(), image.height()]
+            np.ceil(line.max(axis=0) + reach + self.widened), [image.width(), image.height()]
         ).astype(int)
         if (high <= low).any():
             return
         place = QtCore.QRect(*map(int, low), *map(int, high - low))
         pixels = _premultiplied(image.copy(place))
         y, x = np.mgrid[low[1] : high[1], low[0] : high[0]].astype(np.float32) + 0.5
-        nearest_x, nearest_y, away, share = _along(line, x, y, self.wanted)
+        nearest_x, nearest_y, away, share = _along(line, x, y, self.widened)
         rim = 0.5 * _RIM * self.was
         taken = np.interp(
             away,
-            [0.0, 0.5 * self.wanted - rim, 0.5 * self.wanted + rim, reach],
+            [0.0, 0.5 * self.widened - rim, 0.5 * self.widened + rim, reach],
             [0.0, 0.5 * self.was - rim, 0.5 * self.was + rim, reach],
         )
         part = 1.0 + share * (taken / np.maximum(away, 1e-3) - 1.0)
@@ -82,7 +82,7 @@ class Widen:
             "tool": WIDEN,
             "points": [[round(x, 2), round(y, 2)] for x, y in self.points],
             "was": round(self.was, 3),
-            "wanted": round(self.wanted, 3),
+            "wanted": round(self.widened, 3),
             "mirror": self.mirror,
         }
 

@@ -41,7 +41,7 @@ def remarks(findings, frame, side: float) -> tuple[Remark, ...]:
 
     frame  turns metres in the drawing into parts of the picture; side of the picture in px
     """
-    found: list[Remark] = []
+    marks: list[Remark] = []
     for finding in findings:
         x, y = frame.places([finding.place])[0].tolist()
         step, question = None, ""
@@ -52,14 +52,14 @@ def remarks(findings, frame, side: float) -> tuple[Remark, ...]:
             question = translate(_QUESTIONS[finding.rule]).format(
                 short(to_mm(repair.was)), short(to_mm(repair.size))
             )
-            if any(known.step is not None and _same(known.step, step) for known in found):
+            if any(known.step is not None and _same(known.step, step) for known in marks):
                 continue
-        found.append(Remark(finding.severity.value, finding.text, (x, y), step, question))
-    return tuple(found)
+        marks.append(Remark(finding.severity.value, finding.text, (x, y), step, question))
+    return tuple(marks)
 
 
 def _same(one: Widen, other: Widen) -> bool:
     """Two repairs of one part: their middles are near each other."""
     middles = [step.points[len(step.points) // 2] for step in (one, other)]
     (a, b), (x, y) = middles
-    return abs(a - x) + abs(b - y) < max(one.wanted, other.wanted)
+    return abs(a - x) + abs(b - y) < max(one.widened, other.widened)

@@ -17,8 +17,8 @@ from BalloonWorkbench.app.properties import preferences
 from BalloonWorkbench.core.errors import Cancelled
 from BalloonWorkbench.gui.long_work.worker import Worker
 from BalloonWorkbench.gui.paint.painting.painted import Painting
-from BalloonWorkbench.gui.paint.preview.preview_state import Look
-from BalloonWorkbench.gui.paint.preview.requests import Glance, Study
+from BalloonWorkbench.gui.paint.preview.preview_state import PreviewState
+from BalloonWorkbench.gui.paint.preview.requests import FullDesign, QuickPreview
 from BalloonWorkbench.gui.qt import QtCore
 
 REST = 250  # ms without a change, then the study begins
@@ -27,7 +27,7 @@ _KNOWN = 8  # fitted balloons that come back at once
 _PART = 0.03  # of the study between two signs of progress
 
 
-class Live(QtCore.QObject):
+class LivePreview(QtCore.QObject):
     """Looks at a painting whenever it changes.
 
     width and settings belong to the balloon; `refused` says why none can be seen. `delays` has, for each
@@ -35,7 +35,7 @@ class Live(QtCore.QObject):
     on the way, one after the other: what the clock would tell on a machine with nothing else to do.
     """
 
-    found = QtCore.Signal(object)
+    shown = QtCore.Signal(object)
     refused = QtCore.Signal(str)
     empty = QtCore.Signal()
     progressed = QtCore.Signal(float)
@@ -45,42 +45,42 @@ class Live(QtCore.QObject):
         self.painting = painting
         self.width = preferences.get("Width")
         self.settings = preferences.settings()
-        self.latest: Look | None = None
+        self.latest: PreviewState | None = None
         self.delays: list[tuple[float, float]] = []
-        self._known: deque[Look] = deque(maxlen=_KNOWN)  # fitted, the newest first
+        self._known: deque[PreviewState] = deque(maxlen=_KNOWN)  # fitted, the newest first
         self._folder = tempfile.TemporaryDirectory()
-        self._glance: Worker | None = None
-        self._study: Worker | None = None
+        self._quick_preview: Worker | None = None
+        self._full_design: Worker | None = None
         self._retired: list[Worker] = []
         self._dirty = False
         self._in_stroke = self._is_early = False  # early: the glance began before the stroke had ended
         self._told = 0.0
         self._changed_at = 0.0, 0.0
-        self._rest = self._timer(REST, self.study)
-        self._soon = self._timer(_WHILE_DRAWING, self._begin_glance)
+        self._rest = self._timer(REST, self.begin_full_design)
+        self._soon = self._timer(_WHILE_DRAWING, self._begin_quick_preview)
 
     def changed(self) -> None:
         """A step is done: look at once, and closer when nothing more happens."""
         self._changed_at = time.perf_counter(), time.thread_time()
         self._dirty = True
         self._in_stroke = False
-        self.drop_study()
+        self.drop_full_design()
         if self.painting.is_empty():
             self._nothing()
             return
         self._rest.start()
-        if self._glance is None:
-            self._begin_glance()
+        if self._quick_preview is None:
+            self._begin_quick_preview()
         elif self._is_early:
-            self._glance.stop()
+            self._quick_preview.stop()
 
     def drawing(self) -> None:
         """A stroke is growing: look now and then."""
         self.painting.revision += 1
-        self.drop_study()
+        self.drop_full_design()
         self._rest.stop()
         self._dirty = self._in_stroke = True
-        if self._glance is None and not self._soon.isActive():
+        if self._quick_preview is None and not self._soon.isActive():
             self._soon.start()
 
     def set_width(self, width: float) -> None:
@@ -112,19 +112,19 @@ class Live(QtCore.QObject):
         )
 
     def is_busy(self) -> bool:
-        return self._glance is not None or self._study is not None or self._rest.isActive()
+        return self._quick_preview is not None or self._full_design is not None or self._rest.isActive()
 
-    def study(self, awaited: bool = False) -> None:
+    def begin_full_design(self, awaited: bool = False) -> None:
         """Begin the study now, unless it runs; awaited: somebody waits for its end."""
         self._rest.stop()
-        if self._study is not None:
-            self._study.request.is_awaited = awaited
+        if self._full_design is not None:
+            self._full_design.request.is_awaited = awaited
             return
         if self.painting.is_empty():
             return
         folder = Path(self._folder.name) / str(self.painting.revision)
         folder.mkdir(exist_ok=True)
-        request = Study(
+        request = FullDesign(
             self.painting.file_image(),
             self.painting.revision,
             self.width,
@@ -134,22 +134,22 @@ class Live(QtCore.QObject):
             known=tuple(self._known),
         )
         self._told = 0.0
-        self._study = self._begin(request, self._study_done)
-        self._study.progressed.connect(self._tell_progress)
-        self._study.before.connect(self._study_shown)
-        request.show = self._study.before.emit
-        self._study.start(QtCore.QThread.LowPriority)
+        self._full_design = self._begin(request, self._full_design_done)
+        self._full_design.progressed.connect(self._tell_progress)
+        self._full_design.before.connect(self._full_design_shown)
+        request.show = self._full_design.before.emit
+        self._full_design.start(QtCore.QThread.LowPriority)
 
     def stop(self) -> None:
         """End all work; waits for the engine's next step."""
         for timer in (self._rest, self._soon):
             timer.stop()
-        working = [self._glance, self._study, *self._retired]
+        working = [self._quick_preview, self._full_design, *self._retired]
         for worker in filter(None, working):
             worker.stop()
         for worker in filter(None, working):
             worker.wait()
-        self._glance = self._study = None
+        self._quick_preview = self._full_design = None
         self._retired.clear()
 
     def _timer(self, interval: int, action):
@@ -164,9 +164,9 @@ class Live(QtCore.QObject):
         worker.finished.connect(lambda: done(worker))
         return worker
 
-    def _begin_glance(self) -> None:
+    def _begin_quick_preview(self) -> None:
         self._soon.stop()
-        if self._glance is not None:
+        if self._quick_preview is not None:
             return
         self._dirty, self._is_early = False, self._in_stroke
         if self.painting.is_empty():
@@ -174,25 +174,26 @@ class Live(QtCore.QObject):
             return
         image = self.painting.image.copy()
         known = tuple(self._known)
-        self._glance = self._begin(
-            Glance(image, self.painting.revision, self.width, self.settings, known), self._glance_done
+        self._quick_preview = self._begin(
+            QuickPreview(image, self.painting.revision, self.width, self.settings, known),
+            self._quick_preview_done,
         )
-        self._glance.start()
+        self._quick_preview.start()
 
     def _nothing(self) -> None:
         """Nothing is painted: whatever was seen before is over."""
         self._rest.stop()
         self._soon.stop()
         self._dirty = False
-        if self._glance is not None:
-            self._glance.stop()
+        if self._quick_preview is not None:
+            self._quick_preview.stop()
         self.latest = None
         self.empty.emit()
 
-    def _glance_done(self, worker: Worker) -> None:
-        if worker is not self._glance:
+    def _quick_preview_done(self, worker: Worker) -> None:
+        if worker is not self._quick_preview:
             return
-        self._glance = None
+        self._quick_preview = None
         worker.deleteLater()
         newest = worker.request.revision == self.painting.revision
         if not (newest and self.is_fitted()) and not self.painting.is_empty():
@@ -201,21 +202,21 @@ class Live(QtCore.QObject):
             clock, work = self._changed_at
             self.delays.append((time.perf_counter() - clock, time.thread_time() - work + worker.work))
         if self._dirty:
-            self._begin_glance()
+            self._begin_quick_preview()
 
-    def _study_shown(self, look: Look) -> None:
+    def _full_design_shown(self, look: PreviewState) -> None:
         """The balloon is fitted; what the document needs is still on its way."""
-        if self._study is not None and look.revision == self.painting.revision:
+        if self._full_design is not None and look.revision == self.painting.revision:
             self._show(look)
             self.progressed.emit(1.0)
 
-    def _study_done(self, worker: Worker) -> None:
+    def _full_design_done(self, worker: Worker) -> None:
         worker.deleteLater()
-        if worker is not self._study:
+        if worker is not self._full_design:
             if worker in self._retired:
                 self._retired.remove(worker)
             return
-        self._study = None
+        self._full_design = None
         self.progressed.emit(1.0)
         if worker.request.revision == self.painting.revision:
             self._take(worker)
@@ -227,23 +228,23 @@ class Live(QtCore.QObject):
             self.latest = None
             self.refused.emit(worker.fault() or str(worker.error))
 
-    def _show(self, look: Look) -> None:
+    def _show(self, look: PreviewState) -> None:
         self.latest = look
         if look.fitted:
             others = [each for each in self._known if not each.is_of(look.traced, look.width)]
             self._known = deque([look, *others], _KNOWN)
-        self.found.emit(look)
+        self.shown.emit(look)
 
-    def drop_study(self) -> None:
+    def drop_full_design(self) -> None:
         """Nobody wants it any more: let the engine stop by itself, nobody waits for it."""
-        if self._study is not None:
-            self._study.stop()
-            self._retired.append(self._study)
-            self._study = None
+        if self._full_design is not None:
+            self._full_design.stop()
+            self._retired.append(self._full_design)
+            self._full_design = None
             self.progressed.emit(1.0)
 
     def _tell_progress(self, fraction: float, text: str) -> None:
-        if self._study is None or (self.is_fitted() and not self._study.request.is_awaited):
+        if self._full_design is None or (self.is_fitted() and not self._full_design.request.is_awaited):
             return
         if fraction >= self._told + _PART:
             self._told = fraction

@@ -77,12 +77,12 @@ def _look() -> None:
     from BalloonWorkbench.core.job import Settings
     from BalloonWorkbench.core.types import no_progress
     from BalloonWorkbench.gui.paint.painting.painted import SIDE, Painting
-    from BalloonWorkbench.gui.paint.painting.strokes import PEN, Stroke
-    from BalloonWorkbench.gui.paint.preview.requests import Glance
+    from BalloonWorkbench.gui.paint.painting.strokes import PEN, PaintStroke
+    from BalloonWorkbench.gui.paint.preview.requests import QuickPreview
     from BalloonWorkbench.gui.window.sentences import tell
 
     dot = Painting()
-    dot.do(Stroke(PEN, "#000000", points=[(SIDE / 2, SIDE / 2, SIDE / 2)]))
+    dot.do(PaintStroke(PEN, "#000000", points=[(SIDE / 2, SIDE / 2, SIDE / 2)]))
     with suppress(BalloonError):  # what is missing is told when it is needed
-        Glance(dot.image, 0, 100.0, Settings()).solve(no_progress)
+        QuickPreview(dot.image, 0, 100.0, Settings()).solve(no_progress)
     tell("")

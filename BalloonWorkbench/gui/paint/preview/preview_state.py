@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from BalloonWorkbench.app.drawings.painting import Solved
+from BalloonWorkbench.app.drawings.painting import SolvedPainting
 from BalloonWorkbench.app.drawings.qt_picture import pixels
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.errors import InputError
@@ -32,7 +32,7 @@ TRACED = 256  # px along the side of the picture in which a glance looks for the
 
 
 @dataclass(frozen=True)
-class Skin:
+class PreviewSurface:
     """Both panels of one balloon.
 
     positions  (n, 3) mm; normals (n, 3); triangles (m, 3)
@@ -46,7 +46,7 @@ class Skin:
 
 
 @dataclass(frozen=True)
-class Frame:
+class PictureFrame:
     """From metres in the drawing to parts of the picture."""
 
     corner: np.ndarray
@@ -57,7 +57,7 @@ class Frame:
 
 
 @dataclass(frozen=True)
-class Look:
+class PreviewState:
     """One state of a painting.
 
     revision  of the painting
@@ -73,15 +73,15 @@ class Look:
     """
 
     revision: int
-    skins: tuple[Skin, ...]
+    skins: tuple[PreviewSurface, ...]
     drawing: Drawing
-    frame: Frame
+    frame: PictureFrame
     contours: tuple[tuple[str, np.ndarray], ...]
     size: tuple[float, float, float]
     volume: float
     fitted: bool = False
     remarks: tuple[Remark, ...] = ()
-    solved: Solved | None = None
+    solved: SolvedPainting | None = None
     file: Path | None = None
     traced: tuple[np.ndarray, ...] = ()
     width: float = 0.0
@@ -107,7 +107,7 @@ class Look:
         )
 
 
-def loops_in(drawing: Drawing, frame: Frame) -> tuple[np.ndarray, ...]:
+def loops_in(drawing: Drawing, frame: PictureFrame) -> tuple[np.ndarray, ...]:
     """The loops of a drawing (k, 2), in parts of the picture, y up."""
     return tuple(frame.places(loop) for part in drawing.parts for loop in part.loops)
 
@@ -117,20 +117,20 @@ def _near(loop: np.ndarray, other: np.ndarray, within: float) -> bool:
     return bool((nearest_on_line(ring(other), loop).distance < within).all())
 
 
-def seen(image, width: float, drawn_as: str) -> tuple[Drawing, Frame]:
+def seen(image, width: float, drawn_as: str) -> tuple[Drawing, PictureFrame]:
     """The shapes in an image, so wide in mm [m], and where they are in it. BalloonError without any."""
     small = image.scaled(TRACED, TRACED, QtCore.Qt.IgnoreAspectRatio, QtCore.Qt.SmoothTransformation)
     drawing, corner = placed_drawing(pixels(small), 0.0, drawn_as)
     across = drawing.size[0]
     sized = scale_to(drawing, from_mm(width), None)
-    return sized, Frame(corner / TRACED, across / TRACED / from_mm(width))
+    return sized, PictureFrame(corner / TRACED, across / TRACED / from_mm(width))
 
 
-def skin(inflation, places) -> Skin:
+def skin(inflation, places) -> PreviewSurface:
     """What is shown of a balloon; places (n, 2) of its vertices in the picture."""
     flat, faces = inflation.positions, inflation.panel.triangles
     below = flat * MIRROR if inflation.lower is None else inflation.lower
-    return Skin(
+    return PreviewSurface(
         to_mm(np.concatenate([flat, below])),
         np.concatenate([inflation.directors, inflation.directors * MIRROR]),
         np.concatenate([faces, faces[:, ::-1] + len(flat)]),

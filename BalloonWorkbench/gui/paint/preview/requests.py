@@ -23,8 +23,8 @@ from BalloonWorkbench.gui.paint.painting.painted import SIDE
 from BalloonWorkbench.gui.paint.preview.advice_marks import remarks
 from BalloonWorkbench.gui.paint.preview.preview_state import (
     NEARLY,
-    Frame,
-    Look,
+    PictureFrame,
+    PreviewState,
     contours,
     drawn,
     loops_in,
@@ -41,7 +41,7 @@ _LOOK = 0.05  # s each
 
 
 @dataclass
-class Glance:
+class QuickPreview:
     """The quick look at an image; width in mm.
 
     known  fitted looks, the newest first: one of the same outline is kept, whatever else has been painted;
@@ -52,14 +52,14 @@ class Glance:
     revision: int
     width: float
     settings: Settings
-    known: tuple[Look, ...] = ()
+    known: tuple[PreviewState, ...] = ()
 
-    def solve(self, progress) -> Look:
+    def solve(self, progress) -> PreviewState:
         """Raises BalloonError where no balloon can be seen yet, Cancelled when progress says stop."""
         with stoppable(progress):
             return self._look(progress)
 
-    def _look(self, progress) -> Look:
+    def _look(self, progress) -> PreviewState:
         drawing, frame = seen(self.image, self.width, self.settings.drawn_as)
         traced = loops_in(drawing, frame)
         for look in self.known:
@@ -98,7 +98,7 @@ class Glance:
                     raise
             checkpoint()
         largest = drafts[0].inflation
-        return Look(
+        return PreviewState(
             self.revision,
             tuple(skin(each.inflation, frame.places(each.inflation.panel.rest_positions)) for each in drafts),
             drawing,
@@ -110,7 +110,7 @@ class Glance:
 
 
 @dataclass
-class Study:
+class FullDesign:
     """The fitted balloons of an image, in the file that the document will have.
 
     show        is given the look of the balloons as soon as they are fitted; what there is to tell about them
@@ -124,16 +124,16 @@ class Study:
     width: float
     settings: Settings
     file: Path
-    show: Callable[[Look], object] = bool
+    show: Callable[[PreviewState], object] = bool
     is_awaited: bool = False
-    known: tuple[Look, ...] = ()
+    known: tuple[PreviewState, ...] = ()
 
-    def solve(self, progress) -> Look:
+    def solve(self, progress) -> PreviewState:
         """Raises BalloonError where there is none, Cancelled when progress says stop."""
         with stoppable(progress):
             return self._solve(progress)
 
-    def _solve(self, progress) -> Look:
+    def _solve(self, progress) -> PreviewState:
         if not self.image.save(str(self.file), "PNG"):
             raise ExportError(
                 translate("The painting cannot be written to '{}': is the disk full?").format(self.file)
@@ -170,10 +170,10 @@ class Study:
             checkpoint()
             time.sleep(_LOOK)
 
-    def _look(self, frame: Frame, requests, designs) -> Look:
+    def _look(self, frame: PictureFrame, requests, designs) -> PreviewState:
         """The balloons and the pattern, whose lines are not smooth yet."""
         inflations = [design.inflation for design in designs]
-        return Look(
+        return PreviewState(
             self.revision,
             tuple(skin(inflation, frame.places(drawn(inflation))) for inflation in inflations),
             _drawing(requests),

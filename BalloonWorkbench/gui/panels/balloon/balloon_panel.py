@@ -34,14 +34,14 @@ from BalloonWorkbench.gui.panels.widgets.pages import Pages
 from BalloonWorkbench.gui.panels.widgets.watch import Watch
 from BalloonWorkbench.gui.qt import QtCore, drawn_icon, translate
 from BalloonWorkbench.gui.view3d.fit_view import fit_all, is_whole
-from BalloonWorkbench.gui.window.borders import Panel
+from BalloonWorkbench.gui.window.borders import TaskPanel
 from BalloonWorkbench.gui.window.macro_recorder import Edit
 
 _REST = 400  # ms without an edit, then a live balloon follows
 _AGAIN = 50  # ms until a result is offered once more to a document that was busy
 
 
-class BalloonPanel(Panel):
+class BalloonPanel(TaskPanel):
     """Edits one balloon.
 
     sketch        the outline follows a sketch, not a file
@@ -89,7 +89,7 @@ class BalloonPanel(Panel):
         self.soon.setSingleShot(True)
         self.soon.setInterval(_REST)
         self.soon.timeout.connect(self.follow)
-        self.result.wanted.connect(self.apply)
+        self.result.requested.connect(self.apply)
         self.result.stopped.connect(self.stop)
         self.result.live_changed.connect(self.values_changed)
         self.result.asked_for.connect(self.accept_and_go)

@@ -21,7 +21,7 @@ from BalloonWorkbench.gui.view3d.skin import Skin, SkinNodes, normals
 
 
 @dataclass(frozen=True)
-class _Request:
+class _DraftRequest:
     """What a draft is made from; pressure in Pa."""
 
     outline: Outline
@@ -51,8 +51,8 @@ class DraftView(QtCore.QObject):
         settings = request.settings
         if not settings.correct or settings.goal is not None:
             return  # as drawn it is there as soon; and nobody knows its size yet
-        wanted = _Request(request.source.outline, settings.film, settings.pressure)
-        self._worker = Worker(wanted, self)
+        asked = _DraftRequest(request.source.outline, settings.film, settings.pressure)
+        self._worker = Worker(asked, self)
         self._worker.finished.connect(self._show)
         self._worker.start()
 
@@ -87,10 +87,10 @@ class DraftView(QtCore.QObject):
         self._root.addChild(self._node)
         self.drawn.emit(worker.design)
 
-    def _nodes(self, found: Draft):
+    def _nodes(self, drafted: Draft):
         from pivy import coin
 
-        positions, triangles = balloon_mesh(found.inflation)
+        positions, triangles = balloon_mesh(drafted.inflation)
         shape = SkinNodes(Skin(to_mm(positions), triangles, normals(positions, triangles)))
         film, look = FilmLook(), look_of(self._parts.balloon)
         colour = tuple(int(look.colour[k : k + 2], 16) / 255.0 for k in (1, 3, 5))

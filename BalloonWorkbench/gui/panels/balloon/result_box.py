@@ -40,7 +40,7 @@ class ResultBox(QtWidgets.QWidget):
     `asked_for` carries the name of a command that looks closer at the balloon.
     """
 
-    wanted = QtCore.Signal()
+    requested = QtCore.Signal()
     stopped = QtCore.Signal()
     live_changed = QtCore.Signal()
     asked_for = QtCore.Signal(str)
@@ -53,7 +53,7 @@ class ResultBox(QtWidgets.QWidget):
         self._apply = QtWidgets.QPushButton(translate("Apply"))
         self._apply.setObjectName("Apply")
         self._apply.setToolTip(translate("Inflate with these values and show the balloon"))
-        self._apply.clicked.connect(lambda _checked=False: self.wanted.emit())
+        self._apply.clicked.connect(lambda _checked=False: self.requested.emit())
         self._fields = Fields(balloon, self)
         self._fields.changed.connect(lambda _name: self.live_changed.emit())
         self._bar = QtWidgets.QProgressBar()

@@ -52,8 +52,8 @@ class SketchBox(PropertyPage):
         self._selection.remove()
 
     def _selected(self) -> None:
-        found = selected_source() if self.pick.isChecked() else None
-        if found is not None:
-            self.obj.Source = found
+        selected = selected_source() if self.pick.isChecked() else None
+        if selected is not None:
+            self.obj.Source = selected
             self.pick.setChecked(False)
             self.changed.emit()

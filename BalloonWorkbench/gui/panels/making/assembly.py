@@ -15,11 +15,11 @@ from BalloonWorkbench.gui.panels.widgets.target_file import TargetFile, name_of
 from BalloonWorkbench.gui.panels.widgets.watch import Watch
 from BalloonWorkbench.gui.qt import QtGui, QtWidgets, icon, translate
 from BalloonWorkbench.gui.window import macro_recorder
-from BalloonWorkbench.gui.window.borders import Panel
+from BalloonWorkbench.gui.window.borders import TaskPanel
 from BalloonWorkbench.gui.window.sentences import tell
 
 
-class AssemblyPanel(Panel):
+class AssemblyPanel(TaskPanel):
     """Shows a balloon's numbers and writes its page."""
 
     def __init__(self, parts):
@@ -67,8 +67,8 @@ class AssemblyPanel(Panel):
         )
         self.file.wrote()
         self.close()
-        told = translate("Assembly sheet written to {}").format(written)
-        Gui.getMainWindow().statusBar().showMessage(told, 8000)
+        sentence = translate("Assembly sheet written to {}").format(written)
+        Gui.getMainWindow().statusBar().showMessage(sentence, 8000)
         return True
 
     def reject(self):

@@ -19,12 +19,12 @@ from BalloonWorkbench.gui.panels.widgets.target_file import TargetFile, name_of
 from BalloonWorkbench.gui.panels.widgets.watch import Watch
 from BalloonWorkbench.gui.qt import QtGui, QtWidgets, icon, translate
 from BalloonWorkbench.gui.window import macro_recorder
-from BalloonWorkbench.gui.window.borders import Panel, undo_step
+from BalloonWorkbench.gui.window.borders import TaskPanel, undo_step
 from BalloonWorkbench.gui.window.sentences import tell
 from BalloonWorkbench.gui.window.user_units import NOTHING, length_text, size_text
 
 
-class ExportPanel(Panel):
+class ExportPanel(TaskPanel):
     """Chooses a pattern, a machine and a file."""
 
     def __init__(self, patterns, chosen=None):
@@ -93,8 +93,8 @@ class ExportPanel(Panel):
         edit.write()
         if self.is_open:
             self.show_pattern()
-            told = translate("Scaled to fit: {} wide instead of {}.")
-            self.message.setText(told.format(length_text(outline.SizeX.Value), length_text(before)))
+            sentence = translate("Scaled to fit: {} wide instead of {}.")
+            self.message.setText(sentence.format(length_text(outline.SizeX.Value), length_text(before)))
 
     def accept(self):
         """Write the file; the panel stays with the reason when that fails."""
@@ -112,9 +112,9 @@ class ExportPanel(Panel):
         chosen = {"machine": made_for.name, "paper": paper, "bed": own_bed}
         if self.machine.write.isChecked():
             chosen["oversize"] = oversize
-        told = {key: macro_recorder.text(value) for key, value in chosen.items() if value}
+        options = {key: macro_recorder.text(value) for key, value in chosen.items() if value}
         macro_recorder.call(
-            "export", macro_recorder.obj(self.pattern()), macro_recorder.text(written), **told
+            "export", macro_recorder.obj(self.pattern()), macro_recorder.text(written), **options
         )
         self.file.wrote()
         self.close()

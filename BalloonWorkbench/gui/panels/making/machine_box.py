@@ -23,7 +23,7 @@ from BalloonWorkbench.core.units import LENGTH_UNITS
 from BalloonWorkbench.gui.panels.widgets.fields import ReturnKey
 from BalloonWorkbench.gui.panels.widgets.narrow import FullList, NarrowCombo, WrappedLabel
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
-from BalloonWorkbench.gui.view3d.marks import Overlay
+from BalloonWorkbench.gui.view3d.marks import PlaceMarks
 from BalloonWorkbench.gui.window.sentences import tell
 from BalloonWorkbench.gui.window.user_units import bed_size_text, user_unit
 
@@ -44,7 +44,7 @@ class MachineBox(QtWidgets.QWidget):
         for sentence in left_out():
             App.Console.PrintMessage(f"Film Balloon: {tell(sentence)}\n")
         self.known = list(machines().values())
-        self.overlay = Overlay(document_name)
+        self.overlay = PlaceMarks(document_name)
         self.findings: tuple = ()
         self.pattern = None
         self.choice = NarrowCombo()

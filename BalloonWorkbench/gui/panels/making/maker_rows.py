@@ -81,7 +81,7 @@ def value_label(text: str):
 
 
 def _rows(numbers, short: bool, seam: str) -> list[tuple[str, str]]:
-    found = [
+    lines = [
         (translate("Film needed"), _film(numbers), True),
         (translate("Seam length"), length_text(to_mm(numbers.seam_length), 3), False),
         (translate("Weight"), _weight(numbers), False),
@@ -90,7 +90,7 @@ def _rows(numbers, short: bool, seam: str) -> list[tuple[str, str]]:
         (translate("Gas"), _gas(numbers), False),
         (translate("Will it float?"), tell(numbers.sentence(length=_length)), True),
     ]
-    return [(name, text) for name, text, important in found if important or not short]
+    return [(name, text) for name, text, important in lines if important or not short]
 
 
 def _length(metres: float) -> str:
@@ -106,12 +106,12 @@ def _film(numbers) -> str:
 
 def _weight(numbers) -> str:
     parts = (numbers.weight, numbers.inner, numbers.border, numbers.valve)
-    told = (
+    template = (
         translate("{}: film {}, seam and neck {}, valve {}")
         if numbers.valve
         else translate("{}: film {}, seam and neck {}")
     )
-    return told.format(*map(mass_text, parts))
+    return template.format(*map(mass_text, parts))
 
 
 def _strength(numbers, seam: str) -> str:
@@ -120,8 +120,8 @@ def _strength(numbers, seam: str) -> str:
     if safe.safe_pressure is None:
         return translate("unknown: this film has no strength")
     if safe.safe_pressure < safe.pressure:
-        told = translate("less than its {} with a margin of {} ({})")
-        return told.format(pressure_text(safe.pressure), number_text(safe.margin), weakest)
+        template = translate("less than its {} with a margin of {} ({})")
+        return template.format(pressure_text(safe.pressure), number_text(safe.margin), weakest)
     return tell(f"{pressure_text(safe.safe_pressure)} ({weakest}, margin {number_text(safe.margin)})")
 
 
@@ -136,15 +136,15 @@ def _weakest(numbers, seam: str) -> list[tuple[str, str, bool]]:
     if safe.place is None:
         return []
     x, y, _ = to_mm(safe.place)
-    told = translate("{} at ({})").format(_weaker(safe, seam), ", ".join(lengths_text(x, y)))
+    template = translate("{} at ({})").format(_weaker(safe, seam), ", ".join(lengths_text(x, y)))
     if not safe.at_rest:
-        told += translate(", estimated: the film did not come to rest")
-    return [(translate("Weakest place"), told, False)]
+        template += translate(", estimated: the film did not come to rest")
+    return [(translate("Weakest place"), template, False)]
 
 
 def _gas(numbers) -> str:
     one = numbers.floating[0]
-    told = translate("{} of {}").format(volume_text(cubic_millimetres(one.gas_needed)), tell(one.gas))
+    template = translate("{} of {}").format(volume_text(cubic_millimetres(one.gas_needed)), tell(one.gas))
     if one.cost is None:
-        return told
-    return told + tell(f", about {money_text(one.cost, numbers.currency)}")
+        return template
+    return template + tell(f", about {money_text(one.cost, numbers.currency)}")

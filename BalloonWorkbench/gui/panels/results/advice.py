@@ -18,9 +18,9 @@ from BalloonWorkbench.core.units import number_text, percent_text, to_mm
 from BalloonWorkbench.gui.panels.widgets.narrow import FullList, WrappedLabel
 from BalloonWorkbench.gui.panels.widgets.watch import Watch
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, drawn_icon, number_of, translate
-from BalloonWorkbench.gui.view3d.marks import COLOURS, Overlay
+from BalloonWorkbench.gui.view3d.marks import COLOURS, PlaceMarks
 from BalloonWorkbench.gui.window import macro_recorder
-from BalloonWorkbench.gui.window.borders import Panel, undo_step
+from BalloonWorkbench.gui.window.borders import TaskPanel, undo_step
 from BalloonWorkbench.gui.window.sentences import tell
 from BalloonWorkbench.gui.window.user_units import length_text
 
@@ -28,15 +28,15 @@ _DOT = 12  # px
 _HIGHEST = 260  # px, of the list of findings
 
 
-class AdvicePanel(Panel):
+class AdvicePanel(TaskPanel):
     """Lists the findings about one balloon."""
 
     def __init__(self, parts):
         self.parts = parts
         self.doc = parts.balloon.Document
-        self.found: list = []
+        self.listed: list = []
         self.is_open = True
-        self.overlay = Overlay(self.doc.Name)
+        self.overlay = PlaceMarks(self.doc.Name)
         self.form = QtWidgets.QWidget()
         self.form.setObjectName("Advice")
         self.form.setWindowTitle(translate("Advice"))
@@ -60,7 +60,7 @@ class AdvicePanel(Panel):
         self.map.toggled.connect(lambda _checked: self.show_map())
         self.repair.clicked.connect(lambda _checked=False: self.make_repair())
         self.watch = Watch(parts, self.close)
-        self.follow = _Follow(self.doc.Name, self.refresh)
+        self.follow = _UndoWatch(self.doc.Name, self.refresh)
         App.addDocumentObserver(self.follow)
         self.refresh()
 
@@ -99,14 +99,14 @@ class AdvicePanel(Panel):
         self.overlay.clear()
         self.message.setText("")
         try:
-            self.found = advice.findings(self.parts)
+            self.listed = advice.findings(self.parts)
             measured = status.is_ready(self.parts.balloon) and advice.is_solved(self.parts.balloon)
         except BalloonError as error:
-            self.found, measured = [], False
+            self.listed, measured = [], False
             self.message.setText(tell(str(error)))
         self.source.setText(self._source(measured))
         items = []
-        for finding in self.found:
+        for finding in self.listed:
             items.append(QtWidgets.QListWidgetItem(_dot(finding.severity.value), tell(finding.text)))
             items[-1].setToolTip(tell(finding.severity.value))
         self.list.blockSignals(True)
@@ -116,8 +116,8 @@ class AdvicePanel(Panel):
         self.list.blockSignals(False)
         self.list.fit()
         for widget in (self.list, self.repair):
-            widget.setVisible(bool(self.found))
-        if not self.found and not self.message.text():
+            widget.setVisible(bool(self.listed))
+        if not self.listed and not self.message.text():
             problem = status.problem(self.parts.outline)
             self.message.setText(tell(problem) or translate("Nothing to improve."))
         self.choose(self.list.currentRow())
@@ -143,16 +143,16 @@ class AdvicePanel(Panel):
         if not self.map.isChecked() or not status.is_ready(self.parts.outline):
             return
         try:
-            found = advice.advice_before(self.parts).map
+            shown = advice.advice_before(self.parts).map
         except BalloonError as error:
             self.legend.setText(tell(str(error)))
             return
         self.legend.setText(
             translate("Blue 0, green {}, red {}").format(
-                *(length_text(to_mm(share * float(found.thickness.max())), 3) for share in (0.5, 1.0))
+                *(length_text(to_mm(share * float(shown.thickness.max())), 3) for share in (0.5, 1.0))
             )
         )
-        self.overlay.map(found, self.parts.outline.Placement, self._height())
+        self.overlay.map(shown, self.parts.outline.Placement, self._height())
 
     def _height(self) -> float:
         """Of the balloon over its plane [mm]."""
@@ -160,7 +160,7 @@ class AdvicePanel(Panel):
 
     def choose(self, row: int):
         """Mark the place of a finding and offer its repair."""
-        finding = self.found[row] if 0 <= row < len(self.found) else None
+        finding = self.listed[row] if 0 <= row < len(self.listed) else None
         repair = None if finding is None else finding.repair
         self.repair.setEnabled(repair is not None)
         self.repair.setText(translate("Repair") if repair is None else tell(repair_text(repair)))
@@ -173,7 +173,7 @@ class AdvicePanel(Panel):
 
     def make_repair(self):
         """Make the edit and let the document follow, in one undo step."""
-        finding = self.found[self.list.currentRow()]
+        finding = self.listed[self.list.currentRow()]
         repair = finding.repair
         self.overlay.clear()
         with undo_step(self.doc, tell(repair_text(repair))):
@@ -189,7 +189,7 @@ class AdvicePanel(Panel):
             self.message.setText(tell(trouble))
 
 
-class _Follow(Guarded):
+class _UndoWatch(Guarded):
     """Calls `changed` after undo and redo in a document."""
 
     def __init__(self, name: str, changed):

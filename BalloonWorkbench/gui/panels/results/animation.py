@@ -12,14 +12,14 @@ from BalloonWorkbench.gui.panels.widgets.narrow import WrappedLabel
 from BalloonWorkbench.gui.panels.widgets.watch import Watch
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, drawn_icon, number_of, translate
 from BalloonWorkbench.gui.view3d.inflation_player import FRAMES, Player, request_of
-from BalloonWorkbench.gui.window.borders import Panel
+from BalloonWorkbench.gui.window.borders import TaskPanel
 from BalloonWorkbench.gui.window.user_units import pressure_text
 
 _BEAT = 40  # ms between frames
 _PAUSE = 25  # beats at the end, before it begins again
 
 
-class AnimationPanel(Panel):
+class AnimationPanel(TaskPanel):
     """Plays the inflation of one balloon."""
 
     def __init__(self, parts):
@@ -42,8 +42,8 @@ class AnimationPanel(Panel):
         self.slider.setObjectName("Frame")
         self.slider.setRange(0, FRAMES - 1)
         self.slider.setToolTip(translate("From the flat film to the balloon at rest"))
-        self.told = WrappedLabel()
-        self.told.setObjectName("FrameTold")
+        self.frame_text = WrappedLabel()
+        self.frame_text.setObjectName("FrameTold")
         self.note = QtWidgets.QLabel(
             translate("Frames are even in movement, not in time. Only the film has mass, the gas has none.")
         )
@@ -51,7 +51,7 @@ class AnimationPanel(Panel):
         self.message = WrappedLabel()
         self.message.setObjectName("AnimationMessage")
         column = QtWidgets.QVBoxLayout(self.form)
-        for widget in (self.bar, self.play, self.slider, self.told, self.note, self.message):
+        for widget in (self.bar, self.play, self.slider, self.frame_text, self.note, self.message):
             column.addWidget(widget)
         self.timer = QtCore.QTimer(self.form)
         self.timer.setInterval(_BEAT)
@@ -94,11 +94,11 @@ class AnimationPanel(Panel):
     def compute(self) -> None:
         """Begin to compute the frames."""
         try:
-            wanted = request_of(self.parts.balloon)
+            request = request_of(self.parts.balloon)
         except BalloonError as error:
             self.fail(error)
             return
-        self.worker = Worker(wanted, self.form, translate("Inflating in time"))
+        self.worker = Worker(request, self.form, translate("Inflating in time"))
         self.worker.progressed.connect(lambda fraction, _text: self.bar.setValue(round(1000 * fraction)))
         self.worker.finished.connect(self.work_done)
         self.worker.start()
@@ -140,7 +140,7 @@ class AnimationPanel(Panel):
             return
         self.player.show(number)
         frame = self.player.strip.frames[number]
-        self.told.setText(
+        self.frame_text.setText(
             translate("{} ms, {}, frame {} of {}").format(
                 number_text(1000.0 * frame.time), pressure_text(frame.pressure), number + 1, FRAMES
             )
@@ -148,7 +148,7 @@ class AnimationPanel(Panel):
 
     def _ready(self, ready: bool) -> None:
         self.bar.setVisible(not ready)
-        for widget in (self.play, self.slider, self.told):
+        for widget in (self.play, self.slider, self.frame_text):
             widget.setVisible(ready)
         self.play.setText(translate("Play"))
         if ready:

@@ -3,23 +3,30 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import FreeCADGui as Gui
 
 from BalloonWorkbench.app.border import status
+from BalloonWorkbench.app.engine.export import export_results
+from BalloonWorkbench.app.properties import preferences
+from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.results.colour_map import TENSION
-from BalloonWorkbench.gui.panels.results.results_file import save_results
 from BalloonWorkbench.gui.panels.widgets.narrow import ElidedCombo, WrappedLabel
+from BalloonWorkbench.gui.panels.widgets.target_file import name_of
 from BalloonWorkbench.gui.panels.widgets.watch import Watch
 from BalloonWorkbench.gui.qt import QtWidgets, drawn_icon, translate
 from BalloonWorkbench.gui.view3d.film_map import CHOICES, choice_title
 from BalloonWorkbench.gui.view3d.legend_row import OFF
-from BalloonWorkbench.gui.window.borders import Panel
+from BalloonWorkbench.gui.window import macro_recorder
+from BalloonWorkbench.gui.window.borders import TaskPanel
 from BalloonWorkbench.gui.window.sentences import tell
 
+_FILES = (("ParaView", "vtu"), ("STL", "stl"), ("NumPy", "npz"))
 _STATE = ("ColourMap", "CompareOutlines", "DisplayMode", "ModeWithoutMap")
 
 
-class ColourMapPanel(Panel):
+class ColourMapPanel(TaskPanel):
     """Chooses what is shown on one balloon; Cancel shows what was there before."""
 
     def __init__(self, parts):
@@ -95,3 +102,28 @@ class ColourMapPanel(Panel):
     def close(self) -> None:
         self.watch.remove()
         Gui.Control.closeDialog()
+
+
+def save_results(balloon) -> str:
+    """Ask for a file, write the results of a balloon object; a sentence about it, empty when cancelled."""
+    folder = preferences.export_folder(balloon.Document)
+    kinds = [f"{program} (*.{ending})" for program, ending in _FILES]
+    path, kind = QtWidgets.QFileDialog.getSaveFileName(
+        None,
+        translate("Save results"),
+        str(folder / f"{name_of(balloon)}.{_FILES[0][1]}"),
+        ";;".join(kinds),
+    )
+    if not path:
+        return ""
+    if Path(path).suffix.lower().lstrip(".") not in [ending for _, ending in _FILES]:
+        path += "." + _FILES[max(kinds.index(kind) if kind in kinds else 0, 0)][1]
+        if Path(path).exists():  # the dialog has asked about another name
+            return translate("{} is there already: give another name.").format(Path(path).name)
+    try:
+        written = export_results(balloon, path)
+    except BalloonError as error:
+        return tell(str(error))
+    preferences.put_export_folder(balloon.Document, written.parent)
+    macro_recorder.call("export", macro_recorder.obj(balloon), macro_recorder.text(written))
+    return translate("Results written to {}").format(written)

@@ -21,8 +21,8 @@ def notes_of(outline) -> str:
     if not outline.LoopCounts or not status.is_ready(outline):
         return ""
     size = size_text(outline.SizeX.Value, outline.SizeY.Value)
-    told = translate("Outline {}, holes: {}") if outline.HoleCount else translate("Outline {}")
-    return "\n".join([told.format(size, outline.HoleCount), *map(tell, outline.Notes)])
+    size_form = translate("Outline {}, holes: {}") if outline.HoleCount else translate("Outline {}")
+    return "\n".join([size_form.format(size, outline.HoleCount), *map(tell, outline.Notes)])
 
 
 class Preview(QtWidgets.QWidget):

@@ -8,10 +8,10 @@ import FreeCADGui as Gui
 from BalloonWorkbench.gui.panels.widgets.fields import Fields
 from BalloonWorkbench.gui.panels.widgets.watch import Watch
 from BalloonWorkbench.gui.qt import QtGui, QtWidgets, icon
-from BalloonWorkbench.gui.window.borders import Panel
+from BalloonWorkbench.gui.window.borders import TaskPanel
 
 
-class ObjectPanel(Panel):
+class ObjectPanel(TaskPanel):
     """Edits an object inside an undo step that is open: OK keeps it, Cancel takes it back."""
 
     def __init__(self, obj, name: str, title: str, drawing: str):
