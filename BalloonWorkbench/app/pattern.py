@@ -80,6 +80,7 @@ class PatternProxy(DocumentProxy):
     """Behaviour of the Pattern object (Part::Part2DObjectPython)."""
 
     properties = PROPERTIES
+    weighed_before = None  # a change of a value
 
     def __init__(self, obj):
         super().__init__(obj)
@@ -94,10 +95,9 @@ class PatternProxy(DocumentProxy):
             obj.Balloon.touch()  # it tells what it weighs, and may have its size from that
 
     def onBeforeChange(self, obj, name):
-        if _is_edited(obj, name):
-            self.weighed_before = _weighing(obj)
-            if name == "Balloon":
-                obj.Balloon.touch()  # it weighs what the usual pattern weighs from now on
+        self.weighed_before = _weighing(obj) if _is_edited(obj, name) else None
+        if self.weighed_before is not None and name == "Balloon":
+            obj.Balloon.touch()  # it weighs what the usual pattern weighs from now on
 
     def follow_intake(self, obj):
         """Offer only what has an effect."""
@@ -133,7 +133,10 @@ class PatternProxy(DocumentProxy):
 def _is_edited(obj, name: str) -> bool:
     """A value of a balloon's pattern is changed, by the user or by what they have written."""
     own = any(item.name == name and not item.result for item in PROPERTIES)
-    return own and bool(getattr(obj, "Balloon", None)) and not is_replaying(obj.Document)
+    if not own or not getattr(obj, "Balloon", None) or is_replaying(obj.Document):
+        return False
+    # an older object is first given what it lacks
+    return all(getattr(obj, each, None) is not None for each in (*_choices(), PROPERTIES[-1].name))
 
 
 def _weighing(obj):

@@ -1,8 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A document for each test."""
 
+import sys
+from pathlib import Path
+
 import FreeCAD as App
 import pytest
+
+sys.path.append(str(Path(__file__).resolve().parents[1] / "core"))  # for counting.py
 
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.core import memoize

@@ -199,14 +199,14 @@ def test_failed_solve_keeps_the_last_mesh(parts, monkeypatch):
 
 
 def test_unconverged_solve_is_shown_and_marked(parts, monkeypatch):
-    solve = Request.solve
+    solve = Request.design
 
     def stop_early(self, progress=None):
         design = solve(self)
         report = replace(design.inflation.report, converged=False)
         return replace(design, inflation=replace(design.inflation, report=report))
 
-    monkeypatch.setattr(Request, "solve", stop_early)
+    monkeypatch.setattr(Request, "design", stop_early)
     parts.balloon.Pressure = 3
     parts.balloon.Document.recompute()
     assert parts.balloon.Status.startswith(status.UNSURE)

@@ -9,7 +9,9 @@ import FreeCAD as App
 import FreeCADGui as Gui
 import pytest
 
-sys.path.append(str(Path(__file__).resolve().parents[1] / "app"))  # for sketches.py
+sys.path += [
+    str(Path(__file__).resolve().parents[1] / room) for room in ("app", "core")
+]  # sketches, counting
 
 import hands
 import sketches

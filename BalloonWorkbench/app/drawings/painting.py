@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -19,6 +20,7 @@ from BalloonWorkbench.app.engine.solve import Request, describe
 from BalloonWorkbench.app.outline import set_drawing
 from BalloonWorkbench.core.checkpoint import checkpoint, stoppable
 from BalloonWorkbench.core.design.design import Design
+from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.job import Settings
 from BalloonWorkbench.core.memoize import memoized
 from BalloonWorkbench.core.outline.chambers import linked
@@ -113,7 +115,7 @@ def solve(
     """
     from BalloonWorkbench.core.report import Source
 
-    settings = rounded(settings)
+    settings = _as_kept(settings)
     drawing, kind = read_drawing(
         str(path), width, 0.0, symmetry=settings.symmetry, drawn_as=settings.drawn_as
     )
@@ -131,7 +133,8 @@ def solve(
             checkpoint(_FITTING + (1.0 - _FITTING) * number / count)
             told.append(describe(request, design))
             checkpoint(_FITTING + (1.0 - _FITTING) * (number + 0.5) / count)
-            _draw(design.pattern, settings)
+            with suppress(InputError):  # the pattern object will say what is wrong
+                pattern.draw(design.pattern, settings.film.seal_width, settings.wanted)
         place(path, width, drawn_as=settings.drawn_as)  # the window will ask for it, and shall not wait
     return SolvedPainting(tuple(requests), tuple(designs), tuple(told))
 
@@ -141,18 +144,12 @@ def _share(progress: Progress, number: int, count: int) -> Progress:
     return lambda fraction, text: progress(_FITTING * (number + fraction) / count, text)
 
 
-def _draw(seam, settings: Settings) -> None:
-    """Draw the pattern as its object will ask for it."""
-    from BalloonWorkbench.core.errors import InputError
-    from BalloonWorkbench.core.pattern.intake.kinds import intake_kind
+def _as_kept(settings: Settings) -> Settings:
+    """Settings as the objects will have them, which keep the width of the intake."""
+    from BalloonWorkbench.core.pattern.intake.places import intake_of
 
     wanted = settings.wanted
-    if wanted.intake_width is None:
-        wanted = replace(wanted, intake_width=intake_kind(wanted.intake_kind).width)
-    try:
-        pattern.draw(seam, settings.film.seal_width, wanted)
-    except InputError:  # the pattern object will say what is wrong
-        return
+    return rounded(replace(settings, wanted=replace(wanted, intake_width=intake_of(wanted).width)))
 
 
 def make(

@@ -19,6 +19,7 @@ from BalloonWorkbench.core.mesh.reuse import move_rim
 from BalloonWorkbench.core.outline.drawing import Drawing
 from BalloonWorkbench.core.outline.validity import scale_to
 from BalloonWorkbench.core.pattern.build import build_pattern
+from BalloonWorkbench.core.pattern.make import make_pattern
 from BalloonWorkbench.core.pattern.pattern import Pattern
 from BalloonWorkbench.core.solver.inflation import MIRROR
 from BalloonWorkbench.core.tracing.picture import placed_drawing
@@ -141,7 +142,7 @@ def skin(inflation, places) -> PreviewSurface:
 def contours(seams, settings: Settings, fair: bool = True) -> tuple[tuple[str, np.ndarray], ...]:
     """Role and points (k, 2) mm of what is cut and sealed; nothing for seams that have no room for it.
 
-    fair: as in build_pattern
+    fair: the whole pattern; else without what takes long or is small, see build_pattern
     """
     found = []
     for seam in seams:
@@ -157,6 +158,8 @@ def _pattern(seam, settings: Settings, fair: bool) -> Pattern | None:
     it is too thin as long as it is drawn."""
     for wanted in (settings.wanted, replace(settings.wanted, intake=False)):
         try:
+            if fair:
+                return make_pattern(seam, settings.film.seal_width, wanted)
             return build_pattern(seam, settings.film.seal_width, wanted, fair)
         except InputError:
             continue

@@ -158,7 +158,7 @@ class FullDesign:
         solved = painting.solve(self.file, self.width, self.settings, progress, fitted)
         findings = [finding_from(data) for told in solved.told for data in told["advice"]]
         findings.sort(key=lambda finding: -finding.severity.rank)
-        pattern = contours([design.pattern for design in solved.designs], self.settings)
+        pattern = contours([design.pattern for design in solved.designs], solved.requests[0].settings)
         return replace(
             looks[0], contours=pattern, remarks=remarks(findings, frame, SIDE), solved=solved, file=self.file
         )

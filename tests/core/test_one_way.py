@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""One way of the work: a command traces, designs, draws and reports once, and hands the results over."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from counting import counted
+
+from BalloonWorkbench.cli import command_line
+from BalloonWorkbench.core.job import Settings, files, make_balloon
+
+PICTURE = Path(__file__).resolve().parents[2] / "resources" / "examples" / "pictures" / "heart.png"
+ONCE = {"trace": 1, "design": 1, "pattern": 1, "report": 1}
+
+
+def test_a_job_does_everything_once() -> None:
+    with counted() as done:
+        balloon = make_balloon(PICTURE, Settings(correct=False, mesh_size=0.02), width=0.2)
+        files(balloon)
+    assert done == ONCE
+
+
+def test_a_command_does_everything_once(tmp_path: Path) -> None:
+    options = ["--width", "200mm", "--mesh-size", "20mm", "--assembly", "A4", "--out"]
+    with counted() as done:
+        assert command_line.main(["inflate", str(PICTURE), *options, str(tmp_path)]) == 0
+    assert done == ONCE
