@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from BalloonWorkbench.core.advice.sections import Sections, chained, sections
+from BalloonWorkbench.core.geometry.areas import parts
 from BalloonWorkbench.core.geometry.normals import turns_at
 from BalloonWorkbench.core.geometry.polyline import arc_lengths, length, point_at, ring
 from BalloonWorkbench.core.geometry.vectors import turn
@@ -94,7 +95,7 @@ def thin_parts(outline: Outline, width: float) -> list[ThinPart]:
     slack = 0.01 * width
     left = area.difference(shapely().union_all(rooms).buffer(slack))
     found = []
-    for piece in _polygons(left):
+    for piece in parts(left):
         touched = [room for room in rooms if room.distance(piece) < 2.0 * slack]
         reach = max(_farthest(piece, body)[1] for body in touched) if touched else np.inf
         if len(touched) < 2 and reach < _SHORTEST * width:
@@ -108,13 +109,13 @@ def thin_parts(outline: Outline, width: float) -> list[ThinPart]:
 
 def bodies(area: Any, width: float) -> list[Any]:
     """The parts of an area that a disc of a width reaches without leaving it."""
-    cores = _polygons(area.buffer(-0.5 * width, quad_segs=_ARC))
+    cores = parts(area.buffer(-0.5 * width, quad_segs=_ARC))
     return [core.buffer(0.5 * width, quad_segs=_ARC) for core in cores]
 
 
 def _judged(area: Any, piece: Any, touched: list[Any], inside: Sections, slack: float) -> ThinPart:
     if len(touched) > 1:
-        rest = [part.area for part in _polygons(area.difference(piece.buffer(2.0 * slack)))]
+        rest = [part.area for part in parts(area.difference(piece.buffer(2.0 * slack)))]
         behind = sorted(rest)[-2] / area.area if len(rest) > 1 else 0.0
         if behind > LEAST_BEHIND:
             return _part(Kind.NECK, piece, inside, touched[0], behind)
@@ -153,11 +154,6 @@ def _farthest(piece: Any, body: Any) -> tuple[Floats, float]:
 
 def _within(piece: Any, points: Floats) -> Any:
     return shapely().contains_xy(piece, points[:, 0], points[:, 1])
-
-
-def _polygons(area: Any) -> list[Any]:
-    parts = shapely().get_parts(area)
-    return [part for part in parts if part.geom_type == "Polygon" and not part.is_empty]
 
 
 def rim_near(outline: Outline, area: Any, reach: float) -> tuple[Floats, ...]:

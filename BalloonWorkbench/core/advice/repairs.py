@@ -11,6 +11,7 @@ import numpy as np
 from BalloonWorkbench.core.advice.findings import Finding, Repair, RepairKind
 from BalloonWorkbench.core.advice.places import whole
 from BalloonWorkbench.core.errors import OutlineError
+from BalloonWorkbench.core.geometry.areas import parts
 from BalloonWorkbench.core.geometry.vectors import perpendicular, unit
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.outline.validity import check
@@ -109,8 +110,7 @@ def _across(area: Any, line: Any) -> Floats:
 
 def _outline(area: Any, before: Outline) -> Outline:
     """An outline like one before, bounded by the largest polygon of an area."""
-    package = shapely()
-    largest = max(package.get_parts(area), key=lambda part: float(part.area))
+    largest = parts(area)[0]
     rings = [np.asarray(ring.coords, dtype=np.float64)[:-1] for ring in largest.interiors]
     if len(rings) != len(before.loops) - 1:
         raise OutlineError("A hole would open or close: draw that part anew.")

@@ -8,11 +8,12 @@ from dataclasses import replace
 import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.geometry.areas import parts
 from BalloonWorkbench.core.geometry.vectors import direction
 from BalloonWorkbench.core.options.making import ArtworkOptions
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
-from BalloonWorkbench.core.pattern.shapes import closed_loop, parts
+from BalloonWorkbench.core.pattern.shapes import closed_loop
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import from_mm, length_text
 

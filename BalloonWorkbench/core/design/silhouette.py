@@ -8,8 +8,9 @@ from typing import Any
 import numpy as np
 
 from BalloonWorkbench.core.errors import SolverError
+from BalloonWorkbench.core.geometry.areas import loop_of, parts
 from BalloonWorkbench.core.geometry.crossings import winding
-from BalloonWorkbench.core.geometry.polyline import loop_of, signed_area
+from BalloonWorkbench.core.geometry.polyline import signed_area
 from BalloonWorkbench.core.geometry.vectors import cross
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.packages import shapely
@@ -27,13 +28,12 @@ def silhouette(inflation: Inflation) -> Outline:
     package = shapely()
     halves = [inflation.positions] if inflation.lower is None else [inflation.positions, inflation.lower]
     shadow = package.union_all([_shadow(half, inflation.panel.triangles) for half in halves])
-    bodies = package.get_parts(shadow)
-    if not len(bodies):
+    bodies = parts(shadow)
+    if not bodies:
         raise SolverError("The film folds up and nothing of it is seen from above: make the shape thicker.")
-    body = max(bodies, key=lambda part: float(part.area))
-    holes = sorted((loop_of(ring) for ring in body.interiors), key=signed_area, reverse=True)
+    holes = sorted((loop_of(ring) for ring in bodies[0].interiors), key=signed_area, reverse=True)
     wanted = len(inflation.panel.seams) - 1
-    return Outline(loop_of(body.exterior), tuple(hole[::-1] for hole in holes[:wanted]))
+    return Outline(loop_of(bodies[0].exterior), tuple(hole[::-1] for hole in holes[:wanted]))
 
 
 def _shadow(positions: Floats, triangles: Ints) -> Any:

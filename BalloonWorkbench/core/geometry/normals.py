@@ -56,12 +56,12 @@ def corners(loop: Floats, angle: float = CORNER_ANGLE, reach: float = 0.0) -> ND
     angle  turn that makes a corner [rad]
     reach  see `turns`: so that a corner cut off by the pixels of a picture is still one
     """
-    away = np.abs(turns(loop, reach))
-    sharp = np.flatnonzero(away > angle)
     if reach <= 0:
-        return sharp
-    # The sharpest first; whatever else turns within its reach is the same corner. Bins keep the search short.
+        return np.flatnonzero(np.abs(turns(loop)) > angle)
     lengths = arc_lengths(loop)
+    away = np.abs(turns_at(loop, lengths, lengths[:-1], reach))
+    sharp = np.flatnonzero(away > angle)
+    # The sharpest first; whatever else turns within its reach is the same corner. Bins keep the search short.
     bins: dict[int, list[float]] = {}
     count = max(1, int(lengths[-1] // reach))
     chosen: list[int] = []

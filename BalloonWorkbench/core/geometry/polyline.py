@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 
@@ -90,11 +89,6 @@ def signed_area(loop: Floats) -> float:
 def oriented(loop: Floats, counter_clockwise: bool = True) -> Floats:
     """The closed loop (n, 2) run through counter-clockwise, or clockwise."""
     return loop if (signed_area(loop) > 0.0) == counter_clockwise else np.ascontiguousarray(loop[::-1])
-
-
-def loop_of(ring: Any, counter_clockwise: bool = True) -> Floats:
-    """A ring of shapely as a closed loop (n, 2), counter-clockwise or clockwise."""
-    return oriented(np.asarray(ring.coords, dtype=np.float64)[:-1], counter_clockwise)
 
 
 def centroid(loops: Sequence[Floats]) -> Floats:

@@ -77,9 +77,8 @@ def _significant(points: Floats, first: int, last: int, tolerance: float) -> lis
         a, b = stack.pop()
         if b - a < 2:
             continue
-        start, chord = points[a], points[b] - points[a]
-        x, y = points[a + 1 : b].T
-        _, away = foot(x - start[0], y - start[1], chord[0], chord[1])
+        x, y = (points[a + 1 : b] - points[a]).T
+        _, away = foot(x, y, *(points[b] - points[a]).tolist())
         far = int(np.argmax(away))
         if away[far] > tolerance:
             middle = a + 1 + far

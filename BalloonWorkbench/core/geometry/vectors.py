@@ -49,7 +49,7 @@ def foot(x: Floats, y: Floats, u: Floats | float, v: Floats | float) -> tuple[Fl
     """The nearest place of an edge (u, v) to a point (x, y), both from the edge's start: as a share of the
     edge, and how far it is. All of them may be arrays that broadcast; an edge without length is a point.
     """
-    share = np.minimum(np.maximum((x * u + y * v) / np.maximum(u * u + v * v, _TINY), 0.0), 1.0)
+    share = np.minimum(np.maximum((x * u + y * v) / (u * u + v * v + _TINY), 0.0), 1.0)
     across, beside = x - share * u, y - share * v
     return share, np.sqrt(across * across + beside * beside)
 

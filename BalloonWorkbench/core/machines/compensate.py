@@ -6,9 +6,10 @@ from __future__ import annotations
 import numpy as np
 
 from BalloonWorkbench.core.arcs.curves import Curve
+from BalloonWorkbench.core.geometry.areas import parts
 from BalloonWorkbench.core.geometry.vectors import direction, wrapped
 from BalloonWorkbench.core.pattern.pattern import Contour, Role
-from BalloonWorkbench.core.pattern.shapes import closed_loop, offset, parts, polygon
+from BalloonWorkbench.core.pattern.shapes import closed_loop, offset, polygon
 from BalloonWorkbench.core.types import Floats
 
 

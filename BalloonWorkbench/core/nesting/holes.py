@@ -9,12 +9,12 @@ from typing import Any
 
 import numpy as np
 
+from BalloonWorkbench.core.geometry.areas import parts
 from BalloonWorkbench.core.geometry.vectors import rotation
 from BalloonWorkbench.core.nesting.layout import Piece, Place, Stock, Unit, outline_of
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.pattern.pattern import Role
 from BalloonWorkbench.core.pattern.placement import turned
-from BalloonWorkbench.core.pattern.shapes import parts
 from BalloonWorkbench.core.types import Floats
 
 

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.geometry.areas import parts
 from BalloonWorkbench.core.geometry.polyline import line_lengths, part_of, point_on
 from BalloonWorkbench.core.geometry.vectors import perpendicular, unit
 from BalloonWorkbench.core.options.drawing import ReadingOptions
@@ -36,9 +37,8 @@ def chambers(outline: Outline) -> list[Any]:
     size = max(outline.size)
     rim = film.boundary
     walls = [package.LineString(to_rim(weld, rim, _AT_RIM * size, _HAIR * size)) for weld in outline.welds]
-    parts = package.get_parts(film.difference(package.union_all(walls).buffer(_HAIR * size)))
-    rooms = [part for part in parts if part.area > _CHAMBER * film.area]
-    return sorted(rooms, key=lambda room: -room.area)
+    rooms = parts(film.difference(package.union_all(walls).buffer(_HAIR * size)))
+    return [room for room in rooms if room.area > _CHAMBER * film.area]
 
 
 def linked(outline: Outline, width: float = PASSAGE) -> Outline:

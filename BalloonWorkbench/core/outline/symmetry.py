@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from BalloonWorkbench.core.errors import InputError, OutlineError
+from BalloonWorkbench.core.geometry.areas import parts
 from BalloonWorkbench.core.geometry.nearest import nearest_on_loops
 from BalloonWorkbench.core.geometry.polyline import (
     centroid,
@@ -139,10 +140,10 @@ def mirrored(outline: Outline, mirror: Mirror) -> Outline:
     far = 4.0 * sum(outline.size)
     left = area.intersection(package.box(-far, -far, 0.0, far))
     whole = left.union(package.transform(left, lambda points: points * (-1.0, 1.0)))
-    parts = sorted(package.get_parts(whole), key=lambda part: -float(part.area))
-    if not parts or parts[0].geom_type != "Polygon" or parts[0].area < 0.05 * area.area:
+    bodies = parts(whole)
+    if not bodies or bodies[0].area < 0.05 * area.area:
         raise OutlineError("The outline cannot be mirrored about its axis: draw it symmetric, or leave that.")
-    body = parts[0]
+    body = bodies[0]
     holes = [hole for hole in body.interiors if package.Polygon(hole).area > _SLIVER * body.area]
     rings = [np.asarray(ring.coords, dtype=np.float64)[:-1] for ring in (body.exterior, *holes)]
     near = _SAME_POINT * max(outline.size)

@@ -16,6 +16,7 @@ import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film.film import Film
+from BalloonWorkbench.core.geometry.areas import parts
 from BalloonWorkbench.core.geometry.polyline import length
 from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.outline.chambers import joined_welds
@@ -28,15 +29,7 @@ from BalloonWorkbench.core.pattern.intake.places import Wish, film_of, intake_of
 from BalloonWorkbench.core.pattern.intake.rim import Rim
 from BalloonWorkbench.core.pattern.intake.valve import closed_channel
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
-from BalloonWorkbench.core.pattern.shapes import (
-    SHORTEST,
-    closed_loop,
-    offset,
-    open_line,
-    parts,
-    polygon,
-    relieved,
-)
+from BalloonWorkbench.core.pattern.shapes import SHORTEST, closed_loop, offset, open_line, polygon, relieved
 from BalloonWorkbench.core.units import length_text, place_text
 
 

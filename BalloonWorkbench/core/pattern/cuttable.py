@@ -15,8 +15,9 @@ from __future__ import annotations
 
 from typing import Any
 
+from BalloonWorkbench.core.geometry.areas import parts
 from BalloonWorkbench.core.packages import shapely
-from BalloonWorkbench.core.pattern.shapes import TOLERANCE, parts
+from BalloonWorkbench.core.pattern.shapes import TOLERANCE
 from BalloonWorkbench.core.units import from_mm
 
 #: Of notches in the cut; the narrowest gap is twice as wide [m].

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.geometry.areas import parts
 from BalloonWorkbench.core.geometry.polyline import bounds
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.pages.fonts import outlines, plain, unshown
@@ -42,7 +43,7 @@ def with_label(pattern: Pattern, text: str, height: float) -> Pattern:
     for lines in pattern.contours:
         if lines.role is not Role.CUT:
             film = film.difference(_taken(lines, pattern.seal_width))
-    room = package.maximum_inscribed_circle(max(package.get_parts(film), key=lambda part: part.area))
+    room = package.maximum_inscribed_circle(parts(film)[0])
     (x, y), radius = room.coords[0], float(room.length)
     letters = _letters(text, height)
     low, high = _box(letters)

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from BalloonWorkbench.core.errors import InputError, OutlineError
+from BalloonWorkbench.core.geometry.areas import parts
 from BalloonWorkbench.core.geometry.normals import corners
 from BalloonWorkbench.core.geometry.polyline import arc_lengths, edge_lengths, oriented, point_at
 from BalloonWorkbench.core.packages import shapely
@@ -61,12 +62,6 @@ def relieved(area: Any, weld: Any, half_width: float, radius: float) -> Any:
             " wider allowance."
         )
     return parts(closed)[0]
-
-
-def parts(area: Any) -> list[Any]:
-    """The polygons that an area consists of, the largest first."""
-    pieces = [piece for piece in shapely().get_parts(area) if piece.geom_type == "Polygon"]
-    return sorted((piece for piece in pieces if not piece.is_empty), key=lambda piece: -piece.area)
 
 
 def closed_loop(ring: Any, counter_clockwise: bool) -> Floats:

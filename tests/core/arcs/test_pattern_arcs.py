@@ -10,7 +10,7 @@ import pytest
 import shapely
 from drawn_shapes import NAMED, generated, polar
 
-from BalloonWorkbench.core.arcs.curves import Curve, polyline
+from BalloonWorkbench.core.arcs.curves import Curve, Segment, polyline
 from BalloonWorkbench.core.arcs.fit_arcs import TOLERANCE, fit_curve
 from BalloonWorkbench.core.job import Settings, make_balloon
 from BalloonWorkbench.core.pattern.build import build_pattern
@@ -204,6 +204,17 @@ def test_an_arc_of_a_very_large_radius_is_flattened() -> None:
     points = curve.flattened(2e-7)
     assert points[[0, -1]] == pytest.approx(curve.joints)
     assert len(points) < 10
+
+
+@pytest.mark.parametrize("turn", [-3.0, -0.5, 0.0, 1.0, 2.0 * np.pi / 3.0])
+def test_the_middle_of_an_arc_lies_on_it(turn: float) -> None:
+    """On a circle that runs through the origin along +x and turns so far, positive to the left."""
+    angles = np.array([0.0, 0.5 * turn, turn])
+    points = np.stack([np.sin(angles), 1.0 - np.cos(angles)], axis=1) / (turn or 1.0)
+    if turn == 0.0:
+        points = np.array([[0.0, 0.0], [0.5, 0.0], [1.0, 0.0]])
+    segment = Segment(points[0], points[2], float(np.tan(0.25 * turn)))
+    assert segment.middle == pytest.approx(points[1], abs=1e-12)
 
 
 def test_polyline_is_a_curve_of_lines() -> None:

@@ -98,6 +98,14 @@ def test_a_crumpled_rim_has_smooth_normals_on_average() -> None:
     assert np.array_equal(left_normals(np.zeros((4, 2))), np.zeros((4, 2)))
 
 
+def test_each_direction_counts_twice_and_those_beside_it_once() -> None:
+    loop = RANDOM.normal(size=(6, 2))
+    along = [loop[(k + 1) % 6] - loop[k - 1] for k in range(6)]
+    for k, normal in enumerate(left_normals(loop, smoothed=1)):
+        x, y = along[k - 1] + 2.0 * along[k] + along[(k + 1) % 6]
+        assert normal == pytest.approx(np.array([-y, x]) / np.hypot(x, y))
+
+
 @pytest.mark.parametrize("count", [3, 4, 7, 30])
 def test_a_loop_turns_by_a_whole_circle(count: int) -> None:
     polygon = circle(1.0, count)

@@ -72,6 +72,15 @@ def test_triangles_cover_each_place_of_a_grid_once(turned_over: bool) -> None:
     assert values[inside] == pytest.approx(field(places[inside]), abs=1e-12)
 
 
+@pytest.mark.parametrize(("columns", "rows"), [(9, 4), (3, 8)])
+def test_triangles_that_reach_past_the_grid_cover_what_is_in_it(columns: int, rows: int) -> None:
+    x, y = np.linspace(0.31, 0.42, columns), np.linspace(0.53, 0.61, rows)
+    times = np.zeros((rows, columns), dtype=int)
+    for _, row, column, _ in covered(POINTS, TRIANGLES, x, y):
+        times[row, column] += 1
+    assert (times == 1).all()
+
+
 def test_triangles_without_an_area_or_beside_the_grid_cover_nothing() -> None:
     flat = np.array([[0.0, 0.0], [1.0, 1.0], [2.0, 2.0], [50.0, 50.0], [51.0, 50.0], [50.0, 51.0]])
     grid = np.arange(4.0)

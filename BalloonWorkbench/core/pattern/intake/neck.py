@@ -9,13 +9,14 @@ from typing import Any
 import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.geometry.areas import parts
 from BalloonWorkbench.core.geometry.vectors import perpendicular
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.pattern.intake.kinds import FILM, placed
 from BalloonWorkbench.core.pattern.intake.places import Wish, before_mouth, place_of, rectangle
 from BalloonWorkbench.core.pattern.intake.rim import Rim
 from BalloonWorkbench.core.pattern.pattern import Contour, Intake
-from BalloonWorkbench.core.pattern.shapes import offset, parts
+from BalloonWorkbench.core.pattern.shapes import offset
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import from_mm, length_text
 
