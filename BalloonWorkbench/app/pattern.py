@@ -136,7 +136,7 @@ def _is_edited(obj, name: str) -> bool:
     if not own or not getattr(obj, "Balloon", None) or is_replaying(obj.Document):
         return False
     # an older object is first given what it lacks
-    needed = [item.name for item in PROPERTIES if item.kind == "Enumeration"]
+    needed = [item.name for item in PROPERTIES if item.type == "Enumeration"]
     return all(getattr(obj, each, None) is not None for each in (*needed, PROPERTIES[-1].name))
 
 

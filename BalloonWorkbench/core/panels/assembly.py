@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -12,7 +12,7 @@ import numpy as np
 from BalloonWorkbench.core.panels.panel import Panel
 from BalloonWorkbench.core.panels.seam import Run, Seam
 from BalloonWorkbench.core.panels.surface import Surface, checked_surface
-from BalloonWorkbench.core.types import Floats, Ints
+from BalloonWorkbench.core.types import Ints
 
 
 @dataclass(frozen=True)
@@ -60,19 +60,23 @@ class Assembly:
         return checked_surface(self.panels, self.seams, self.welds, self.mirror)
 
     @property
-    def stacked(self) -> bool:
-        """Whether the panels lie on one another, each seam over itself, as two equal ones do."""
-        return all(
-            np.array_equal(self._places(seam.first), self._places(seam.second))
-            for seam in (*self.seams, *self.welds)
+    def is_pair(self) -> bool:
+        """Whether it is what in_full gives: two equal panels, sealed vertex by vertex."""
+        return (
+            len(self.panels) == 2
+            and _equal(*self.panels)
+            and all(map(_is_over_itself, self.seams + self.welds))
         )
 
-    def _places(self, run: Run) -> Floats:
-        return self.panels[run.panel].rest_positions[run.vertices]
 
-    def with_panels(self, panels: Sequence[Panel]) -> Assembly:
-        """The same seams between other panels of the same boundaries."""
-        return replace(self, panels=tuple(panels))
+def _equal(one: Panel, other: Panel) -> bool:
+    same = np.array_equal(one.rest_positions, other.rest_positions)
+    return one is other or (same and np.array_equal(one.triangles, other.triangles))
+
+
+def _is_over_itself(seam: Seam) -> bool:
+    first, second = seam.runs
+    return first.panel != second.panel and np.array_equal(first.vertices, second.vertices)
 
 
 def _with_itself(lines: Sequence[Ints]) -> tuple[Seam, ...]:

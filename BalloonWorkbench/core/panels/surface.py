@@ -60,7 +60,7 @@ def checked_surface(
     if not panels:
         raise AssemblyError("There is no panel. Give at least one.")
     for number, panel in enumerate(panels, 1):
-        _check_panel(panel, number)
+        _check_panel(panel, number, may_turn=mirror)
     turned = np.zeros(len(panels), dtype=bool)
     bodies = 1
     if not mirror:
@@ -72,7 +72,7 @@ def checked_surface(
     triangles = outward_triangles([panel.triangles for panel in panels], turned, offsets)
     by_seams = _first_of_each(int(offsets[-1]), _pairs(seams, offsets))
     glued = by_seams[triangles]
-    if np.any(glued == np.roll(glued, 1, axis=1)):
+    if seams and np.any(glued == np.roll(glued, 1, axis=1)):
         raise AssemblyError("A seam closes an edge of a triangle to a point. Check which runs it joins.")
     first = _first_of_each(int(offsets[-1]), _pairs((*seams, *welds), offsets)) if welds else by_seams
     return Surface(_side_by_side(panels, turned), triangles, first, by_seams, turned, bodies)
@@ -84,8 +84,11 @@ def outward_triangles(triangles: Sequence[Ints], turned: Bools, offsets: Sequenc
     return np.concatenate(sides).astype(np.int32)
 
 
-def _check_panel(panel: Panel, number: int) -> None:
-    """Each triangle has an area and runs counter-clockwise, each vertex has a triangle."""
+def _check_panel(panel: Panel, number: int, *, may_turn: bool) -> None:
+    """Each triangle has an area and runs counter-clockwise, each vertex has a triangle.
+
+    may_turn  as in a quick preview, whose coarse panel may overlap itself a little
+    """
     corners, count = panel.triangles.ravel(), len(panel.rest_positions)
     if len(corners) and not 0 <= corners.min() <= corners.max() < count:
         raise AssemblyError(f"Panel {number} has a triangle with a vertex that is not there. Mesh it anew.")
@@ -94,7 +97,7 @@ def _check_panel(panel: Panel, number: int) -> None:
     a, b, c = np.moveaxis(panel.rest_positions[panel.triangles], 1, 0)
     area = 0.5 * ((b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0])
     least = 1e-12 * panel.size**2
-    bad = np.flatnonzero(~(area > least))
+    bad = np.flatnonzero(~(np.abs(area) > 0.0) if may_turn else ~(area > least))
     if len(bad):
         what = "runs clockwise" if area[bad[0]] < -least else "has no area"
         raise AssemblyError(f"Triangle {bad[0] + 1} of panel {number} {what}. Mesh the panel anew.")

@@ -15,7 +15,7 @@ import numpy as np
 
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.film.film import Film
-from BalloonWorkbench.core.geometry.polyline import edge_lengths, extent
+from BalloonWorkbench.core.geometry.polyline import edge_lengths
 from BalloonWorkbench.core.panels.panel import Panel
 from BalloonWorkbench.core.solver.element.dkt import gradients, rotation_stiffness
 from BalloonWorkbench.core.solver.element.kinematics import deformation_gradients, green_strains
@@ -113,12 +113,12 @@ def loads(inflation: Inflation, film: Film) -> Loads:
     sides = [inflation]
     if inflation.lower is not None:  # as the upper one of the balloon turned over
         sides.append(replace(inflation, positions=inflation.lower * MIRROR))
-    found = []
+    each = []
     for number, side in enumerate(sides):
         for load in (_film_load(side, film), _weld_load(side, film)):
-            found.append(Load(load.value, load.place * MIRROR) if number else load)
-    weld = max(found[1::2], key=lambda load: load.value)
-    return Loads(max([*found[::2], weld], key=lambda load: load.value), weld)
+            each.append(Load(load.value, load.place * MIRROR) if number else load)
+    weld = max(each[1::2], key=lambda load: load.value)
+    return Loads(max([*each[::2], weld], key=lambda load: load.value), weld)
 
 
 def _stress(inflation: Inflation, film: Film) -> tuple[Floats, Floats]:
@@ -155,7 +155,7 @@ def seam_forces(inflation: Inflation, film: Film) -> list[tuple[Ints, Floats, Fl
     corners += np.einsum("mck,mak,mci->mai", moments, shape, directors)
     forces = _summed(flat.triangles, corners, len(origin))
     whole = _summed(origin[:, None], forces[:, None], len(panel.rest_positions))
-    found = [(seam, edge_lengths(panel.rest_positions[seam]), whole[seam]) for seam in panel.seams]
+    lines = [(seam, edge_lengths(panel.rest_positions[seam]), whole[seam]) for seam in panel.seams]
     round_end = 0.5 * np.pi * film.seal_width
     for left, right in zip(flat.welds[::2], flat.welds[1::2], strict=True):
         ends = [left[end] == right[end] for end in (0, -1)]  # free, not at the rim
@@ -164,8 +164,8 @@ def seam_forces(inflation: Inflation, film: Film) -> list[tuple[Ints, Floats, Fl
         for free, vertex in zip(ends, (0, len(left) - 1), strict=True):
             if free:
                 steps[[vertex - 1, vertex]] += 0.5 * round_end
-        found.append((origin[loop], steps, forces[loop]))
-    return found
+        lines.append((origin[loop], steps, forces[loop]))
+    return lines
 
 
 def _pressures(inflation: Inflation) -> Floats:
@@ -232,7 +232,7 @@ def _film_load(inflation: Inflation, film: Film) -> Load:
     """Largest principal tension, averaged over the film within a round piece as wide as the window."""
     panel = inflation.panel
     width, _ = _windows(panel, film)
-    size = extent(panel.rest_positions)
+    size = panel.size
     pitch = max(width / _ACROSS, size / _MOST_CELLS)
     cells, low = _in_cells(inflation, film, pitch)
     there = cells[..., 0] > 0.0
@@ -294,12 +294,12 @@ def _round_sums(cells: Floats, radius: float) -> Floats:
     count, reach = cells.shape[1], int(radius)
     sums = np.concatenate([np.zeros_like(cells[:, :1]), np.cumsum(cells, axis=1)], axis=1)
     column = np.arange(count)
-    found = np.zeros_like(cells)
+    within = np.zeros_like(cells)
     for row in range(-reach, reach + 1):
         half = int(np.sqrt(radius * radius - row * row))
         last, first = np.minimum(column + half + 1, count), np.maximum(column - half, 0)
         strip = sums[:, last] - sums[:, first]
         kept = slice(max(row, 0), len(cells) + min(row, 0))
         moved = slice(max(-row, 0), len(cells) + min(-row, 0))
-        found[moved] += strip[kept]
-    return found
+        within[moved] += strip[kept]
+    return within

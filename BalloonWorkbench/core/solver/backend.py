@@ -47,20 +47,20 @@ class Backend:
 @functools.cache
 def available() -> tuple[Backend, ...]:
     """The solvers that work here, best first."""
-    found = []
+    working = []
     if load.problem_with_library() is None:
         from BalloonWorkbench.core.solver.native import c_interface
 
-        found.append(Backend("native", c_interface.solve, c_interface.energies))
+        working.append(Backend("native", c_interface.solve, c_interface.energies))
     if _scipy_is_there():
-        found.append(Backend("numpy", newton.solve, newton.energies))
-    if not found and packages.lacks_ctypes():
+        working.append(Backend("numpy", newton.solve, newton.energies))
+    if not working and packages.lacks_ctypes():
         raise MissingPackageError(f"No solver works here: {packages.NO_CTYPES}")
-    if not found:
+    if not working:
         raise MissingPackageError(
             f"No solver works here: {load.problem_with_library()} Build it or install the package scipy."
         )
-    return tuple(found)
+    return tuple(working)
 
 
 def active_backend() -> str:

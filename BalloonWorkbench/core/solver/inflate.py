@@ -58,7 +58,7 @@ def inflate(
     model, solver, began = model or Model(), backend_named(backend), time.perf_counter()
     whole = Assembly.mirrored(body) if isinstance(body, Panel) else body
     assembly = simulated(whole, model)
-    if solver.name == "newmark" and not (assembly.mirror or assembly.stacked):
+    if solver.name == "newmark" and not (assembly.mirror or assembly.is_pair):
         raise InputError("Only two equal panels are blown up in time. Use another solver for this balloon.")
     split, size = split_assembly(assembly), assembly.size
     problem = problem_of(split, film, pressure, model)

@@ -86,7 +86,7 @@ def problem_of(split: SplitFilm, film: Film, pressure: float, model: Model) -> F
         rigidity,
         grain=grain,
         tension_field=model.tension_field,
-        tied=split.tied if not assembly.mirror or assembly.panels[0].welds else None,
+        tied=split.tied,
     )
     return _with_bands(problem, split, film, pressure) if film.seal_width > 0.0 else problem
 
@@ -100,7 +100,7 @@ def simulated(body: Panel | Assembly, model: Model) -> Assembly:
 def _with_bands(problem: FilmProblem, split: SplitFilm, film: Film, pressure: float) -> FilmProblem:
     """The same with the stiffness of the sealed band along the seams of panels that lie on one another."""
     assembly = split.assembly
-    if not assembly.mirror and not assembly.stacked:
+    if not assembly.mirror and not assembly.is_pair:
         return problem
     panel, width, size = split.panels[0], typical_width(split.panels), assembly.size
     band = film.membrane_stiffness * film.seal_width**3 / 12.0  # the half of it that belongs to one panel

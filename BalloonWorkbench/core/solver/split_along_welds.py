@@ -87,7 +87,7 @@ class SplitFilm:
     triangles       (m, 3), counter-clockwise seen from outside
     origin          (n,) the vertex of the assembly that each one is
     kept            which of them those of the assembly are
-    tied            (n,) the first of those whose place a vertex shares
+    tied            (n,) the first of those whose place a vertex shares; None where each has one of its own
     """
 
     assembly: Assembly
@@ -96,7 +96,7 @@ class SplitFilm:
     triangles: Ints
     origin: Ints
     kept: Ints
-    tied: Ints
+    tied: Ints | None
 
 
 def split_assembly(assembly: Assembly) -> SplitFilm:
@@ -106,7 +106,6 @@ def split_assembly(assembly: Assembly) -> SplitFilm:
     origin = np.concatenate([own + at for own, at in zip(origins, assembly.offsets)])
     starts = np.cumsum([0, *map(len, origins)])
     kept = [np.arange(len(panel.rest_positions)) + at for panel, at in zip(assembly.panels, starts)]
-    _, earliest, place = np.unique(surface.first[origin], return_index=True, return_inverse=True)
     return SplitFilm(
         assembly,
         panels,
@@ -114,5 +113,13 @@ def split_assembly(assembly: Assembly) -> SplitFilm:
         outward_triangles([panel.triangles for panel in panels], surface.turned, starts),
         origin,
         np.concatenate(kept),
-        earliest[place.ravel()].astype(np.int32),
+        _tied(surface.first[origin]),
     )
+
+
+def _tied(place: Ints) -> Ints | None:
+    """For each vertex (n,) the first with the same place, by their numbers (n,)."""
+    if np.array_equal(place, np.arange(len(place))):
+        return None
+    _, earliest, number = np.unique(place, return_index=True, return_inverse=True)
+    return earliest[number.ravel()].astype(np.int32)

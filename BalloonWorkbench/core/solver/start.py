@@ -28,54 +28,58 @@ SOFTENING = (16.0, 4.0, 1.0)
 
 
 def start_of(split: SplitFilm, problem: FilmProblem, start: Inflation | Floats | None, twist: float) -> Start:
-    """From an earlier balloon or from places (n, 3) of the vertices; a shape of its own where neither fits.
+    """From an earlier balloon or from places (n, 3) [m] of the vertices; its own shape where neither fits.
 
     twist  how far two panels start from one plane
     """
-    assembly, levels = split.assembly, stiffness_levels(problem.membrane_stiffness)
-    count, directors = len(split.panels[0].rest_positions), None
-    if isinstance(start, Inflation) and start.assembly.mirror and _alike(start, assembly.panels[0]):
-        moved, softening = carried_over(start, assembly.panels[0])
-        positions = moved[split.origin[:count]]
+    assembly, panel = split.assembly, split.assembly.panels[0]
+    in_plane = assembly.mirror or assembly.is_pair
+    earlier = start if isinstance(start, Inflation) else None
+    if in_plane and earlier is not None and earlier.assembly.mirror and _fits(earlier.positions, panel):
+        moved, softening = carried_over(earlier, panel)
+        half = moved[split.origin[: len(split.panels[0].rest_positions)]] / assembly.size
+        normals = vertex_normals(half, split.panels[0])
+        directors = np.concatenate([earlier.directors, normals[len(panel.rest_positions) :]])
         levels = tuple(problem.membrane_stiffness / factor for factor in softening)
-        directors = start.directors
-    elif not isinstance(start, np.ndarray) and (assembly.mirror or assembly.stacked):
-        positions = dome(split.panels[0])
+        return _of_half(split, half, directors, levels, twist)
+    levels = stiffness_levels(problem.membrane_stiffness)
+    places = start.positions if isinstance(start, Inflation) else start
+    if places is None or len(places) != assembly.offsets[-1]:
+        if in_plane:
+            half = dome(split.panels[0]) / assembly.size
+            return _of_half(split, half, vertex_normals(half, split.panels[0]), levels, twist)
+        positions = _in_space(split)
     else:
-        return _in_space(split, problem, start, levels)
-    positions /= assembly.size
-    normals = vertex_normals(positions, split.panels[0])
-    directors = normals if directors is None else np.concatenate([directors, normals[len(directors) :]])
-    if assembly.mirror:
-        return Start(positions, directors, levels)
-    positions, directors = (np.concatenate([half, half * MIRROR]) for half in (positions, directors))
+        positions = places[split.origin]
+        levels = levels[-1:] if earlier is not None and earlier.assembly is assembly else levels
+    positions = (positions if split.tied is None else positions[split.tied]) / assembly.size
+    return Start(positions, vertex_normals(positions, problem), levels)
+
+
+def _fits(positions: Floats, panel: Panel) -> bool:
+    return len(positions) == len(panel.rest_positions)
+
+
+def _of_half(
+    split: SplitFilm, half: Floats, directors: Floats, levels: tuple[float, ...], twist: float
+) -> Start:
+    """The upper half (n, 3), and the lower one where both panels are simulated."""
+    if split.assembly.mirror:
+        return Start(half, directors, levels)
+    assert split.tied is not None
+    positions, directors = (np.concatenate([part, part * MIRROR]) for part in (half, directors))
     x, y = (positions - positions.mean(axis=0))[:, :2].T
     positions[:, 2] += twist * x * y
     return Start(positions[split.tied], directors, levels)  # an earlier seam is not quite in the plane
 
 
-def _alike(start: Inflation, panel: Panel) -> bool:
-    return len(start.positions) == len(panel.rest_positions)
-
-
-def _in_space(
-    split: SplitFilm, problem: FilmProblem, start: Inflation | Floats | None, levels: tuple[float, ...]
-) -> Start:
-    """The start of panels that lie anywhere, whose seams are tied."""
-    assembly = split.assembly
-    count = int(assembly.offsets[-1])
-    places = start.positions if isinstance(start, Inflation) else start
-    if places is None or len(places) != count:
-        if (bodies := assembly.surface.bodies) > 1:
-            raise AssemblyError(f"The panels are sealed to {bodies} bodies. Inflate each by itself.")
-        _, corners = np.unique(split.tied, return_inverse=True)
-        places = embedding(split.rest_positions[split.triangles], corners.ravel()[split.triangles])
-        positions = places[corners.ravel()]
-    else:
-        positions = places[split.origin]
-        levels = levels[-1:] if isinstance(start, Inflation) and start.assembly is assembly else levels
-    positions = positions[split.tied] / assembly.size
-    return Start(positions, vertex_normals(positions, problem), levels)
+def _in_space(split: SplitFilm) -> Floats:
+    """Places (n, 3) [m] for panels that lie anywhere."""
+    if (bodies := split.assembly.surface.bodies) > 1:
+        raise AssemblyError(f"The panels are sealed to {bodies} bodies. Inflate each by itself.")
+    _, corners = np.unique(np.asarray(split.tied), return_inverse=True)
+    places = embedding(split.rest_positions[split.triangles], corners.ravel()[split.triangles])
+    return places[corners.ravel()]
 
 
 def dome(panel: Panel) -> Floats:
@@ -107,14 +111,21 @@ def dome(panel: Panel) -> Floats:
 
 
 def vertex_normals(positions: Floats, panel: Panel | FilmProblem) -> Floats:
-    """Area-weighted unit normals (n, 3)."""
+    """Area-weighted unit normals (n, 3); of one triangle where they cancel, as in a corner folded flat."""
     a, b, c = np.moveaxis(positions[panel.triangles], 1, 0)
     area_vectors = np.cross(b - a, c - a)
     corners = panel.triangles.astype(np.intp).ravel()
     normals = np.column_stack(
         [np.bincount(corners, np.repeat(part, 3), len(positions)) for part in area_vectors.T]
     )
-    return np.asarray(normals / np.linalg.norm(normals, axis=1)[:, None])
+    lengths = np.linalg.norm(normals, axis=1)
+    cancelled = lengths <= 1e-9 * lengths.max()
+    if cancelled.any():
+        of_one = np.zeros_like(normals)
+        of_one[corners] = np.repeat(area_vectors, 3, axis=0)
+        normals[cancelled] = of_one[cancelled]
+        lengths[cancelled] = np.linalg.norm(of_one[cancelled], axis=1)
+    return np.asarray(normals / lengths[:, None])
 
 
 def carried_over(start: Inflation, panel: Panel) -> tuple[Floats, tuple[float, ...]]:

@@ -46,10 +46,10 @@ def search_pressure(
     at = -math.log(FIRST)
     best, nearest, before = None, math.inf, 0.0
     for _ in range(MOST_TRIALS):
-        found = solve(unit * math.exp(at))
-        miss = volume_of(found) - volume
+        trial = solve(unit * math.exp(at))
+        miss = volume_of(trial) - volume
         if abs(miss) < nearest:
-            best, nearest = found, abs(miss)
+            best, nearest = trial, abs(miss)
         if nearest <= tolerance * volume:
             break
         if miss < 0.0:
@@ -63,7 +63,7 @@ def search_pressure(
             raise InputError(
                 f"This balloon holds {'less than' if miss < 0.0 else 'more than'} {volume_text(volume)} at"
                 " any pressure that suits its film: "
-                f"{volume_text(volume_of(found))} at {pressure_text(unit * math.exp(at))}. "
+                f"{volume_text(volume_of(trial))} at {pressure_text(unit * math.exp(at))}. "
                 "Change the size of the balloon or the volume."
             )
         if math.isnan(miss_high):
@@ -87,9 +87,8 @@ def inflate_to_volume(
     progress: Progress = no_progress,
 ) -> Inflation:
     """The balloon of a volume [m3]; report.pressure is what it needs. Raises what search_pressure does."""
-    size = float((panel.rest_positions.max(axis=0) - panel.rest_positions.min(axis=0)).max())
 
     def tried(pressure: float) -> Inflation:
         return inflate(panel, film, pressure, backend=backend, model=model, progress=progress)
 
-    return search_pressure(volume, film.membrane_stiffness / size, tried, lambda found: found.volume)
+    return search_pressure(volume, film.membrane_stiffness / panel.size, tried, lambda trial: trial.volume)

@@ -18,13 +18,18 @@ from solver_cases import PRESSURE, both_backends, film, needs_native, panel
 from BalloonWorkbench.core.errors import AssemblyError, InputError
 from BalloonWorkbench.core.film.library import film as known_film
 from BalloonWorkbench.core.panels.assembly import Assembly
+from BalloonWorkbench.core.panels.panel import Panel
+from BalloonWorkbench.core.panels.seam import Run, Seam
 from BalloonWorkbench.core.results.film_state import film_state
 from BalloonWorkbench.core.solver.element.kinematics import facet_volume
 from BalloonWorkbench.core.solver.equilibrium import newton
-from BalloonWorkbench.core.solver.inflate import inflate
-from BalloonWorkbench.core.solver.inflation import Inflation
+from BalloonWorkbench.core.solver.inflate import _laid_over, inflate
+from BalloonWorkbench.core.solver.inflation import MIRROR, Inflation
 from BalloonWorkbench.core.solver.model import Model, film_problem
-from BalloonWorkbench.core.solver.problem import NewtonSettings
+from BalloonWorkbench.core.solver.native import c_interface
+from BalloonWorkbench.core.solver.problem import Equilibrium, NewtonSettings
+from BalloonWorkbench.core.solver.split_along_welds import split_assembly
+from BalloonWorkbench.core.solver.start import start_of, vertex_normals
 
 BARE = Model(bending=False)
 EXACT = NewtonSettings(1e-7)
@@ -126,7 +131,7 @@ def test_two_panels_find_their_shape_in_space() -> None:
     beside = replace(disc, rest_positions=disc.rest_positions @ [[0.6, 0.8], [-0.8, 0.6]])
     whole = Assembly.mirrored(disc).in_full()
     apart = Assembly((disc, beside), whole.seams)
-    assert not apart.stacked
+    assert not apart.is_pair
     one = inflate(whole, film(300.0), PRESSURE, settings=EXACT)
     other = inflate(apart, film(300.0), PRESSURE, settings=EXACT)
     assert other.volume == pytest.approx(one.volume, rel=1e-5)
@@ -160,6 +165,72 @@ def test_any_body_finds_a_shape(body: Assembly, volume: float | None) -> None:
 def _area(result: Inflation) -> float:
     a, b, c = np.moveaxis(result.positions[result.assembly.surface.triangles], 1, 0)
     return 0.5 * float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum())
+
+
+def test_a_folded_rectangle_is_a_pillow() -> None:
+    """One panel sealed to itself: a fold costs nothing, as a seam does not."""
+    cells = 6
+    sheet = bodies.rectangle(2 * cells, cells, 2.0, 1.0)
+    places = np.array([(0.0, 0.0), (1.0, 0.0), (2.0, 0.0), (2.0, 1.0), (1.0, 1.0), (0.0, 1.0)])
+    sides = [bodies.run(0, sheet, places[k], places[(k + 1) % 6]) for k in range(6)]
+    pairs = ((0, 1), (3, 4), (2, 5))
+    folded = Assembly((sheet,), tuple(Seam(sides[a], bodies.back(sides[b])) for a, b in pairs))
+    pillow = Assembly.mirrored(bodies.rectangle(cells, cells, 1.0, 1.0)).in_full()
+    assert between_facets(blown(folded)) == pytest.approx(between_facets(blown(pillow)), rel=1e-4)
+
+
+def test_a_corner_folded_flat_has_a_normal() -> None:
+    """Two triangles back to back at one end: their normals cancel, but not at the other."""
+    places = np.array([(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (1.0, 1.0, 0.0), (1.0, 0.0, 0.0)])
+    sheet = Panel(np.zeros((4, 2)), np.array([[0, 1, 2], [0, 2, 3]], dtype=np.int32), ())
+    normals = vertex_normals(places, sheet)
+    np.testing.assert_allclose(np.abs(normals), np.tile([0.0, 0.0, 1.0], (4, 1)))
+
+
+def test_a_balloon_is_never_mirrored_to_its_start() -> None:
+    """A start that is the mirror image is met as well as a turn can."""
+    corners = np.array([(0.0, 0.0, 0.0), (3.0, 0.0, 0.0), (0.0, 2.0, 0.0), (0.0, 0.0, 1.0)])
+    laid = _laid_over(Equilibrium(corners, corners, 0, 0, True), corners * MIRROR).positions
+    assert np.linalg.det(laid[1:] - laid[0]) == pytest.approx(6.0)
+
+
+@needs_native
+def test_where_panels_are_laid_does_not_matter() -> None:
+    """Side by side, as they are, or all on one another: only the order of the unknowns is another."""
+    body = cube(4)
+    problem = film_problem(body, film(1000.0), PRESSURE, BARE)
+    start = start_of(split_assembly(body), problem, None, 0.0)
+    stacked = np.concatenate([one.rest_positions / body.size for one in body.panels])
+    assert np.ptp(problem.rest_positions, axis=0).tolist() == pytest.approx([6.0, 1.0])
+    apart, together = (
+        c_interface.solve(one, start, EXACT).positions
+        for one in (problem, replace(problem, rest_positions=stacked))
+    )
+    np.testing.assert_allclose(apart, together, atol=1e-6)
+
+
+def test_a_start_that_does_not_fit_is_not_used() -> None:
+    """One of a mirrored panel for a body in space, of a body for a mirrored panel, of other panels."""
+    square = bodies.rectangle(4, 4, 1.0, 1.0)
+    mirrored, body = inflate(square, film(1000.0), PRESSURE), cube(4)
+    cold = blown(body)
+    for start in (mirrored, blown(cube(3)), np.zeros((7, 3))):
+        again = inflate(body, film(1000.0), PRESSURE, start=start, model=BARE, settings=EXACT)
+        assert again.positions.tobytes() == cold.positions.tobytes()
+    for start in (cold, blown(cube(3))):
+        again = inflate(square, film(1000.0), PRESSURE, start=start)
+        assert again.positions.tobytes() == mirrored.positions.tobytes()
+
+
+def test_panels_of_two_meshes_over_each_other() -> None:
+    """Their seam lies over itself, but one is no mirror image of the other."""
+    one, other = bodies.rectangle(6, 6, 1.0, 1.0), bodies.crossed(bodies.rectangle(6, 6, 1.0, 1.0))
+    rim = np.append(one.seams[0], one.seams[0][:1])
+    np.testing.assert_array_equal(one.rest_positions[rim], other.rest_positions[rim])
+    both = Assembly((one, other), (Seam(Run(0, rim), Run(1, rim)),))
+    assert not both.is_pair
+    coarse, fine = (between_facets(blown(Assembly.mirrored(half).in_full())) for half in (one, other))
+    assert coarse < between_facets(blown(both)) < fine
 
 
 def test_a_result_is_where_it_began() -> None:

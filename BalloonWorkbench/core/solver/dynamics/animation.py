@@ -15,7 +15,6 @@ import numpy as np
 
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film.film import Film
-from BalloonWorkbench.core.geometry.polyline import extent
 from BalloonWorkbench.core.panels.panel import Panel
 from BalloonWorkbench.core.solver.backend import backend_named
 from BalloonWorkbench.core.solver.dynamics import motion
@@ -63,12 +62,11 @@ def inflate_in_time(
     newmark = backend_named("newmark")
     recording = replace(newmark, solve=partial(motion.solve, record=states.append))
     inflation = inflate(panel, film, pressure, backend=recording, model=model, progress=progress)
-    size = extent(panel.rest_positions)
-    unit = float(np.sqrt(film.areal_density * size / pressure))
+    unit = float(np.sqrt(film.areal_density * panel.size / pressure))
     upper, half = len(panel.rest_positions), len(states[-1].positions) // 2
     strip = []
     for time in _times(states, frames):
-        positions = _positions(states, time) * size
+        positions = _positions(states, time) * panel.size
         lower = positions[half : half + upper] if inflation.lower is not None else None
         strip.append(Frame(time * unit, positions[:upper], motion.ramped(time) * pressure, lower))
     last = replace(strip[-1], positions=inflation.positions, lower=inflation.lower)

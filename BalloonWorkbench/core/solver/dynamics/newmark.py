@@ -128,10 +128,10 @@ class Newmark:
             state.directors,
             damping * DIRECTOR_DRAG * self.shell.flexural_rigidity / duration,
         )
-        found = self._minimum(increment, state, duration)
-        if found is None:
+        minimum = self._minimum(increment, state, duration)
+        if minimum is None:
             return None
-        positions, directors, newton_steps, gain = found
+        positions, directors, newton_steps, gain = minimum
         accelerations = (positions - increment.known_positions) / (beta * duration**2)
         velocities = known_velocities + gamma * duration * accelerations
         return State(
