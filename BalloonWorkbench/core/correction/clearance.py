@@ -68,9 +68,9 @@ def _too_near(
     facing = ((across * normals[one]).sum(axis=1) > _FACING * distance) & (
         (across * normals[other]).sum(axis=1) < -_FACING * distance
     )
-    found = facing & (way > _DETOUR * distance) & (missing > _SLACK * clearance)
-    order = np.lexsort((other[found], one[found]))
-    return one[found][order], other[found][order], missing[found][order]
+    near = facing & (way > _DETOUR * distance) & (missing > _SLACK * clearance)
+    order = np.lexsort((other[near], one[near]))
+    return one[near][order], other[near][order], missing[near][order]
 
 
 def _spread(loop: Floats, push: Floats, clearance: float) -> Floats:

@@ -19,6 +19,7 @@ from __future__ import annotations
 
 import time
 from dataclasses import dataclass, field, replace
+from functools import partial
 
 import numpy as np
 
@@ -59,17 +60,11 @@ MOST_HALVINGS = 8  # of a step that leads to a pattern without a mesh
 
 @dataclass(frozen=True)
 class Method:
-    """How a pattern is corrected.
+    """How a pattern is corrected."""
 
-    symmetric    a symmetric target gets a symmetric pattern, unless the balloon buckles and another comes
-                 nearer
-    start        a design of the same drawing at another size, from whose pattern the correction sets out
-    update_rule  leads from one iterate to the next
-    """
-
-    symmetric: bool = True
-    start: Design | None = None
-    update_rule: RuleOfGain = AndersonMixing
+    symmetric: bool = True  # as a symmetric target is, unless the balloon buckles and another comes nearer
+    start: Design | None = None  # of the same drawing at another size: its pattern is where it sets out
+    update_rule: RuleOfGain = AndersonMixing  # leads from one iterate to the next
 
 
 def fit(
@@ -93,22 +88,14 @@ def fit(
     mirror = _mirror(target, film) if method.symmetric else None
     if mirror is not None:
         target = mirrored(target, mirror)
-    simulation = Simulation(target, film, pressure, backend, model, 0.0, mirror, progress=progress)
-    best, history = _iterated(*_begun(simulation, mesh_size, method))
+    simulation = Simulation(target, film, pressure, backend, model, mirror=mirror, progress=progress)
+    best, history = _begun(simulation, mesh_size, method).run()
     design = summary(target, best, history.iterates, history.meshes, time.perf_counter() - began)
     if mirror is None or design.reached:
         return design
-    again = fit(
-        target,
-        film,
-        pressure,
-        mesh_size=mesh_size,
-        backend=backend,
-        model=model,
-        method=replace(method, symmetric=False, start=None),
-        progress=_later(progress, history.iterates),
-    )
-    return better_design(design, again)
+    free = Method(symmetric=False, update_rule=method.update_rule)
+    again = partial(fit, mesh_size=mesh_size, backend=backend, model=model, method=free)
+    return better_design(design, again(target, film, pressure, progress=_later(progress, history.iterates)))
 
 
 def inflate_outline(
@@ -127,67 +114,149 @@ def inflate_outline(
     edge = mesh_size or size_for(pattern, VERTICES)
     lines = weld_lines(pattern, pattern.loops, 0.25 * edge)
     seam_map = SeamMap(pattern.loops, pattern.loops, len(pattern.spots), lines)
-    reachable = StallTracker(seam_map, max(pattern.size)).unreachable
-    simulation = Simulation(
-        pattern, film, pressure, backend, model, edge, unreachable=reachable, progress=progress
-    )
+    simulation = Simulation(pattern, film, pressure, backend, model, edge, progress=progress)
     return summary(pattern, make_iterate(simulation, seam_map), 0, 1, time.perf_counter() - began)
 
 
 def _mirror(target: Outline, film: Film) -> Mirror | None:
-    """The axis that the pattern may keep."""
-    if film.young_modulus_across is not None:  # a film with a grain aslant makes no symmetric balloon
-        return None
-    if target.welds or target.spots:  # which need not lie as the outline does
-        return None
-    return exact_mirror(target)
-
-
-@dataclass(frozen=True)
-class _Task:
-    """What stays the same in a correction.
-
-    drawn    the seam map whose pattern is the drawing; pairs: its symmetry
-    scales   on the wanted mesh
-    breadth  less than the size only for slender shapes [m]
-    """
-
-    simulation: Simulation
-    drawn: SeamMap
-    pairs: MirrorPairs
-    scales: Scales
-    breadth: float
-    method: Method
-
-    def scales_in(self, stage: Stage) -> Scales:
-        """The scales on the mesh of a stage."""
-        scales, coarsening = self.scales, stage.coarsening
-        return replace(scales, edge=coarsening * scales.edge, smoothing=coarsening * scales.smoothing)
+    """The axis that the pattern may keep; a grain aslant and welds need not lie as the outline does."""
+    uneven = film.young_modulus_across is not None or target.welds or target.spots
+    return None if uneven else exact_mirror(target)
 
 
 @dataclass
-class _State:
-    """Where the iteration is.
+class _Correction:
+    """The state of the iteration, below what stays the same."""
 
-    seam_map   of the next iterate
-    rule       that leads to it; stalls: what is not reached
-    last       the iterate from which it sets out; best: the nearest one of this stage
-    keep_mesh  the last mesh may still serve
-    halvings   of the step to it, which led to patterns without a mesh
-    """
+    simulation: Simulation
+    drawn: SeamMap  # whose pattern is the drawing
+    pairs: MirrorPairs
+    scales: Scales  # on the wanted mesh
+    breadth: float  # of the drawing: less than its size only for slender shapes [m]
+    new_rule: RuleOfGain
 
     stage: Stage
-    seam_map: SeamMap
+    seam_map: SeamMap  # of the next iterate
     rule: UpdateRule
     stalls: StallTracker
-    last: Iterate | None = None
-    best: Iterate | None = None
-    keep_mesh: bool = False
-    halvings: int = 0
+    last: Iterate | None = None  # from which the next one sets out
+    best: Iterate | None = None  # of this stage
+    keep_mesh: bool = False  # of the last iterate, where it serves
+    halvings: int = 0  # of the step to the next iterate
     history: History = field(default_factory=History)
 
+    def run(self) -> tuple[Iterate, History]:
+        """The best iterate, and how it was reached."""
+        while self.halvings <= MOST_HALVINGS:
+            try:
+                current = self._next_iterate()
+            except MeshError as error:
+                self._step_back(error)
+                continue
+            self._record(current)
+            if finished(self.stage, self.history) and self._settles():
+                break
+            self._correct()
+            if hands_over(self.stage, self.history):
+                self._hand_over()
+        if self.best is None:
+            raise MeshError(
+                "The pattern becomes too thin for its mesh. Widen the thin parts, or use a finer mesh."
+            )
+        return self.best, self.history
 
-def _begun(simulation: Simulation, mesh_size: float | None, method: Method) -> tuple[_Task, _State]:
+    @property
+    def _scales(self) -> Scales:
+        """On the mesh of this stage."""
+        scales, coarsening = self.scales, self.stage.coarsening
+        return replace(scales, edge=coarsening * scales.edge, smoothing=coarsening * scales.smoothing)
+
+    def _simulated(self, seam_map: SeamMap, keep_mesh: bool) -> Iterate:
+        """The iterate of a seam map in this stage."""
+        simulation = replace(
+            self.simulation,
+            edge=self._scales.edge,
+            newton=self.stage.newton,
+            unreachable=self.stalls.unreachable,
+            progress=_part(self.simulation.progress, self.history.iterates),
+        )
+        return make_iterate(simulation, seam_map, self.last, keep_mesh)
+
+    def _next_iterate(self) -> Iterate:
+        earlier = None if self.last is None else self.last.seam_map
+        self.seam_map = self.pairs.symmetrised(self.seam_map, earlier)
+        return self._simulated(self.seam_map, self.keep_mesh)
+
+    def _step_back(self, error: MeshError) -> None:
+        """Take half of the step back: a part is too thin for the coarse mesh, or the step made it so.
+
+        Raises the error where nothing is left to take back.
+        """
+        if self.last is None and (error.place is None or self.halvings == MOST_HALVINGS):
+            raise error
+        if self.stage.coarsening > 1.0 and self.stage.following is not None:
+            self.stage, self.keep_mesh = self.stage.following, False
+            self.stalls = StallTracker(self.seam_map, self.scales.size)
+        self.halvings += 1
+        earlier = self.drawn if self.last is None else self.last.seam_map
+        reach = (2.0 + self.halvings) * self._scales.edge
+        self.seam_map = self.seam_map.half_back(earlier, error.place, reach)
+
+    def _record(self, current: Iterate) -> None:
+        """Take note of an iterate, and choose the one from which the next step sets out."""
+        history, before = self.history, self.last if self.keep_mesh else None
+        self.halvings = 0
+        history.iterates += 1
+        history.meshes += before is None or current.panel.triangles is not before.panel.triangles
+        if self.stage.coarsening == 1.0:
+            history.newton_steps += current.inflation.report.newton_steps
+        error = self.stalls.mean_error(current.misfit)
+        least = np.inf if self.best is None else self.stalls.mean_error(self.best.misfit)
+        history.stalled = history.stalled + 1 if error > STALLED * least else 0
+        if self.best is None or error < least:
+            self.best = current
+        else:  # the step went too far: a shorter one from where it began
+            self.rule = self.new_rule(GAIN * SHORTER**history.stalled)
+        self.last = self.best
+        history.error, history.best_error = error / self.scales.size, min(error, least) / self.breadth
+        history.weld_error = weld_error(self.best)
+
+    def _settles(self) -> bool:
+        """Whether the best balloon stays as it is when it is brought to rest, or has no time to change."""
+        history, best = self.history, self.best
+        if self.stage.newton is not None or best is None:
+            return True
+        self.stage = self.stage.at_rest
+        self.best = self.last = self._simulated(best.seam_map, keep_mesh=True)
+        history.iterates += 1
+        error = self.stalls.mean_error(self.best.misfit)
+        same = error / self.breadth <= max(SAME * history.best_error, LIMITS.enough)
+        if same or history.iterates > LIMITS.iterates:
+            return True
+        self.rule, history.stalled = self.new_rule(GAIN), 0
+        history.error = error / self.scales.size
+        return False
+
+    def _correct(self) -> None:
+        """Move the pattern of the last iterate."""
+        assert self.last is not None
+        given_up = self.stalls.given_up
+        self.seam_map = next_seam_map(self.last, self.rule, self.stalls, self._scales)
+        self.keep_mesh = True
+        if self.stalls.given_up > given_up:  # the rest has its chance now
+            self.history.stalled = 0
+
+    def _hand_over(self) -> None:
+        """Begin the following stage; another mesh has another best, and nothing learnt on the last counts."""
+        following = self.stage.following
+        assert following is not None
+        if following.coarsening != self.stage.coarsening:
+            self.keep_mesh, self.rule = False, self.new_rule(GAIN)
+            self.stalls = StallTracker(self.seam_map, self.scales.size)
+        self.stage, self.best, self.history.stalled = following, None, 0
+
+
+def _begun(simulation: Simulation, mesh_size: float | None, method: Method) -> _Correction:
     """The correction of a target, before its first iterate."""
     target, film, start = simulation.target, simulation.film, method.start
     size = max(target.size)
@@ -198,120 +267,18 @@ def _begun(simulation: Simulation, mesh_size: float | None, method: Method) -> t
     fine = mesh_size or size_for(seam_map.outline, VERTICES)
     coarse = known is None and seam_map.outline.area > WORTHWHILE * (fine * fine)
     smoothing = SMOOTHING if film.seal_width > 0.0 else UNSEALED
-    scales = Scales(size, fine, smoothing * fine, clearance)
-    task = _Task(simulation, drawn, pairs, scales, min(size, 2.0 * target.area / size), method)
-    stage = first_stage(bool(target.holes), coarse)
-    return task, _State(stage, seam_map, method.update_rule(GAIN), StallTracker(seam_map, size))
-
-
-def _iterated(task: _Task, state: _State) -> tuple[Iterate, History]:
-    """The best iterate, and how it was reached."""
-    while state.halvings <= MOST_HALVINGS:
-        try:
-            current = _inflated(task, state)
-        except MeshError as error:
-            _step_back(task, state, error)
-            continue
-        _record(task, state, current)
-        if finished(state.stage, state.history) and _settled(task, state):
-            break
-        assert state.last is not None
-        given_up = state.stalls.given_up
-        state.seam_map = next_seam_map(state.last, state.rule, state.stalls, task.scales_in(state.stage))
-        if state.stalls.given_up > given_up:  # the rest has its chance now
-            state.history.stalled = 0
-        state.keep_mesh = True
-        if hands_over(state.stage, state.history):
-            _hand_over(task, state)
-    if state.best is None:
-        raise MeshError(
-            "The pattern becomes too thin for its mesh. Widen the thin parts, or use a finer mesh."
-        )
-    return state.best, state.history
-
-
-def _simulation(task: _Task, state: _State) -> Simulation:
-    return replace(
-        task.simulation,
-        edge=task.scales_in(state.stage).edge,
-        newton=state.stage.newton,
-        unreachable=state.stalls.unreachable,
-        progress=_part(task.simulation.progress, state.history.iterates),
+    return _Correction(
+        simulation,
+        drawn,
+        pairs,
+        Scales(size, fine, smoothing * fine, clearance),
+        min(size, 2.0 * target.area / size),
+        method.update_rule,
+        first_stage(bool(target.holes), coarse),
+        seam_map,
+        method.update_rule(GAIN),
+        StallTracker(seam_map, size),
     )
-
-
-def _inflated(task: _Task, state: _State) -> Iterate:
-    """The next iterate."""
-    last = state.last
-    state.seam_map = task.pairs.symmetrised(state.seam_map, None if last is None else last.seam_map)
-    return make_iterate(_simulation(task, state), state.seam_map, last, state.keep_mesh)
-
-
-def _step_back(task: _Task, state: _State, error: MeshError) -> None:
-    """Take half of the step back: a part is too thin for the coarse mesh, or the step made it so.
-
-    Raises the error where nothing is left to take back.
-    """
-    if state.last is None and (error.place is None or state.halvings == MOST_HALVINGS):
-        raise error
-    if state.stage.coarsening > 1.0 and state.stage.following is not None:
-        state.stage, state.keep_mesh = state.stage.following, False
-        state.stalls = StallTracker(state.seam_map, task.scales.size)
-    state.halvings += 1
-    earlier = task.drawn if state.last is None else state.last.seam_map
-    reach = (2.0 + state.halvings) * task.scales_in(state.stage).edge
-    state.seam_map = state.seam_map.half_back(earlier, error.place, reach)
-
-
-def _record(task: _Task, state: _State, current: Iterate) -> None:
-    """Take note of an iterate, and choose the one from which the next step sets out."""
-    history, mean_error = state.history, state.stalls.mean_error
-    before = state.last if state.keep_mesh else None
-    state.halvings = 0
-    history.iterates += 1
-    history.meshes += before is None or current.panel.triangles is not before.panel.triangles
-    if state.stage.coarsening == 1.0:
-        history.newton_steps += current.inflation.report.newton_steps
-    error = mean_error(current.misfit)
-    least = np.inf if state.best is None else mean_error(state.best.misfit)
-    history.stalled = history.stalled + 1 if error > STALLED * least else 0
-    if state.best is None or error < least:
-        state.best = current
-    else:  # the step went too far: a shorter one from where it began
-        state.rule = task.method.update_rule(GAIN * SHORTER**history.stalled)
-    state.last = state.best
-    history.error = error / task.scales.size
-    history.best_error = min(error, least) / task.breadth
-    history.weld_error = weld_error(state.best)
-
-
-def _settled(task: _Task, state: _State) -> bool:
-    """Whether the best balloon stays as it is when it is brought to rest, or has no time to change."""
-    if state.stage.newton is not None:
-        return True
-    history, best = state.history, state.best
-    assert best is not None
-    state.stage = state.stage.at_rest
-    state.best = state.last = make_iterate(_simulation(task, state), best.seam_map, best, keep_mesh=True)
-    history.iterates += 1
-    error = state.stalls.mean_error(state.best.misfit)
-    if history.iterates > LIMITS.iterates:
-        return True
-    if error / task.breadth <= max(SAME * history.best_error, LIMITS.enough):
-        return True
-    state.rule, history.stalled = task.method.update_rule(GAIN), 0
-    history.error = error / task.scales.size
-    return False
-
-
-def _hand_over(task: _Task, state: _State) -> None:
-    """Begin the following stage; another mesh has another best, and nothing learnt on the last one counts."""
-    assert state.stage.following is not None
-    if state.stage.following.coarsening != state.stage.coarsening:
-        state.keep_mesh = False
-        state.rule = task.method.update_rule(GAIN)
-        state.stalls = StallTracker(state.seam_map, task.scales.size)
-    state.stage, state.best, state.history.stalled = state.stage.following, None, 0
 
 
 def _initial(drawn: SeamMap, target: Outline, mesh_size: float | None, clearance: float) -> SeamMap:

@@ -33,7 +33,7 @@ class Simulation:
     """How a pattern is simulated, and what its balloon is compared with.
 
     edge         [m] of the mesh
-    unreachable  for each loop of the seam map its points (n,) that are given up: they do not count
+    unreachable  for each loop of the seam map its points (n,) that are given up and do not count; () for none
     mirror       of a symmetric pattern
     newton       when the film is at rest; None: as usual
     """
@@ -43,7 +43,7 @@ class Simulation:
     pressure: float
     backend: str | None
     model: Model | None
-    edge: float
+    edge: float = 0.0
     mirror: Mirror | None = None
     newton: NewtonSettings | None = None
     unreachable: tuple[Bools, ...] = ()
@@ -129,14 +129,12 @@ def _aligned(
     drawn = np.concatenate([node.placed_on(loop) for node, loop in zip(nodes, seam_map.drawing, strict=True)])
     seam = np.concatenate([inflation.positions[loop, :2] for loop in seams])
     weights = np.concatenate([point_weights(inflation.panel.rest_positions[loop]) for loop in seams])
-    sure = np.concatenate(
-        [
+    if unreachable:
+        sure = [
             ~given_up[np.rint(node.index).astype(np.int64) % len(given_up)]
             for node, given_up in zip(nodes, unreachable, strict=True)
         ]
-    )
-    if sure.any():
-        weights = weights * sure
+        weights = weights * np.concatenate(sure) if np.concatenate(sure).any() else weights
     rotation, shift = alignment(seam, drawn, weights)
     positions, directors = inflation.positions.copy(), inflation.directors.copy()
     positions[:, :2] = positions[:, :2] @ rotation.T + shift

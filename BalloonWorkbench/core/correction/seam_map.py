@@ -176,7 +176,7 @@ class SeamNodes:
 
 def seam_nodes(seam_map: SeamMap, panel: Panel) -> tuple[SeamNodes, ...]:
     """The seam vertices of a panel that was meshed from the map's pattern, loop by loop."""
-    found = []
+    loops = []
     for drawing, pattern, seam in zip(seam_map.drawing, seam_map.pattern, panel.seams, strict=True):
         lengths = arc_lengths(pattern)
         counter = np.arange(len(pattern) + 1, dtype=np.float64)
@@ -191,7 +191,7 @@ def seam_nodes(seam_map: SeamMap, panel: Panel) -> tuple[SeamNodes, ...]:
             if away[nearest] < 1.0:
                 nodes.append(nearest)
                 places.append(along[corner])
-        found.append(
+        loops.append(
             SeamNodes(
                 index,
                 np.interp(index, counter, along),
@@ -199,4 +199,4 @@ def seam_nodes(seam_map: SeamMap, panel: Panel) -> tuple[SeamNodes, ...]:
                 np.array(places, dtype=np.float64),
             )
         )
-    return tuple(found)
+    return tuple(loops)

@@ -23,16 +23,11 @@ NEAR = 3e-3  # mean error, of the larger dimension, at which the next stage take
 
 @dataclass(frozen=True)
 class Stage:
-    """How the balloons of a stage are simulated.
+    """How the balloons of a stage are simulated."""
 
-    coarsening  of the mesh
-    newton      when the film is at rest; None: as usual
-    following   the stage that takes over when the drawing is near; None: this one goes on to its end
-    """
-
-    coarsening: float = 1.0
-    newton: NewtonSettings | None = None
-    following: Stage | None = None
+    coarsening: float = 1.0  # of the mesh
+    newton: NewtonSettings | None = None  # when the film is at rest; None: as usual
+    following: Stage | None = None  # takes over when the drawing is near; None: this one goes on to its end
 
     @property
     def at_rest(self) -> Stage:
@@ -54,22 +49,14 @@ def first_stage(holes: bool, coarse: bool) -> Stage:
 
 @dataclass(frozen=True)
 class Limits:
-    """When a correction ends.
-
-    iterates      balloons at most
-    newton_steps  of Newton on the wanted mesh, about ten times a cold inflation: then the best is shown
-    stalled       iterates in a row that bring nothing
-    enough, good  mean error, of the breadth, at which nothing more is gained, and at which an iterate that
-                  brings nothing is the last one
-    welds         mean error of a weld, of the balloon's larger dimension
-    """
+    """When a correction ends."""
 
     iterates: int = 12
-    newton_steps: int = 180
-    stalled: int = 2
-    enough: float = 5e-4
-    good: float = 1e-3
-    welds: float = NEAR
+    newton_steps: int = 180  # on the wanted mesh, about ten times a cold inflation: then the best is shown
+    stalled: int = 2  # iterates in a row that bring nothing
+    enough: float = 5e-4  # mean error, of the breadth, at which nothing more is gained
+    good: float = 1e-3  # and at which an iterate that brings nothing is the last one
+    welds: float = NEAR  # mean error of a weld, of the balloon's larger dimension
 
 
 LIMITS = Limits()
@@ -77,23 +64,15 @@ LIMITS = Limits()
 
 @dataclass
 class History:
-    """What has come out so far.
-
-    iterates, meshes  how many were made
-    newton_steps      on the wanted mesh
-    stalled           iterates in a row that brought nothing
-    error             mean, of the last balloon, of the drawing's larger dimension
-    best_error        mean, of the best balloon, of the drawing's breadth
-    weld_error        of the best balloon, of its larger dimension
-    """
+    """What has come out so far."""
 
     iterates: int = 0
     meshes: int = 0
-    newton_steps: int = 0
-    stalled: int = 0
-    error: float = float("inf")
-    best_error: float = float("inf")
-    weld_error: float = 0.0
+    newton_steps: int = 0  # on the wanted mesh
+    stalled: int = 0  # iterates in a row that brought nothing
+    error: float = float("inf")  # mean, of the last balloon, of the drawing's larger dimension
+    best_error: float = float("inf")  # mean, of the best balloon, of the drawing's breadth
+    weld_error: float = 0.0  # of the best balloon, of its larger dimension
 
 
 def finished(stage: Stage, history: History, limits: Limits = LIMITS) -> bool:

@@ -33,18 +33,12 @@ OVERHANG = 0.0075  # of the larger dimension, that the silhouette may lie beside
 
 @dataclass(frozen=True)
 class Scales:
-    """Lengths that a step goes by [m].
+    """Lengths that a step goes by [m]."""
 
-    size       larger dimension of the drawing
-    edge       of the mesh
-    smoothing  width over which differences are averaged along the seam
-    clearance  between facing parts of the pattern
-    """
-
-    size: float
-    edge: float
-    smoothing: float
-    clearance: float
+    size: float  # larger dimension of the drawing
+    edge: float  # of the mesh
+    smoothing: float  # over which differences are averaged along the seam
+    clearance: float  # between facing parts of the pattern
 
 
 def next_seam_map(current: Iterate, rule: UpdateRule, stalls: StallTracker, scales: Scales) -> SeamMap:

@@ -16,7 +16,7 @@ MOST_SENTENCES = 3  # about single stretches that are not reached
 def summary(target: Outline, best: Iterate, passes: int, meshes: int, seconds: float) -> Design:
     """The design of the best pass, with what is to be said about it."""
     size = max(target.size)
-    error = best.misfit.over()
+    error = best.misfit.residual
     warnings = []
     if not best.inflation.report.converged:
         warnings.append(

@@ -83,13 +83,13 @@ class WeldLine:
 def weld_lines(target: Outline, loops: tuple[Floats, ...], spacing: float) -> tuple[WeldLine, ...]:
     """The welds of a drawing, sampled `spacing` apart, tied to loops of it that are sampled too."""
     size = extent(loops[0])
-    found = []
+    lines = []
     for weld in target.welds:
         lengths = line_lengths(weld)
         even = np.linspace(0.0, lengths[-1], max(3, int(np.ceil(lengths[-1] / spacing)) + 1))
         points = point_on(weld, lengths, np.union1d(even, lengths))
-        found.append(WeldLine(points, points, (_tie(points[0], loops, size), _tie(points[-1], loops, size))))
-    return tuple(found)
+        lines.append(WeldLine(points, points, (_tie(points[0], loops, size), _tie(points[-1], loops, size))))
+    return tuple(lines)
 
 
 def _tie(end: Floats, loops: tuple[Floats, ...], size: float) -> int | None:

@@ -12,7 +12,7 @@ from BalloonWorkbench.core.geometry.nearest import nearest_on_loops, way_round
 from BalloonWorkbench.core.geometry.polyline import arc_lengths
 from BalloonWorkbench.core.geometry.sampling import evenly
 from BalloonWorkbench.core.outline.outline import Outline
-from BalloonWorkbench.core.types import Bools, Floats, Ints
+from BalloonWorkbench.core.types import Floats, Ints
 
 _SAMPLES = 1000  # along the longest loop
 
@@ -30,15 +30,16 @@ class Misfit:
     loop: Ints
     share: Floats
 
-    def over(self, used: Bools | None = None) -> Residual:
-        """Mean, 95th percentile and maximum of all distances or of some (k,)."""
-        found = self.distances if used is None or not used.any() else self.distances[used]
-        return Residual(float(found.mean()), float(np.percentile(found, 95)), float(found.max()))
+    @property
+    def residual(self) -> Residual:
+        """Mean, 95th percentile and maximum."""
+        away = self.distances
+        return Residual(float(away.mean()), float(np.percentile(away, 95)), float(away.max()))
 
 
 def residual(drawing: Outline, shown: Outline) -> Residual:
     """Distances from each outline to the other one, at points evenly spaced along both [m]."""
-    return misfit(drawing, shown).over()
+    return misfit(drawing, shown).residual
 
 
 def misfit(drawing: Outline, shown: Outline) -> Misfit:

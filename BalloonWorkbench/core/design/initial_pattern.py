@@ -39,7 +39,7 @@ def initial_displacements(panel: Panel) -> Floats:
     slopes = np.einsum("ma,mai->mi", height[triangles], shape)
     steepness = np.linalg.norm(slopes, axis=1)
     down = slopes / np.maximum(steepness, 1e-12)[:, None]
-    wanted = np.sqrt(1.0 + steepness**2) - 1.0
+    elongation = np.sqrt(1.0 + steepness**2) - 1.0
     across = perpendicular(down)
     unknowns = (2 * triangles[:, :, None] + np.arange(2)).reshape(-1, 6)
     # strains of a triangle for displacements of its corners: down the slope and across it
@@ -48,21 +48,21 @@ def initial_displacements(panel: Panel) -> Floats:
     )
     other = STIFFNESS * np.einsum("mai,mbi->mab", shape, shape)
     blocks = taut[:, :, None] * taut[:, None] + np.einsum("mab,ij->maibj", other, np.eye(2)).reshape(-1, 6, 6)
-    load = np.bincount(unknowns.ravel(), (taut * (wanted * areas)[:, None]).ravel(), 2 * count)
+    load = np.bincount(unknowns.ravel(), (taut * (elongation * areas)[:, None]).ravel(), 2 * count)
     where = (np.repeat(unknowns, 6, axis=1).ravel(), np.tile(unknowns, 6).ravel())
     short = np.zeros(len(triangles))
-    found = np.zeros(2 * count)
+    solution = np.zeros(2 * count)
     for _ in range(TRIALS):
         values = (blocks + short[:, None, None] * slack[:, :, None] * slack[:, None]) * areas[:, None, None]
         matrix = coo_matrix((values.ravel(), where), shape=(2 * count, 2 * count)).tocsc()
         # a shift of the whole costs nothing: the first vertex stays
-        found[2:] = splu(matrix[2:, 2:]).solve(load[2:])
-        strain = np.einsum("ma,ma->m", slack, found[unknowns])
+        solution[2:] = splu(matrix[2:, 2:]).solve(load[2:])
+        strain = np.einsum("ma,ma->m", slack, solution[unknowns])
         stretched = np.where(strain < 0.0, 1.0, 0.0)
         if np.array_equal(stretched, short):
             break
         short = stretched
-    moves = found.reshape(-1, 2)
+    moves = solution.reshape(-1, 2)
     for hole in panel.seams[1:]:  # film is taut round a hole: its rim neither grows nor shrinks
         moves[hole] = moves[hole].mean(axis=0)
     return moves

@@ -182,8 +182,8 @@ def _step(known: Scaling, goal: SizeGoal, buoyancy: Buoyancy) -> float:
             )
         return scale
     assert goal.lift is not None
-    found = known.floating(buoyancy, goal.lift)
-    if found is None:
+    scale = known.floating(buoyancy, goal.lift)
+    if scale is None:
         most = known.lift_at(LARGEST / known.size, buoyancy)
         raise InputError(
             f"A lift of {mass_text(goal.lift)} is out of reach: {length_text(LARGEST)} large, this balloon"
@@ -191,9 +191,9 @@ def _step(known: Scaling, goal: SizeGoal, buoyancy: Buoyancy) -> float:
             f" {'carry' if most > 0.0 else 'lack'} {mass_text(abs(most))}. Choose a lighter film or gas, a"
             " smaller lift, or a rounder shape."
         )
-    if found * known.size < SMALLEST:
+    if scale * known.size < SMALLEST:
         raise InputError(f"The drawing would be smaller than {length_text(SMALLEST)}: choose a larger lift.")
-    return found
+    return scale
 
 
 def _miss(known: Scaling, goal: SizeGoal, buoyancy: Buoyancy) -> float:

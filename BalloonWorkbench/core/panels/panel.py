@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from BalloonWorkbench.core.geometry.polyline import extent
 from BalloonWorkbench.core.types import Floats, Ints
 
 
@@ -34,4 +35,4 @@ class Panel:
     @property
     def size(self) -> float:
         """The larger side of its bounding box [m]."""
-        return float(np.ptp(self.rest_positions, axis=0).max())
+        return extent(self.rest_positions)

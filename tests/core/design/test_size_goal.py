@@ -13,7 +13,7 @@ import pytest
 from drawn_shapes import NAMED, corners_of, polar
 
 from BalloonWorkbench.cli import command_line
-from BalloonWorkbench.core.correction.fit import fit, inflate_outline
+from BalloonWorkbench.core.correction.fit import Method, fit, inflate_outline
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.design.size_goal import (
     LARGEST,
@@ -53,7 +53,7 @@ class Counted:
 
     def __call__(self, outline: Outline, *, start: Design | None, progress: Progress) -> Design:
         edge = max(outline.size) / self.share
-        extra = {"start": start} if self.work is fit else {}
+        extra = {"method": Method(start=start)} if self.work is fit else {}
         self.made.append(self.work(outline, self.film, self.pressure, mesh_size=edge, **extra))
         return self.made[-1]
 
