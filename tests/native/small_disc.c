@@ -146,6 +146,25 @@ static void inflate(void) {
     film_destroy(solver);
 }
 
+/* A director whose bending is negative has no minimum at any tension. */
+static void give_up(void) {
+    const double levels[] = {50.0};
+    const film_newton settings = {1e-6, 100};
+    const film_material unstable = {
+        .membrane_stiffness = 50.0, .poisson_ratio = 0.3, .flexural_rigidity = -1e-6, .tension_field = 1};
+    film_solver* solver = NULL;
+    film_result result = {0, 0, 0};
+    check(film_create(VERTICES, rest[0], TRIANGLES, triangles[0], fixed[0], NULL, NULL, 0, NULL, NULL,
+                      &unstable, &constants, &solver)
+              == FILM_OK,
+          "create what is unstable");
+    check(film_solve(solver, positions[0], directors[0], 1, levels, &settings, NULL, NULL, &result)
+              == FILM_OK,
+          "solve what is unstable");
+    check(result.converged == 0 && result.steps == 0 && result.factorisations > 10, "gives up");
+    film_destroy(solver);
+}
+
 static void refuse(void) {
     static int32_t wrong[TRIANGLES][3];
     film_solver* solver = NULL;
@@ -171,6 +190,7 @@ static void refuse(void) {
 int main(void) {
     check(film_abi_version() == FILM_ABI_VERSION, "version of the interface");
     make_disc();
+    give_up();
     inflate();
     refuse();
     return failures ? EXIT_FAILURE : EXIT_SUCCESS;

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The native solver's C interface, used from C."""
 
+import os
 import re
 import shutil
 import subprocess
@@ -101,6 +102,37 @@ def test_each_constant_reaches_the_native_solver(name: str, monkeypatch: pytest.
         inflate(
             triangulate(NAMED["disc"], size_for(NAMED["disc"], 60)), film(100), PRESSURE, backend="native"
         )
+
+
+SHORT_OF_MEMORY = """
+import resource, sys
+from BalloonWorkbench.core.solver.native import load
+from BalloonWorkbench.core.solver.inflate import inflate
+from solver_cases import PRESSURE, film, panel
+large = panel("disc", 6000)
+inflate(panel("disc", 60), film(100), PRESSURE, backend="native")  # loads what is loaded once
+pages = int(open("/proc/self/statm").read().split()[0])
+limit = pages * resource.getpagesize() + int(sys.argv[1])
+resource.setrlimit(resource.RLIMIT_AS, (limit, limit))
+try:
+    inflate(large, film(100), PRESSURE, backend="native")
+except MemoryError as error:
+    print("MemoryError:", error)
+"""
+
+
+def test_too_little_memory_is_no_fault_of_the_outline() -> None:
+    """It arrives as Python's own error, for which the borders have a sentence."""
+    paths = os.pathsep.join([str(ROOT), str(ROOT / "tests" / "core")])
+    environment = os.environ | {"PYTHONPATH": paths, "OPENBLAS_NUM_THREADS": "1"}
+    ended = subprocess.run(
+        [sys.executable, "-c", SHORT_OF_MEMORY, "8000000"],
+        capture_output=True,
+        text=True,
+        check=False,
+        env=environment,
+    )
+    assert ended.stdout == "MemoryError: out of memory\n", ended.stderr
 
 
 def test_cancel_does_not_wait_for_a_large_factorisation() -> None:

@@ -19,7 +19,7 @@ from BalloonWorkbench.core.solver.native.load import library as loaded_library
 from BalloonWorkbench.core.solver.problem import Energies, Equilibrium, FilmProblem, NewtonSettings, Start
 from BalloonWorkbench.core.types import Floats, Progress, no_progress
 
-_CANCELLED = 3
+_CANCELLED, _OUT_OF_MEMORY = 3, 4
 #: The numbers that steer both solvers: those in capitals of these modules, in their order.
 CONSTANTS: dict[str, float] = {
     name.lower(): value
@@ -31,15 +31,9 @@ CONSTANTS: dict[str, float] = {
 
 class _Material(ctypes.Structure):
     _fields_ = [
-        ("membrane_stiffness", ctypes.c_double),
-        ("poisson_ratio", ctypes.c_double),
-        ("flexural_rigidity", ctypes.c_double),
-        ("pressure", ctypes.c_double),
-        ("across", ctypes.c_double),
-        ("shear", ctypes.c_double),
-        ("grain_angle", ctypes.c_double),
-        ("orthotropic", ctypes.c_int32),
-        ("tension_field", ctypes.c_int32),
+        *((name, ctypes.c_double) for name in ("membrane_stiffness", "poisson_ratio", "flexural_rigidity")),
+        *((name, ctypes.c_double) for name in ("pressure", "across", "shear", "grain_angle")),
+        *((name, ctypes.c_int32) for name in ("orthotropic", "tension_field")),
     ]
 
 
@@ -128,6 +122,8 @@ def _check(library: ctypes.CDLL, status: int) -> None:
     if status == _CANCELLED:
         raise Cancelled("The simulation was stopped.")
     text = library.film_last_error().decode()
+    if status == _OUT_OF_MEMORY:
+        raise MemoryError(text)
     raise SolverError(f"The simulation failed: {text}. Check the outline for degenerate parts.")
 
 
