@@ -38,17 +38,14 @@ def test_an_entry_is_a_field_that_writes(opened, monkeypatch):
     add_missing(obj, more)
     offer_choices(obj, more)
     monkeypatch.setattr(pattern_box, "PROPERTIES", (*pattern_box.PROPERTIES, *more))
-    box = pattern_box.PatternBox(obj)
-    box.refresh()
-    sparkle, grains, glow = (box.fields.widget(item.name) for item in more)
+    sparkle, grains, glow = (hands.find(item.name) for item in more)
+    hands.show_tab(sparkle)
     assert sparkle.toolTip() == "How wide the glitter is strewn"
-    assert box.form.labelForField(sparkle).text() == "Glitter"
+    assert "Glitter" in [label.text() for label in hands.visible(hands.QtWidgets.QLabel)]
     assert sparkle.property("rawValue") == 2.5
     assert (grains.minimum(), grains.maximum(), grains.value()) == (1, 9, 3)
     assert [glow.itemText(row) for row in range(glow.count())] == ["Dim", "Hot"]
-    sparkle.setProperty("rawValue", 4.0)
+    hands.type_into(sparkle, "0.4 cm")
     grains.setValue(5)
-    glow.setCurrentIndex(1)
-    glow.activated.emit(1)
+    hands.choose(glow, "Hot")
     assert (obj.Sparkle.Value, obj.Grains, obj.Glow) == (4.0, 5, "Hot")
-    box.release()

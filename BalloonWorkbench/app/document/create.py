@@ -7,7 +7,7 @@ import os
 from contextlib import ExitStack
 
 from BalloonWorkbench.app import balloon, pattern
-from BalloonWorkbench.app.balloon import VOLUME, BalloonProxy
+from BalloonWorkbench.app.balloon import BalloonProxy
 from BalloonWorkbench.app.border import hooks, status
 from BalloonWorkbench.app.document import arrange
 from BalloonWorkbench.app.document.parts import Parts, companions
@@ -17,12 +17,8 @@ from BalloonWorkbench.app.pattern import PatternProxy
 from BalloonWorkbench.app.properties import film
 from BalloonWorkbench.app.properties.property_table import write_options
 from BalloonWorkbench.core.errors import InputError
-from BalloonWorkbench.core.options.option import option_of
-from BalloonWorkbench.core.options.simulation import InflationOptions, ModelOptions
-from BalloonWorkbench.core.solver.model import Model
+from BalloonWorkbench.core.options.simulation import InflationOptions
 from BalloonWorkbench.core.units import number_text
-
-_OF_THE_ENGINE = ("correct", "backend")  # values of the engine; all others are named as in documents
 
 
 def make(doc, label: str = "Film balloon") -> Parts:
@@ -122,44 +118,22 @@ def balloon_from_sketch(doc, sketch, elements=(), **options) -> Parts:
 
 
 def configure(
-    parts: Parts,
-    *,
-    material=None,
-    correct: bool = True,
-    backend: str | None = None,
-    volume=None,
-    model: Model | None = None,
-    values: dict | None = None,
-    **named,
+    parts: Parts, *, material=None, correct: bool = True, values: dict | None = None, **named
 ) -> None:
     """Set the values of a balloon; those not given keep their defaults.
 
-    material   a name of the film library, or a core Film with values of your own
-    correct    fit the pattern to the drawing, or inflate the drawing as it is
-    backend    "native", "numpy", "newmark" or None for the best there is
-    volume     mm3, quantity or text such as "5 l", from which the pressure follows
-    model      a core Model: what is simulated, for comparisons
-    values     others by name, as those after them: see app/properties/values.py
+    material  a name of the film library, or a core Film with values of your own
+    correct   fit the pattern to the drawing, or inflate the drawing as it is
+    values    others by name, as those after them: see app/properties/values.py
 
-    Raises InputError for an unknown material or backend and for text that is no quantity.
+    Raises InputError for what a value cannot be.
     """
-    from BalloonWorkbench.app.properties import quantities
     from BalloonWorkbench.app.properties.values import assign
 
-    obj = parts.balloon
     if material is not None:
-        film.choose(obj, material)
-    known = option_of(InflationOptions, "backend").titles
-    if backend not in known:
-        names = ", ".join(f'"{name}"' for name in known if name)
-        raise InputError(f'There is no backend "{backend}": choose {names}, or leave it out.')
-    write_options(obj, InflationOptions(correct=correct, backend=backend), InflationOptions, *_OF_THE_ENGINE)
-    if volume is not None:
-        obj.TargetVolume = quantities.volume(volume)
-        obj.Load = VOLUME
-    if model is not None:
-        write_options(obj, model, ModelOptions)
-    assign(parts, {name: value for name, value in named.items() if value is not None} | (values or {}))
+        film.choose(parts.balloon, material)
+    write_options(parts.balloon, InflationOptions(correct=correct), InflationOptions, "correct")
+    assign(parts, named | (values or {}))
 
 
 def discard(parts: Parts) -> None:

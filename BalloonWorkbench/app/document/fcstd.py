@@ -47,14 +47,7 @@ def fcstd_bytes(drawing, settings, designs, *, label: str = "balloon", width=Non
         set_drawing(parts.outline, drawing)
         parts.outline.Width = 0.0 if width is None else to_mm(width)
         parts.outline.Height = 0.0 if height is None else to_mm(height)
-        film.choose(parts.balloon, settings.film)
-        write_options(parts.balloon, settings, InflationOptions)
-        if settings.volume is not None:
-            parts.balloon.Load = balloon.VOLUME
-        write_options(parts.balloon, settings.model, ModelOptions)
-        write_options(parts.outline, settings, ReadingOptions)
-        pattern.set_values(parts.pattern, settings.wanted)
-        size_goal.set_filling(parts.balloon, settings.filling)
+        write_settings(parts, settings)
         everyone = [parts, *create.add_companions(parts)]
         for each, design in zip(everyone, designs):
             each.outline.recompute()
@@ -67,3 +60,15 @@ def fcstd_bytes(drawing, settings, designs, *, label: str = "balloon", width=Non
             return written.read_bytes()
     finally:
         App.closeDocument(doc.Name)
+
+
+def write_settings(parts, settings) -> None:
+    """Give the objects of a balloon what the engine's settings say; nothing is computed."""
+    film.choose(parts.balloon, settings.film)
+    write_options(parts.balloon, settings, InflationOptions)
+    if settings.volume is not None:
+        parts.balloon.Load = balloon.VOLUME
+    write_options(parts.balloon, settings.model, ModelOptions)
+    write_options(parts.outline, settings, ReadingOptions)
+    pattern.set_values(parts.pattern, settings.wanted)
+    size_goal.set_filling(parts.balloon, settings.filling)

@@ -153,6 +153,7 @@ def titles_in(name: str, first: str = "") -> Mapping[str, str]:
     return {each: known[each] for each in sorted(known, key=lambda each: (each != first, each))}
 
 
+@cache
 def options_of(declaring: type) -> tuple[Option, ...]:
     """The options that a dataclass declares, in their order."""
     return tuple(
@@ -169,5 +170,5 @@ def option_of(declaring: type, name: str) -> Option:
 
 def unusual(options: Any) -> dict[str, Any]:
     """The options of a dataclass that are not as usual, by name."""
-    own = ((option, getattr(options, option.name)) for option in options_of(type(options)))
+    own = ((option, getattr(options, option.name)) for option in options_of(options.__class__))
     return {option.name: value for option, value in own if value != option.default}

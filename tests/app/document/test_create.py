@@ -43,7 +43,7 @@ def test_options(doc):
         pressure="30 mbar",
         mesh_size=10,
         correct=False,
-        backend="numpy",
+        backend="NumPy",
         intake=False,
     )
     balloon = parts.balloon

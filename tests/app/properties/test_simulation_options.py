@@ -12,6 +12,7 @@ import sketches
 from BalloonWorkbench.app.balloon import request
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.document import create, migrate
+from BalloonWorkbench.app.document.fcstd import write_settings
 from BalloonWorkbench.app.engine.export import export_results
 from BalloonWorkbench.app.engine.solve import Request
 from BalloonWorkbench.core.errors import ExportError, InputError
@@ -193,7 +194,7 @@ def test_options_of_a_job_go_into_the_object(doc):
         volume=2e-3,
         model=Model(tension_field=False, bending=False, bending_floor=1e-4, two_panels=True),
     )
-    create.configure(parts, material=wanted.film, backend=wanted.backend, volume=2e6, model=wanted.model)
+    write_settings(parts, wanted)
     found = request(parts.balloon).settings
     assert found.film.young_modulus_across == pytest.approx(1e8)
     assert found.film.grain_angle == pytest.approx(0.5)
@@ -205,10 +206,10 @@ def test_options_of_a_job_go_into_the_object(doc):
 
 def test_volume_may_be_a_text(doc):
     parts = create.make(doc)
-    create.configure(parts, volume="2.5 l")
+    create.configure(parts, target_volume="2.5 l")
     assert parts.balloon.TargetVolume.Value == pytest.approx(2.5e6)
     with pytest.raises(InputError, match="volume"):
-        create.configure(parts, volume="much")
+        create.configure(parts, target_volume="much")
 
 
 def test_results_are_written(balloon, tmp_path):
