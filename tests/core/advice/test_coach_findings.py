@@ -18,7 +18,7 @@ from BalloonWorkbench.core.advice.as_data import (
 )
 from BalloonWorkbench.core.advice.findings import Finding, RepairKind, Severity
 from BalloonWorkbench.core.advice.rules import rules
-from BalloonWorkbench.core.correction.fit import inflate_outline
+from BalloonWorkbench.core.correction.fit import fit, inflate_outline
 from BalloonWorkbench.core.film.library import film
 from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.outline.outline import Outline
@@ -187,6 +187,19 @@ def test_size_does_not_matter_where_only_proportions_count() -> None:
     peaks = [[finding.measured for finding in found(outline, "notch")] for outline in (star, large)]
     assert len(peaks[0]) == 5
     assert peaks[0] == pytest.approx(peaks[1], rel=0.03)
+
+
+def test_advice_before_a_design_is_that_of_the_design() -> None:
+    """A star with its pattern corrected: air and thickness within 5 %, tension of its notches within 15 %."""
+    star = Outline(polar(np.where(np.arange(10) % 2 == 0, 0.15, 0.06), TURN[::72]))
+    before, after = advise(star, FILM), advise_design(fit(star, FILM, 2000.0, mesh_size=0.018), FILM)
+    assert before.puffiness == pytest.approx(after.puffiness, rel=0.05)
+    assert before.map.thickness.max() == pytest.approx(after.map.thickness.max(), rel=0.05)
+    told, true = (
+        np.mean([finding.measured for finding in advice.findings if finding.rule == "notch"])
+        for advice in (before, after)
+    )
+    assert told == pytest.approx(true, rel=0.15)
 
 
 def test_worst_comes_first() -> None:

@@ -47,6 +47,7 @@ def test_the_lines_of_the_page(name: str, tmp_path: Path) -> None:
     pattern = PATTERNS[name]
     file = tmp_path / "pattern.pdf"
     file.write_bytes(machine_file(pattern, PAPER))
+    assert b"/PrintScaling /None" in file.read_bytes()  # printers must not fit the page
     found, _ = page_lines(file, 1, tmp_path)
     moved = [(LAYERS[rgb], shapely.transform(each, lambda at: at - MARGIN)) for rgb, each in found]
     compare(moved, pattern, PAPER)
