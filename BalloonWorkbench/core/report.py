@@ -163,7 +163,11 @@ def _design(design: Design, size: float) -> dict[str, Any]:
         "passes": design.passes,
         "meshes": design.meshes,
         "seconds": design.seconds,
-        "silhouette_error_mm": {name: to_mm(value) for name, value in asdict(error).items()},
+        "silhouette_error_mm": {
+            "mean": to_mm(error.mean),
+            "p95": to_mm(error.p95),
+            "max": to_mm(error.max),
+        },
         "relative_error": error.mean / size,
         "reached": design.reached,
         "unreached": [_stretch(stretch) for stretch in design.unreached],
