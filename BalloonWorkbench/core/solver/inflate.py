@@ -49,33 +49,28 @@ def inflate(
     backend "native", "numpy" or None for the best one available; "newmark" blows the balloon up in time
     model   what is simulated, for comparisons
 
-    A seal_width of 0 leaves seams without the stiffness of a sealed band, which seams in space have never. A
+    A seal_width of 0 leaves seams without the stiffness of a sealed band, which seams in space never have. A
     solve that uses up its steps gives the best state with report.converged False. Raises InputError for a
-    pressure that is not positive, AssemblyError for panels that do not fit, Cancelled when progress returns
-    False.
+    pressure that is not positive or panels that do not fit, Cancelled when progress returns False.
     """
-    _check_pressure(pressure)
     model, solver, began = model or Model(), backend_named(backend), time.perf_counter()
     whole = Assembly.mirrored(body) if isinstance(body, Panel) else body
     assembly = simulated(whole, model)
-    if solver.name == "newmark" and not (assembly.mirror or assembly.is_pair):
-        raise InputError("Only two equal panels are blown up in time. Use another solver for this balloon.")
+    _check(pressure, solver, assembly)
     split, size = split_assembly(assembly), assembly.size
     problem = problem_of(split, film, pressure, model)
     first = start_of(split, problem, start, model.twist)
-    settings = settings or NewtonSettings()
-    rest = solver.solve(problem, first, settings, progress)
+    rest = solver.solve(problem, first, settings or NewtonSettings(), progress)
     if not assembly.mirror:
         rest = _laid_over(rest, first.positions)
-        if not model.bending:  # nothing has turned the directors
-            rest = replace(rest, directors=vertex_normals(rest.positions, problem))
+    if not (assembly.mirror or model.bending):  # nothing has turned the directors
+        rest = replace(rest, directors=vertex_normals(rest.positions, problem))
     energies = solver.energies(problem, rest.positions, rest.directors)
-    seconds = time.perf_counter() - began
     report = SolveReport(
         backend=solver.name,
         newton_steps=rest.steps,
         factorisations=rest.factorisations,
-        seconds=seconds,
+        seconds=time.perf_counter() - began,
         converged=rest.converged,
         stiffness_k=problem.membrane_stiffness,
         flexural_rigidity=problem.flexural_rigidity * pressure * size**3,
@@ -97,13 +92,15 @@ def inflate(
     )
 
 
-def _check_pressure(pressure: float) -> None:
+def _check(pressure: float, solver: Backend, assembly: Assembly) -> None:
     if not _LEAST <= pressure <= _MOST:
         raise InputError(
             f"The pressure must be positive and at most {pressure_text(_MOST)}, not"
             f" {pressure_text(pressure)}. "
             "A party balloon has about 2 kPa."
         )
+    if solver.name == "newmark" and not (assembly.mirror or assembly.is_pair):
+        raise InputError("Only two equal panels are blown up in time. Use another solver for this balloon.")
 
 
 def _principal_stresses(problem: FilmProblem, positions: Floats) -> Floats:

@@ -51,15 +51,15 @@ def solve(
 
     Raises Cancelled when progress asks for it and SolverError when the start has no finite energy.
     """
-    newton = _Newton(problem, start, settings)
+    iteration = _Iteration(problem, start, settings)
     for level, stiffness in enumerate(start.levels):
-        newton.begin_level(stiffness, last=level == len(start.levels) - 1)
-        while not newton.level_done and newton.steps < settings.max_steps:
-            if not newton.step():
-                return newton.result(converged=False)
-            if not progress((level + newton.nearness()) / len(start.levels), "inflating"):
+        iteration.begin_level(stiffness, last=level == len(start.levels) - 1)
+        while not iteration.level_done and iteration.steps < settings.max_steps:
+            if not iteration.step():
+                return iteration.result(converged=False)
+            if not progress((level + iteration.nearness()) / len(start.levels), "inflating"):
                 raise Cancelled("The simulation was stopped.")
-    return newton.result(converged=newton.last and newton.level_done)
+    return iteration.result(converged=iteration.last and iteration.level_done)
 
 
 @dataclass(frozen=True)
@@ -72,7 +72,7 @@ class _Trial:
     length: float
 
 
-class _Newton:
+class _Iteration:
     """The state of the iteration, moved on step by step."""
 
     def __init__(self, problem: FilmProblem, start: Start, settings: NewtonSettings) -> None:
