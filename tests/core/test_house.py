@@ -288,6 +288,21 @@ def rooms() -> list[Path]:
     return sorted({path.parent for path in layer()})
 
 
+def test_every_module_is_used() -> None:
+    """A file that nobody imports any more goes; names that are looked up while running stand in texts."""
+    ours = [path for path in sources(".py") if "tests" not in path.relative_to(ROOT).parts]
+    taken = {module for path in ours for module in imports(path)}
+    taken |= {module.rpartition(".")[0] for module in taken}
+    texts = "".join(path.read_text(encoding="utf-8") for path in ours)
+    idle = []
+    for path in layer():
+        module = ".".join(path.relative_to(ROOT).with_suffix("").parts)
+        by_name = f'.{module.partition(".")[2]}"' in texts  # as in f"{_PACKAGE}.gui.paint.window"
+        if path.name not in ("__init__.py", "__main__.py") and module not in taken and not by_name:
+            idle.append(named(path))
+    assert not idle
+
+
 #: Classes of the core that share a name yet.
 NAMED_TWICE = {
     *("Drawing", "Film", "Finding", "Grain", "Piece", "State", "Stretch", "Subject", "Work"),

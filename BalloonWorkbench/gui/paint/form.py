@@ -97,18 +97,18 @@ class PaintForm(QtWidgets.QWidget):
         """Show how the painting is read."""
         self.drawn_as.setCurrentIndex(self.drawn_as.findData(choice))
 
-    def show_state(self, look) -> None:
-        """The numbers of a look, rounded before it is fitted; None: there is nothing to measure."""
-        if look is None:
+    def show_state(self, state) -> None:
+        """The numbers of a state, rounded before it is fitted; None: there is nothing to measure."""
+        if state is None:
             self.numbers.setText("")
             return
-        lengths = [_said(value, App.Units.Length, look.fitted) for value in look.size]
-        volume = _said(cubic_millimetres(look.volume), App.Units.Volume, look.fitted)
+        lengths = [_said(value, App.Units.Length, state.fitted) for value in state.size]
+        volume = _said(cubic_millimetres(state.volume), App.Units.Volume, state.fitted)
         fitted, draft = translate("{} x {}, {} thick, {}"), translate("about {} x {}, {} thick, {}")
-        self.numbers.setText((fitted if look.fitted else draft).format(*lengths, volume))
+        self.numbers.setText((fitted if state.fitted else draft).format(*lengths, volume))
 
     def show_progress(self, part: float) -> None:
-        """How far the study is; 1 is done."""
+        """How far the full design is; 1 is done."""
         self.bar.setValue(round(1000 * part) % 1000)
 
     def tell(self, text: str) -> None:

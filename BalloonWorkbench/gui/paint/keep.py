@@ -51,15 +51,15 @@ def kept(parts: Parts) -> Kept:
     return Kept(Path(outline.Drawing), outline.Width.Value, settings, shown)
 
 
-def keep(doc, parts: Parts | None, look, width: float, pause) -> Parts:
-    """Put a study into the document, as a new balloon or instead of an older state; returns the balloon.
+def keep(doc, parts: Parts | None, state, width: float, pause) -> Parts:
+    """Put a full design into the document, as a new balloon or instead of an older one; returns the balloon.
 
     pause is called between the steps of the work. Raises BalloonError.
     """
     if parts is not None:
         edit = macro_recorder.Edit(parts)
-        painted.update(parts, look.file, width, look.solved, pause)
-        _record(edit, look.file)
+        painted.update(parts, state.file, width, state.solved, pause)
+        _record(edit, state.file)
         return parts
     edits: list[macro_recorder.Edit] = []
 
@@ -68,8 +68,8 @@ def keep(doc, parts: Parts | None, look, width: float, pause) -> Parts:
         edits.append(edit)
         return parts
 
-    parts = painted.make(doc, look.file, width, look.solved, pause, begin)
-    _record(edits[0], look.file)
+    parts = painted.make(doc, state.file, width, state.solved, pause, begin)
+    _record(edits[0], state.file)
     name_group(parts.balloon.getParentGroup(), translate("Painted balloon"))
     for each in (parts, *companions(parts)):
         each.balloon.ViewObject.DisplayMode = MODE

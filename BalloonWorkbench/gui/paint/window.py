@@ -248,7 +248,7 @@ class PaintWindow(PaintDock):
         """The painting stays as it is, and nothing is made of it."""
         self.live.drop_full_design()
         self._not_making()
-        self._is_refused = False  # a look that is still on its way leaves the words
+        self._is_refused = False  # a state that is still on its way leaves the words
         self.form.tell(translate("Stopped. Your painting is still here."))
 
     def _not_making(self) -> None:
@@ -259,13 +259,13 @@ class PaintWindow(PaintDock):
             self._waiting = None
         self.refresh()
 
-    def _keep(self, look) -> None:
-        """Take a study over into the document, in one undo step."""
+    def _keep(self, state) -> None:
+        """Take a full design over into the document, in one undo step."""
         is_new = self.parts is None
         self._not_making()
         self.doc.openTransaction(translate("Paint a balloon"))
         try:
-            parts = keep(self.doc, self.parts, look, self.live.width, breathe)
+            parts = keep(self.doc, self.parts, state, self.live.width, breathe)
         except faults.UNFORESEEN as error:
             self.doc.abortTransaction()
             self.form.tell(str(faults.as_balloon_error(error, "putting a painting into the document")))
@@ -306,30 +306,30 @@ class PaintWindow(PaintDock):
         self.live.changed()
         self.refresh()
 
-    def _show(self, look) -> None:
-        self.canvas.overlay.show(look, short(self.live.width))
-        self.canvas.scale.fit(look, self.live.width)
+    def _show(self, state) -> None:
+        self.canvas.overlay.show(state, short(self.live.width))
+        self.canvas.scale.fit(state, self.live.width)
         if not self._is_sized and not self.card.isVisible() and self.hand.stroke is None:
             self.canvas.scale.shown = True
             self.card.ask(self.live.width)
-        self.scene.show(look, self.painting.image)
-        self.form.show_state(look)
+        self.scene.show(state, self.painting.image)
+        self.form.show_state(state)
         if self._is_refused or self.form.says_first:
             self._is_refused = False
             self.form.tell(translate("The pattern is being fitted to the painting ..."))
-        if look.solved is not None or look.remarks:
-            self._advised(look.remarks)
+        if state.solved is not None or state.remarks:
+            self._advised(state.remarks)
         self.canvas.update()
         if self.making and self.live.is_settled():
-            self._keep(look)
+            self._keep(state)
 
     def _advised(self, remarks) -> None:
         """Thin places turn orange; the worst thing is said."""
         self.canvas.thin.show(remarks)
         serious = [remark.text for remark in remarks if remark.severity != "hint"]
         fine = translate("Ready to make. Paint on, or press Make it!")
-        look = self.live.latest
-        filled = [note for note in (look.drawing.notes if look else ()) if KEEP_HOLES in note]
+        state = self.live.latest
+        filled = [note for note in (state.drawing.notes if state else ()) if KEEP_HOLES in note]
         self.form.tell((*serious, *filled, fine)[0])
         self.canvas.update()
 

@@ -61,7 +61,7 @@ def pointer():
 
 @pytest.fixture
 def studied(monkeypatch):
-    """Processor time of each study, beside those of the glances in `Live.delays`."""
+    """Processor time of each full design, beside those of the quick previews in `LivePreview.delays`."""
     found, done = [], LivePreview._full_design_done
 
     def listen(live, worker):
@@ -128,7 +128,7 @@ def test_a_fish_from_the_first_stroke_to_the_cutter(doc, window, beat, pointer, 
 
 
 def paint(window, beat, pointer):
-    """The fish of the examples, stroke by stroke; returns what each glance took, see `Live.delays`."""
+    """The fish of the examples, stroke by stroke; returns what each glance took, see `LivePreview.delays`."""
     beat.reset()
     canvas, live, doc = window.canvas, window.live, window.doc
     assert canvas.width() > 0.3 * Gui.getMainWindow().width()

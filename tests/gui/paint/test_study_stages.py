@@ -102,7 +102,7 @@ def test_the_balloon_comes_with_the_next_frame_of_the_window(window):
     hands.wait(0.3)
     hands.QtCore.QObject.connect(surface, hands.QtCore.SIGNAL("frameSwapped()"), swapped)
     window.live.shown.connect(begin)
-    window._found(window.live.latest)
+    window._show(window.live.latest)
     begin(None)
     hands.wait_until(lambda: bool(frames), 10)
     assert frames[0]

@@ -16,10 +16,10 @@ class Overlay:
     def __init__(self):
         self.clear()
 
-    def show(self, look, width: str) -> None:
-        """Take a look's outlines; width: as text."""
+    def show(self, state, width: str) -> None:
+        """Take the outlines of a state; width: as text."""
         self._path = QtGui.QPainterPath()
-        for loop in look.loops:
+        for loop in state.loops:
             x, y = loop[:, 0] * SIDE, (1.0 - loop[:, 1]) * SIDE
             corners = [QtCore.QPointF(*corner) for corner in zip(x.tolist(), y.tolist())]
             self._path.addPolygon(QtGui.QPolygonF(corners))

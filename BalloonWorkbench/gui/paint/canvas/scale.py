@@ -45,9 +45,9 @@ class Scale:
         self.per_mm = 0.0  # pixels of the painting for a millimetre of the balloon
         self._hand = None
 
-    def fit(self, look, width: float) -> None:
-        """Follow the shape of a look that shall become so wide in mm."""
-        across = [loop[:, 0] for loop in look.loops]
+    def fit(self, state, width: float) -> None:
+        """Follow the shape of a state that shall become so wide in mm."""
+        across = [loop[:, 0] for loop in state.loops]
         extent = max(x.max() for x in across) - min(x.min() for x in across)
         self.per_mm = float(extent) * SIDE / width
 

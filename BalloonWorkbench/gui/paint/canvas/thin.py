@@ -37,7 +37,7 @@ class ThinPlaces:
         self._cross = QtCore.QRectF()
 
     def show(self, remarks) -> None:
-        """Take the remarks of a look, the worst first; hints are not worth an interruption."""
+        """Take the remarks of a state, the worst first; hints are not worth an interruption."""
         self.remarks = tuple(remark for remark in remarks if remark.severity != "hint")
 
     def asked(self) -> int | None:

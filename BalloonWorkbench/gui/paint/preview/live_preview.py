@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The balloon follows the painting: a glance after every stroke, a study when the pen rests.
+"""The balloon follows the painting: a quick preview after every stroke, a full design when the pen rests.
 
 They work in threads. The newest painting counts: what was found for an older one is shown only as long as
 nothing newer is there.
@@ -21,17 +21,17 @@ from BalloonWorkbench.gui.paint.preview.preview_state import PreviewState
 from BalloonWorkbench.gui.paint.preview.requests import FullDesign, QuickPreview
 from BalloonWorkbench.gui.qt import QtCore
 
-REST = 250  # ms without a change, then the study begins
-_WHILE_DRAWING = 250  # ms between glances during a stroke
+REST = 250  # ms without a change, then the full design begins
+_WHILE_DRAWING = 250  # ms between quick previews during a stroke
 _KNOWN = 8  # fitted balloons that come back at once
-_PART = 0.03  # of the study between two signs of progress
+_PART = 0.03  # of the full design between two signs of progress
 
 
 class LivePreview(QtCore.QObject):
     """Looks at a painting whenever it changes.
 
     width and settings belong to the balloon; `refused` says why none can be seen. `delays` has, for each
-    glance, the seconds from the end of the stroke: by the clock, and of the processor in the two threads
+    quick preview, the seconds from the end of the stroke: by the clock, and of the processor in the threads
     on the way, one after the other: what the clock would tell on a machine with nothing else to do.
     """
 
@@ -53,7 +53,7 @@ class LivePreview(QtCore.QObject):
         self._full_design: Worker | None = None
         self._retired: list[Worker] = []
         self._dirty = False
-        self._in_stroke = self._is_early = False  # early: the glance began before the stroke had ended
+        self._in_stroke = self._is_early = False  # early: the quick preview began before the stroke had ended
         self._told = 0.0
         self._changed_at = 0.0, 0.0
         self._rest = self._timer(REST, self.begin_full_design)
@@ -115,7 +115,7 @@ class LivePreview(QtCore.QObject):
         return self._quick_preview is not None or self._full_design is not None or self._rest.isActive()
 
     def begin_full_design(self, awaited: bool = False) -> None:
-        """Begin the study now, unless it runs; awaited: somebody waits for its end."""
+        """Begin the full design now, unless it runs; awaited: somebody waits for its end."""
         self._rest.stop()
         if self._full_design is not None:
             self._full_design.request.is_awaited = awaited
@@ -204,10 +204,10 @@ class LivePreview(QtCore.QObject):
         if self._dirty:
             self._begin_quick_preview()
 
-    def _full_design_shown(self, look: PreviewState) -> None:
+    def _full_design_shown(self, state: PreviewState) -> None:
         """The balloon is fitted; what the document needs is still on its way."""
-        if self._full_design is not None and look.revision == self.painting.revision:
-            self._show(look)
+        if self._full_design is not None and state.revision == self.painting.revision:
+            self._show(state)
             self.progressed.emit(1.0)
 
     def _full_design_done(self, worker: Worker) -> None:
@@ -228,12 +228,12 @@ class LivePreview(QtCore.QObject):
             self.latest = None
             self.refused.emit(worker.fault() or str(worker.error))
 
-    def _show(self, look: PreviewState) -> None:
-        self.latest = look
-        if look.fitted:
-            others = [each for each in self._known if not each.is_of(look.traced, look.width)]
-            self._known = deque([look, *others], _KNOWN)
-        self.shown.emit(look)
+    def _show(self, state: PreviewState) -> None:
+        self.latest = state
+        if state.fitted:
+            others = [each for each in self._known if not each.is_of(state.traced, state.width)]
+            self._known = deque([state, *others], _KNOWN)
+        self.shown.emit(state)
 
     def drop_full_design(self) -> None:
         """Nobody wants it any more: let the engine stop by itself, nobody waits for it."""

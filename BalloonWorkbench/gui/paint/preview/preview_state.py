@@ -28,8 +28,8 @@ from BalloonWorkbench.gui.paint.preview.advice_marks import Remark
 from BalloonWorkbench.gui.qt import QtCore
 
 _SAME = 0.5 / 256  # parts of the picture; outlines that differ by less are one
-NEARLY = 3.0 / 256  # parts of the picture; finer than what a glance can show
-TRACED = 256  # px along the side of the picture in which a glance looks for the shape
+NEARLY = 3.0 / 256  # parts of the picture; finer than what a quick preview can show
+TRACED = 256  # px along the side of the picture in which a quick preview looks for the shape
 
 
 @dataclass(frozen=True)
@@ -65,10 +65,10 @@ class PreviewState:
     drawing   the outlines [m], and the frame of the picture around them
     contours  of the pattern: role and points (k, 2) mm
     size      width, height and thickness of the largest balloon, mm; volume in m3
-    fitted    the balloon is the document's own, not that of a glance
-    remarks   of the coach; none before the study is over
-    solved    what the document takes over, at the end of a study. It belongs to `file`
-    traced    the loops (k, 2) that were seen at a glance, in parts of the picture
+    fitted    the balloon is the document's own, not that of a quick preview
+    remarks   of the coach; none before the full design is over
+    solved    what the document takes over, at the end of a full design. It belongs to `file`
+    traced    the loops (k, 2) that were seen by a quick preview, in parts of the picture
     width     that was asked for, mm
     designs   the fitted balloons
     """
@@ -94,7 +94,7 @@ class PreviewState:
         return loops_in(self.drawing, self.frame)
 
     def is_of(self, traced: tuple[np.ndarray, ...], width: float, within: float = _SAME) -> bool:
-        """Whether it is the look of a painting with these loops, seen at a glance, at a width in mm.
+        """Whether it is the state of a painting with these loops, seen by a quick preview, at a width in mm.
 
         within  parts of the picture that the loops may differ by
         """

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is asked about a painting, each in a worker: a glance, quick and coarse; the study, which the document
-will have; and a picture without its background."""
+"""What is asked about a painting, each in a worker: a quick preview, on a coarse mesh; the full design, which
+the document will have; and a picture without its background."""
 
 from __future__ import annotations
 
@@ -34,9 +34,9 @@ from BalloonWorkbench.gui.paint.preview.preview_state import (
 )
 from BalloonWorkbench.gui.qt import QtCore, QtGui, translate
 
-_MOST_SHAPES = 6  # at a glance
+_MOST_SHAPES = 6  # by a quick preview
 _LEAST = 60  # vertices of a small shape
-_PAUSE = 0.5  # s between a fitted balloon and the rest of a study, looking whether to go on after
+_PAUSE = 0.5  # s between a fitted balloon and the rest of a full design, looking whether to go on after
 _LOOK = 0.05  # s each
 
 
@@ -44,7 +44,7 @@ _LOOK = 0.05  # s each
 class QuickPreview:
     """The quick look at an image; width in mm.
 
-    known  fitted looks, the newest first: one of the same outline is kept, whatever else has been painted;
+    known  fitted states, the newest first: one of the same outline is kept, whatever else has been painted;
            the newest stands for an outline that is nearly the same until that is fitted
     """
 
@@ -62,14 +62,14 @@ class QuickPreview:
     def _look(self, progress) -> PreviewState:
         drawing, frame = seen(self.image, self.width, self.settings.drawn_as)
         traced = loops_in(drawing, frame)
-        for look in self.known:
-            if look.is_of(traced, self.width):
-                return replace(look, revision=self.revision, solved=None, file=None)
-        for look in self.known[:1]:
-            if look.is_of(traced, self.width, NEARLY):
+        for state in self.known:
+            if state.is_of(traced, self.width):
+                return replace(state, revision=self.revision, solved=None, file=None)
+        for state in self.known[:1]:
+            if state.is_of(traced, self.width, NEARLY):
                 # as where an inner line touches the rim: the balloon that was fitted is nearer than a draft
                 return replace(
-                    look,
+                    state,
                     revision=self.revision,
                     drawing=drawing,
                     frame=frame,
@@ -113,10 +113,10 @@ class QuickPreview:
 class FullDesign:
     """The fitted balloons of an image, in the file that the document will have.
 
-    show        is given the look of the balloons as soon as they are fitted; what there is to tell about them
+    show        is given the state of the balloons as soon as they are fitted; what can be said about them
                 and what the document needs comes later
     is_awaited  somebody waits for that
-    known       fitted looks, the newest first: what shows the same balloons is not made again
+    known       fitted states, the newest first: balloons that are the same are not fitted again
     """
 
     image: object
@@ -142,17 +142,17 @@ class FullDesign:
         check_area(drawing.largest)
         checkpoint()
         traced = loops_in(drawing, frame)
-        looks = []
+        states = []
 
         def fitted(requests, designs) -> None:
-            same = (look for look in self.known if look.is_of(traced, self.width))
-            look = next((look for look in same if _are_same(look.designs, designs)), None)
-            if look is None:
-                look = replace(self._look(frame, requests, designs), traced=traced, designs=tuple(designs))
-                self.show(look)
+            same = (state for state in self.known if state.is_of(traced, self.width))
+            state = next((state for state in same if _are_same(state.designs, designs)), None)
+            if state is None:
+                state = replace(self._look(frame, requests, designs), traced=traced, designs=tuple(designs))
+                self.show(state)
             else:
-                look = replace(look, revision=self.revision, drawing=_drawing(requests))
-            looks.append(look)
+                state = replace(state, revision=self.revision, drawing=_drawing(requests))
+            states.append(state)
             self._pause()
 
         solved = painting.solve(self.file, self.width, self.settings, progress, fitted)
@@ -160,11 +160,11 @@ class FullDesign:
         findings.sort(key=lambda finding: -finding.severity.rank)
         pattern = contours([design.pattern for design in solved.designs], solved.requests[0].settings)
         return replace(
-            looks[0], contours=pattern, remarks=remarks(findings, frame, SIDE), solved=solved, file=self.file
+            states[0], contours=pattern, remarks=remarks(findings, frame, SIDE), solved=solved, file=self.file
         )
 
     def _pause(self) -> None:
-        """The pen may be back soon: then the rest would be for nothing, and slow down the next glance."""
+        """The pen may be back soon: then the rest would be for nothing, and slow down the next preview."""
         end = time.monotonic() + _PAUSE
         while time.monotonic() < end and not self.is_awaited:
             checkpoint()

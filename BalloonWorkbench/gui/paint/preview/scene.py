@@ -30,7 +30,7 @@ _RIM = 2  # px inside the outline that take part: there, paint is half transpare
 
 
 class Scene:
-    """Shows looks in the view of a document; `clear` takes everything away.
+    """Shows states in the view of a document; `clear` takes everything away.
 
     From a quick look to the fitted balloon the film moves, and the camera follows, over a moment.
     """
@@ -53,7 +53,7 @@ class Scene:
         return self._node is not None
 
     def is_moving(self) -> bool:
-        """The film is on its way to the look that was shown last."""
+        """The film is on its way to the state that was shown last."""
         return self._timer.isActive()
 
     def paint(self, image) -> None:
@@ -61,15 +61,15 @@ class Scene:
         if self._texture is not None:
             _set_texels(self._texture, image)
 
-    def show(self, look, image) -> None:
-        """Show a look instead of the last one; image: what is painted."""
+    def show(self, state, image) -> None:
+        """Show a state instead of the last one; image: what is painted."""
         from pivy import coin
 
         view = view_of(self.document())
         if view is None:
             return
-        before, self._look = self._look, look
-        if before is not None and look.skins is before.skins and look.contours is before.contours:
+        before, self._look = self._look, state
+        if before is not None and state.skins is before.skins and state.contours is before.contours:
             self.paint(image)
             view.redraw()
             return
@@ -78,19 +78,19 @@ class Scene:
         style = coin.SoPickStyle()
         style.style.setValue(coin.SoPickStyle.UNPICKABLE)
         self._texture = painted_texture(coin, image)
-        film, points = _balloons(coin, look, self._texture)
-        for child in (style, self._place(coin, look), film, _pattern(coin, look)):
+        film, points = _balloons(coin, state, self._texture)
+        for child in (style, self._place(coin, state), film, _pattern(coin, state)):
             node.addChild(child)
-        if before is not None and look.fitted and look.skins is not before.skins:
+        if before is not None and state.fitted and state.skins is not before.skins:
             self._moves += [
                 _film_move(field, begun(skin, last), skin.positions)
-                for field, skin, last in zip(points, look.skins, before.skins)
+                for field, skin, last in zip(points, state.skins, before.skins)
             ]
         if self._node is not None:
             self._root.removeChild(self._node)
         self._root, self._node = view.getSceneGraph(), node
         self._root.addChild(node)
-        self._follow(coin, view, look)
+        self._follow(coin, view, state)
         if self._moves:
             self._clock.start()
             self._timer.start()
@@ -107,18 +107,20 @@ class Scene:
         self._root = self._node = self._size = self._look = self._texture = None
         self._shift = 0.0
 
-    def _follow(self, coin, view, look) -> None:
+    def _follow(self, coin, view, state) -> None:
         """The camera goes where it sees all of a balloon that has become larger or smaller."""
         before = self._size
         if before is None:
             self._look_at(coin, view)
             fit_points(view, _corners(coin, view, self._node), _AROUND)
-            self._size = look.size
-        elif any(abs(now - then) > _GROWN * max(before) for now, then in zip(look.size, before, strict=True)):
+            self._size = state.size
+        elif any(
+            abs(now - then) > _GROWN * max(before) for now, then in zip(state.size, before, strict=True)
+        ):
             camera = view.getCameraNode()
             then = _frame(camera)
             fit_points(view, _corners(coin, view, self._node), _AROUND)
-            now, self._size = _frame(camera), look.size
+            now, self._size = _frame(camera), state.size
             if len(then) == len(now):
                 self._moves.append(lambda part: _set_frame(camera, then + part * (now - then)))
 
@@ -150,7 +152,7 @@ class Scene:
         except NameError:
             return None
 
-    def _place(self, coin, look):
+    def _place(self, coin, state):
         """Where the balloon lies that is painted on; a new one beside all that is in the document."""
         place = coin.SoTransform()
         if self.parts is not None:
@@ -158,10 +160,10 @@ class Scene:
             place.translation.setValue(*at.Base)
             place.rotation.setValue(*at.Rotation.Q)
         else:
-            seen = np.concatenate([skin.positions[:, :2] for skin in look.skins])
+            seen = np.concatenate([skin.positions[:, :2] for skin in state.skins])
             low, high = bounds(seen)
-            if look.contours:
-                low[1] -= _BESIDE * look.size[0] + np.ptp(_pattern_points(look)[:, 1])
+            if state.contours:
+                low[1] -= _BESIDE * state.size[0] + np.ptp(_pattern_points(state)[:, 1])
             low[0], high[0] = low[0] + self._shift, high[0] + self._shift
             self._shift += free_shift(self.document().Document, low.tolist(), high.tolist())
             place.translation.setValue(self._shift, 0.0, 0.0)
@@ -248,14 +250,14 @@ def _set_texels(texture, image) -> None:
     texture.image.setValue(coin.SbVec2s(_TEXTURE, _TEXTURE), 3, texels(image).tobytes())
 
 
-def _balloons(coin, look, texture):
+def _balloons(coin, state, texture):
     """The film of all balloons, and the field with the positions of each."""
     node, fields = coin.SoSeparator(), []
     binding = coin.SoNormalBinding()
     binding.value.setValue(coin.SoNormalBinding.PER_VERTEX_INDEXED)
     for child in (*film_nodes(coin, texture), binding):
         node.addChild(child)
-    for skin in look.skins:
+    for skin in state.skins:
         film, points = _skin(coin, skin)
         node.addChild(film)
         fields.append(points)
@@ -276,22 +278,22 @@ def _skin(coin, skin):
     return node, positions.point
 
 
-def _pattern(coin, look):
+def _pattern(coin, state):
     """The contours in the colours of the cutter's layers, below the balloon."""
     node = coin.SoSeparator()
-    if not look.contours:
+    if not state.contours:
         return node
     light = coin.SoLightModel()
     light.model.setValue(coin.SoLightModel.BASE_COLOR)
     style = coin.SoDrawStyle()
     style.lineWidth.setValue(2.0)
-    bottom = min(float(skin.positions[:, 1].min()) for skin in look.skins)
-    top = float(_pattern_points(look)[:, 1].max())
+    bottom = min(float(skin.positions[:, 1].min()) for skin in state.skins)
+    top = float(_pattern_points(state)[:, 1].max())
     place = coin.SoTranslation()
-    place.translation.setValue(0.0, bottom - top - _BESIDE * look.size[0], 0.0)
+    place.translation.setValue(0.0, bottom - top - _BESIDE * state.size[0], 0.0)
     for child in (light, style, place):
         node.addChild(child)
-    for role, points in look.contours:
+    for role, points in state.contours:
         colour, line = coin.SoBaseColor(), coin.SoLineSet()
         coordinates = coin.SoCoordinate3()
         colour.rgb.setValue(*_layer_colour(role))
@@ -303,8 +305,8 @@ def _pattern(coin, look):
     return node
 
 
-def _pattern_points(look) -> np.ndarray:
-    return np.concatenate([points for _, points in look.contours])
+def _pattern_points(state) -> np.ndarray:
+    return np.concatenate([points for _, points in state.contours])
 
 
 def _layer_colour(role: str) -> tuple[float, ...]:
