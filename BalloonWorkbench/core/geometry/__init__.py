@@ -2,6 +2,6 @@
 """Plane geometry of points, polylines, loops and triangles, each helper once; no balloon, film or file in it.
 
 A line is points (n, 2) in their order. A loop is closed: its last point is joined to its first, which is not
-repeated. What runs counter-clockwise has its inside on the left. All of it is NumPy, so that it works where
-shapely is missing; shapely stays where areas are joined, cut and offset.
+repeated. What runs counter-clockwise has its inside on the left. NumPy does all of it; shapely, where it is
+there, joins, cuts and offsets areas, and finds what is near among very much.
 """

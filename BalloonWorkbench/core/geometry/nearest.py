@@ -17,8 +17,8 @@ from BalloonWorkbench.core.types import Floats
 
 Indices = NDArray[np.intp]
 
-#: Up to so many pairs of point and edge all are compared: that is quicker than to make an index.
-_FEW = 20_000
+#: Up to so many points or edges each is compared with all: that is quicker than to make an index.
+_FEW = 200
 # Pairs compared at once where there is no index: some 50 MB.
 _CHUNK = 1_000_000
 
@@ -33,7 +33,7 @@ class Nearest(NamedTuple):
 
 def nearest_edges(points: Floats, starts: Floats, ends: Floats) -> Nearest:
     """Of edges from starts (m, 2) to ends (m, 2) the one nearest to each of points (k, 2)."""
-    edge = _nearest_of_many(points, starts, ends) if len(points) * len(starts) > _FEW else None
+    edge = _nearest_of_many(points, starts, ends) if min(len(points), len(starts)) > _FEW else None
     edge = _nearest_of_all(points, starts, ends) if edge is None else edge
     offset, ahead = points - starts[edge], ends[edge] - starts[edge]
     return Nearest(edge, *foot(offset[:, 0], offset[:, 1], ahead[:, 0], ahead[:, 1]))

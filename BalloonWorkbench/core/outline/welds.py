@@ -9,8 +9,8 @@ import numpy as np
 
 from BalloonWorkbench.core.errors import OutlineError
 from BalloonWorkbench.core.geometry.crossings import contains, first_crossing
-from BalloonWorkbench.core.geometry.nearest import nearest_on_line
-from BalloonWorkbench.core.geometry.polyline import extent, length, part_of, ring
+from BalloonWorkbench.core.geometry.nearest import nearest_on_loops
+from BalloonWorkbench.core.geometry.polyline import extent, length, part_of
 from BalloonWorkbench.core.geometry.vectors import direction
 from BalloonWorkbench.core.outline.budget import Budget
 from BalloonWorkbench.core.types import Floats
@@ -64,8 +64,7 @@ def valid_welds(
 
 def _drawn_back(line: Floats, loops: Sequence[Floats], hair: float) -> Floats:
     """The line without what lies within a hair of a loop at its first end."""
-    away = (nearest_on_line(ring(loop), line[:1]).distance[0] for loop in loops)
-    if len(line) < 2 or min(away) > hair:
+    if len(line) < 2 or nearest_on_loops(loops, line[:1]).distance[0] > hair:
         return line
     whole = length(line)
     return part_of(line, min(2.0 * hair, 0.5 * whole), whole)

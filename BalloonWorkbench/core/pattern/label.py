@@ -46,7 +46,7 @@ def with_label(pattern: Pattern, text: str, height: float) -> Pattern:
     room = package.maximum_inscribed_circle(parts(film)[0])
     (x, y), radius = room.coords[0], float(room.length)
     letters = _letters(text, height)
-    low, high = _box(letters)
+    low, high = bounds(np.concatenate(letters))
     if 0.5 * float(np.hypot(*(high - low))) > radius:
         raise InputError(
             f'The label "{text}" is {length_text(float(high[0] - low[0]))} long, and the film is only'
@@ -70,14 +70,9 @@ def lettering(text: str, height: float, middle: Floats) -> tuple[Contour, ...]:
 
 
 def _at(letters: list[Floats], middle: Floats) -> tuple[Contour, ...]:
-    low, high = _box(letters)
+    low, high = bounds(np.concatenate(letters))
     shift = middle - 0.5 * (low + high)
     return tuple(Contour(Role.ENGRAVE, loop + shift, True) for loop in letters)
-
-
-def _box(letters: list[Floats]) -> tuple[Floats, Floats]:
-    points = np.concatenate(letters)
-    return bounds(points)
 
 
 def _letters(text: str, height: float) -> list[Floats]:

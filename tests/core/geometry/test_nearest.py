@@ -81,6 +81,16 @@ def test_a_place_is_looked_for_only_within_reach() -> None:
     assert beyond[0] == pytest.approx([2.5, 0.0], abs=0.51)
 
 
+@pytest.mark.parametrize("few", [0, 10**9])
+def test_many_corners_close_together_hide_no_long_edge(few: int, monkeypatch) -> None:
+    """Looked for among the edges beside the nearest corners, the long one below would be missed."""
+    monkeypatch.setattr(nearest, "_FEW", few)
+    comb = [[5.4, 0.75], [5.46, 0.76], [5.48, 0.75], [5.5, 0.76], [5.52, 0.75], [5.54, 0.76], [5.6, 0.75]]
+    loop = np.array([[0.0, 0.0], [10.0, 0.0], [10.0, 5.0], [5.6, 5.0], *comb[::-1], [5.4, 5.0], [0.0, 5.0]])
+    found = nearest.nearest_on_loops([loop], np.array([[5.5, 0.3]]))
+    assert (found.edge[0], found.distance[0]) == (0, pytest.approx(0.3))
+
+
 def test_many_points_are_taken_in_parts(monkeypatch) -> None:
     monkeypatch.setattr(nearest, "_FEW", 10**9)
     whole = nearest_on_line(circle(1.0, 50), POINTS)
@@ -90,12 +100,16 @@ def test_many_points_are_taken_in_parts(monkeypatch) -> None:
 
 
 def test_without_shapely_it_takes_longer(monkeypatch) -> None:
+    asked = []
+
     def missing():
+        asked.append(True)
         raise MissingPackageError("Patterns need shapely.")
 
-    whole = nearest_on_line(circle(1.0, 200), POINTS)
+    whole = nearest_on_line(circle(1.0, 300), POINTS)
     monkeypatch.setattr(nearest, "shapely", missing)
-    assert nearest_on_line(circle(1.0, 200), POINTS).distance == pytest.approx(whole.distance, abs=1e-15)
+    assert nearest_on_line(circle(1.0, 300), POINTS).distance == pytest.approx(whole.distance, abs=1e-15)
+    assert asked
 
 
 def test_no_points_and_one_edge() -> None:
