@@ -8,7 +8,8 @@ working it out anew would give. So it does not matter who asked for what before,
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import suppress
 from dataclasses import fields, is_dataclass
 from enum import Enum
 from functools import update_wrapper
@@ -39,11 +40,11 @@ class Memoized(Generic[_Arguments, _Result]):
     def __call__(self, *args: _Arguments.args, **kwargs: _Arguments.kwargs) -> _Result:
         """What the function returns."""
         key = self._key(*args, **kwargs)
-        if key in self._results:
+        with suppress(KeyError):  # not asked and looked up: another thread may let it go between
             return self._results[key]
         result = self._results[key] = self._function(*args, **kwargs)
         for old in list(self._results)[: -self._most]:
-            self._results.pop(old, None)  # another thread may have been here
+            self._results.pop(old, None)
         return result
 
     def knows(self, *args: _Arguments.args, **kwargs: _Arguments.kwargs) -> bool:
@@ -76,25 +77,27 @@ def forget() -> None:
         memory.clear()
 
 
-def _parts(value: Any) -> Any:
+def _parts(value: Any) -> Iterator[bytes]:
     """All of a value, in bytes; fields of a dataclass that are not compared are no part of it."""
     if isinstance(value, np.generic):
         value = value.item()
     if isinstance(value, np.ndarray):
         yield f"{value.dtype.str}{value.shape}".encode()
         yield np.ascontiguousarray(value).tobytes()
-    elif isinstance(value, (tuple, list)):
-        yield f"{len(value)} items".encode()
-        for item in value:
+    elif isinstance(value, (tuple, list, Mapping)) or is_dataclass(value):
+        items = _items(value)
+        yield f"{type(value).__qualname__} of {len(items)}".encode()
+        for item in items:
             yield from _parts(item)
-    elif isinstance(value, Mapping):
-        yield from _parts(tuple(value.items()))
-    elif is_dataclass(value):
-        yield type(value).__qualname__.encode()
-        for field in fields(value):
-            if field.compare:
-                yield from _parts(getattr(value, field.name))
     elif value is None or isinstance(value, (bool, int, float, str, bytes, Enum, Path)):
         yield f"{type(value).__name__} {value!r}".encode(errors="surrogatepass")
     else:
         raise TypeError(f"{type(value).__name__} is no value that a result can be kept for")
+
+
+def _items(value: Any) -> list[Any]:
+    if isinstance(value, Mapping):
+        return list(value.items())
+    if is_dataclass(value):
+        return [getattr(value, field.name) for field in fields(value) if field.compare]
+    return list(value)

@@ -8,7 +8,11 @@ from pathlib import Path
 from counting import counted
 
 from BalloonWorkbench.cli import command_line
+from BalloonWorkbench.core.design.size_goal import SizeGoal
 from BalloonWorkbench.core.job import Settings, files, make_balloon
+from BalloonWorkbench.core.pattern.make import make_pattern
+from BalloonWorkbench.core.rounded import rounded_outline
+from BalloonWorkbench.core.units import from_mm, to_mm
 
 PICTURE = Path(__file__).resolve().parents[2] / "resources" / "examples" / "pictures" / "heart.png"
 ONCE = {"trace": 1, "design": 1, "pattern": 1, "report": 1}
@@ -19,6 +23,13 @@ def test_a_job_does_everything_once() -> None:
         balloon = make_balloon(PICTURE, Settings(correct=False, mesh_size=0.02), width=0.2)
         files(balloon)
     assert done == ONCE
+
+
+def test_what_a_document_keeps_in_mm_asks_for_the_same_pattern() -> None:
+    settings = Settings(correct=False, mesh_size=0.03, goal=SizeGoal(volume=1e-3))
+    design = make_balloon(PICTURE, settings).design
+    kept = rounded_outline(design.pattern.map(lambda line: from_mm(to_mm(line))))
+    assert make_pattern.knows(kept, settings.film.seal_width, settings.wanted)
 
 
 def test_a_command_does_everything_once(tmp_path: Path) -> None:

@@ -15,14 +15,13 @@ from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.document import create
 from BalloonWorkbench.app.document.kinds import leader
 from BalloonWorkbench.app.document.parts import Parts, companions
-from BalloonWorkbench.app.drawings.drawing_file import is_painting, read_drawing
+from BalloonWorkbench.app.drawings.drawing_file import file_of, is_painting, pixels_of, read_drawing
 from BalloonWorkbench.app.engine.solve import Request, describe
 from BalloonWorkbench.app.outline import set_drawing
 from BalloonWorkbench.core.checkpoint import checkpoint, stoppable
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.job import Settings
-from BalloonWorkbench.core.memoize import memoized
 from BalloonWorkbench.core.outline.chambers import linked
 from BalloonWorkbench.core.rounded import rounded
 from BalloonWorkbench.core.tracing.segment import AUTO, DRAWN_AS
@@ -77,27 +76,16 @@ def artwork(outline) -> PaintedArtwork | None:
 
 def place(path, width: float, height: float = 0.0, drawn_as: str = AUTO) -> PaintedArtwork | None:
     """The picture in a painting's file, which becomes so wide or high in mm; None where it has no shape."""
-    found = _placed(Path(path).read_bytes(), drawn_as)
-    if found is None:
-        return None
-    rgba, corner, size = found
-    pixel = width / size[0] if width else height / size[1]
-    return PaintedArtwork(rgba, -pixel * corner, pixel)
-
-
-@memoized(most=4)
-def _placed(content: bytes, drawn_as: str):
-    """Pixels of a painting, where its drawing begins in them (2,), y up, and how large it is (2,) [px]."""
-    from BalloonWorkbench.app.drawings.qt_picture import decode_bytes
     from BalloonWorkbench.core.errors import BalloonError
     from BalloonWorkbench.core.tracing.picture import placed_drawing
 
-    rgba = decode_bytes(content)
+    rgba = pixels_of(file_of(path))
     try:
         drawing, corner = placed_drawing(rgba, drawn_as=drawn_as)
     except BalloonError:
         return None
-    return rgba, corner, drawing.size
+    pixel = width / drawing.size[0] if width else height / drawing.size[1]
+    return PaintedArtwork(rgba, -pixel * corner, pixel)
 
 
 def solve(

@@ -41,14 +41,6 @@ def decode(path: str | os.PathLike[str]) -> np.ndarray:
     return pixels(image)
 
 
-def decode_bytes(content: bytes) -> np.ndarray:
-    """Pixels (h, w, 4) uint8 of a picture file that was read already; PictureError where Qt cannot."""
-    image = QtGui.QImage.fromData(content)
-    if image.isNull():
-        raise PictureError("The picture is damaged. Save it as PNG, JPEG or BMP once more.")
-    return pixels(image)
-
-
 def pixels(image) -> np.ndarray:
     """Pixels (h, w, 4) uint8 of a QImage as red, green, blue, alpha."""
     image = image.convertToFormat(QtGui.QImage.Format_RGBA8888)
