@@ -101,6 +101,7 @@ def coach(images: Path) -> Section:
     )
     text += "\n" + paragraphs(
         f"""{FITTED} of them once more, with the pattern corrected until the balloon looks like the outline.
+        The one constant of the coach, by how much that tightens notches, comes from these.
         Predicted over simulated: puffiness {_spread(fitted.puffiness)}, greatest thickness
         {_spread(fitted.thickest)}."""
     )
@@ -150,7 +151,7 @@ def _mend(case: Flawed, truth: Truth, advice: Advice, mended: dict[str, _Mended]
     """Make the first repair of each rule and simulate again."""
     seen = set()
     for finding in advice.findings:
-        if finding.repair is None or finding.rule in seen or finding.rule == "hidden_intake":
+        if finding.repair is None or finding.rule in seen or finding.repair.kind.is_of_intake:
             continue
         seen.add(finding.rule)
         after = Truth(Flawed(repaired(case.outline, finding.repair), case.sites))

@@ -18,7 +18,7 @@ from matplotlib.textpath import TextPath
 
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.nesting import nest as nesting
-from BalloonWorkbench.core.nesting.layout import Grain, Piece, Stock
+from BalloonWorkbench.core.nesting.layout import Piece, Stock
 from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.pattern.intake.kinds import intake_kinds
@@ -26,6 +26,7 @@ from BalloonWorkbench.core.pattern.layout import on_one_sheet
 from BalloonWorkbench.core.pattern.make import make_pattern, sheet_of
 from BalloonWorkbench.core.pattern.pattern import Pattern
 from BalloonWorkbench.core.readers.read import read_drawing
+from BalloonWorkbench.core.solver.element.orthotropic import Grain
 from BalloonWorkbench.core.types import Floats
 
 PICTURES = Path(__file__).resolve().parents[2] / "resources" / "examples" / "pictures"

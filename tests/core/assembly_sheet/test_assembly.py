@@ -14,7 +14,8 @@ from drawn_shapes import NAMED
 from inflated import designed
 from matplotlib.image import imread
 
-from BalloonWorkbench.core.assembly_sheet.page import PAGES, Subject, assembly_pdf
+from BalloonWorkbench.core.advice.subject import Subject
+from BalloonWorkbench.core.assembly_sheet.page import PAGES, assembly_pdf
 from BalloonWorkbench.core.assembly_sheet.steps import steps
 from BalloonWorkbench.core.errors import ExportError
 from BalloonWorkbench.core.film.filling import Filling

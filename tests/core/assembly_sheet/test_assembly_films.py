@@ -19,7 +19,8 @@ from matplotlib.axes import Axes
 from test_assembly import POPPLER, subject, told_by
 
 from BalloonWorkbench.cli import command_line, summary
-from BalloonWorkbench.core.assembly_sheet.page import Subject, assembly_pdf
+from BalloonWorkbench.core.advice.subject import Subject
+from BalloonWorkbench.core.assembly_sheet.page import assembly_pdf
 from BalloonWorkbench.core.assembly_sheet.steps import steps
 from BalloonWorkbench.core.assembly_sheet.texts import figures, material
 from BalloonWorkbench.core.errors import ExportError, InputError

@@ -14,10 +14,11 @@ import pytest
 
 import BalloonWorkbench
 from BalloonWorkbench.cli import command_line
+from BalloonWorkbench.core.advice.findings import Finding
 from BalloonWorkbench.core.errors import ExportError, InputError
 from BalloonWorkbench.core.machines import bed
 from BalloonWorkbench.core.machines.machine import FOLDER, bed_text, machine, parse_bed
-from BalloonWorkbench.core.machines.preflight import ERROR, WARNING, Finding, preflight
+from BalloonWorkbench.core.machines.preflight import ERROR, WARNING, preflight
 from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.pattern.build import build_pattern

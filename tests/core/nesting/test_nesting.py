@@ -22,12 +22,13 @@ from BalloonWorkbench.core.machines.machine import machines
 from BalloonWorkbench.core.machines.machine_file import machine_file
 from BalloonWorkbench.core.nesting import nest as nesting
 from BalloonWorkbench.core.nesting.holes import into_holes
-from BalloonWorkbench.core.nesting.layout import Grain, Layout, Piece, Stock
+from BalloonWorkbench.core.nesting.layout import Layout, Piece, Stock
 from BalloonWorkbench.core.nesting.nest import ROWS_NOTE, nest
 from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.pattern.build import build_pattern
 from BalloonWorkbench.core.pattern.pattern import Pattern, Role
 from BalloonWorkbench.core.products import pieces_of
+from BalloonWorkbench.core.solver.element.orthotropic import Grain
 
 HEART = build_pattern(NAMED["heart"].map(lambda loop: 0.5 * loop), 0.005)
 WEDGE = build_pattern(corners_of((0.0, 0.0), (0.12, 0.0), (0.12, 0.05)), 0.005, PatternOptions(intake=False))

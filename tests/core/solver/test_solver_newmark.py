@@ -17,9 +17,10 @@ from BalloonWorkbench.core.film.library import films
 from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.mesh.triangulate import triangulate
 from BalloonWorkbench.core.panels.panel import Panel
+from BalloonWorkbench.core.results.film_state import State
 from BalloonWorkbench.core.solver.dynamics import motion
 from BalloonWorkbench.core.solver.dynamics.animation import Frame, inflate_in_time
-from BalloonWorkbench.core.solver.dynamics.newmark import Newmark, Scheme, State
+from BalloonWorkbench.core.solver.dynamics.newmark import Newmark, Scheme
 from BalloonWorkbench.core.solver.element.kinematics import facet_volume
 from BalloonWorkbench.core.solver.element.shell import Shell, tangent_frames
 from BalloonWorkbench.core.solver.equilibrium import linear
