@@ -163,10 +163,10 @@ def _by_film(obj) -> dict:
 
 
 def _stock(obj):
-    from BalloonWorkbench.core.nesting.layout import Grain, Stock
+    from BalloonWorkbench.core.nesting.layout import GrainRule, Stock
 
     told = options_from(obj, SheetOptions)
-    return Stock(told.film_width, told.film_length, told.spacing, Grain(told.grain))
+    return Stock(told.film_width, told.film_length, told.spacing, GrainRule(told.grain))
 
 
 def _label(pieces, stock) -> str:

@@ -13,7 +13,7 @@ from BalloonWorkbench.core.errors import ExportError, InputError
 from BalloonWorkbench.core.job import Balloon
 from BalloonWorkbench.core.machines.machine import ANY, Machine, machines
 from BalloonWorkbench.core.machines.machine_file import checked_files
-from BalloonWorkbench.core.nesting.layout import Grain, Stock
+from BalloonWorkbench.core.nesting.layout import GrainRule, Stock
 from BalloonWorkbench.core.products import Artwork, assembly_files, nested, print_files
 from BalloonWorkbench.core.tracing.picture_file import decode, picture_size
 from BalloonWorkbench.core.types import Attempt, Progress, Say
@@ -97,7 +97,7 @@ def _artwork(options: argparse.Namespace, reader: Callable[[Path], Any]) -> Artw
 def _stock(options: argparse.Namespace) -> Stock:
     """'500mm', '500mmx700mm' or '50 x 70 cm': width, and length of a sheet."""
     width, length = parse_size(options.nest)
-    return Stock(width, length, options.spacing, Grain(options.grain_lies))
+    return Stock(width, length, options.spacing, GrainRule(options.grain_lies))
 
 
 def _nest(

@@ -17,7 +17,7 @@ from BalloonWorkbench.core.artwork.files import artwork_files
 from BalloonWorkbench.core.artwork.marks import BLEED, bordered, marked
 from BalloonWorkbench.core.artwork.picture import Pixels, covering, mirrored, of_drawing
 from BalloonWorkbench.core.artwork.sheet import DPI, Print, Sheet, artwork_sheets
-from BalloonWorkbench.core.assembly_sheet.page import Subject, assembly_pdf
+from BalloonWorkbench.core.assembly_sheet.page import SheetSubject, assembly_pdf
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.geometry.polyline import bounds, signed_area
 from BalloonWorkbench.core.job import Balloon
@@ -141,6 +141,6 @@ def assembly_files(balloon: Balloon, title: str, paper: str, say: Say) -> Mappin
         if part.numbers is None:
             continue
         name = title if count == 1 else f"{title} {number}"
-        subject = Subject(name, balloon.settings.film, part.design.inflation, part.pattern, part.numbers)
+        subject = SheetSubject(name, balloon.settings.film, part.design.inflation, part.pattern, part.numbers)
         found["assembly.pdf" if number == 1 else f"assembly-{number}.pdf"] = assembly_pdf(subject, paper, say)
     return found

@@ -60,7 +60,7 @@ def write_assembly(parts, target, paper: str = "A4") -> Path:
     from BalloonWorkbench.app.border import hooks
     from BalloonWorkbench.app.pattern import build
     from BalloonWorkbench.app.properties import film
-    from BalloonWorkbench.core.assembly_sheet.page import Subject, assembly_pdf
+    from BalloonWorkbench.core.assembly_sheet.page import SheetSubject, assembly_pdf
     from BalloonWorkbench.core.files.write import write_files
 
     for obj in parts:
@@ -81,7 +81,7 @@ def write_assembly(parts, target, paper: str = "A4") -> Path:
     count = counting(parts)
 
     def page(_progress) -> bytes:
-        return assembly_pdf(Subject(name, own, inflation, pattern, count()), paper, hooks.say)
+        return assembly_pdf(SheetSubject(name, own, inflation, pattern, count()), paper, hooks.say)
 
     write_files(path.parent, {path.name: hooks.run_blocking(f"Writing {path.name}", page)})
     return path

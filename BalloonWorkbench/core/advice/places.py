@@ -31,7 +31,7 @@ NOTCH_REACH = 1.0 / 60.0  # of the size
 _ARC = 24  # segments of a quarter circle
 
 
-class Kind(Enum):
+class PlaceKind(Enum):
     """What a thin part is."""
 
     ARM = "arm"  # leads to a free end, or is one of several ways
@@ -50,7 +50,7 @@ class ThinPart:
     behind    part of the whole area on the smaller side of a neck
     """
 
-    kind: Kind
+    kind: PlaceKind
     area: Any
     sections: Sections
     middle: Floats
@@ -91,7 +91,7 @@ def thin_parts(outline: Outline, width: float) -> list[ThinPart]:
     across = sections(outline, max(width / 6.0, around / 4000.0))
     rooms = bodies(area, width)
     if not rooms:
-        return [_part(Kind.ARM, area, across, None)]
+        return [_part(PlaceKind.ARM, area, across, None)]
     slack = 0.01 * width
     left = area.difference(shapely().union_all(rooms).buffer(slack))
     found = []
@@ -118,10 +118,10 @@ def _judged(area: Any, piece: Any, touched: list[Any], inside: Sections, slack: 
         rest = [part.area for part in parts(area.difference(piece.buffer(2.0 * slack)))]
         behind = sorted(rest)[-2] / area.area if len(rest) > 1 else 0.0
         if behind > LEAST_BEHIND:
-            return _part(Kind.NECK, piece, inside, touched[0], behind)
-        return _part(Kind.ARM, piece, inside, touched[0])
+            return _part(PlaceKind.NECK, piece, inside, touched[0], behind)
+        return _part(PlaceKind.ARM, piece, inside, touched[0])
     body = touched[0] if touched else None
-    part = _part(Kind.ARM, piece, inside, body)
+    part = _part(PlaceKind.ARM, piece, inside, body)
     if body is None:
         return part
     apex, reach = _farthest(piece, body)
@@ -130,11 +130,11 @@ def _judged(area: Any, piece: Any, touched: list[Any], inside: Sections, slack: 
     tapers = not len(outer) or (len(inner) > 0 and outer.mean() < _TAPER * inner.mean())
     if tapers:
         middle = np.vstack([apex, part.middle])
-        return ThinPart(Kind.TIP, piece, inside, middle, length(middle))
+        return ThinPart(PlaceKind.TIP, piece, inside, middle, length(middle))
     return part
 
 
-def _part(kind: Kind, piece: Any, inside: Sections, body: Any, behind: float = 0.0) -> ThinPart:
+def _part(kind: PlaceKind, piece: Any, inside: Sections, body: Any, behind: float = 0.0) -> ThinPart:
     middles = inside.middles
     if body is None:
         start = int(np.argmax(np.linalg.norm(middles - middles.mean(axis=0), axis=1)))

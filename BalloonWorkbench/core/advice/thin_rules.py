@@ -8,7 +8,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from BalloonWorkbench.core.advice.findings import Finding, Repair, RepairKind, Severity
-from BalloonWorkbench.core.advice.places import Kind, ThinPart, rim_near, simple_line
+from BalloonWorkbench.core.advice.places import PlaceKind, ThinPart, rim_near, simple_line
 from BalloonWorkbench.core.advice.rules import rules
 from BalloonWorkbench.core.advice.subject import Subject
 from BalloonWorkbench.core.geometry.vectors import direction
@@ -31,7 +31,7 @@ def arms(subject: Subject) -> Iterator[Finding]:
     rule = rules()["thin_arm"]
     for part in subject.thin(_MARGIN * subject.width_for(rule.first(subject.scales))):
         width = float(np.median(part.sections.widths))
-        if part.kind is Kind.TIP or part.length < _ARM * width:
+        if part.kind is PlaceKind.TIP or part.length < _ARM * width:
             continue
         measured = float(np.median(subject.gauge.thickness(part.sections.middles)))
         judged = rule.judge(measured, subject.scales)
@@ -62,7 +62,7 @@ def necks(subject: Subject) -> Iterator[Finding]:
     """Necks through which a part of the balloon is filled."""
     rule = rules()["choked_neck"]
     for part in subject.thin(_MARGIN * rule.first(subject.scales) / subject.growth):
-        if part.kind is not Kind.NECK:
+        if part.kind is not PlaceKind.NECK:
             continue
         start, end = part.narrowest
         width = float(np.linalg.norm(end - start))
@@ -95,7 +95,7 @@ def tips(subject: Subject) -> Iterator[Finding]:
     enough = 2.0 * subject.film.seal_width
     width = subject.width_for(enough)
     for part in subject.thin(_MARGIN * width):
-        if part.kind is not Kind.TIP:
+        if part.kind is not PlaceKind.TIP:
             continue
         flat = _flat_length(subject, part, enough)
         found = subject.finding(

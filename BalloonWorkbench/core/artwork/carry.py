@@ -31,7 +31,7 @@ _BLOCK = 4_000_000  # distances looked at in one go
 
 
 @dataclass(frozen=True)
-class Film:
+class VisibleFilm:
     """The film of one side of a balloon, flat and as it is seen.
 
     flat       (n, 2) m, vertices of the panel
@@ -46,20 +46,20 @@ class Film:
     seams: tuple[Ints, ...]
 
 
-def front(inflation: Inflation) -> Film:
+def front(inflation: Inflation) -> VisibleFilm:
     """The panel that faces the viewer."""
     panel = inflation.panel
-    return Film(panel.rest_positions, inflation.positions[:, :2], panel.triangles, panel.seams)
+    return VisibleFilm(panel.rest_positions, inflation.positions[:, :2], panel.triangles, panel.seams)
 
 
-def back(inflation: Inflation) -> Film:
+def back(inflation: Inflation) -> VisibleFilm:
     """The panel behind, seen through the front one: both are cut from one pattern."""
     panel = inflation.panel
     lower = inflation.positions if inflation.lower is None else inflation.lower
-    return Film(panel.rest_positions, lower[:, :2], panel.triangles, panel.seams)
+    return VisibleFilm(panel.rest_positions, lower[:, :2], panel.triangles, panel.seams)
 
 
-def seen_from(film: Film, x: Floats, y: Floats, wanted: Bools) -> Floats:
+def seen_from(film: VisibleFilm, x: Floats, y: Floats, wanted: Bools) -> Floats:
     """Where the places of a grid of the flat film are seen: (len(y), len(x), 2) m in the drawing's plane.
 
     x, y    even columns and rows of the grid in the flat film [m]
@@ -73,7 +73,7 @@ def seen_from(film: Film, x: Floats, y: Floats, wanted: Bools) -> Floats:
     return found
 
 
-def _add_fin(film: Film, x: Floats, y: Floats, wanted: Bools, found: Floats) -> None:
+def _add_fin(film: VisibleFilm, x: Floats, y: Floats, wanted: Bools, found: Floats) -> None:
     """Fill in what is wanted outside the seam."""
     at, image, outward = (np.concatenate(parts) for parts in zip(*_along_seams(film)))
     rows, columns = np.nonzero(wanted & np.isnan(found[..., 0]))
@@ -82,7 +82,7 @@ def _add_fin(film: Film, x: Floats, y: Floats, wanted: Bools, found: Floats) -> 
         found[rows, columns] = image[nearest] + away[:, None] * outward[nearest]
 
 
-def _along_seams(film: Film) -> Iterator[tuple[Floats, Floats, Floats]]:
+def _along_seams(film: VisibleFilm) -> Iterator[tuple[Floats, Floats, Floats]]:
     """Points along each seam: flat, as seen, and the direction outward as seen."""
     for seam in film.seams:
         flat, seen = film.flat[seam], film.seen[seam]

@@ -10,7 +10,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from BalloonWorkbench.core.artwork.carry import GRID, Film, back, front, seen_from
+from BalloonWorkbench.core.artwork.carry import GRID, VisibleFilm, back, front, seen_from
 from BalloonWorkbench.core.artwork.picture import Picture, Pixels
 from BalloonWorkbench.core.artwork.sample import sampled
 from BalloonWorkbench.core.errors import InputError
@@ -91,7 +91,7 @@ def artwork_sheets(prints: Sequence[Print], pattern: Pattern, dpi: float = DPI) 
             " lower"
             " resolution."
         )
-    frame = _Frame(pattern.bounds[0] - _BORDER, INCH / dpi, width, height)
+    frame = _SheetFrame(pattern.bounds[0] - _BORDER, INCH / dpi, width, height)
     marks = pattern.of(Role.REGISTRATION)
     faces = _side(frame, marks, [(one, front(one.inflation), one.picture) for one in prints])
     if all(one.behind is None and one.inflation.lower is None for one in prints):
@@ -109,7 +109,7 @@ def artwork_sheets(prints: Sequence[Print], pattern: Pattern, dpi: float = DPI) 
 
 
 @dataclass(frozen=True)
-class _Frame:
+class _SheetFrame:
     """Lower left corner (2,) m, size of a pixel [m], pixels across and up."""
 
     low: Floats
@@ -132,7 +132,9 @@ class _Frame:
         return np.asarray(self.low[1] + (self.height - rows - 0.5) * self.pixel)
 
 
-def _side(frame: _Frame, marks: Sequence[Contour], parts: Sequence[tuple[Print, Film, Picture]]) -> Pixels:
+def _side(
+    frame: _SheetFrame, marks: Sequence[Contour], parts: Sequence[tuple[Print, VisibleFilm, Picture]]
+) -> Pixels:
     sheet = np.zeros((frame.height, frame.width, 4), dtype=np.uint8)
     for one, film, picture in parts:
         _print(sheet, frame, one, film, picture)
@@ -141,7 +143,7 @@ def _side(frame: _Frame, marks: Sequence[Contour], parts: Sequence[tuple[Print, 
     return sheet
 
 
-def _print(sheet: Pixels, frame: _Frame, one: Print, film: Film, picture: Picture) -> None:
+def _print(sheet: Pixels, frame: _SheetFrame, one: Print, film: VisibleFilm, picture: Picture) -> None:
     """Print one balloon on the sheet, within its border."""
     borders = one.pattern.of(Role.PRINT)
     points = np.concatenate([border.points for border in borders])
@@ -195,7 +197,9 @@ def _between(grid: NDArray[np.float32], across: Floats, down: Floats) -> NDArray
     return np.asarray(lines[:, column] + share[None, :, None] * (lines[:, column + 1] - lines[:, column]))
 
 
-def _inside(frame: _Frame, borders: Sequence[Contour], left: int, right: int, top: int, bottom: int) -> Bools:
+def _inside(
+    frame: _SheetFrame, borders: Sequence[Contour], left: int, right: int, top: int, bottom: int
+) -> Bools:
     """The pixels of a window whose middles lie inside closed lines: in an odd number of them."""
     inside = np.zeros((bottom - top, right - left), dtype=np.bool_)
     middles = np.arange(left, right)
@@ -205,7 +209,7 @@ def _inside(frame: _Frame, borders: Sequence[Contour], left: int, right: int, to
     return inside
 
 
-def _draw(sheet: Pixels, frame: _Frame, contour: Contour) -> None:
+def _draw(sheet: Pixels, frame: _SheetFrame, contour: Contour) -> None:
     """A black line 0.25 mm wide."""
     half = max(0.5 * from_mm(0.25), 0.5 * frame.pixel)
     for start, end in pairwise(contour.line):

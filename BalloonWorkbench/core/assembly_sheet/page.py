@@ -50,7 +50,7 @@ _Column = list[tuple[int, list[str]]]
 
 
 @dataclass(frozen=True)
-class Subject:
+class SheetSubject:
     """What the sheet is about: a name, what it is made of, how it inflates, its panel and its numbers."""
 
     title: str
@@ -60,7 +60,7 @@ class Subject:
     numbers: Numbers
 
 
-def assembly_pdf(subject: Subject, paper: str = "A4", say: Say = in_english) -> bytes:
+def assembly_pdf(subject: SheetSubject, paper: str = "A4", say: Say = in_english) -> bytes:
     """The page; the same bytes for the same subject.
 
     say  gives the engine's texts in the reader's language; English stays where no font has its letters
@@ -78,7 +78,7 @@ def assembly_pdf(subject: Subject, paper: str = "A4", say: Say = in_english) -> 
     return pdf(title, fonts, [(size, lambda axes: _fill(Pen(axes, say, fonts), subject, size))])
 
 
-def _fill(pen: Pen, subject: Subject, size: tuple[float, float]) -> None:
+def _fill(pen: Pen, subject: SheetSubject, size: tuple[float, float]) -> None:
     say, (width, height) = pen.say, size
     right, top = width - _MARGIN, height - _MARGIN
     column = 0.5 * (right - _MARGIN - _GUTTER)
@@ -109,7 +109,7 @@ def _fill(pen: Pen, subject: Subject, size: tuple[float, float]) -> None:
     _foot(pen, scale, foot, right)
 
 
-def _head(pen: Pen, subject: Subject, right: float, top: float) -> None:
+def _head(pen: Pen, subject: SheetSubject, right: float, top: float) -> None:
     low, high = bounds(subject.inflation.positions)
     across, up, _ = map(float, high - low)
     size = size_text(across, up, 2.0 * float(high[2]))
@@ -119,7 +119,7 @@ def _head(pen: Pen, subject: Subject, right: float, top: float) -> None:
     pen.axes.plot([_MARGIN, right], [top - 14.6, top - 14.6], color=ACCENT, lw=1.6, solid_capstyle="butt")
 
 
-def _pattern(pen: Pen, subject: Subject, box: tuple[float, float, float, float]) -> float:
+def _pattern(pen: Pen, subject: SheetSubject, box: tuple[float, float, float, float]) -> float:
     """The panel with its dimensions; returns the scale it is drawn in."""
     pattern = subject.pattern
     axes, (left, bottom, right, top) = pen.axes, box
@@ -156,7 +156,7 @@ def _pattern(pen: Pen, subject: Subject, box: tuple[float, float, float, float])
     return float(scale)
 
 
-def _legend(pen: Pen, subject: Subject, start: tuple[float, float], right: float) -> None:
+def _legend(pen: Pen, subject: SheetSubject, start: tuple[float, float], right: float) -> None:
     """What the lines are; in a second row below what has no room in the first."""
     x, y = start
     seam = subject.film.seam
@@ -184,7 +184,7 @@ def _dimension(
     axes.text(*middle, text, fontsize=8.0, color=INK, ha="center", va="center", rotation=rotation, bbox=box)
 
 
-def _balloon(pen: Pen, subject: Subject, box: tuple[float, float, float, float]) -> None:
+def _balloon(pen: Pen, subject: SheetSubject, box: tuple[float, float, float, float]) -> None:
     left, bottom, right, top = box
     pen.heading(left, top - 3.4, pen.say("Inflated"))
     wide, tall = right - left, top - 7.0 - bottom

@@ -8,8 +8,8 @@ from collections.abc import Sequence
 from BalloonWorkbench.core.errors import ExportError, MissingPackageError
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.machines.machine import FOLDER, Machine, read_machine
-from BalloonWorkbench.core.machines.preflight import ERROR, Finding, film_preflight, preflight
-from BalloonWorkbench.core.machines.toolpaths import Drawing, draw
+from BalloonWorkbench.core.machines.preflight import ERROR, PreflightFinding, film_preflight, preflight
+from BalloonWorkbench.core.machines.toolpaths import Toolpaths, draw
 from BalloonWorkbench.core.machines.writers.dxf import drawing_dxf
 from BalloonWorkbench.core.machines.writers.hpgl import drawing_hpgl
 from BalloonWorkbench.core.machines.writers.lightburn import drawing_lightburn
@@ -33,7 +33,7 @@ def machine_file(
 
 
 def drawing_file(
-    drawing: Drawing, machine: Machine, tiled: str | None = None, say: Say = in_english
+    drawing: Toolpaths, machine: Machine, tiled: str | None = None, say: Say = in_english
 ) -> bytes:
     """The same for a drawing that is already made for the machine."""
     if tiled is None and machine.format == "pdf":
@@ -119,7 +119,7 @@ def file_of_stock(name: str, stock: str) -> str:
     return f"{stem}-{stock}.{ending}"
 
 
-def _doubts(findings: Sequence[Finding], machine: Machine) -> list[str]:
+def _doubts(findings: Sequence[PreflightFinding], machine: Machine) -> list[str]:
     """The sentences of findings; ExportError for one that leaves no file."""
     for finding in findings:
         if finding.severity == ERROR:

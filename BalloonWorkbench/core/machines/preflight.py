@@ -42,7 +42,7 @@ _WELDS = (Role.SEAL, Role.WELD)
 
 
 @dataclass(frozen=True)
-class Finding:
+class PreflightFinding:
     """One remark: ERROR when the file would be of no use, else WARNING; a place (2,) m where it has one.
 
     oversize  the pattern is larger than the bed, see OVERSIZE
@@ -54,7 +54,7 @@ class Finding:
     oversize: bool = False
 
 
-def preflight(pattern: Pattern, machine: Machine, oversize: str = REFUSE) -> tuple[Finding, ...]:
+def preflight(pattern: Pattern, machine: Machine, oversize: str = REFUSE) -> tuple[PreflightFinding, ...]:
     """Everything that is wrong or doubtful about a pattern on a machine, errors first.
 
     With oversize WRITE, that it is larger than the bed is no error.
@@ -66,23 +66,27 @@ def preflight(pattern: Pattern, machine: Machine, oversize: str = REFUSE) -> tup
         findings += _radius(cuts or [contour for contour in taken if contour.role in _WELDS], machine)
         findings += _gap(taken, machine)
     findings += _size(pattern, machine, oversize)
-    findings += [Finding(WARNING, remark) for remark in machine.remarks]
+    findings += [PreflightFinding(WARNING, remark) for remark in machine.remarks]
     return tuple(sorted(findings, key=lambda finding: finding.severity != ERROR))
 
 
-def film_preflight(film: Film, machine: Machine) -> tuple[Finding, ...]:
+def film_preflight(film: Film, machine: Machine) -> tuple[PreflightFinding, ...]:
     """What a machine does that a film does not take."""
     name = film.title or film.name
     if machine.process == "laser" and film.laser is False:
-        return (Finding(ERROR, f"{name} must never be cut with a laser: choose a machine with a knife."),)
+        return (
+            PreflightFinding(ERROR, f"{name} must never be cut with a laser: choose a machine with a knife."),
+        )
     if machine.process == "heat-sealing" and film.joining not in ("", "heat"):
-        return (Finding(WARNING, f"{name} is not joined by heat: {machine.title} is not made for it."),)
+        return (
+            PreflightFinding(WARNING, f"{name} is not joined by heat: {machine.title} is not made for it."),
+        )
     return ()
 
 
-def _closed(contours: list[Contour]) -> list[Finding]:
+def _closed(contours: list[Contour]) -> list[PreflightFinding]:
     return [
-        Finding(
+        PreflightFinding(
             ERROR,
             f"The {contour.role.value} line that begins at {place_text(contour.points[0])} is open: programs"
             " fill, offset and cut closed lines only. Close it.",
@@ -93,7 +97,7 @@ def _closed(contours: list[Contour]) -> list[Finding]:
     ]
 
 
-def _simple(contours: list[Contour], machine: Machine) -> list[Finding]:
+def _simple(contours: list[Contour], machine: Machine) -> list[PreflightFinding]:
     """Lines that cross themselves or each other, as they are written."""
     lines = [
         (contour, curve.flattened(_FINE * machine.tolerance))
@@ -111,16 +115,16 @@ def _simple(contours: list[Contour], machine: Machine) -> list[Finding]:
                 f"{cuts[k][0]} and {cuts[other][0]} lines meet near {place_text(place)}:"
                 " move the hole inward or make the allowance narrower."
             )
-            findings.append(Finding(ERROR, text, place))
+            findings.append(PreflightFinding(ERROR, text, place))
     return findings
 
 
-def _crossed(contour: Contour, points: Floats) -> Iterator[Finding]:
+def _crossed(contour: Contour, points: Floats) -> Iterator[PreflightFinding]:
     """What is wrong with a single line."""
     if not _line(points, contour.closed).is_simple:
         met = first_crossing([points]) if contour.closed else first_crossing([], [points])
         place = points[0] if met is None else met
-        yield Finding(
+        yield PreflightFinding(
             ERROR,
             f"The {contour.role.value} line crosses itself near {place_text(place)}:"
             " simplify the drawing there.",
@@ -130,7 +134,7 @@ def _crossed(contour: Contour, points: Floats) -> Iterator[Finding]:
     turns = polyline(points, contour.closed).joint_turns
     back = int(np.argmax(np.abs(turns)))
     if abs(turns[back]) > _BACK:
-        yield Finding(
+        yield PreflightFinding(
             ERROR,
             f"The {contour.role.value} line runs back along itself near {place_text(points[back])}:"
             " simplify the drawing there.",
@@ -138,7 +142,7 @@ def _crossed(contour: Contour, points: Floats) -> Iterator[Finding]:
         )
 
 
-def _radius(contours: list[Contour], machine: Machine) -> list[Finding]:
+def _radius(contours: list[Contour], machine: Machine) -> list[PreflightFinding]:
     """The tightest bend between corners; corners themselves are meant."""
     least: tuple[float, Floats] | None = None
     for contour in contours:
@@ -150,7 +154,7 @@ def _radius(contours: list[Contour], machine: Machine) -> list[Finding]:
     if least is None or least[0] >= machine.least_radius - TOLERANCE:
         return []
     return [
-        Finding(
+        PreflightFinding(
             WARNING,
             f"The smallest radius is {length_text(least[0], 2)}, near {place_text(least[1])};"
             f" {machine.title} follows {length_text(machine.least_radius)}. It will come out rounder there.",
@@ -176,7 +180,7 @@ def _tightest(contour: Contour, tolerance: float, followed: float) -> tuple[floa
     return float(radii[number]), curve.starts[number]
 
 
-def _gap(contours: list[Contour], machine: Machine) -> list[Finding]:
+def _gap(contours: list[Contour], machine: Machine) -> list[PreflightFinding]:
     """The narrowest bridge between cuts, or between parts of one cut."""
     points, along, line, lengths = _samples([contour for contour in contours if contour.role in CUTS])
     package = shapely()
@@ -191,7 +195,7 @@ def _gap(contours: list[Contour], machine: Machine) -> list[Finding]:
     least = float(across[narrowest])
     place = 0.5 * (points[first[narrowest]] + points[second[narrowest]])
     return [
-        Finding(
+        PreflightFinding(
             WARNING,
             f"Only {length_text(least)} of film stay between two cuts near {place_text(place)};"
             f" {machine.title} wants {length_text(machine.least_gap)}. It may tear or melt there.",
@@ -213,23 +217,23 @@ def _samples(contours: list[Contour]) -> tuple[Floats, Floats, Floats, Floats]:
     return np.concatenate(points), np.concatenate(along), np.concatenate(which), np.concatenate(lengths)
 
 
-def _size(pattern: Pattern, machine: Machine, oversize: str) -> list[Finding]:
+def _size(pattern: Pattern, machine: Machine, oversize: str) -> list[PreflightFinding]:
     """Against the bed, upright and turned, in millimetres and inches."""
     if machine.bed is None or fits_upright(pattern, machine):
         return []
     size, bed = _both(*size_on(pattern, machine).tolist()), _both(*machine.bed)
     sizes = f"The pattern measures {size}, the bed of {machine.title} {bed}"
     if fits_turned(pattern, machine):
-        return [Finding(WARNING, f"{sizes}: turn the pattern by 90 degrees there.")]
+        return [PreflightFinding(WARNING, f"{sizes}: turn the pattern by 90 degrees there.")]
     if oversize == WRITE:
-        return [Finding(WARNING, f"{sizes}: the file is written anyway.", oversize=True)]
+        return [PreflightFinding(WARNING, f"{sizes}: the file is written anyway.", oversize=True)]
     text = (
         f"{sizes}: lay its pieces out on sheets of that size, make the balloon smaller, or write the file"
         " anyway."
         if pieces_fit(pattern, machine)
         else f"{sizes}: make the balloon smaller, choose another machine or paper, or write the file anyway."
     )
-    return [Finding(ERROR, text, oversize=True)]
+    return [PreflightFinding(ERROR, text, oversize=True)]
 
 
 def _both(width: float, height: float) -> str:

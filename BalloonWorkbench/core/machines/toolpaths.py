@@ -40,7 +40,7 @@ class Path:
 
 
 @dataclass(frozen=True)
-class Drawing:
+class Toolpaths:
     """Paths in the order of the work; lower left corner at the origin, and the size of it all [mm]."""
 
     paths: tuple[Path, ...]
@@ -63,7 +63,7 @@ class Drawing:
         return tuple(path for path in self.paths if path.role is role)
 
 
-def draw(pattern: Pattern, machine: Machine) -> Drawing:
+def draw(pattern: Pattern, machine: Machine) -> Toolpaths:
     """The drawing of a pattern for a machine; kerf and knife offset are made up for here.
 
     Raises ExportError when the pattern has none of the lines that the machine wants.
@@ -88,7 +88,7 @@ def draw(pattern: Pattern, machine: Machine) -> Drawing:
     low = np.min([path.curve.bounds[0] for path in paths], axis=0)
     high = np.max([path.curve.bounds[1] for path in paths], axis=0)
     width, height = (high - low).tolist()
-    return Drawing(tuple(replace(path, curve=path.curve.moved(-low)) for path in paths), width, height)
+    return Toolpaths(tuple(replace(path, curve=path.curve.moved(-low)) for path in paths), width, height)
 
 
 def fitted(contour: Contour, machine: Machine) -> Iterator[Curve]:
@@ -136,8 +136,8 @@ def _bar(low: Floats) -> Iterator[Curve]:
         yield polyline(np.array([a, b]), False)
 
 
-def in_unit(drawing: Drawing, unit: float) -> Drawing:
+def in_unit(drawing: Toolpaths, unit: float) -> Toolpaths:
     """The drawing with its numbers in another unit [m]: coordinates and sizes are really scaled."""
     scale = from_mm(1.0) / unit
     paths = tuple(replace(path, curve=path.curve.moved(np.zeros(2), scale)) for path in drawing.paths)
-    return Drawing(paths, drawing.width * scale, drawing.height * scale)
+    return Toolpaths(paths, drawing.width * scale, drawing.height * scale)

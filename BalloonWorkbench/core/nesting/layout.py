@@ -26,7 +26,7 @@ _MOST_COPIES = 200
 _MOST_FILM = 20.0  # m
 
 
-class Grain(Enum):
+class GrainRule(Enum):
     """How the grain of the film may lie in a piece, relative to the length of the roll or sheet."""
 
     ALONG = "along"
@@ -47,7 +47,7 @@ class Stock:
     width: float
     length: float | None = None
     spacing: float = SPACING
-    grain: Grain = Grain.ALONG
+    grain: GrainRule = GrainRule.ALONG
 
     @property
     def room(self) -> float:
@@ -73,12 +73,12 @@ class Piece:
         """The front, or the back."""
         return back_of(self.pattern) if mirrored else self.pattern
 
-    def angles(self, mirrored: bool, grain: Grain) -> list[float]:
+    def angles(self, mirrored: bool, grain: GrainRule) -> list[float]:
         """Angles by which it may be turned [degrees], from -180 to 180."""
-        if grain is Grain.ANY or self.grain is None:
+        if grain is GrainRule.ANY or self.grain is None:
             return [float(angle) for angle in range(-165, 181, 15)]
         own = np.degrees(np.pi - self.grain if mirrored else self.grain)
-        first = (90.0 if grain is Grain.ACROSS else 0.0) - own
+        first = (90.0 if grain is GrainRule.ACROSS else 0.0) - own
         return sorted(float(-((180.0 - angle) % 360.0) + 180.0) for angle in (first, first + 180.0))
 
 

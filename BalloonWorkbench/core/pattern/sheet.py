@@ -13,7 +13,7 @@ from BalloonWorkbench.core.geometry.polyline import bounds
 from BalloonWorkbench.core.geometry.vectors import perpendicular
 from BalloonWorkbench.core.options.pattern import MOST_COPIES
 from BalloonWorkbench.core.packages import shapely
-from BalloonWorkbench.core.pattern.intake.kinds import Piece, intake_kind, measure, placed
+from BalloonWorkbench.core.pattern.intake.kinds import IntakePiece, intake_kind, measure, placed
 from BalloonWorkbench.core.pattern.label import lettering
 from BalloonWorkbench.core.pattern.layout import SPACING, in_rows
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
@@ -108,7 +108,7 @@ def _pieces(pattern: Pattern) -> list[list[Contour]]:
     return found
 
 
-def _drawn(piece: Piece, sizes: Mapping[str, float]) -> list[Contour]:
+def _drawn(piece: IntakePiece, sizes: Mapping[str, float]) -> list[Contour]:
     """A piece with its label, its axis upward."""
     upward = 0.5 * np.pi
     lines = [_begun(placed(stroke.drawn(sizes), np.zeros(2), upward)) for stroke in piece.strokes]

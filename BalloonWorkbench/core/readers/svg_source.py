@@ -48,7 +48,7 @@ def harmless(data: bytes, budget: Budget) -> ElementTree.Element:
         raise InputError("The file is XML but no SVG drawing. Choose a drawing.")
     styles: dict[str, int] = {}
     cleaned = _cleaned(root, styles)
-    weight = _Weights(cleaned, styles, budget).of(cleaned, 0)
+    weight = _SvgWeights(cleaned, styles, budget).of(cleaned, 0)
     budget.spend_elements(weight.elements)
     budget.allow_points(weight.points)
     if not weight.text <= _MOST_TEXT:
@@ -147,7 +147,7 @@ class _Weight:
         return _Weight(self.elements + other.elements, self.points + other.points, self.text + other.text)
 
 
-class _Weights:
+class _SvgWeights:
     """What elements weigh once every <use> is replaced by what it shows; endless where one shows itself."""
 
     def __init__(self, root: ElementTree.Element, styles: dict[str, int], budget: Budget) -> None:

@@ -165,7 +165,9 @@ def test_every_refusal_offers_a_way_on() -> None:
             if isinstance(node, ast.Call)
         ]
         for call in calls:
-            severe = ast.unparse(call.func) == "ExportError" or ast.unparse(call).startswith("Finding(ERROR")
+            severe = ast.unparse(call.func) == "ExportError" or ast.unparse(call).startswith(
+                "PreflightFinding(ERROR"
+            )
             sentence = "".join(
                 str(each.value) for each in ast.walk(call) if isinstance(each, ast.Constant)
             ).lower()

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from BalloonWorkbench.core.machines.machine import UNITS, Machine
-from BalloonWorkbench.core.machines.toolpaths import Drawing, Path, in_unit
+from BalloonWorkbench.core.machines.toolpaths import Path, Toolpaths, in_unit
 from BalloonWorkbench.core.packages import ezdxf
 from BalloonWorkbench.core.units import MILLIMETRE
 
@@ -19,7 +19,7 @@ _DIGITS = 6
 _DASH = 4.0
 
 
-def drawing_dxf(drawing: Drawing, machine: Machine) -> bytes:
+def drawing_dxf(drawing: Toolpaths, machine: Machine) -> bytes:
     """The file's content; the same bytes for the same drawing.
 
     R2000 has LWPOLYLINE and tells the unit in its header; R12 has POLYLINE and knows no unit.
@@ -45,7 +45,7 @@ def drawing_dxf(drawing: Drawing, machine: Machine) -> bytes:
     return bytes(document.encode(stream.getvalue()))
 
 
-def _describe(document: Any, drawing: Drawing, machine: Machine) -> None:
+def _describe(document: Any, drawing: Toolpaths, machine: Machine) -> None:
     """Header and tables, in agreement with the coordinates."""
     dash = _DASH * MILLIMETRE / UNITS[machine.unit]
     metric = machine.unit == "mm"

@@ -7,7 +7,7 @@ import numpy as np
 
 from BalloonWorkbench.core.geometry.polyline import ring
 from BalloonWorkbench.core.machines.machine import Machine
-from BalloonWorkbench.core.machines.toolpaths import Drawing
+from BalloonWorkbench.core.machines.toolpaths import Toolpaths
 
 _UNITS = 40  # per millimetre
 #: How far a polyline may be off an arc: less than a plotter unit [mm].
@@ -16,7 +16,7 @@ _CHORD = 0.005
 _POINTS = 50
 
 
-def drawing_hpgl(drawing: Drawing, machine: Machine) -> bytes:
+def drawing_hpgl(drawing: Toolpaths, machine: Machine) -> bytes:
     """The file's content; the same bytes for the same drawing."""
     commands = ["IN", "PA"]
     pen = None

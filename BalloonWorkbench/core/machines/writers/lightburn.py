@@ -12,7 +12,7 @@ from xml.sax.saxutils import quoteattr
 from BalloonWorkbench.core.arcs.curves import Curve
 from BalloonWorkbench.core.errors import ExportError
 from BalloonWorkbench.core.machines.machine import Machine
-from BalloonWorkbench.core.machines.toolpaths import Drawing
+from BalloonWorkbench.core.machines.toolpaths import Toolpaths
 from BalloonWorkbench.core.pattern.pattern import Role
 
 #: Layers of a project: 0 to 29 are burnt, 30 (T1) and 31 (T2) are tool layers.
@@ -22,7 +22,7 @@ _CHORD = 0.005
 _DIGITS = 4
 
 
-def drawing_lightburn(drawing: Drawing, machine: Machine) -> bytes:
+def drawing_lightburn(drawing: Toolpaths, machine: Machine) -> bytes:
     """The project's content, mm with y upward; the same bytes for the same drawing."""
     numbers = _layer_numbers(drawing, machine)
     names: dict[int, list[str]] = {}
@@ -56,7 +56,7 @@ def drawing_lightburn(drawing: Drawing, machine: Machine) -> bytes:
     return ("\n".join(lines) + "\n").encode("utf-8")
 
 
-def _layer_numbers(drawing: Drawing, machine: Machine) -> dict[tuple[int, Role], int]:
+def _layer_numbers(drawing: Toolpaths, machine: Machine) -> dict[tuple[int, Role], int]:
     """The layer of each turn and role, in the order of the work: LightBurn burns one layer after the other.
 
     What waits for a later turn, as the hole of a panel with another panel in it, has the next free layer.

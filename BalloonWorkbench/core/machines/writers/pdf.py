@@ -12,7 +12,7 @@ import numpy as np
 from BalloonWorkbench.core.errors import ExportError
 from BalloonWorkbench.core.geometry.polyline import line_lengths, point_on, ring
 from BalloonWorkbench.core.machines.machine import Machine
-from BalloonWorkbench.core.machines.toolpaths import BAR, Drawing
+from BalloonWorkbench.core.machines.toolpaths import BAR, Toolpaths
 from BalloonWorkbench.core.pages.fonts import Fonts, fonts_for, readable
 from BalloonWorkbench.core.pages.pdf import POINT, draw_line, pdf, write
 from BalloonWorkbench.core.types import Floats, Say, in_english
@@ -51,7 +51,7 @@ class Tiles:
         return column * (self.usable[0] - _OVERLAP), row * (self.usable[1] - _OVERLAP)
 
 
-def drawing_pdf(drawing: Drawing, machine: Machine, say: Say = in_english) -> bytes:
+def drawing_pdf(drawing: Toolpaths, machine: Machine, say: Say = in_english) -> bytes:
     """One page of the drawing's size with a margin; the same bytes for the same drawing.
 
     MissingPackageError without matplotlib.
@@ -62,7 +62,7 @@ def drawing_pdf(drawing: Drawing, machine: Machine, say: Say = in_english) -> by
     return pdf(title, fonts_for(title, ""), [(size, lambda axes: _show(axes, lines, (_MARGIN, _MARGIN)))])
 
 
-def tiled_pdf(drawing: Drawing, machine: Machine, paper: str, say: Say = in_english) -> bytes:
+def tiled_pdf(drawing: Toolpaths, machine: Machine, paper: str, say: Say = in_english) -> bytes:
     """A map of the pages, then the pages of "A4", "A3" or "Letter" with overlap, crop marks and their place.
 
     say  gives the texts in the reader's language; English stays where no font has its letters
@@ -83,7 +83,7 @@ def tiled_pdf(drawing: Drawing, machine: Machine, paper: str, say: Say = in_engl
     return pdf(say("Balloon pattern"), fonts, [(tiles.paper, draw) for draw in (first, *pages)])
 
 
-def divide(drawing: Drawing, paper: str) -> Tiles:
+def divide(drawing: Toolpaths, paper: str) -> Tiles:
     """Upright or across, whichever takes fewer pages."""
     size = PAPERS.get(paper.upper())
     if size is None:
@@ -106,7 +106,7 @@ def divide(drawing: Drawing, paper: str) -> Tiles:
     return min(choices, key=lambda tiles: len(tiles.pages))
 
 
-def _has_lines(drawing: Drawing, tiles: Tiles, column: int, row: int) -> bool:
+def _has_lines(drawing: Toolpaths, tiles: Tiles, column: int, row: int) -> bool:
     low = np.array(tiles.corner(column, row))
     high = low + tiles.usable
     for path in drawing.paths:
@@ -118,7 +118,7 @@ def _has_lines(drawing: Drawing, tiles: Tiles, column: int, row: int) -> bool:
     return False
 
 
-def _lines(drawing: Drawing, machine: Machine) -> list[_Line]:
+def _lines(drawing: Toolpaths, machine: Machine) -> list[_Line]:
     """Points [mm] of the drawing's lines, whether they are closed, and their looks."""
     lines = []
     for path in drawing.paths:
@@ -152,7 +152,7 @@ def _page(axes: Any, lines: list[_Line], tiles: Tiles, place: tuple[int, int]) -
                 draw_line(axes, np.array([(x, y), (x, y)]) + np.outer([-1, 1], end), False, lw=0.1 / POINT)
 
 
-def _map(axes: Any, fonts: Fonts, drawing: Drawing, lines: list[_Line], tiles: Tiles, say: Say) -> None:
+def _map(axes: Any, fonts: Fonts, drawing: Toolpaths, lines: list[_Line], tiles: Tiles, say: Say) -> None:
     """The first page: what goes where, how to join it, and a bar to measure."""
     width, height = tiles.paper
     write(axes, fonts, (_MARGIN, height - 18.0), say(_TITLE), 14.0, tiles.usable[0], bold=True)

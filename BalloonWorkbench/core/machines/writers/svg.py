@@ -10,7 +10,7 @@ from itertools import groupby
 
 from BalloonWorkbench.core.arcs.curves import Curve
 from BalloonWorkbench.core.machines.machine import UNITS, Machine
-from BalloonWorkbench.core.machines.toolpaths import Drawing, in_unit
+from BalloonWorkbench.core.machines.toolpaths import Toolpaths, in_unit
 from BalloonWorkbench.core.units import MILLIMETRE
 
 #: Laser drivers take strokes up to a thousandth of an inch as lines to cut [mm].
@@ -19,7 +19,7 @@ _DASH = 4.0
 _DIGITS = 5
 
 
-def drawing_svg(drawing: Drawing, machine: Machine) -> bytes:
+def drawing_svg(drawing: Toolpaths, machine: Machine) -> bytes:
     """The file's content; the same bytes for the same drawing."""
     scale = MILLIMETRE / UNITS[machine.unit]
     scaled = in_unit(drawing, UNITS[machine.unit])

@@ -56,7 +56,7 @@ class Stroke:
 
 
 @dataclass(frozen=True)
-class Piece:
+class IntakePiece:
     """A piece of film of its own, once for each balloon: label and the sums of its middle, its lines with the
     cut last. In a neck its axis runs inward from the mouth.
     """
@@ -96,7 +96,7 @@ class IntakeKind:
     length: str
     taper: float
     strokes: tuple[Stroke, ...]
-    pieces: tuple[Piece, ...]
+    pieces: tuple[IntakePiece, ...]
     stock: PieceStock | None = None
 
     def usual_length(self, sizes: Mapping[str, float]) -> float | None:
@@ -163,7 +163,7 @@ def _kind_of(data: dict[str, Any]) -> IntakeKind:
         float(data["taper"]),
         _strokes(data["lines"]),
         tuple(
-            Piece(
+            IntakePiece(
                 str(piece["label"]),
                 _point(piece["label_at"]),
                 _strokes(piece["lines"]),

@@ -18,7 +18,7 @@ from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.panels.panel import Panel
 from BalloonWorkbench.core.solver.backend import backend_named
 from BalloonWorkbench.core.solver.dynamics import motion
-from BalloonWorkbench.core.solver.dynamics.newmark import State
+from BalloonWorkbench.core.solver.dynamics.newmark import MotionState
 from BalloonWorkbench.core.solver.inflate import inflate
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.solver.model import Model
@@ -58,7 +58,7 @@ def inflate_in_time(
         raise InputError(f"An animation needs at least two frames, not {frames}.")
     if not film.areal_density > 0.0:
         raise InputError(f"The film '{film.name}' has no mass. Give its areal density.")
-    states: list[State] = []
+    states: list[MotionState] = []
     newmark = backend_named("newmark")
     recording = replace(newmark, solve=partial(motion.solve, record=states.append))
     inflation = inflate(panel, film, pressure, backend=recording, model=model, progress=progress)
@@ -73,7 +73,7 @@ def inflate_in_time(
     return inflation, (*strip[:-1], last)
 
 
-def _times(states: list[State], count: int) -> list[float]:
+def _times(states: list[MotionState], count: int) -> list[float]:
     """Times between which the fastest vertex goes equally far, until nothing moves visibly any more."""
     times = np.array([state.time for state in states])
     rest = states[-1].positions
@@ -84,7 +84,7 @@ def _times(states: list[State], count: int) -> list[float]:
     return list(np.interp(np.linspace(0.0, np.interp(end, times, way), count), way, times).tolist())
 
 
-def _positions(states: list[State], time: float) -> Floats:
+def _positions(states: list[MotionState], time: float) -> Floats:
     """Positions (n, 3) between two states: the cubic with their positions and velocities."""
     after = min(max(bisect_right(states, time, key=lambda state: state.time), 1), len(states) - 1)
     first, second = states[after - 1], states[after]

@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterator
 import numpy as np
 
 from BalloonWorkbench.core.errors import Cancelled, SolverError
-from BalloonWorkbench.core.solver.dynamics.newmark import Newmark, Scheme, State
+from BalloonWorkbench.core.solver.dynamics.newmark import MotionState, Newmark, Scheme
 from BalloonWorkbench.core.solver.problem import Equilibrium, FilmProblem, NewtonSettings, Start
 from BalloonWorkbench.core.types import Floats, Progress, no_progress
 
@@ -32,7 +32,7 @@ SHRINKAGE = 0.4
 MANY_NEWTON_STEPS = 6  # in a step of time; the next one is shorter
 
 
-def motion(newmark: Newmark, start: State, pressure: Callable[[float], float]) -> Iterator[State]:
+def motion(newmark: Newmark, start: MotionState, pressure: Callable[[float], float]) -> Iterator[MotionState]:
     """States of a film after each step in time, without end unless even the shortest step fails.
 
     pressure gives the pressure at a time.
@@ -61,7 +61,7 @@ def solve(
     start: Start,
     settings: NewtonSettings,
     progress: Progress = no_progress,
-    record: Callable[[State], object] = lambda state: None,
+    record: Callable[[MotionState], object] = lambda state: None,
 ) -> Equilibrium:
     """Bring the film to rest by blowing it up; the contract of newton.solve, and record sees every state.
 

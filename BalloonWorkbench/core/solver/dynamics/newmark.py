@@ -63,7 +63,7 @@ class Scheme:
 
 
 @dataclass(frozen=True)
-class State:
+class MotionState:
     """A film in motion; time in units of sqrt(m L / p), the rest as in problem.py.
 
     positions, directors, velocities, accelerations (n, 3); newton_steps of the step in time that led here,
@@ -95,24 +95,24 @@ class Newmark:
         self._moving = self.shell.gathered(np.tile([1.0, 1.0, 1.0, 0.0, 0.0], (count, 1)) * self.masses)
         self._turning = self.shell.gathered(np.tile([0.0, 0.0, 0.0, 1.0, 1.0], (count, 1)))
 
-    def released(self, positions: Floats, directors: Floats, pressure: float) -> State:
+    def released(self, positions: Floats, directors: Floats, pressure: float) -> MotionState:
         """The film (n, 3), (n, 3) let go at time 0, without velocity."""
         self.shell.pressure = pressure
         gradient, _ = self.shell.derivatives(positions, directors, tangent_frames(directors))
         pull = np.divide(-gradient, self._moving, out=np.zeros_like(gradient), where=self._moving > 0.0)
         accelerations, _ = self.shell.spread(pull)
-        return State(0.0, pressure, positions, directors, np.zeros_like(positions), accelerations)
+        return MotionState(0.0, pressure, positions, directors, np.zeros_like(positions), accelerations)
 
-    def kinetic_energy(self, state: State) -> float:
+    def kinetic_energy(self, state: MotionState) -> float:
         """Half of mass times velocity squared."""
         return 0.5 * float(np.sum(self.masses * state.velocities**2))
 
-    def potential_energy(self, state: State) -> float:
+    def potential_energy(self, state: MotionState) -> float:
         """Energy of the film, the pressure and the loads."""
         self.shell.pressure = state.pressure
         return self.shell.energies(state.positions, state.directors).total
 
-    def step(self, state: State, duration: float, pressure: float) -> State | None:
+    def step(self, state: MotionState, duration: float, pressure: float) -> MotionState | None:
         """The film after duration under a pressure; None when a shorter step is needed.
 
         Raises SolverError when the film has no finite energy.
@@ -134,7 +134,7 @@ class Newmark:
         positions, directors, newton_steps, gain = minimum
         accelerations = (positions - increment.known_positions) / (beta * duration**2)
         velocities = known_velocities + gamma * duration * accelerations
-        return State(
+        return MotionState(
             state.time + duration,
             pressure,
             positions,
@@ -146,7 +146,7 @@ class Newmark:
         )
 
     def _minimum(
-        self, increment: _Increment, state: State, duration: float
+        self, increment: _Increment, state: MotionState, duration: float
     ) -> tuple[Floats, Floats, int, float] | None:
         """Positions and directors at the end of a step, the Newton steps and the gain of the first one."""
         positions, directors = state.positions, state.directors

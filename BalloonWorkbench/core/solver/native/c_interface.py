@@ -37,7 +37,7 @@ class _Material(ctypes.Structure):
     ]
 
 
-class _Newton(ctypes.Structure):
+class _NewtonStruct(ctypes.Structure):
     _fields_ = [("tolerance", ctypes.c_double), ("max_steps", ctypes.c_int32)]
 
 
@@ -153,7 +153,7 @@ def solve(
             _pointer(directors),
             ctypes.c_int32(len(stiffnesses)),
             _pointer(stiffnesses),
-            ctypes.byref(_Newton(settings.tolerance, settings.max_steps)),
+            ctypes.byref(_NewtonStruct(settings.tolerance, settings.max_steps)),
             callback,
             None,
             ctypes.byref(result),
