@@ -152,7 +152,7 @@ def wheels(libraries: Path) -> dict[str, tuple[str, bytes]]:
 
 
 def wheel_list(libraries: Path) -> bytes:
-    """What a workbench without a library may fetch, and how it knows that file: core/native_wheel.py."""
+    """What a workbench without a library may fetch, and how it knows that file: native/native_wheel.py."""
     version, _ = version_and_date()
     manifest = ElementTree.parse(ROOT / "package.xml").getroot()
     address = str(manifest.findtext("{*}url[@type='repository']", "")).strip().rstrip("/")

@@ -19,7 +19,6 @@ from BalloonWorkbench.cli import document as cli_document
 from BalloonWorkbench.cli.home import home
 from BalloonWorkbench.cli.options import FETCH, language_of, parser, typed
 from BalloonWorkbench.cli.summary import summary
-from BalloonWorkbench.core import native_wheel
 from BalloonWorkbench.core.design.size_goal import SizeGoal
 from BalloonWorkbench.core.errors import (
     BalloonError,
@@ -51,7 +50,7 @@ from BalloonWorkbench.core.options.film import DEFAULT_FILM
 from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.options.simulation import InflationOptions, ModelOptions
 from BalloonWorkbench.core.solver.model import Model
-from BalloonWorkbench.core.solver.native import load
+from BalloonWorkbench.core.solver.native import load, native_wheel
 from BalloonWorkbench.core.tracing.raster import opencv
 from BalloonWorkbench.core.types import Made, Progress, Say, in_english
 from BalloonWorkbench.core.units import number_text

@@ -37,21 +37,9 @@ WINDOW = {"FreeCADGui", "Gui", "PartGui", "MeshGui", "SketcherGui", "pivy"}
 QT = {"PySide", "PySide2", "PySide6", "PyQt5", "PyQt6", "shiboken2", "shiboken6"}
 
 #: The rooms of the core in the order of the data; a room uses only those before it.
-ROOMS = [
-    "geometry",
-    "options",
-    "files",
-    "language",
-    "arcs",
-    "outline",
-    "tracing",
-    "readers",
-    "film",
-    "panels",
-    "mesh",
-]
-ROOMS += ["solver", "design", "correction", "results", "pattern", "nesting", "making", "machines", "pictures"]
-ROOMS += ["artwork", "assembly_sheet", "advice"]
+ROOMS = ["geometry", "files", "options", "pages", "language", "arcs", "outline", "tracing", "readers", "film"]
+ROOMS += ["panels", "mesh", "solver", "design", "correction", "results", "pattern", "nesting", "making"]
+ROOMS += ["machines", "pictures", "artwork", "assembly_sheet", "advice"]
 
 OPTIONAL = ["cv2", "scipy", "ezdxf", "shapely", "pythoncdt", "matplotlib", "PIL"]
 OPTIONAL += ["spyrrow"]
@@ -263,15 +251,11 @@ def test_benchmarks_take_nothing_private() -> None:
 
 #: Files of a room, `__init__` with them.
 MOST_FILES = 13
-#: Rooms of the core that are to be divided yet.
-LARGE_ROOMS = {
-    f"BalloonWorkbench/core{room}" for room in ("", "/design", "/export", "/outline", "/pattern", "/solver")
-}
 
 
 def test_rooms_are_small() -> None:
     counts = {named(folder): len([*folder.glob("*.py")]) for folder in rooms()}
-    assert {name for name, count in counts.items() if count > MOST_FILES} == LARGE_ROOMS
+    assert not {name for name, count in counts.items() if count > MOST_FILES}
 
 
 def test_a_room_says_what_lives_in_it() -> None:
@@ -303,13 +287,6 @@ def test_every_module_is_used() -> None:
     assert not idle
 
 
-#: Classes of the core that share a name yet.
-NAMED_TWICE = {
-    *("Drawing", "Film", "Finding", "Grain", "Piece", "State", "Stretch", "Subject", "Work"),
-    *("_Frame", "_Weights"),
-}
-
-
 def test_no_class_name_twice() -> None:
     names = Counter(
         node.name
@@ -317,7 +294,7 @@ def test_no_class_name_twice() -> None:
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
         if isinstance(node, ast.ClassDef)
     )
-    assert {name for name, count in names.items() if count > 1} == NAMED_TWICE
+    assert not {name for name, count in names.items() if count > 1}
 
 
 #: Where an unforeseen error ends, by file: each is told in a sentence, and its details are kept in a file.

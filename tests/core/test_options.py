@@ -26,7 +26,7 @@ from BalloonWorkbench.core.job import DEFAULT_PRESSURE, Settings
 from BalloonWorkbench.core.machines.bed import OVERSIZE
 from BalloonWorkbench.core.machines.machine import machines
 from BalloonWorkbench.core.machines.writers.pdf import TILES
-from BalloonWorkbench.core.nesting.layout import Stock
+from BalloonWorkbench.core.nesting.layout import GrainRule, Stock
 from BalloonWorkbench.core.options.drawing import ReadingOptions
 from BalloonWorkbench.core.options.film import DEFAULT_FILM, FilmOptions, MaterialOptions
 from BalloonWorkbench.core.options.option import Kind, Option, options_of
@@ -39,7 +39,6 @@ from BalloonWorkbench.core.pattern.intake.kinds import intake_kinds
 from BalloonWorkbench.core.pattern.intake.places import PLACES
 from BalloonWorkbench.core.results.result_files import FORMATS
 from BalloonWorkbench.core.solver.backend import SOLVERS
-from BalloonWorkbench.core.solver.element.orthotropic import Grain
 from BalloonWorkbench.core.solver.model import Model
 from BalloonWorkbench.core.tracing.segment import DRAWN_AS
 
@@ -117,7 +116,7 @@ def test_the_engine_begins_with_what_is_declared() -> None:
         ("MachineOptions", "oversize", OVERSIZE),
         ("MachineOptions", "tiled", TILES),
         ("ResultOptions", "results", FORMATS),
-        ("SheetOptions", "grain", [grain.value for grain in Grain]),
+        ("SheetOptions", "grain", [grain.value for grain in GrainRule]),
         ("AssemblyOptions", "assembly", PAGES),
     ],
 )

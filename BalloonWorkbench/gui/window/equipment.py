@@ -32,7 +32,7 @@ def can_be_fetched() -> bool:
 
 def _not_fetchable() -> str:
     """Why the native solver cannot be fetched; empty where it can."""
-    from BalloonWorkbench.core import native_wheel
+    from BalloonWorkbench.core.solver.native import native_wheel
 
     try:
         native_wheel.wheel()

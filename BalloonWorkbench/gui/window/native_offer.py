@@ -29,7 +29,7 @@ class _Fetch:
 
     def solve(self, progress):
         """Fetch it; the path of the library."""
-        from BalloonWorkbench.core import native_wheel
+        from BalloonWorkbench.core.solver.native import native_wheel
 
         return native_wheel.fetch(self._wheel, progress)
 
@@ -49,7 +49,7 @@ def _offer() -> None:
 
 def ask() -> None:
     """Say what would be fetched, from where, into which folder, and ask. FetchError where nothing can be."""
-    from BalloonWorkbench.core import native_wheel
+    from BalloonWorkbench.core.solver.native import native_wheel
 
     if _worker is not None or is_asking():
         return

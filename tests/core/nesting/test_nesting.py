@@ -22,13 +22,12 @@ from BalloonWorkbench.core.machines.machine import machines
 from BalloonWorkbench.core.machines.machine_file import machine_file
 from BalloonWorkbench.core.nesting import nest as nesting
 from BalloonWorkbench.core.nesting.holes import into_holes
-from BalloonWorkbench.core.nesting.layout import Layout, Piece, Stock
+from BalloonWorkbench.core.nesting.layout import GrainRule, Layout, Piece, Stock
 from BalloonWorkbench.core.nesting.nest import ROWS_NOTE, nest
 from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.pattern.build import build_pattern
 from BalloonWorkbench.core.pattern.pattern import Pattern, Role
 from BalloonWorkbench.core.products import pieces_of
-from BalloonWorkbench.core.solver.element.orthotropic import Grain
 
 HEART = build_pattern(NAMED["heart"].map(lambda loop: 0.5 * loop), 0.005)
 WEDGE = build_pattern(corners_of((0.0, 0.0), (0.12, 0.0), (0.12, 0.05)), 0.005, PatternOptions(intake=False))
@@ -61,8 +60,8 @@ def hold(layout: Layout, pieces: list[Piece]) -> None:
         assert area.distance(box.exterior) >= stock.spacing - 2e-5
     share = sum(area.area for area in laid) / (layout.length * stock.width)
     assert layout.utilisation == pytest.approx(share, rel=1e-9)
-    if stock.grain is not Grain.ANY:
-        wanted = 0.5 * math.pi if stock.grain is Grain.ACROSS else 0.0
+    if stock.grain is not GrainRule.ANY:
+        wanted = 0.5 * math.pi if stock.grain is GrainRule.ACROSS else 0.0
         for place in layout.places:
             own = pieces[place.piece].grain
             if own is None:
@@ -139,10 +138,10 @@ def test_stopping_takes_what_there_is() -> None:
     assert "so far" in asked[-1]
 
 
-@pytest.mark.parametrize("grain", list(Grain))
+@pytest.mark.parametrize("grain", list(GrainRule))
 @pytest.mark.parametrize("length", [None, 0.45])
 def test_without_the_library_rows_do(
-    grain: Grain, length: float | None, monkeypatch: pytest.MonkeyPatch
+    grain: GrainRule, length: float | None, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(nesting, "PACKAGE", "no_such_package")
     pieces = [Piece(HEART, 3, 3, math.radians(30.0)), Piece(WEDGE, 4)]

@@ -16,9 +16,8 @@ from wheel_server import server, wheel_list, wheel_of
 
 from BalloonWorkbench.app.document import create
 from BalloonWorkbench.app.properties import preferences
-from BalloonWorkbench.core import native_wheel
 from BalloonWorkbench.core.solver import backend
-from BalloonWorkbench.core.solver.native import library, load
+from BalloonWorkbench.core.solver.native import library, load, native_wheel
 from BalloonWorkbench.gui.window import native_offer
 
 QtWidgets = hands.QtWidgets

@@ -18,7 +18,7 @@ from BalloonWorkbench.core.solver.native import library as loading
 from BalloonWorkbench.core.solver.native import load
 from BalloonWorkbench.core.solver.native.library import file_name, sum_file
 
-ROOT = Path(__file__).parents[3]
+ROOT = Path(__file__).parents[4]
 BUILT = load._FOLDER / file_name()
 PROGRAM = """
 import sys

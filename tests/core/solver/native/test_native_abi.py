@@ -20,7 +20,7 @@ from BalloonWorkbench.core.solver.inflate import inflate
 from BalloonWorkbench.core.solver.native import load
 from BalloonWorkbench.core.solver.native.c_interface import CONSTANTS
 
-ROOT = Path(__file__).resolve().parents[3]
+ROOT = Path(__file__).resolve().parents[4]
 NATIVE = ROOT / "BalloonWorkbench" / "native"
 LIBRARY = NATIVE / "lib" / "libfilm_solver.so"
 #: Numbers of the formulas of the element, beside those that every formula has.

@@ -17,7 +17,7 @@ from absent import without
 from BalloonWorkbench.core import packages
 from BalloonWorkbench.core.files import system
 
-ROOT = Path(__file__).parents[3]
+ROOT = Path(__file__).parents[4]
 #: Ways in which ctypes fails that NumPy survives: no module, no libffi.
 FAILURES = {
     "no module": "sys.modules['_ctypes'] = None",

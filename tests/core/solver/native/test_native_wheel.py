@@ -18,12 +18,12 @@ from solver_cases import PRESSURE, film, needs_native, panel
 from wheel_server import FAULTS, NAME, server, wheel_list, wheel_of
 
 from BalloonWorkbench.cli import main
-from BalloonWorkbench.core import native_wheel, packages
+from BalloonWorkbench.core import packages
 from BalloonWorkbench.core.errors import BalloonError, Cancelled, FetchError
 from BalloonWorkbench.core.files import swap
 from BalloonWorkbench.core.solver import backend
 from BalloonWorkbench.core.solver.inflate import inflate
-from BalloonWorkbench.core.solver.native import library, load
+from BalloonWorkbench.core.solver.native import library, load, native_wheel
 
 BUILT = load._FOLDER / library.file_name()
 pytestmark = needs_native
