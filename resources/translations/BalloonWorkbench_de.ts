@@ -827,6 +827,10 @@
         <translation>Ein Stück von {0} x {1} passt nicht auf Folie von {2}{3}: mindestens {4} breite Folie nehmen oder die Laufrichtung anders legen.</translation>
     </message>
     <message>
+        <source>A seam closes an edge of a triangle to a point. Check which runs it joins.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>A sketch with dimensions: change a cell of the spreadsheet, and all follows</source>
         <translation>Eine Skizze mit Maßen: eine Zelle der Tabelle ändern, und alles folgt</translation>
     </message>
@@ -955,14 +959,6 @@
         <translation>Bildvorlage</translation>
     </message>
     <message>
-        <source>Artwork as PDF needs Pillow: install it with pip install pillow, or use the PNG files.</source>
-        <translation>Bildvorlagen als PDF brauchen Pillow: mit pip install pillow installieren oder die PNG-Dateien benutzen.</translation>
-    </message>
-    <message>
-        <source>Artwork needs OpenCV or SciPy: install the package python3-opencv or python3-scipy.</source>
-        <translation>Bildvorlagen brauchen OpenCV oder SciPy: das Paket python3-opencv oder python3-scipy installieren.</translation>
-    </message>
-    <message>
         <source>Assembly sheet</source>
         <translation>Montageblatt</translation>
     </message>
@@ -981,10 +977,6 @@
     <message>
         <source>Back</source>
         <translation>Rückseite</translation>
-    </message>
-    <message>
-        <source>Backend</source>
-        <translation>Rechenkern</translation>
     </message>
     <message>
         <source>Balloon</source>
@@ -1623,10 +1615,6 @@
         <translation>Die Bahnen entlang der Linien im Inneren des Ballons verbinden.</translation>
     </message>
     <message>
-        <source>Joining</source>
-        <translation>Verbindung</translation>
-    </message>
-    <message>
         <source>Keep the proportions</source>
         <translation>Seitenverhältnis beibehalten</translation>
     </message>
@@ -1653,10 +1641,6 @@
     <message>
         <source>Largest strain</source>
         <translation>Größte Dehnung</translation>
-    </message>
-    <message>
-        <source>Laser</source>
-        <translation>Laser</translation>
     </message>
     <message>
         <source>Lay a picture under the paper for tracing; press again to take it away</source>
@@ -1747,10 +1731,6 @@
         <translation>Live</translation>
     </message>
     <message>
-        <source>Load</source>
-        <translation>Last</translation>
-    </message>
-    <message>
         <source>Look for the closest layout; Esc takes the best one so far</source>
         <translation>Die dichteste Anordnung suchen; Esc nimmt die bisher beste</translation>
     </message>
@@ -1817,10 +1797,6 @@
     <message>
         <source>Mesh size (0: automatic)</source>
         <translation>Netzweite (0: automatisch)</translation>
-    </message>
-    <message>
-        <source>Meshing needs pythoncdt or scipy: install one of them with pip.</source>
-        <translation>Das Vernetzen braucht pythoncdt oder scipy: eines davon mit pip installieren.</translation>
     </message>
     <message>
         <source>Meshing needs scipy: install it with pip install scipy.</source>
@@ -2039,6 +2015,10 @@
         <translation>Nur die Mitte der Schweißnaht. Eine geschlossene Naht läuft über ihren Anfang hinaus, damit die Stelle dicht ist.</translation>
     </message>
     <message>
+        <source>Only two equal panels are blown up in time. Use another solver for this balloon.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Only {0} of film stay between two cuts near {1}; {2} wants {3}. It may tear or melt there.</source>
         <translation>Nahe {1} bleiben nur {0} Folie zwischen zwei Schnitten; {2} will {3}. Sie kann dort reißen oder schmelzen.</translation>
     </message>
@@ -2067,8 +2047,8 @@
         <translation>Umriss {}, Löcher: {}</translation>
     </message>
     <message>
-        <source>PDF files need it; DXF, SVG and HPGL can be written.</source>
-        <translation>PDF-Dateien brauchen es; DXF, SVG und HPGL können geschrieben werden.</translation>
+        <source>PDF files, previews and labels need it; DXF, SVG and HPGL can be written.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Pa, its own range</source>
@@ -2101,6 +2081,22 @@
     <message>
         <source>Painted fish</source>
         <translation>Gemalter Fisch</translation>
+    </message>
+    <message>
+        <source>Panel {0} has a triangle with a vertex that is not there. Mesh it anew.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Panel {0} has a vertex without triangles. Mesh it anew.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Panel {0} has an edge with more than two triangles. Mesh it anew.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Panel {0} is open between its vertices {1} and {2}: {3} edges of its boundary are in no seam. Seal them to others.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Panels are laid on the film in rows instead of closely; nothing else changes.</source>
@@ -2167,8 +2163,12 @@
         <translation>Bilder</translation>
     </message>
     <message>
-        <source>Pictures are read by Qt and traced with SciPy or NumPy instead, a little slower.</source>
-        <translation>Bilder werden stattdessen etwas langsamer von Qt gelesen und mit SciPy oder NumPy nachgezeichnet.</translation>
+        <source>Pictures are read by Qt and traced with SciPy instead, a little slower.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pictures need OpenCV or SciPy: install the package python3-opencv or python3-scipy.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Pictures need OpenCV, which is missing or does not work here. Install the package python3-opencv (or opencv-python-headless), or open the picture inside FreeCAD.</source>
@@ -2245,10 +2245,6 @@
     <message>
         <source>Pressure: {0}</source>
         <translation>Druck: {0}</translation>
-    </message>
-    <message>
-        <source>Previews and labels need it; everything else works.</source>
-        <translation>Vorschaubilder und Beschriftungen brauchen es; alles andere geht.</translation>
     </message>
     <message>
         <source>Print at 100 % ("actual size"). The bar below must be 100 mm long.</source>
@@ -2423,6 +2419,30 @@
         <translation>Nahtlänge: {0}</translation>
     </message>
     <message>
+        <source>Seam {0} is along a panel {1}, but there are {2}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seam {0} is along vertices that panel {1} does not have.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seam {0} joins the outside of the film to its inside, as in a Moebius strip. Turn one of its sides round.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seam {0} joins {1} vertices to {2}. Divide both sides into equally many parts.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seam {0} leaves the boundary of panel {1}. Give its vertices in a row along it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seams {0} and {1} hold the same piece of the boundary of panel {2}. Seal each piece once.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Second panel, mirrored</source>
         <translation>Zweite Bahn, gespiegelt</translation>
     </message>
@@ -2465,10 +2485,6 @@
     <message>
         <source>Shown side</source>
         <translation>Gezeigte Seite</translation>
-    </message>
-    <message>
-        <source>Side</source>
-        <translation>Seite</translation>
     </message>
     <message>
         <source>Silhouette Studio (vinyl cutter)</source>
@@ -2701,10 +2717,6 @@
     <message>
         <source>The altitude {0} m is out of range: give one up to 11000 m.</source>
         <translation>Die Höhe {0} m ist außerhalb des Bereichs: bis 11000 m angeben.</translation>
-    </message>
-    <message>
-        <source>The assembly sheet needs matplotlib: install it with pip install matplotlib.</source>
-        <translation>Das Montageblatt braucht matplotlib: mit pip install matplotlib installieren.</translation>
     </message>
     <message>
         <source>The balloon is nowhere {0} wide behind its intake: choose another intake angle or a narrower intake, else air enters slowly.</source>
@@ -3059,6 +3071,10 @@
         <translation>Das Gemalte kann nicht nach „{}“ geschrieben werden: Ist der Datenträger voll?</translation>
     </message>
     <message>
+        <source>The panels are sealed to {0} bodies. Inflate each by itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The part round {0} has no rim for an intake: leave a gap in the welds round it.</source>
         <translation>Der Teil um {0} hat keinen Rand für einen Füllhals: in den Schweißnähten darum eine Lücke lassen.</translation>
     </message>
@@ -3093,10 +3109,6 @@
     <message>
         <source>The picture has no plain background around the shape. Use one with a background of one colour or a transparent one.</source>
         <translation>Das Bild hat um die Form keinen einfarbigen Hintergrund. Eines mit einfarbigem oder durchsichtigem Hintergrund benutzen.</translation>
-    </message>
-    <message>
-        <source>The picture is damaged. Save it as PNG, JPEG or BMP once more.</source>
-        <translation>Das Bild ist beschädigt. Noch einmal als PNG, JPEG oder BMP speichern.</translation>
     </message>
     <message>
         <source>The picture is empty: all of it is transparent. Choose a picture that shows a shape.</source>
@@ -3153,6 +3165,10 @@
     <message>
         <source>The shape touches the {0} border of the picture; if it was cut off there, leave more margin.</source>
         <translation>Die Form berührt den Bildrand ({0}); wenn sie dort abgeschnitten wurde, mehr Rand lassen.</translation>
+    </message>
+    <message>
+        <source>The sides of seam {0} are {1} and {2} long. Make them equally long.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The simulation cannot take its first step. Check the outline for degenerate parts.</source>
@@ -3213,6 +3229,10 @@
     <message>
         <source>The valve reaches {0} into the balloon, past the weld at {1}: put the intake where the balloon is longer, or take another one.</source>
         <translation>Das Ventil reicht {0} in den Ballon, über die Schweißnaht bei {1} hinaus: den Füllhals dort anbringen, wo der Ballon länger ist, oder einen anderen nehmen.</translation>
+    </message>
+    <message>
+        <source>The vertices along both sides of seam {0} are up to {1} apart. Put them at equal lengths along it.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The volume must be positive, not {0}.</source>
@@ -3279,10 +3299,6 @@
         <translation>Es gibt in {1} kein „{0}“ zu reparieren: dessen Ratschläge ansehen.</translation>
     </message>
     <message>
-        <source>There is no backend "{0}": choose {1}, or leave it out.</source>
-        <translation>Es gibt keinen Rechenkern „{0}“: {1} wählen oder ihn weglassen.</translation>
-    </message>
-    <message>
         <source>There is no file '{0}'. Check the name and the folder.</source>
         <translation>Es gibt keine Datei „{0}“. Name und Ordner prüfen.</translation>
     </message>
@@ -3333,6 +3349,10 @@
     <message>
         <source>There is no outline at {0} degrees from the centre: choose another intake angle.</source>
         <translation>Bei {0} Grad von der Mitte liegt kein Umriss: einen anderen Winkel für den Füllhals wählen.</translation>
+    </message>
+    <message>
+        <source>There is no panel. Give at least one.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>There is no paper "{0}" for the assembly sheet: choose A4 or Letter.</source>
@@ -3471,8 +3491,8 @@
         <translation>Transparentpapier, 92 g/m²</translation>
     </message>
     <message>
-        <source>Tracing {0}</source>
-        <translation>{0} wird nachgezeichnet</translation>
+        <source>Triangle {0} of panel {1} {2}. Mesh the panel anew.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Try temperature and time on two scraps: the weld must stretch or tear before it opens.</source>
@@ -3687,8 +3707,8 @@
         <translation>DXF zu schreiben braucht ezdxf: mit pip install ezdxf installieren oder die SVG-Datei benutzen.</translation>
     </message>
     <message>
-        <source>Writing PDF needs reportlab: install it with pip install reportlab, or use the SVG file.</source>
-        <translation>PDF zu schreiben braucht reportlab: mit pip install reportlab installieren oder die SVG-Datei benutzen.</translation>
+        <source>Writing PDF needs matplotlib: install it with pip install matplotlib, or use the SVG file.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Writing {0}</source>
@@ -3849,6 +3869,10 @@
     <message>
         <source>glued seam inside</source>
         <translation>geklebte Naht innen</translation>
+    </message>
+    <message>
+        <source>has no area</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>height</source>
@@ -4293,6 +4317,10 @@
     <message>
         <source>{0} is neither VTU, NPZ nor STL: let the name end in .vtu, .npz or .stl.</source>
         <translation>{0} ist weder VTU noch NPZ noch STL: den Namen auf .vtu, .npz oder .stl enden lassen.</translation>
+    </message>
+    <message>
+        <source>{0} is no value that a result can be kept for</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} is not a coordinate</source>

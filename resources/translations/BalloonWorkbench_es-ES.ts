@@ -827,6 +827,10 @@
         <translation>Una pieza de {0} x {1} no cabe en película de {2}{3}: tome película de al menos {4} de ancho o cambie la dirección de la fibra.</translation>
     </message>
     <message>
+        <source>A seam closes an edge of a triangle to a point. Check which runs it joins.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>A sketch with dimensions: change a cell of the spreadsheet, and all follows</source>
         <translation>Un croquis con cotas: cambie una celda de la hoja y todo la sigue</translation>
     </message>
@@ -955,14 +959,6 @@
         <translation>Ilustración</translation>
     </message>
     <message>
-        <source>Artwork as PDF needs Pillow: install it with pip install pillow, or use the PNG files.</source>
-        <translation>Las ilustraciones en PDF necesitan Pillow: instálelo con pip install pillow o use los archivos PNG.</translation>
-    </message>
-    <message>
-        <source>Artwork needs OpenCV or SciPy: install the package python3-opencv or python3-scipy.</source>
-        <translation>Las ilustraciones necesitan OpenCV o SciPy: instale el paquete python3-opencv o python3-scipy.</translation>
-    </message>
-    <message>
         <source>Assembly sheet</source>
         <translation>Hoja de montaje</translation>
     </message>
@@ -981,10 +977,6 @@
     <message>
         <source>Back</source>
         <translation>Dorso</translation>
-    </message>
-    <message>
-        <source>Backend</source>
-        <translation>Motor de cálculo</translation>
     </message>
     <message>
         <source>Balloon</source>
@@ -1623,10 +1615,6 @@
         <translation>Una los paneles por las líneas del interior del globo.</translation>
     </message>
     <message>
-        <source>Joining</source>
-        <translation>Unión</translation>
-    </message>
-    <message>
         <source>Keep the proportions</source>
         <translation>Mantener las proporciones</translation>
     </message>
@@ -1653,10 +1641,6 @@
     <message>
         <source>Largest strain</source>
         <translation>Mayor deformación</translation>
-    </message>
-    <message>
-        <source>Laser</source>
-        <translation>Láser</translation>
     </message>
     <message>
         <source>Lay a picture under the paper for tracing; press again to take it away</source>
@@ -1747,10 +1731,6 @@
         <translation>En vivo</translation>
     </message>
     <message>
-        <source>Load</source>
-        <translation>Carga</translation>
-    </message>
-    <message>
         <source>Look for the closest layout; Esc takes the best one so far</source>
         <translation>Buscar la colocación más apretada; Esc toma la mejor hasta el momento</translation>
     </message>
@@ -1817,10 +1797,6 @@
     <message>
         <source>Mesh size (0: automatic)</source>
         <translation>Tamaño de malla (0: automático)</translation>
-    </message>
-    <message>
-        <source>Meshing needs pythoncdt or scipy: install one of them with pip.</source>
-        <translation>El mallado necesita pythoncdt o scipy: instale uno con pip.</translation>
     </message>
     <message>
         <source>Meshing needs scipy: install it with pip install scipy.</source>
@@ -2039,6 +2015,10 @@
         <translation>Solo el centro de la soldadura. Una soldadura cerrada pasa de su comienzo, para que la unión sea hermética.</translation>
     </message>
     <message>
+        <source>Only two equal panels are blown up in time. Use another solver for this balloon.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Only {0} of film stay between two cuts near {1}; {2} wants {3}. It may tear or melt there.</source>
         <translation>Solo quedan {0} de película entre dos cortes cerca de {1}; {2} quiere {3}. Puede rasgarse o fundirse ahí.</translation>
     </message>
@@ -2067,8 +2047,8 @@
         <translation>Contorno {}, agujeros: {}</translation>
     </message>
     <message>
-        <source>PDF files need it; DXF, SVG and HPGL can be written.</source>
-        <translation>Los archivos PDF lo necesitan; DXF, SVG y HPGL se pueden escribir.</translation>
+        <source>PDF files, previews and labels need it; DXF, SVG and HPGL can be written.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Pa, its own range</source>
@@ -2101,6 +2081,22 @@
     <message>
         <source>Painted fish</source>
         <translation>Pez pintado</translation>
+    </message>
+    <message>
+        <source>Panel {0} has a triangle with a vertex that is not there. Mesh it anew.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Panel {0} has a vertex without triangles. Mesh it anew.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Panel {0} has an edge with more than two triangles. Mesh it anew.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Panel {0} is open between its vertices {1} and {2}: {3} edges of its boundary are in no seam. Seal them to others.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Panels are laid on the film in rows instead of closely; nothing else changes.</source>
@@ -2167,8 +2163,12 @@
         <translation>Imágenes</translation>
     </message>
     <message>
-        <source>Pictures are read by Qt and traced with SciPy or NumPy instead, a little slower.</source>
-        <translation>Las imágenes se leen con Qt y se calcan con SciPy o NumPy, un poco más despacio.</translation>
+        <source>Pictures are read by Qt and traced with SciPy instead, a little slower.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pictures need OpenCV or SciPy: install the package python3-opencv or python3-scipy.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Pictures need OpenCV, which is missing or does not work here. Install the package python3-opencv (or opencv-python-headless), or open the picture inside FreeCAD.</source>
@@ -2245,10 +2245,6 @@
     <message>
         <source>Pressure: {0}</source>
         <translation>Presión: {0}</translation>
-    </message>
-    <message>
-        <source>Previews and labels need it; everything else works.</source>
-        <translation>Las vistas previas y etiquetas lo necesitan; todo lo demás funciona.</translation>
     </message>
     <message>
         <source>Print at 100 % ("actual size"). The bar below must be 100 mm long.</source>
@@ -2423,6 +2419,30 @@
         <translation>Longitud de costura: {0}</translation>
     </message>
     <message>
+        <source>Seam {0} is along a panel {1}, but there are {2}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seam {0} is along vertices that panel {1} does not have.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seam {0} joins the outside of the film to its inside, as in a Moebius strip. Turn one of its sides round.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seam {0} joins {1} vertices to {2}. Divide both sides into equally many parts.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seam {0} leaves the boundary of panel {1}. Give its vertices in a row along it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seams {0} and {1} hold the same piece of the boundary of panel {2}. Seal each piece once.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Second panel, mirrored</source>
         <translation>Segundo panel, reflejado</translation>
     </message>
@@ -2465,10 +2485,6 @@
     <message>
         <source>Shown side</source>
         <translation>Cara mostrada</translation>
-    </message>
-    <message>
-        <source>Side</source>
-        <translation>Cara</translation>
     </message>
     <message>
         <source>Silhouette Studio (vinyl cutter)</source>
@@ -2701,10 +2717,6 @@
     <message>
         <source>The altitude {0} m is out of range: give one up to 11000 m.</source>
         <translation>La altitud {0} m está fuera de rango: indique hasta 11000 m.</translation>
-    </message>
-    <message>
-        <source>The assembly sheet needs matplotlib: install it with pip install matplotlib.</source>
-        <translation>La hoja de montaje necesita matplotlib: instálelo con pip install matplotlib.</translation>
     </message>
     <message>
         <source>The balloon is nowhere {0} wide behind its intake: choose another intake angle or a narrower intake, else air enters slowly.</source>
@@ -3059,6 +3071,10 @@
         <translation>La pintura no se puede escribir en «{}»: ¿está lleno el disco?</translation>
     </message>
     <message>
+        <source>The panels are sealed to {0} bodies. Inflate each by itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The part round {0} has no rim for an intake: leave a gap in the welds round it.</source>
         <translation>La parte alrededor de {0} no tiene borde para una boca: deje un hueco en las soldaduras que la rodean.</translation>
     </message>
@@ -3093,10 +3109,6 @@
     <message>
         <source>The picture has no plain background around the shape. Use one with a background of one colour or a transparent one.</source>
         <translation>La imagen no tiene un fondo liso alrededor de la forma. Use una con fondo de un color o transparente.</translation>
-    </message>
-    <message>
-        <source>The picture is damaged. Save it as PNG, JPEG or BMP once more.</source>
-        <translation>La imagen está dañada. Guárdela de nuevo como PNG, JPEG o BMP.</translation>
     </message>
     <message>
         <source>The picture is empty: all of it is transparent. Choose a picture that shows a shape.</source>
@@ -3153,6 +3165,10 @@
     <message>
         <source>The shape touches the {0} border of the picture; if it was cut off there, leave more margin.</source>
         <translation>La forma toca el borde de la imagen ({0}); si se cortó ahí, deje más margen.</translation>
+    </message>
+    <message>
+        <source>The sides of seam {0} are {1} and {2} long. Make them equally long.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The simulation cannot take its first step. Check the outline for degenerate parts.</source>
@@ -3213,6 +3229,10 @@
     <message>
         <source>The valve reaches {0} into the balloon, past the weld at {1}: put the intake where the balloon is longer, or take another one.</source>
         <translation>La válvula entra {0} en el globo, más allá de la soldadura en {1}: ponga la boca donde el globo sea más largo o tome otra.</translation>
+    </message>
+    <message>
+        <source>The vertices along both sides of seam {0} are up to {1} apart. Put them at equal lengths along it.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The volume must be positive, not {0}.</source>
@@ -3279,10 +3299,6 @@
         <translation>No hay «{0}» que reparar en {1}: vea sus consejos.</translation>
     </message>
     <message>
-        <source>There is no backend "{0}": choose {1}, or leave it out.</source>
-        <translation>No hay motor de cálculo «{0}»: elija {1} u omítalo.</translation>
-    </message>
-    <message>
         <source>There is no file '{0}'. Check the name and the folder.</source>
         <translation>No existe el archivo «{0}». Compruebe el nombre y la carpeta.</translation>
     </message>
@@ -3333,6 +3349,10 @@
     <message>
         <source>There is no outline at {0} degrees from the centre: choose another intake angle.</source>
         <translation>No hay contorno a {0} grados del centro: elija otro ángulo para la boca.</translation>
+    </message>
+    <message>
+        <source>There is no panel. Give at least one.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>There is no paper "{0}" for the assembly sheet: choose A4 or Letter.</source>
@@ -3471,8 +3491,8 @@
         <translation>Papel vegetal, 92 g/m²</translation>
     </message>
     <message>
-        <source>Tracing {0}</source>
-        <translation>Calcando {0}</translation>
+        <source>Triangle {0} of panel {1} {2}. Mesh the panel anew.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Try temperature and time on two scraps: the weld must stretch or tear before it opens.</source>
@@ -3687,8 +3707,8 @@
         <translation>Escribir DXF necesita ezdxf: instálelo con pip install ezdxf o use el archivo SVG.</translation>
     </message>
     <message>
-        <source>Writing PDF needs reportlab: install it with pip install reportlab, or use the SVG file.</source>
-        <translation>Escribir PDF necesita reportlab: instálelo con pip install reportlab o use el archivo SVG.</translation>
+        <source>Writing PDF needs matplotlib: install it with pip install matplotlib, or use the SVG file.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Writing {0}</source>
@@ -3849,6 +3869,10 @@
     <message>
         <source>glued seam inside</source>
         <translation>costura pegada interior</translation>
+    </message>
+    <message>
+        <source>has no area</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>height</source>
@@ -4293,6 +4317,10 @@
     <message>
         <source>{0} is neither VTU, NPZ nor STL: let the name end in .vtu, .npz or .stl.</source>
         <translation>{0} no es VTU, NPZ ni STL: haga que el nombre acabe en .vtu, .npz o .stl.</translation>
+    </message>
+    <message>
+        <source>{0} is no value that a result can be kept for</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} is not a coordinate</source>

@@ -827,6 +827,10 @@
         <translation>Une pièce de {0} x {1} ne tient pas sur un film de {2}{3} : prenez un film d'au moins {4} de large, ou changez le sens du film.</translation>
     </message>
     <message>
+        <source>A seam closes an edge of a triangle to a point. Check which runs it joins.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>A sketch with dimensions: change a cell of the spreadsheet, and all follows</source>
         <translation>Une esquisse cotée : changez une cellule du tableur, et tout suit</translation>
     </message>
@@ -955,14 +959,6 @@
         <translation>Illustration</translation>
     </message>
     <message>
-        <source>Artwork as PDF needs Pillow: install it with pip install pillow, or use the PNG files.</source>
-        <translation>Les illustrations en PDF demandent Pillow : installez-le par pip install pillow, ou prenez les fichiers PNG.</translation>
-    </message>
-    <message>
-        <source>Artwork needs OpenCV or SciPy: install the package python3-opencv or python3-scipy.</source>
-        <translation>Les illustrations demandent OpenCV ou SciPy : installez le paquet python3-opencv ou python3-scipy.</translation>
-    </message>
-    <message>
         <source>Assembly sheet</source>
         <translation>Fiche de montage</translation>
     </message>
@@ -981,10 +977,6 @@
     <message>
         <source>Back</source>
         <translation>Dos</translation>
-    </message>
-    <message>
-        <source>Backend</source>
-        <translation>Moteur de calcul</translation>
     </message>
     <message>
         <source>Balloon</source>
@@ -1623,10 +1615,6 @@
         <translation>Assemblez les panneaux le long des lignes à l'intérieur du ballon.</translation>
     </message>
     <message>
-        <source>Joining</source>
-        <translation>Assemblage</translation>
-    </message>
-    <message>
         <source>Keep the proportions</source>
         <translation>Garder les proportions</translation>
     </message>
@@ -1653,10 +1641,6 @@
     <message>
         <source>Largest strain</source>
         <translation>Plus grande déformation</translation>
-    </message>
-    <message>
-        <source>Laser</source>
-        <translation>Laser</translation>
     </message>
     <message>
         <source>Lay a picture under the paper for tracing; press again to take it away</source>
@@ -1747,10 +1731,6 @@
         <translation>Direct</translation>
     </message>
     <message>
-        <source>Load</source>
-        <translation>Charge</translation>
-    </message>
-    <message>
         <source>Look for the closest layout; Esc takes the best one so far</source>
         <translation>Chercher la disposition la plus serrée ; Échap prend la meilleure jusque-là</translation>
     </message>
@@ -1817,10 +1797,6 @@
     <message>
         <source>Mesh size (0: automatic)</source>
         <translation>Taille de maille (0 : automatique)</translation>
-    </message>
-    <message>
-        <source>Meshing needs pythoncdt or scipy: install one of them with pip.</source>
-        <translation>Le maillage demande pythoncdt ou scipy : installez l'un des deux par pip.</translation>
     </message>
     <message>
         <source>Meshing needs scipy: install it with pip install scipy.</source>
@@ -2039,6 +2015,10 @@
         <translation>Seulement le milieu de la soudure. Une soudure fermée dépasse son début, pour que le raccord soit étanche.</translation>
     </message>
     <message>
+        <source>Only two equal panels are blown up in time. Use another solver for this balloon.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Only {0} of film stay between two cuts near {1}; {2} wants {3}. It may tear or melt there.</source>
         <translation>Il ne reste que {0} de film entre deux coupes près de {1} ; {2} en veut {3}. Il peut s'y déchirer ou fondre.</translation>
     </message>
@@ -2067,8 +2047,8 @@
         <translation>Contour {}, trous : {}</translation>
     </message>
     <message>
-        <source>PDF files need it; DXF, SVG and HPGL can be written.</source>
-        <translation>Les fichiers PDF le demandent ; DXF, SVG et HPGL peuvent être écrits.</translation>
+        <source>PDF files, previews and labels need it; DXF, SVG and HPGL can be written.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Pa, its own range</source>
@@ -2101,6 +2081,22 @@
     <message>
         <source>Painted fish</source>
         <translation>Poisson peint</translation>
+    </message>
+    <message>
+        <source>Panel {0} has a triangle with a vertex that is not there. Mesh it anew.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Panel {0} has a vertex without triangles. Mesh it anew.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Panel {0} has an edge with more than two triangles. Mesh it anew.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Panel {0} is open between its vertices {1} and {2}: {3} edges of its boundary are in no seam. Seal them to others.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Panels are laid on the film in rows instead of closely; nothing else changes.</source>
@@ -2167,8 +2163,12 @@
         <translation>Images</translation>
     </message>
     <message>
-        <source>Pictures are read by Qt and traced with SciPy or NumPy instead, a little slower.</source>
-        <translation>Les images sont lues par Qt et suivies avec SciPy ou NumPy, un peu plus lentement.</translation>
+        <source>Pictures are read by Qt and traced with SciPy instead, a little slower.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pictures need OpenCV or SciPy: install the package python3-opencv or python3-scipy.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Pictures need OpenCV, which is missing or does not work here. Install the package python3-opencv (or opencv-python-headless), or open the picture inside FreeCAD.</source>
@@ -2245,10 +2245,6 @@
     <message>
         <source>Pressure: {0}</source>
         <translation>Pression : {0}</translation>
-    </message>
-    <message>
-        <source>Previews and labels need it; everything else works.</source>
-        <translation>Les aperçus et les inscriptions le demandent ; tout le reste marche.</translation>
     </message>
     <message>
         <source>Print at 100 % ("actual size"). The bar below must be 100 mm long.</source>
@@ -2423,6 +2419,30 @@
         <translation>Longueur de couture : {0}</translation>
     </message>
     <message>
+        <source>Seam {0} is along a panel {1}, but there are {2}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seam {0} is along vertices that panel {1} does not have.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seam {0} joins the outside of the film to its inside, as in a Moebius strip. Turn one of its sides round.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seam {0} joins {1} vertices to {2}. Divide both sides into equally many parts.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seam {0} leaves the boundary of panel {1}. Give its vertices in a row along it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seams {0} and {1} hold the same piece of the boundary of panel {2}. Seal each piece once.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Second panel, mirrored</source>
         <translation>Second panneau, en miroir</translation>
     </message>
@@ -2465,10 +2485,6 @@
     <message>
         <source>Shown side</source>
         <translation>Face montrée</translation>
-    </message>
-    <message>
-        <source>Side</source>
-        <translation>Face</translation>
     </message>
     <message>
         <source>Silhouette Studio (vinyl cutter)</source>
@@ -2701,10 +2717,6 @@
     <message>
         <source>The altitude {0} m is out of range: give one up to 11000 m.</source>
         <translation>L'altitude {0} m est hors limites : donnez au plus 11000 m.</translation>
-    </message>
-    <message>
-        <source>The assembly sheet needs matplotlib: install it with pip install matplotlib.</source>
-        <translation>La fiche de montage demande matplotlib : installez-le par pip install matplotlib.</translation>
     </message>
     <message>
         <source>The balloon is nowhere {0} wide behind its intake: choose another intake angle or a narrower intake, else air enters slowly.</source>
@@ -3059,6 +3071,10 @@
         <translation>La peinture ne peut pas être écrite dans « {} » : le disque est-il plein ?</translation>
     </message>
     <message>
+        <source>The panels are sealed to {0} bodies. Inflate each by itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The part round {0} has no rim for an intake: leave a gap in the welds round it.</source>
         <translation>La partie autour de {0} n'a pas de bord pour un embout : laissez un passage dans les soudures qui l'entourent.</translation>
     </message>
@@ -3093,10 +3109,6 @@
     <message>
         <source>The picture has no plain background around the shape. Use one with a background of one colour or a transparent one.</source>
         <translation>L'image n'a pas de fond uni autour de la forme. Prenez-en une à fond d'une seule couleur ou transparent.</translation>
-    </message>
-    <message>
-        <source>The picture is damaged. Save it as PNG, JPEG or BMP once more.</source>
-        <translation>L'image est abîmée. Enregistrez-la à nouveau en PNG, JPEG ou BMP.</translation>
     </message>
     <message>
         <source>The picture is empty: all of it is transparent. Choose a picture that shows a shape.</source>
@@ -3153,6 +3165,10 @@
     <message>
         <source>The shape touches the {0} border of the picture; if it was cut off there, leave more margin.</source>
         <translation>La forme touche le bord de l'image ({0}) ; si elle y a été coupée, laissez plus de marge.</translation>
+    </message>
+    <message>
+        <source>The sides of seam {0} are {1} and {2} long. Make them equally long.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The simulation cannot take its first step. Check the outline for degenerate parts.</source>
@@ -3213,6 +3229,10 @@
     <message>
         <source>The valve reaches {0} into the balloon, past the weld at {1}: put the intake where the balloon is longer, or take another one.</source>
         <translation>La valve entre de {0} dans le ballon, au-delà de la soudure en {1} : placez l'embout où le ballon est plus long, ou prenez-en un autre.</translation>
+    </message>
+    <message>
+        <source>The vertices along both sides of seam {0} are up to {1} apart. Put them at equal lengths along it.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The volume must be positive, not {0}.</source>
@@ -3279,10 +3299,6 @@
         <translation>Il n'y a pas de « {0} » à réparer dans {1} : voyez ses conseils.</translation>
     </message>
     <message>
-        <source>There is no backend "{0}": choose {1}, or leave it out.</source>
-        <translation>Il n'y a pas de moteur de calcul « {0} » : choisissez {1}, ou omettez-le.</translation>
-    </message>
-    <message>
         <source>There is no file '{0}'. Check the name and the folder.</source>
         <translation>Il n'y a pas de fichier « {0} ». Vérifiez le nom et le dossier.</translation>
     </message>
@@ -3333,6 +3349,10 @@
     <message>
         <source>There is no outline at {0} degrees from the centre: choose another intake angle.</source>
         <translation>Il n'y a pas de contour à {0} degrés du centre : choisissez un autre angle d'embout.</translation>
+    </message>
+    <message>
+        <source>There is no panel. Give at least one.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>There is no paper "{0}" for the assembly sheet: choose A4 or Letter.</source>
@@ -3471,8 +3491,8 @@
         <translation>Papier calque, 92 g/m²</translation>
     </message>
     <message>
-        <source>Tracing {0}</source>
-        <translation>Tracé de {0}</translation>
+        <source>Triangle {0} of panel {1} {2}. Mesh the panel anew.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Try temperature and time on two scraps: the weld must stretch or tear before it opens.</source>
@@ -3687,8 +3707,8 @@
         <translation>Écrire du DXF demande ezdxf : installez-le par pip install ezdxf, ou prenez le fichier SVG.</translation>
     </message>
     <message>
-        <source>Writing PDF needs reportlab: install it with pip install reportlab, or use the SVG file.</source>
-        <translation>Écrire du PDF demande reportlab : installez-le par pip install reportlab, ou prenez le fichier SVG.</translation>
+        <source>Writing PDF needs matplotlib: install it with pip install matplotlib, or use the SVG file.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Writing {0}</source>
@@ -3849,6 +3869,10 @@
     <message>
         <source>glued seam inside</source>
         <translation>couture collée intérieure</translation>
+    </message>
+    <message>
+        <source>has no area</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>height</source>
@@ -4293,6 +4317,10 @@
     <message>
         <source>{0} is neither VTU, NPZ nor STL: let the name end in .vtu, .npz or .stl.</source>
         <translation>{0} n'est ni VTU, ni NPZ, ni STL : terminez le nom par .vtu, .npz ou .stl.</translation>
+    </message>
+    <message>
+        <source>{0} is no value that a result can be kept for</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} is not a coordinate</source>

@@ -827,6 +827,10 @@
         <translation>{0} x {1} の部品は {2}{3} のフィルムに収まりません。幅 {4} 以上のフィルムを使うか、流れ方向を変えてください。</translation>
     </message>
     <message>
+        <source>A seam closes an edge of a triangle to a point. Check which runs it joins.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>A sketch with dimensions: change a cell of the spreadsheet, and all follows</source>
         <translation>寸法付きのスケッチ：表のセルを変えると全体が追従します</translation>
     </message>
@@ -955,14 +959,6 @@
         <translation>絵柄</translation>
     </message>
     <message>
-        <source>Artwork as PDF needs Pillow: install it with pip install pillow, or use the PNG files.</source>
-        <translation>絵柄の PDF 出力には Pillow が必要です。pip install pillow で入れるか、PNG ファイルを使ってください。</translation>
-    </message>
-    <message>
-        <source>Artwork needs OpenCV or SciPy: install the package python3-opencv or python3-scipy.</source>
-        <translation>絵柄には OpenCV か SciPy が必要です。python3-opencv か python3-scipy を入れてください。</translation>
-    </message>
-    <message>
         <source>Assembly sheet</source>
         <translation>組み立て図</translation>
     </message>
@@ -981,10 +977,6 @@
     <message>
         <source>Back</source>
         <translation>裏</translation>
-    </message>
-    <message>
-        <source>Backend</source>
-        <translation>計算エンジン</translation>
     </message>
     <message>
         <source>Balloon</source>
@@ -1623,10 +1615,6 @@
         <translation>風船の内側の線に沿って 2 枚を接合します。</translation>
     </message>
     <message>
-        <source>Joining</source>
-        <translation>接合方法</translation>
-    </message>
-    <message>
         <source>Keep the proportions</source>
         <translation>縦横比を保つ</translation>
     </message>
@@ -1653,10 +1641,6 @@
     <message>
         <source>Largest strain</source>
         <translation>最大ひずみ</translation>
-    </message>
-    <message>
-        <source>Laser</source>
-        <translation>レーザー</translation>
     </message>
     <message>
         <source>Lay a picture under the paper for tracing; press again to take it away</source>
@@ -1747,10 +1731,6 @@
         <translation>ライブ</translation>
     </message>
     <message>
-        <source>Load</source>
-        <translation>荷重</translation>
-    </message>
-    <message>
         <source>Look for the closest layout; Esc takes the best one so far</source>
         <translation>最も詰まった並べ方を探す（Esc でそれまでの最良を採用）</translation>
     </message>
@@ -1817,10 +1797,6 @@
     <message>
         <source>Mesh size (0: automatic)</source>
         <translation>メッシュの大きさ（0：自動）</translation>
-    </message>
-    <message>
-        <source>Meshing needs pythoncdt or scipy: install one of them with pip.</source>
-        <translation>メッシュ作成には pythoncdt か scipy が必要です。どちらかを pip で入れてください。</translation>
     </message>
     <message>
         <source>Meshing needs scipy: install it with pip install scipy.</source>
@@ -2039,6 +2015,10 @@
         <translation>溶着線の中心だけです。閉じた線は始点を少し越えて重なり、継ぎ目の漏れを防ぎます。</translation>
     </message>
     <message>
+        <source>Only two equal panels are blown up in time. Use another solver for this balloon.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Only {0} of film stay between two cuts near {1}; {2} wants {3}. It may tear or melt there.</source>
         <translation>{1} 付近で 2 本の切り線の間が {0} しかありません。{2} には {3} 必要です。破れたり溶けたりするおそれがあります。</translation>
     </message>
@@ -2067,8 +2047,8 @@
         <translation>輪郭 {}、穴：{} 個</translation>
     </message>
     <message>
-        <source>PDF files need it; DXF, SVG and HPGL can be written.</source>
-        <translation>PDF ファイルに必要です。DXF、SVG、HPGL は書き出せます。</translation>
+        <source>PDF files, previews and labels need it; DXF, SVG and HPGL can be written.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Pa, its own range</source>
@@ -2101,6 +2081,22 @@
     <message>
         <source>Painted fish</source>
         <translation>描いた魚</translation>
+    </message>
+    <message>
+        <source>Panel {0} has a triangle with a vertex that is not there. Mesh it anew.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Panel {0} has a vertex without triangles. Mesh it anew.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Panel {0} has an edge with more than two triangles. Mesh it anew.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Panel {0} is open between its vertices {1} and {2}: {3} edges of its boundary are in no seam. Seal them to others.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Panels are laid on the film in rows instead of closely; nothing else changes.</source>
@@ -2167,8 +2163,12 @@
         <translation>画像</translation>
     </message>
     <message>
-        <source>Pictures are read by Qt and traced with SciPy or NumPy instead, a little slower.</source>
-        <translation>代わりに Qt で画像を読み、SciPy か NumPy でなぞります。少し遅くなります。</translation>
+        <source>Pictures are read by Qt and traced with SciPy instead, a little slower.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pictures need OpenCV or SciPy: install the package python3-opencv or python3-scipy.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Pictures need OpenCV, which is missing or does not work here. Install the package python3-opencv (or opencv-python-headless), or open the picture inside FreeCAD.</source>
@@ -2245,10 +2245,6 @@
     <message>
         <source>Pressure: {0}</source>
         <translation>圧力：{0}</translation>
-    </message>
-    <message>
-        <source>Previews and labels need it; everything else works.</source>
-        <translation>プレビューと文字に必要です。ほかはすべて使えます。</translation>
     </message>
     <message>
         <source>Print at 100 % ("actual size"). The bar below must be 100 mm long.</source>
@@ -2423,6 +2419,30 @@
         <translation>継ぎ目の長さ：{0}</translation>
     </message>
     <message>
+        <source>Seam {0} is along a panel {1}, but there are {2}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seam {0} is along vertices that panel {1} does not have.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seam {0} joins the outside of the film to its inside, as in a Moebius strip. Turn one of its sides round.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seam {0} joins {1} vertices to {2}. Divide both sides into equally many parts.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seam {0} leaves the boundary of panel {1}. Give its vertices in a row along it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seams {0} and {1} hold the same piece of the boundary of panel {2}. Seal each piece once.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Second panel, mirrored</source>
         <translation>2 枚目（反転）</translation>
     </message>
@@ -2465,10 +2485,6 @@
     <message>
         <source>Shown side</source>
         <translation>表示する面</translation>
-    </message>
-    <message>
-        <source>Side</source>
-        <translation>面</translation>
     </message>
     <message>
         <source>Silhouette Studio (vinyl cutter)</source>
@@ -2701,10 +2717,6 @@
     <message>
         <source>The altitude {0} m is out of range: give one up to 11000 m.</source>
         <translation>高度 {0} m は範囲外です。11000 m までにしてください。</translation>
-    </message>
-    <message>
-        <source>The assembly sheet needs matplotlib: install it with pip install matplotlib.</source>
-        <translation>組み立て図には matplotlib が必要です。pip install matplotlib で入れてください。</translation>
     </message>
     <message>
         <source>The balloon is nowhere {0} wide behind its intake: choose another intake angle or a narrower intake, else air enters slowly.</source>
@@ -3059,6 +3071,10 @@
         <translation>絵を「{}」に書き込めません。ディスクがいっぱいではありませんか？</translation>
     </message>
     <message>
+        <source>The panels are sealed to {0} bodies. Inflate each by itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The part round {0} has no rim for an intake: leave a gap in the welds round it.</source>
         <translation>{0} のまわりの部分には注入口を付ける縁がありません。まわりの溶着線にすき間を残してください。</translation>
     </message>
@@ -3093,10 +3109,6 @@
     <message>
         <source>The picture has no plain background around the shape. Use one with a background of one colour or a transparent one.</source>
         <translation>形のまわりが無地ではありません。背景が一色か透明の画像を使ってください。</translation>
-    </message>
-    <message>
-        <source>The picture is damaged. Save it as PNG, JPEG or BMP once more.</source>
-        <translation>画像が壊れています。PNG、JPEG、BMP で保存し直してください。</translation>
     </message>
     <message>
         <source>The picture is empty: all of it is transparent. Choose a picture that shows a shape.</source>
@@ -3153,6 +3165,10 @@
     <message>
         <source>The shape touches the {0} border of the picture; if it was cut off there, leave more margin.</source>
         <translation>形が画像の{0}端に触れています。切れているなら余白を増やしてください。</translation>
+    </message>
+    <message>
+        <source>The sides of seam {0} are {1} and {2} long. Make them equally long.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The simulation cannot take its first step. Check the outline for degenerate parts.</source>
@@ -3213,6 +3229,10 @@
     <message>
         <source>The valve reaches {0} into the balloon, past the weld at {1}: put the intake where the balloon is longer, or take another one.</source>
         <translation>弁が風船の中へ {0} 入り、{1} で溶着線を越えます。風船がもっと長い所に注入口を付けるか、別の注入口にしてください。</translation>
+    </message>
+    <message>
+        <source>The vertices along both sides of seam {0} are up to {1} apart. Put them at equal lengths along it.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The volume must be positive, not {0}.</source>
@@ -3279,10 +3299,6 @@
         <translation>{1} には直すべき「{0}」がありません。助言を確かめてください。</translation>
     </message>
     <message>
-        <source>There is no backend "{0}": choose {1}, or leave it out.</source>
-        <translation>計算エンジン「{0}」はありません。{1} を選ぶか、省いてください。</translation>
-    </message>
-    <message>
         <source>There is no file '{0}'. Check the name and the folder.</source>
         <translation>ファイル「{0}」がありません。名前とフォルダーを確かめてください。</translation>
     </message>
@@ -3333,6 +3349,10 @@
     <message>
         <source>There is no outline at {0} degrees from the centre: choose another intake angle.</source>
         <translation>中心から {0} 度の方向に輪郭がありません。注入口の角度を変えてください。</translation>
+    </message>
+    <message>
+        <source>There is no panel. Give at least one.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>There is no paper "{0}" for the assembly sheet: choose A4 or Letter.</source>
@@ -3471,8 +3491,8 @@
         <translation>トレーシングペーパー、92 g/m²</translation>
     </message>
     <message>
-        <source>Tracing {0}</source>
-        <translation>{0} をなぞっています</translation>
+        <source>Triangle {0} of panel {1} {2}. Mesh the panel anew.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Try temperature and time on two scraps: the weld must stretch or tear before it opens.</source>
@@ -3687,8 +3707,8 @@
         <translation>DXF の書き出しには ezdxf が必要です。pip install ezdxf で入れるか、SVG を使ってください。</translation>
     </message>
     <message>
-        <source>Writing PDF needs reportlab: install it with pip install reportlab, or use the SVG file.</source>
-        <translation>PDF の書き出しには reportlab が必要です。pip install reportlab で入れるか、SVG を使ってください。</translation>
+        <source>Writing PDF needs matplotlib: install it with pip install matplotlib, or use the SVG file.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Writing {0}</source>
@@ -3849,6 +3869,10 @@
     <message>
         <source>glued seam inside</source>
         <translation>内側の接着の継ぎ目</translation>
+    </message>
+    <message>
+        <source>has no area</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>height</source>
@@ -4293,6 +4317,10 @@
     <message>
         <source>{0} is neither VTU, NPZ nor STL: let the name end in .vtu, .npz or .stl.</source>
         <translation>{0} は VTU、NPZ、STL のどれでもありません。名前の末尾を .vtu、.npz、.stl にしてください。</translation>
+    </message>
+    <message>
+        <source>{0} is no value that a result can be kept for</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} is not a coordinate</source>
