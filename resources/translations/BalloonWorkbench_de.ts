@@ -828,7 +828,7 @@
     </message>
     <message>
         <source>A seam closes an edge of a triangle to a point. Check which runs it joins.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Naht schließt die Kante eines Dreiecks zu einem Punkt. Prüfen, welche Strecken sie verbindet.</translation>
     </message>
     <message>
         <source>A sketch with dimensions: change a cell of the spreadsheet, and all follows</source>
@@ -2016,7 +2016,7 @@
     </message>
     <message>
         <source>Only two equal panels are blown up in time. Use another solver for this balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur zwei gleiche Bahnen werden im zeitlichen Verlauf aufgeblasen. Für diesen Ballon einen anderen Löser verwenden.</translation>
     </message>
     <message>
         <source>Only {0} of film stay between two cuts near {1}; {2} wants {3}. It may tear or melt there.</source>
@@ -2048,7 +2048,7 @@
     </message>
     <message>
         <source>PDF files, previews and labels need it; DXF, SVG and HPGL can be written.</source>
-        <translation type="unfinished"></translation>
+        <translation>PDF-Dateien, Vorschauen und Beschriftungen brauchen es; DXF, SVG und HPGL können geschrieben werden.</translation>
     </message>
     <message>
         <source>Pa, its own range</source>
@@ -2084,19 +2084,19 @@
     </message>
     <message>
         <source>Panel {0} has a triangle with a vertex that is not there. Mesh it anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bahn {0} hat ein Dreieck mit einer Ecke, die es nicht gibt. Neu vernetzen.</translation>
     </message>
     <message>
         <source>Panel {0} has a vertex without triangles. Mesh it anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bahn {0} hat eine Ecke ohne Dreiecke. Neu vernetzen.</translation>
     </message>
     <message>
         <source>Panel {0} has an edge with more than two triangles. Mesh it anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bahn {0} hat eine Kante mit mehr als zwei Dreiecken. Neu vernetzen.</translation>
     </message>
     <message>
         <source>Panel {0} is open between its vertices {1} and {2}: {3} edges of its boundary are in no seam. Seal them to others.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bahn {0} ist zwischen ihren Ecken {1} und {2} offen: {3} Kanten ihres Randes sind in keiner Naht. Mit anderen verschweißen.</translation>
     </message>
     <message>
         <source>Panels are laid on the film in rows instead of closely; nothing else changes.</source>
@@ -2164,11 +2164,11 @@
     </message>
     <message>
         <source>Pictures are read by Qt and traced with SciPy instead, a little slower.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilder werden stattdessen etwas langsamer von Qt gelesen und mit SciPy nachgezeichnet.</translation>
     </message>
     <message>
         <source>Pictures need OpenCV or SciPy: install the package python3-opencv or python3-scipy.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilder brauchen OpenCV oder SciPy: das Paket python3-opencv oder python3-scipy installieren.</translation>
     </message>
     <message>
         <source>Pictures need OpenCV, which is missing or does not work here. Install the package python3-opencv (or opencv-python-headless), or open the picture inside FreeCAD.</source>
@@ -2420,27 +2420,27 @@
     </message>
     <message>
         <source>Seam {0} is along a panel {1}, but there are {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Naht {0} liegt an einer Bahn {1}, aber es gibt {2}.</translation>
     </message>
     <message>
         <source>Seam {0} is along vertices that panel {1} does not have.</source>
-        <translation type="unfinished"></translation>
+        <translation>Naht {0} liegt an Ecken, die Bahn {1} nicht hat.</translation>
     </message>
     <message>
         <source>Seam {0} joins the outside of the film to its inside, as in a Moebius strip. Turn one of its sides round.</source>
-        <translation type="unfinished"></translation>
+        <translation>Naht {0} verbindet die Außenseite der Folie mit ihrer Innenseite wie bei einem Möbiusband. Eine ihrer Seiten umdrehen.</translation>
     </message>
     <message>
         <source>Seam {0} joins {1} vertices to {2}. Divide both sides into equally many parts.</source>
-        <translation type="unfinished"></translation>
+        <translation>Naht {0} verbindet {1} Ecken mit {2}. Beide Seiten in gleich viele Teile teilen.</translation>
     </message>
     <message>
         <source>Seam {0} leaves the boundary of panel {1}. Give its vertices in a row along it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Naht {0} verlässt den Rand von Bahn {1}. Ihre Ecken der Reihe nach am Rand entlang angeben.</translation>
     </message>
     <message>
         <source>Seams {0} and {1} hold the same piece of the boundary of panel {2}. Seal each piece once.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Nähte {0} und {1} halten dasselbe Stück des Randes von Bahn {2}. Jedes Stück einmal verschweißen.</translation>
     </message>
     <message>
         <source>Second panel, mirrored</source>
@@ -3072,7 +3072,7 @@
     </message>
     <message>
         <source>The panels are sealed to {0} bodies. Inflate each by itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Bahnen sind zu {0} Körpern verschweißt. Jeden für sich aufblasen.</translation>
     </message>
     <message>
         <source>The part round {0} has no rim for an intake: leave a gap in the welds round it.</source>
@@ -3168,7 +3168,7 @@
     </message>
     <message>
         <source>The sides of seam {0} are {1} and {2} long. Make them equally long.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Seiten von Naht {0} sind {1} und {2} lang. Gleich lang machen.</translation>
     </message>
     <message>
         <source>The simulation cannot take its first step. Check the outline for degenerate parts.</source>
@@ -3232,7 +3232,7 @@
     </message>
     <message>
         <source>The vertices along both sides of seam {0} are up to {1} apart. Put them at equal lengths along it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Ecken auf beiden Seiten von Naht {0} liegen bis zu {1} auseinander. In gleichen Abständen an ihr anordnen.</translation>
     </message>
     <message>
         <source>The volume must be positive, not {0}.</source>
@@ -3352,7 +3352,7 @@
     </message>
     <message>
         <source>There is no panel. Give at least one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt keine Bahn. Mindestens eine angeben.</translation>
     </message>
     <message>
         <source>There is no paper "{0}" for the assembly sheet: choose A4 or Letter.</source>
@@ -3491,8 +3491,12 @@
         <translation>Transparentpapier, 92 g/m²</translation>
     </message>
     <message>
-        <source>Triangle {0} of panel {1} {2}. Mesh the panel anew.</source>
-        <translation type="unfinished"></translation>
+        <source>Triangle {0} of panel {1} has no area. Mesh the panel anew.</source>
+        <translation>Dreieck {0} von Bahn {1} hat keine Fläche. Die Bahn neu vernetzen.</translation>
+    </message>
+    <message>
+        <source>Triangle {0} of panel {1} runs clockwise. Mesh the panel anew.</source>
+        <translation>Dreieck {0} von Bahn {1} läuft im Uhrzeigersinn. Die Bahn neu vernetzen.</translation>
     </message>
     <message>
         <source>Try temperature and time on two scraps: the weld must stretch or tear before it opens.</source>
@@ -3708,7 +3712,7 @@
     </message>
     <message>
         <source>Writing PDF needs matplotlib: install it with pip install matplotlib, or use the SVG file.</source>
-        <translation type="unfinished"></translation>
+        <translation>PDF zu schreiben braucht matplotlib: mit pip install matplotlib installieren oder die SVG-Datei verwenden.</translation>
     </message>
     <message>
         <source>Writing {0}</source>
@@ -3869,10 +3873,6 @@
     <message>
         <source>glued seam inside</source>
         <translation>geklebte Naht innen</translation>
-    </message>
-    <message>
-        <source>has no area</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>height</source>
@@ -4317,10 +4317,6 @@
     <message>
         <source>{0} is neither VTU, NPZ nor STL: let the name end in .vtu, .npz or .stl.</source>
         <translation>{0} ist weder VTU noch NPZ noch STL: den Namen auf .vtu, .npz oder .stl enden lassen.</translation>
-    </message>
-    <message>
-        <source>{0} is no value that a result can be kept for</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} is not a coordinate</source>

@@ -828,7 +828,7 @@
     </message>
     <message>
         <source>A seam closes an edge of a triangle to a point. Check which runs it joins.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una costura cierra el borde de un triángulo en un punto. Compruebe qué tramos une.</translation>
     </message>
     <message>
         <source>A sketch with dimensions: change a cell of the spreadsheet, and all follows</source>
@@ -2016,7 +2016,7 @@
     </message>
     <message>
         <source>Only two equal panels are blown up in time. Use another solver for this balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>Solo dos paneles iguales se inflan en el tiempo. Use otro solucionador para este globo.</translation>
     </message>
     <message>
         <source>Only {0} of film stay between two cuts near {1}; {2} wants {3}. It may tear or melt there.</source>
@@ -2048,7 +2048,7 @@
     </message>
     <message>
         <source>PDF files, previews and labels need it; DXF, SVG and HPGL can be written.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los archivos PDF, las vistas previas y las etiquetas lo necesitan; DXF, SVG y HPGL se pueden escribir.</translation>
     </message>
     <message>
         <source>Pa, its own range</source>
@@ -2084,19 +2084,19 @@
     </message>
     <message>
         <source>Panel {0} has a triangle with a vertex that is not there. Mesh it anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>El panel {0} tiene un triángulo con un vértice que no existe. Vuelva a mallarlo.</translation>
     </message>
     <message>
         <source>Panel {0} has a vertex without triangles. Mesh it anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>El panel {0} tiene un vértice sin triángulos. Vuelva a mallarlo.</translation>
     </message>
     <message>
         <source>Panel {0} has an edge with more than two triangles. Mesh it anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>El panel {0} tiene un borde con más de dos triángulos. Vuelva a mallarlo.</translation>
     </message>
     <message>
         <source>Panel {0} is open between its vertices {1} and {2}: {3} edges of its boundary are in no seam. Seal them to others.</source>
-        <translation type="unfinished"></translation>
+        <translation>El panel {0} está abierto entre sus vértices {1} y {2}: {3} bordes de su contorno no están en ninguna costura. Séllelos con otros.</translation>
     </message>
     <message>
         <source>Panels are laid on the film in rows instead of closely; nothing else changes.</source>
@@ -2164,11 +2164,11 @@
     </message>
     <message>
         <source>Pictures are read by Qt and traced with SciPy instead, a little slower.</source>
-        <translation type="unfinished"></translation>
+        <translation>Las imágenes se leen con Qt y se trazan con SciPy en su lugar, algo más despacio.</translation>
     </message>
     <message>
         <source>Pictures need OpenCV or SciPy: install the package python3-opencv or python3-scipy.</source>
-        <translation type="unfinished"></translation>
+        <translation>Las imágenes necesitan OpenCV o SciPy: instale el paquete python3-opencv o python3-scipy.</translation>
     </message>
     <message>
         <source>Pictures need OpenCV, which is missing or does not work here. Install the package python3-opencv (or opencv-python-headless), or open the picture inside FreeCAD.</source>
@@ -2420,27 +2420,27 @@
     </message>
     <message>
         <source>Seam {0} is along a panel {1}, but there are {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>La costura {0} recorre un panel {1}, pero hay {2}.</translation>
     </message>
     <message>
         <source>Seam {0} is along vertices that panel {1} does not have.</source>
-        <translation type="unfinished"></translation>
+        <translation>La costura {0} recorre vértices que el panel {1} no tiene.</translation>
     </message>
     <message>
         <source>Seam {0} joins the outside of the film to its inside, as in a Moebius strip. Turn one of its sides round.</source>
-        <translation type="unfinished"></translation>
+        <translation>La costura {0} une el exterior de la película con su interior, como en una cinta de Möbius. Dé la vuelta a uno de sus lados.</translation>
     </message>
     <message>
         <source>Seam {0} joins {1} vertices to {2}. Divide both sides into equally many parts.</source>
-        <translation type="unfinished"></translation>
+        <translation>La costura {0} une {1} vértices con {2}. Divida ambos lados en igual número de partes.</translation>
     </message>
     <message>
         <source>Seam {0} leaves the boundary of panel {1}. Give its vertices in a row along it.</source>
-        <translation type="unfinished"></translation>
+        <translation>La costura {0} se sale del contorno del panel {1}. Dé sus vértices seguidos a lo largo de él.</translation>
     </message>
     <message>
         <source>Seams {0} and {1} hold the same piece of the boundary of panel {2}. Seal each piece once.</source>
-        <translation type="unfinished"></translation>
+        <translation>Las costuras {0} y {1} toman el mismo trozo del contorno del panel {2}. Selle cada trozo una vez.</translation>
     </message>
     <message>
         <source>Second panel, mirrored</source>
@@ -3072,7 +3072,7 @@
     </message>
     <message>
         <source>The panels are sealed to {0} bodies. Inflate each by itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los paneles forman {0} cuerpos. Infle cada uno por separado.</translation>
     </message>
     <message>
         <source>The part round {0} has no rim for an intake: leave a gap in the welds round it.</source>
@@ -3168,7 +3168,7 @@
     </message>
     <message>
         <source>The sides of seam {0} are {1} and {2} long. Make them equally long.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los lados de la costura {0} miden {1} y {2}. Iguale sus longitudes.</translation>
     </message>
     <message>
         <source>The simulation cannot take its first step. Check the outline for degenerate parts.</source>
@@ -3232,7 +3232,7 @@
     </message>
     <message>
         <source>The vertices along both sides of seam {0} are up to {1} apart. Put them at equal lengths along it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Los vértices de ambos lados de la costura {0} distan hasta {1}. Colóquelos a longitudes iguales.</translation>
     </message>
     <message>
         <source>The volume must be positive, not {0}.</source>
@@ -3352,7 +3352,7 @@
     </message>
     <message>
         <source>There is no panel. Give at least one.</source>
-        <translation type="unfinished"></translation>
+        <translation>No hay ningún panel. Dé al menos uno.</translation>
     </message>
     <message>
         <source>There is no paper "{0}" for the assembly sheet: choose A4 or Letter.</source>
@@ -3491,8 +3491,12 @@
         <translation>Papel vegetal, 92 g/m²</translation>
     </message>
     <message>
-        <source>Triangle {0} of panel {1} {2}. Mesh the panel anew.</source>
-        <translation type="unfinished"></translation>
+        <source>Triangle {0} of panel {1} has no area. Mesh the panel anew.</source>
+        <translation>El triángulo {0} del panel {1} no tiene área. Vuelva a mallar el panel.</translation>
+    </message>
+    <message>
+        <source>Triangle {0} of panel {1} runs clockwise. Mesh the panel anew.</source>
+        <translation>El triángulo {0} del panel {1} gira en sentido horario. Vuelva a mallar el panel.</translation>
     </message>
     <message>
         <source>Try temperature and time on two scraps: the weld must stretch or tear before it opens.</source>
@@ -3708,7 +3712,7 @@
     </message>
     <message>
         <source>Writing PDF needs matplotlib: install it with pip install matplotlib, or use the SVG file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Escribir PDF necesita matplotlib: instálelo con pip install matplotlib, o use el archivo SVG.</translation>
     </message>
     <message>
         <source>Writing {0}</source>
@@ -3869,10 +3873,6 @@
     <message>
         <source>glued seam inside</source>
         <translation>costura pegada interior</translation>
-    </message>
-    <message>
-        <source>has no area</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>height</source>
@@ -4317,10 +4317,6 @@
     <message>
         <source>{0} is neither VTU, NPZ nor STL: let the name end in .vtu, .npz or .stl.</source>
         <translation>{0} no es VTU, NPZ ni STL: haga que el nombre acabe en .vtu, .npz o .stl.</translation>
-    </message>
-    <message>
-        <source>{0} is no value that a result can be kept for</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} is not a coordinate</source>

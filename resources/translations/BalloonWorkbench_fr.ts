@@ -828,7 +828,7 @@
     </message>
     <message>
         <source>A seam closes an edge of a triangle to a point. Check which runs it joins.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une soudure ferme l'arête d'un triangle en un point. Vérifiez quels bords elle joint.</translation>
     </message>
     <message>
         <source>A sketch with dimensions: change a cell of the spreadsheet, and all follows</source>
@@ -2016,7 +2016,7 @@
     </message>
     <message>
         <source>Only two equal panels are blown up in time. Use another solver for this balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seuls deux panneaux égaux sont gonflés dans le temps. Prenez un autre solveur pour ce ballon.</translation>
     </message>
     <message>
         <source>Only {0} of film stay between two cuts near {1}; {2} wants {3}. It may tear or melt there.</source>
@@ -2048,7 +2048,7 @@
     </message>
     <message>
         <source>PDF files, previews and labels need it; DXF, SVG and HPGL can be written.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les fichiers PDF, les aperçus et les étiquettes en ont besoin ; DXF, SVG et HPGL peuvent être écrits.</translation>
     </message>
     <message>
         <source>Pa, its own range</source>
@@ -2084,19 +2084,19 @@
     </message>
     <message>
         <source>Panel {0} has a triangle with a vertex that is not there. Mesh it anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le panneau {0} a un triangle avec un sommet qui n'existe pas. Maillez-le de nouveau.</translation>
     </message>
     <message>
         <source>Panel {0} has a vertex without triangles. Mesh it anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le panneau {0} a un sommet sans triangles. Maillez-le de nouveau.</translation>
     </message>
     <message>
         <source>Panel {0} has an edge with more than two triangles. Mesh it anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le panneau {0} a une arête avec plus de deux triangles. Maillez-le de nouveau.</translation>
     </message>
     <message>
         <source>Panel {0} is open between its vertices {1} and {2}: {3} edges of its boundary are in no seam. Seal them to others.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le panneau {0} est ouvert entre ses sommets {1} et {2} : {3} arêtes de son bord ne sont dans aucune soudure. Soudez-les à d'autres.</translation>
     </message>
     <message>
         <source>Panels are laid on the film in rows instead of closely; nothing else changes.</source>
@@ -2164,11 +2164,11 @@
     </message>
     <message>
         <source>Pictures are read by Qt and traced with SciPy instead, a little slower.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les images sont lues par Qt et vectorisées avec SciPy à la place, un peu plus lentement.</translation>
     </message>
     <message>
         <source>Pictures need OpenCV or SciPy: install the package python3-opencv or python3-scipy.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les images ont besoin d'OpenCV ou de SciPy : installez le paquet python3-opencv ou python3-scipy.</translation>
     </message>
     <message>
         <source>Pictures need OpenCV, which is missing or does not work here. Install the package python3-opencv (or opencv-python-headless), or open the picture inside FreeCAD.</source>
@@ -2420,27 +2420,27 @@
     </message>
     <message>
         <source>Seam {0} is along a panel {1}, but there are {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>La soudure {0} longe un panneau {1}, mais il y en a {2}.</translation>
     </message>
     <message>
         <source>Seam {0} is along vertices that panel {1} does not have.</source>
-        <translation type="unfinished"></translation>
+        <translation>La soudure {0} longe des sommets que le panneau {1} n'a pas.</translation>
     </message>
     <message>
         <source>Seam {0} joins the outside of the film to its inside, as in a Moebius strip. Turn one of its sides round.</source>
-        <translation type="unfinished"></translation>
+        <translation>La soudure {0} joint l'extérieur du film à son intérieur, comme dans un ruban de Möbius. Retournez l'un de ses côtés.</translation>
     </message>
     <message>
         <source>Seam {0} joins {1} vertices to {2}. Divide both sides into equally many parts.</source>
-        <translation type="unfinished"></translation>
+        <translation>La soudure {0} joint {1} sommets à {2}. Divisez les deux côtés en autant de parties.</translation>
     </message>
     <message>
         <source>Seam {0} leaves the boundary of panel {1}. Give its vertices in a row along it.</source>
-        <translation type="unfinished"></translation>
+        <translation>La soudure {0} quitte le bord du panneau {1}. Donnez ses sommets à la suite le long du bord.</translation>
     </message>
     <message>
         <source>Seams {0} and {1} hold the same piece of the boundary of panel {2}. Seal each piece once.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les soudures {0} et {1} tiennent le même morceau du bord du panneau {2}. Soudez chaque morceau une fois.</translation>
     </message>
     <message>
         <source>Second panel, mirrored</source>
@@ -3072,7 +3072,7 @@
     </message>
     <message>
         <source>The panels are sealed to {0} bodies. Inflate each by itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les panneaux forment {0} corps. Gonflez chacun séparément.</translation>
     </message>
     <message>
         <source>The part round {0} has no rim for an intake: leave a gap in the welds round it.</source>
@@ -3168,7 +3168,7 @@
     </message>
     <message>
         <source>The sides of seam {0} are {1} and {2} long. Make them equally long.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les côtés de la soudure {0} mesurent {1} et {2}. Donnez-leur la même longueur.</translation>
     </message>
     <message>
         <source>The simulation cannot take its first step. Check the outline for degenerate parts.</source>
@@ -3232,7 +3232,7 @@
     </message>
     <message>
         <source>The vertices along both sides of seam {0} are up to {1} apart. Put them at equal lengths along it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les sommets des deux côtés de la soudure {0} sont écartés de {1} au plus. Placez-les à des longueurs égales.</translation>
     </message>
     <message>
         <source>The volume must be positive, not {0}.</source>
@@ -3352,7 +3352,7 @@
     </message>
     <message>
         <source>There is no panel. Give at least one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il n'y a aucun panneau. Donnez-en au moins un.</translation>
     </message>
     <message>
         <source>There is no paper "{0}" for the assembly sheet: choose A4 or Letter.</source>
@@ -3491,8 +3491,12 @@
         <translation>Papier calque, 92 g/m²</translation>
     </message>
     <message>
-        <source>Triangle {0} of panel {1} {2}. Mesh the panel anew.</source>
-        <translation type="unfinished"></translation>
+        <source>Triangle {0} of panel {1} has no area. Mesh the panel anew.</source>
+        <translation>Le triangle {0} du panneau {1} n'a pas d'aire. Maillez le panneau de nouveau.</translation>
+    </message>
+    <message>
+        <source>Triangle {0} of panel {1} runs clockwise. Mesh the panel anew.</source>
+        <translation>Le triangle {0} du panneau {1} tourne dans le sens horaire. Maillez le panneau de nouveau.</translation>
     </message>
     <message>
         <source>Try temperature and time on two scraps: the weld must stretch or tear before it opens.</source>
@@ -3708,7 +3712,7 @@
     </message>
     <message>
         <source>Writing PDF needs matplotlib: install it with pip install matplotlib, or use the SVG file.</source>
-        <translation type="unfinished"></translation>
+        <translation>L'écriture de PDF a besoin de matplotlib : installez-le avec pip install matplotlib, ou prenez le fichier SVG.</translation>
     </message>
     <message>
         <source>Writing {0}</source>
@@ -3869,10 +3873,6 @@
     <message>
         <source>glued seam inside</source>
         <translation>couture collée intérieure</translation>
-    </message>
-    <message>
-        <source>has no area</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>height</source>
@@ -4317,10 +4317,6 @@
     <message>
         <source>{0} is neither VTU, NPZ nor STL: let the name end in .vtu, .npz or .stl.</source>
         <translation>{0} n'est ni VTU, ni NPZ, ni STL : terminez le nom par .vtu, .npz ou .stl.</translation>
-    </message>
-    <message>
-        <source>{0} is no value that a result can be kept for</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} is not a coordinate</source>

@@ -828,7 +828,7 @@
     </message>
     <message>
         <source>A seam closes an edge of a triangle to a point. Check which runs it joins.</source>
-        <translation type="unfinished"></translation>
+        <translation>継ぎ目が三角形の辺を一点に閉じています。どの区間をつなぐのかを確認してください。</translation>
     </message>
     <message>
         <source>A sketch with dimensions: change a cell of the spreadsheet, and all follows</source>
@@ -2016,7 +2016,7 @@
     </message>
     <message>
         <source>Only two equal panels are blown up in time. Use another solver for this balloon.</source>
-        <translation type="unfinished"></translation>
+        <translation>時間を追ってふくらませるのは同じ2枚のパネルだけです。この風船には別のソルバーを使ってください。</translation>
     </message>
     <message>
         <source>Only {0} of film stay between two cuts near {1}; {2} wants {3}. It may tear or melt there.</source>
@@ -2048,7 +2048,7 @@
     </message>
     <message>
         <source>PDF files, previews and labels need it; DXF, SVG and HPGL can be written.</source>
-        <translation type="unfinished"></translation>
+        <translation>PDFファイル、プレビュー、ラベルに必要です。DXF、SVG、HPGLは書き出せます。</translation>
     </message>
     <message>
         <source>Pa, its own range</source>
@@ -2084,19 +2084,19 @@
     </message>
     <message>
         <source>Panel {0} has a triangle with a vertex that is not there. Mesh it anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>パネル{0}に存在しない頂点をもつ三角形があります。メッシュを作り直してください。</translation>
     </message>
     <message>
         <source>Panel {0} has a vertex without triangles. Mesh it anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>パネル{0}に三角形のない頂点があります。メッシュを作り直してください。</translation>
     </message>
     <message>
         <source>Panel {0} has an edge with more than two triangles. Mesh it anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>パネル{0}に3つ以上の三角形をもつ辺があります。メッシュを作り直してください。</translation>
     </message>
     <message>
         <source>Panel {0} is open between its vertices {1} and {2}: {3} edges of its boundary are in no seam. Seal them to others.</source>
-        <translation type="unfinished"></translation>
+        <translation>パネル{0}は頂点{1}と{2}の間が開いています。縁の{3}辺がどの継ぎ目にも入っていません。ほかの縁と接合してください。</translation>
     </message>
     <message>
         <source>Panels are laid on the film in rows instead of closely; nothing else changes.</source>
@@ -2164,11 +2164,11 @@
     </message>
     <message>
         <source>Pictures are read by Qt and traced with SciPy instead, a little slower.</source>
-        <translation type="unfinished"></translation>
+        <translation>画像は代わりにQtで読み込み、SciPyでトレースします。少し遅くなります。</translation>
     </message>
     <message>
         <source>Pictures need OpenCV or SciPy: install the package python3-opencv or python3-scipy.</source>
-        <translation type="unfinished"></translation>
+        <translation>画像にはOpenCVまたはSciPyが必要です。パッケージpython3-opencvまたはpython3-scipyをインストールしてください。</translation>
     </message>
     <message>
         <source>Pictures need OpenCV, which is missing or does not work here. Install the package python3-opencv (or opencv-python-headless), or open the picture inside FreeCAD.</source>
@@ -2420,27 +2420,27 @@
     </message>
     <message>
         <source>Seam {0} is along a panel {1}, but there are {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>継ぎ目{0}はパネル{1}に沿っていますが、パネルは{2}枚です。</translation>
     </message>
     <message>
         <source>Seam {0} is along vertices that panel {1} does not have.</source>
-        <translation type="unfinished"></translation>
+        <translation>継ぎ目{0}はパネル{1}にない頂点に沿っています。</translation>
     </message>
     <message>
         <source>Seam {0} joins the outside of the film to its inside, as in a Moebius strip. Turn one of its sides round.</source>
-        <translation type="unfinished"></translation>
+        <translation>継ぎ目{0}はメビウスの帯のようにフィルムの表と裏をつないでいます。片側の向きを逆にしてください。</translation>
     </message>
     <message>
         <source>Seam {0} joins {1} vertices to {2}. Divide both sides into equally many parts.</source>
-        <translation type="unfinished"></translation>
+        <translation>継ぎ目{0}は{1}個の頂点を{2}個とつないでいます。両側を同じ数に分けてください。</translation>
     </message>
     <message>
         <source>Seam {0} leaves the boundary of panel {1}. Give its vertices in a row along it.</source>
-        <translation type="unfinished"></translation>
+        <translation>継ぎ目{0}がパネル{1}の縁から外れています。縁に沿って順に頂点を指定してください。</translation>
     </message>
     <message>
         <source>Seams {0} and {1} hold the same piece of the boundary of panel {2}. Seal each piece once.</source>
-        <translation type="unfinished"></translation>
+        <translation>継ぎ目{0}と{1}がパネル{2}の縁の同じ部分を使っています。各部分は一度だけ接合してください。</translation>
     </message>
     <message>
         <source>Second panel, mirrored</source>
@@ -3072,7 +3072,7 @@
     </message>
     <message>
         <source>The panels are sealed to {0} bodies. Inflate each by itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>パネルは{0}個の立体に接合されています。それぞれ別にふくらませてください。</translation>
     </message>
     <message>
         <source>The part round {0} has no rim for an intake: leave a gap in the welds round it.</source>
@@ -3168,7 +3168,7 @@
     </message>
     <message>
         <source>The sides of seam {0} are {1} and {2} long. Make them equally long.</source>
-        <translation type="unfinished"></translation>
+        <translation>継ぎ目{0}の両側の長さは{1}と{2}です。同じ長さにしてください。</translation>
     </message>
     <message>
         <source>The simulation cannot take its first step. Check the outline for degenerate parts.</source>
@@ -3232,7 +3232,7 @@
     </message>
     <message>
         <source>The vertices along both sides of seam {0} are up to {1} apart. Put them at equal lengths along it.</source>
-        <translation type="unfinished"></translation>
+        <translation>継ぎ目{0}の両側の頂点が最大{1}ずれています。同じ長さの位置に置いてください。</translation>
     </message>
     <message>
         <source>The volume must be positive, not {0}.</source>
@@ -3352,7 +3352,7 @@
     </message>
     <message>
         <source>There is no panel. Give at least one.</source>
-        <translation type="unfinished"></translation>
+        <translation>パネルがありません。少なくとも1枚指定してください。</translation>
     </message>
     <message>
         <source>There is no paper "{0}" for the assembly sheet: choose A4 or Letter.</source>
@@ -3491,8 +3491,12 @@
         <translation>トレーシングペーパー、92 g/m²</translation>
     </message>
     <message>
-        <source>Triangle {0} of panel {1} {2}. Mesh the panel anew.</source>
-        <translation type="unfinished"></translation>
+        <source>Triangle {0} of panel {1} has no area. Mesh the panel anew.</source>
+        <translation>パネル{1}の三角形{0}に面積がありません。パネルのメッシュを作り直してください。</translation>
+    </message>
+    <message>
+        <source>Triangle {0} of panel {1} runs clockwise. Mesh the panel anew.</source>
+        <translation>パネル{1}の三角形{0}が時計回りです。パネルのメッシュを作り直してください。</translation>
     </message>
     <message>
         <source>Try temperature and time on two scraps: the weld must stretch or tear before it opens.</source>
@@ -3708,7 +3712,7 @@
     </message>
     <message>
         <source>Writing PDF needs matplotlib: install it with pip install matplotlib, or use the SVG file.</source>
-        <translation type="unfinished"></translation>
+        <translation>PDFの書き出しにはmatplotlibが必要です。pip install matplotlibでインストールするか、SVGファイルを使ってください。</translation>
     </message>
     <message>
         <source>Writing {0}</source>
@@ -3869,10 +3873,6 @@
     <message>
         <source>glued seam inside</source>
         <translation>内側の接着の継ぎ目</translation>
-    </message>
-    <message>
-        <source>has no area</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>height</source>
@@ -4317,10 +4317,6 @@
     <message>
         <source>{0} is neither VTU, NPZ nor STL: let the name end in .vtu, .npz or .stl.</source>
         <translation>{0} は VTU、NPZ、STL のどれでもありません。名前の末尾を .vtu、.npz、.stl にしてください。</translation>
-    </message>
-    <message>
-        <source>{0} is no value that a result can be kept for</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} is not a coordinate</source>

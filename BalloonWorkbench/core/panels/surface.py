@@ -11,6 +11,7 @@ from itertools import pairwise
 import numpy as np
 
 from BalloonWorkbench.core.errors import AssemblyError
+from BalloonWorkbench.core.geometry.triangulation import signed_areas
 from BalloonWorkbench.core.panels.panel import Panel
 from BalloonWorkbench.core.panels.seam import Run, Seam
 from BalloonWorkbench.core.types import Bools, Floats, Ints
@@ -94,13 +95,12 @@ def _check_panel(panel: Panel, number: int, *, may_turn: bool) -> None:
         raise AssemblyError(f"Panel {number} has a triangle with a vertex that is not there. Mesh it anew.")
     if not len(corners) or not np.bincount(corners, minlength=count).all():
         raise AssemblyError(f"Panel {number} has a vertex without triangles. Mesh it anew.")
-    a, b, c = np.moveaxis(panel.rest_positions[panel.triangles], 1, 0)
-    area = 0.5 * ((b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0])
-    least = 1e-12 * panel.size**2
+    area, least = signed_areas(panel.rest_positions, panel.triangles), 1e-12 * panel.size**2
     bad = np.flatnonzero(~(np.abs(area) > 0.0) if may_turn else ~(area > least))
+    if len(bad) and area[bad[0]] < -least:
+        raise AssemblyError(f"Triangle {bad[0] + 1} of panel {number} runs clockwise. Mesh the panel anew.")
     if len(bad):
-        what = "runs clockwise" if area[bad[0]] < -least else "has no area"
-        raise AssemblyError(f"Triangle {bad[0] + 1} of panel {number} {what}. Mesh the panel anew.")
+        raise AssemblyError(f"Triangle {bad[0] + 1} of panel {number} has no area. Mesh the panel anew.")
 
 
 def _check_sides(panels: Sequence[Panel], seam: Seam, number: int) -> None:
