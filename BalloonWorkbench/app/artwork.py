@@ -198,8 +198,8 @@ def _pictures(obj):
 
     InputError where there is nothing to print.
     """
+    from BalloonWorkbench.app.outline import DRAWN_AS
     from BalloonWorkbench.core.artwork.picture import covering, mirrored
-    from BalloonWorkbench.core.tracing.segment import DRAWN_AS
 
     low, size, drawing = _frame(obj.Pattern.Balloon)
     path = obj.Picture or drawing
@@ -222,8 +222,7 @@ def _frame(balloon):
     import numpy as np
 
     from BalloonWorkbench.app.engine import film_result
-    from BalloonWorkbench.app.outline import SYMMETRY
-    from BalloonWorkbench.core.tracing.segment import DRAWN_AS
+    from BalloonWorkbench.app.outline import DRAWN_AS, SYMMETRY
 
     shown, first = film_result.drawing(balloon), leader(balloon.Outline)
     if first.Source or first.Kind != "picture":

@@ -18,7 +18,7 @@ from matplotlib.textpath import TextPath
 
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.nesting import nest as nesting
-from BalloonWorkbench.core.nesting.layout import Piece, Stock
+from BalloonWorkbench.core.nesting.layout import GrainRule, Piece, Stock
 from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.pattern.intake.kinds import intake_kinds
@@ -26,7 +26,6 @@ from BalloonWorkbench.core.pattern.layout import on_one_sheet
 from BalloonWorkbench.core.pattern.make import make_pattern, sheet_of
 from BalloonWorkbench.core.pattern.pattern import Pattern
 from BalloonWorkbench.core.readers.read import read_drawing
-from BalloonWorkbench.core.solver.element.orthotropic import Grain
 from BalloonWorkbench.core.types import Floats
 
 PICTURES = Path(__file__).resolve().parents[2] / "resources" / "examples" / "pictures"
@@ -162,5 +161,5 @@ def laid_out(balloons: int = 1) -> Pattern:
     pieces = [Piece(ring, balloons, balloons), Piece(small, balloons, balloons), Piece(heart, balloons)]
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(nesting, "PACKAGE", "no_such_package")
-        (layout,), _ = nesting.nest(pieces, Stock(0.7, grain=Grain.ANY))
+        (layout,), _ = nesting.nest(pieces, Stock(0.7, grain=GrainRule.ANY))
     return layout.pattern(pieces)

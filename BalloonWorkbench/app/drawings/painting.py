@@ -17,14 +17,14 @@ from BalloonWorkbench.app.document.kinds import leader
 from BalloonWorkbench.app.document.parts import Parts, companions
 from BalloonWorkbench.app.drawings.drawing_file import file_of, is_painting, pixels_of, read_drawing
 from BalloonWorkbench.app.engine.solve import Request, describe
-from BalloonWorkbench.app.outline import set_drawing
+from BalloonWorkbench.app.outline import DRAWN_AS, set_drawing
 from BalloonWorkbench.core.checkpoint import checkpoint, stoppable
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.job import Settings
 from BalloonWorkbench.core.outline.chambers import linked
 from BalloonWorkbench.core.rounded import rounded
-from BalloonWorkbench.core.tracing.segment import AUTO, DRAWN_AS
+from BalloonWorkbench.core.tracing.segment import AUTO
 from BalloonWorkbench.core.types import Progress, no_progress
 
 _FITTING = 0.6  # of the work of `solve`

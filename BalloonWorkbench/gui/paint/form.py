@@ -7,8 +7,8 @@ import math
 
 import FreeCAD as App
 
+from BalloonWorkbench.app.outline import DRAWN_AS
 from BalloonWorkbench.app.properties.quantities import cubic_millimetres
-from BalloonWorkbench.core.tracing.segment import DRAWN_AS
 from BalloonWorkbench.core.units import number_text
 from BalloonWorkbench.gui.panels.widgets.fields import new_quantity_box
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, drawn_icon, translate

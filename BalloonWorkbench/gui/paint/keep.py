@@ -13,10 +13,9 @@ from BalloonWorkbench.app import balloon, pattern
 from BalloonWorkbench.app.document.parts import Parts, companions
 from BalloonWorkbench.app.drawings import painting as painted
 from BalloonWorkbench.app.group import name_group
-from BalloonWorkbench.app.outline import SYMMETRY
+from BalloonWorkbench.app.outline import DRAWN_AS, SYMMETRY
 from BalloonWorkbench.core.files.write import write_files
 from BalloonWorkbench.core.job import Settings
-from BalloonWorkbench.core.tracing.segment import DRAWN_AS
 from BalloonWorkbench.gui.paint.preview.painting_display import MODE
 from BalloonWorkbench.gui.qt import translate
 from BalloonWorkbench.gui.window import macro_recorder

@@ -8,8 +8,7 @@ import pytest
 
 from BalloonWorkbench.app.document import create
 from BalloonWorkbench.app.drawings.drawing_file import place_in_picture
-from BalloonWorkbench.app.outline import set_drawing
-from BalloonWorkbench.core.tracing.segment import DRAWN_AS
+from BalloonWorkbench.app.outline import DRAWN_AS, set_drawing
 
 sys.path.append(str(Path(__file__).parents[2] / "core"))
 import drawn_pictures as pictures

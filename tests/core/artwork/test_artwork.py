@@ -221,7 +221,7 @@ def test_files(heart: tuple, tmp_path: Path) -> None:
 
 def test_without_matplotlib_there_is_no_pdf(heart: tuple, monkeypatch: pytest.MonkeyPatch) -> None:
     *_, sheet, behind, _ = heart
-    monkeypatch.setitem(sys.modules, "matplotlib.backends.backend_pdf", None)
+    monkeypatch.setitem(sys.modules, "matplotlib.backends", None)
     files, (remark,) = artwork_files(sheet, behind)
     assert set(files) == {"artwork-front.png", "artwork-back.png"}
     assert "pip install matplotlib" in remark

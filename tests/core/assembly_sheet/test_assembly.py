@@ -14,8 +14,7 @@ from drawn_shapes import NAMED
 from inflated import designed
 from matplotlib.image import imread
 
-from BalloonWorkbench.core.advice.subject import Subject
-from BalloonWorkbench.core.assembly_sheet.page import PAGES, assembly_pdf
+from BalloonWorkbench.core.assembly_sheet.page import PAGES, SheetSubject, assembly_pdf
 from BalloonWorkbench.core.assembly_sheet.steps import steps
 from BalloonWorkbench.core.errors import ExportError
 from BalloonWorkbench.core.film.filling import Filling
@@ -30,12 +29,12 @@ POPPLER = pytest.mark.skipif(shutil.which("pdftotext") is None, reason="poppler-
 
 
 @cache
-def subject(shape: str = "heart", film_name: str = "nylon-foil", intake: str = "straw") -> Subject:
+def subject(shape: str = "heart", film_name: str = "nylon-foil", intake: str = "straw") -> SheetSubject:
     design, made_of = designed(NAMED[shape], 300), film(film_name)
     wanted = PatternOptions(intake=intake != "none", intake_kind="straw" if intake == "none" else intake)
     pattern = make_pattern(design.pattern, made_of.seal_width, wanted)
     numbers = maker_numbers(design.inflation, made_of, design.pattern, pattern, 0.3, Filling())
-    return Subject("Grandma's heart $1", made_of, design.inflation, pattern, numbers)
+    return SheetSubject("Grandma's heart $1", made_of, design.inflation, pattern, numbers)
 
 
 def told_by(program: str, *arguments: str | Path) -> str:

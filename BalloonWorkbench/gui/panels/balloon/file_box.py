@@ -7,8 +7,7 @@ import os
 
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.drawings.drawing_file import place_in_picture
-from BalloonWorkbench.app.outline import PROPERTIES, read_all, set_drawing
-from BalloonWorkbench.core.tracing.segment import DRAWN_AS
+from BalloonWorkbench.app.outline import DRAWN_AS, PROPERTIES, read_all, set_drawing
 from BalloonWorkbench.core.units import to_mm
 from BalloonWorkbench.gui.panels.widgets.drawing_preview import Preview, notes_of
 from BalloonWorkbench.gui.panels.widgets.fields import PropertyPage, ReturnKey

@@ -17,10 +17,9 @@ from BalloonWorkbench.core.film.library import films
 from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.mesh.triangulate import triangulate
 from BalloonWorkbench.core.panels.panel import Panel
-from BalloonWorkbench.core.results.film_state import State
 from BalloonWorkbench.core.solver.dynamics import motion
 from BalloonWorkbench.core.solver.dynamics.animation import Frame, inflate_in_time
-from BalloonWorkbench.core.solver.dynamics.newmark import Newmark, Scheme
+from BalloonWorkbench.core.solver.dynamics.newmark import MotionState, Newmark, Scheme
 from BalloonWorkbench.core.solver.element.kinematics import facet_volume
 from BalloonWorkbench.core.solver.element.shell import Shell, tangent_frames
 from BalloonWorkbench.core.solver.equilibrium import linear
@@ -43,7 +42,7 @@ def blown_disc() -> tuple[Inflation, tuple[Frame, ...]]:
     return inflate_in_time(drawn("disc", 250), MYLAR, 2000.0, frames=40)
 
 
-def moved(newmark: Newmark, state: State, duration: float, steps: int) -> list[State]:
+def moved(newmark: Newmark, state: MotionState, duration: float, steps: int) -> list[MotionState]:
     """The states of even steps, the first one included."""
     states = [state]
     for _ in range(steps):
@@ -237,7 +236,7 @@ def test_flat_film_flies_up_freely() -> None:
     problem = film_problem(square, film(20), PRESSURE)
     flat, directors = flat_state(square.rest_positions)
     newmark = Newmark(problem, Scheme(damping=2.0, tolerance=1e-8))
-    state: State | None = newmark.released(flat, directors, 0.0)
+    state: MotionState | None = newmark.released(flat, directors, 0.0)
     for step in range(1, 21):
         assert state is not None
         state = newmark.step(state, 0.015, 0.015 * step)
