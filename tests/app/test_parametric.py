@@ -146,7 +146,7 @@ def test_a_difference_in_the_last_digits_is_none(from_sketch):
     balloon.Pressure = 2.0
     assert before.settings.pressure != after.settings.pressure
     assert before.key() == after.key()
-    one, other = (wanted.solve() for wanted in (before, after))
+    one, other = (each.design() for each in (before, after))
     assert one.pattern.outer.tobytes() == other.pattern.outer.tobytes()
     assert one.inflation.positions.tobytes() == other.inflation.positions.tobytes()
     balloon.Document.recompute()
