@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Films: elasticity, thickness and weight of the sheet a balloon is made of."""
+"""Films and fillings: elasticity, thickness, weight, buoyancy. How film deforms: core/solver."""

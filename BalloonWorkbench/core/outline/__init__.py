@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Outlines: closed loops of what the user wants to see inflated."""
+"""Outlines: closed loops of what is to be seen inflated, valid and symmetric. Reading: tracing, readers."""
