@@ -14,6 +14,7 @@ from BalloonWorkbench import __version__
 from BalloonWorkbench.cli.console import UNSHOWN, complain, show
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.language.speech import language_named, short_names, users_language
+from BalloonWorkbench.core.machines.machine import machines
 from BalloonWorkbench.core.options.option import Kind, Option, options_of
 from BalloonWorkbench.core.options.table import options
 from BalloonWorkbench.core.units import (
@@ -170,7 +171,8 @@ def help_text(option: Option) -> str:
     """A line about an option on the command line, with what may be chosen and the default."""
     text = option.typed or option.text
     if option.kind is Kind.CHOICE and option.metavar:
-        text += f": {', '.join(option.titles)}"
+        known = machines() if option.name == "machine" else option.titles  # the user may have others
+        text += f": {', '.join(known)}"
     if isinstance(option.default, (bool, tuple)) or option.default in (None, ""):
         return text
     return f"{text} (default {_KINDS[option.kind][2](option.default).replace(' ', '')})"

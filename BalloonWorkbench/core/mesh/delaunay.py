@@ -6,6 +6,8 @@ from __future__ import annotations
 import numpy as np
 
 from BalloonWorkbench.core.errors import MeshError
+from BalloonWorkbench.core.geometry.polyline import bounds
+from BalloonWorkbench.core.geometry.triangulation import signed_areas
 from BalloonWorkbench.core.mesh.recovery import CROSSING, recovered
 from BalloonWorkbench.core.packages import without_scipy
 from BalloonWorkbench.core.types import Bools, Floats, Ints
@@ -56,15 +58,13 @@ def _delaunay(points: Floats) -> tuple[Floats, Ints, Ints]:
         from scipy.spatial import Delaunay
     except ImportError as error:
         raise without_scipy("Meshing needs scipy: install it with pip install scipy.") from error
-    low, high = points.min(axis=0), points.max(axis=0)
+    low, high = bounds(points)
     middle, reach = 0.5 * (low + high), 2.0 * float(np.max(high - low))
     frame = middle + reach * np.array([[-1.0, -1.1], [1.1, -1.0], [1.0, 1.1], [-1.1, 1.0]])
     plain = Delaunay((np.concatenate([points, frame]) - middle) / reach)
     if len(plain.coplanar):
         raise MeshError(CROSSING)
-    corners = plain.points[plain.simplices]
-    u, v = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
-    clockwise = (u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0] < 0.0)[:, None]
+    clockwise = (signed_areas(plain.points, plain.simplices) < 0.0)[:, None]
     triangles, neighbours = (
         np.where(clockwise, rows[:, [0, 2, 1]], rows) for rows in (plain.simplices, plain.neighbors)
     )
