@@ -18,6 +18,7 @@ import shapely.ops
 from BalloonWorkbench.core.machines.machine import Machine
 from BalloonWorkbench.core.machines.toolpaths import BAR
 from BalloonWorkbench.core.pattern.pattern import Pattern, Role
+from BalloonWorkbench.core.units import to_mm
 
 NEAR = 0.05  # mm
 POINT = 25.4 / 72.0  # mm
@@ -73,20 +74,22 @@ def apart(one: shapely.Geometry, other: shapely.Geometry) -> float:
     return shapely.hausdorff_distance(one.segmentize(0.5), other.segmentize(0.5))
 
 
-def same(read: shapely.Geometry, contour: shapely.Geometry) -> bool:
+def same(read: shapely.Geometry, contour: shapely.Geometry, near: float = NEAR) -> bool:
     """Close all along, both ways; and of the same length."""
-    return apart(read, contour) < NEAR and abs(read.length / contour.length - 1.0) < 2e-3
+    return apart(read, contour) < near and abs(read.length / contour.length - 1.0) < 2e-3
 
 
 def compare(read: Lines, pattern: Pattern, made_for: Machine) -> None:
     """Each contour is there once, on its layer; besides only the control bar."""
     rest = list(read)
+    # all of it begins at the corner of its curves, which are off by as much as a curve may be
+    near = max(NEAR, 2.0 * to_mm(made_for.tolerance))
     for layer, contour in wanted(pattern, made_for):
         if layer == "SEAL" and contour.is_ring and made_for.overrun:
             found = [one for one in rest if one[0] == layer and one[1].length > contour.length + 5.0]
             found = [one for one in found if contour.buffer(NEAR).covers(one[1])]
         else:
-            found = [one for one in rest if one[0] == layer and same(one[1], contour)]
+            found = [one for one in rest if one[0] == layer and same(one[1], contour, near)]
         assert len(found) == 1, f"{layer}: {len(found)}"
         rest.remove(found[0])
     assert len(rest) == (3 if made_for.control_bar else 0)
