@@ -116,7 +116,7 @@ class Truth:
         both = inflate(self.panel, FILM, PRESSURE, model=Model(two_panels=True, twist=TWIST))
         return float(np.ptp(both.positions[np.concatenate(self.panel.seams), 2]) / self.size)
 
-    def puffiness(self) -> float:
+    def relative_volume(self) -> float:
         """V / A^1.5 relative to a disc's."""
         return float(self.balloon.volume / self.areas.sum() ** 1.5 / DISC)
 
@@ -146,7 +146,7 @@ class Truth:
             "flat_tip": lambda: self.flat_length(where) > 0.07,
             "notch": lambda: self.peak(where) >= 3.0,
             "warping_ring": lambda: self.warp() > 0.08,
-            "flat_shape": lambda: self.puffiness() < 0.4,
+            "flat_shape": lambda: self.relative_volume() < 0.4,
             "hidden_intake": lambda: self.entered() < 0.5,
             "delicate_intake": lambda: self.thickest_near(where) < 0.3,
         }

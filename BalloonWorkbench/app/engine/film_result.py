@@ -74,7 +74,7 @@ def stored(obj):
 
     if not is_known(obj):
         raise InputError(f"{obj.Label} has no result yet: recompute it.")
-    told = json.loads(obj.SolvedWith)
+    data = json.loads(obj.SolvedWith)
     seams, *counts = obj.PanelLineCounts
     lines = np.split(np.array(obj.PanelLines, dtype=np.int32), np.cumsum(counts)[:-1])
     panel = Panel(
@@ -83,18 +83,18 @@ def stored(obj):
         tuple(lines[:seams]),
         tuple(lines[seams:]),
     )
-    report = told["report"]
+    report = data["report"]
     positions = _metres(obj.FilmPoints)
     inflation = Inflation(
         Assembly.mirrored(panel),
         positions,
         vertex_normals(positions, panel),
         np.zeros((len(panel.triangles), 2)),
-        told["volume"],
+        data["volume"],
         SolveReport(**{**report, "model": Model(**report["model"])}),
         _metres(obj.LowerFilmPoints) if obj.LowerFilmPoints else None,
     )
-    made_of = told["film"]
+    made_of = data["film"]
     film = Film(**{**made_of, "sources": tuple(made_of["sources"]), "look": Look(**made_of["look"])})
     return replace(inflation, tensions=film_state(inflation, film).tensions), film
 

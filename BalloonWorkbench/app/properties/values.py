@@ -26,13 +26,13 @@ def places() -> dict[str, tuple[str, Property]]:
     seal_width is that of the pattern, which overrules the film's: film_seal_width.
     """
     cut = {item.name for item in pattern.PROPERTIES if not item.result}
-    found = {}
+    properties = {}
     for part, module in (("outline", outline), ("balloon", balloon), ("pattern", pattern)):
         for item in module.PROPERTIES:
             if item.type != "Link" and (not item.result or item.name in _TOLD):
                 twice = part == "balloon" and item.name in cut
-                found[("film_" if twice else "") + snake(item.name)] = (part, item)
-    return found
+                properties[("film_" if twice else "") + snake(item.name)] = (part, item)
+    return properties
 
 
 def check(names) -> None:
@@ -71,7 +71,7 @@ def texts_of(obj, properties: tuple[Property, ...]) -> dict[str, str]:
         snake(item.name): text(getattr(obj, item.name), item)
         for item in properties
         if not item.result and "Link" not in item.type and item.type != "FileIncluded"
-        if _plain(getattr(obj, item.name)) != _usual(obj, item)
+        if _plain(getattr(obj, item.name)) != _default(obj, item)
     }
 
 
@@ -79,7 +79,7 @@ def _plain(value):
     return getattr(value, "Value", value)
 
 
-def _usual(obj, item: Property):
+def _default(obj, item: Property):
     if item.type == "Enumeration":
         return obj.getEnumerationsOfProperty(item.name)[0]
     return item.value or type(_plain(getattr(obj, item.name)))()

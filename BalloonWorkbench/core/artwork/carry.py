@@ -59,27 +59,27 @@ def back(inflation: Inflation) -> VisibleFilm:
     return VisibleFilm(panel.rest_positions, lower[:, :2], panel.triangles, panel.seams)
 
 
-def seen_from(film: VisibleFilm, x: Floats, y: Floats, wanted: Bools) -> Floats:
+def seen_from(film: VisibleFilm, x: Floats, y: Floats, needed: Bools) -> Floats:
     """Where the places of a grid of the flat film are seen: (len(y), len(x), 2) m in the drawing's plane.
 
     x, y    even columns and rows of the grid in the flat film [m]
-    wanted  (len(y), len(x)) the places that matter outside the seam; the others there are NaN
+    needed  (len(y), len(x)) the places that matter outside the seam; the others there are NaN
     """
-    found = np.full((len(y), len(x), 2), np.nan)
+    places = np.full((len(y), len(x), 2), np.nan)
     triangles = film.triangles[signed_areas(film.flat, film.triangles) > 0.0]
     for number, rows, columns, shares in covered(film.flat, triangles, x, y):
-        found[rows, columns] = shares @ film.seen[triangles[number]]
-    _add_fin(film, x, y, wanted, found)
-    return found
+        places[rows, columns] = shares @ film.seen[triangles[number]]
+    _add_fin(film, x, y, needed, places)
+    return places
 
 
-def _add_fin(film: VisibleFilm, x: Floats, y: Floats, wanted: Bools, found: Floats) -> None:
+def _add_fin(film: VisibleFilm, x: Floats, y: Floats, needed: Bools, places: Floats) -> None:
     """Fill in what is wanted outside the seam."""
     at, image, outward = (np.concatenate(parts) for parts in zip(*_along_seams(film)))
-    rows, columns = np.nonzero(wanted & np.isnan(found[..., 0]))
+    rows, columns = np.nonzero(needed & np.isnan(places[..., 0]))
     if len(rows):
         nearest, away = _nearest(np.stack([x[columns], y[rows]], axis=1), at)
-        found[rows, columns] = image[nearest] + away[:, None] * outward[nearest]
+        places[rows, columns] = image[nearest] + away[:, None] * outward[nearest]
 
 
 def _along_seams(film: VisibleFilm) -> Iterator[tuple[Floats, Floats, Floats]]:
@@ -101,12 +101,12 @@ def _nearest(points: Floats, at: Floats) -> tuple[Ints, Floats]:
     try:
         away, nearest = kd_tree(at).query(points)
     except MissingPackageError:
-        found, away = np.zeros(len(points), dtype=np.int32), np.zeros(len(points))
+        indices, away = np.zeros(len(points), dtype=np.int32), np.zeros(len(points))
         block = max(1, _BLOCK // len(at))
         for start in range(0, len(points), block):
             part = slice(start, start + block)
             square = ((points[part, None] - at) ** 2).sum(axis=2)
-            found[part] = square.argmin(axis=1)
+            indices[part] = square.argmin(axis=1)
             away[part] = np.sqrt(square.min(axis=1))
-        return found, away
+        return indices, away
     return nearest.astype(np.int32), away

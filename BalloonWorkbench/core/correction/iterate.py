@@ -93,8 +93,8 @@ def make_iterate(
         settings=simulation.newton,
     )
     placed = _aligned(seam_map, nodes, inflation, simulation.unreachable)
-    shown = silhouette(trimmed(placed))
-    return Iterate(seam_map, panel, nodes, placed, shown, misfit(simulation.target, shown))
+    visible = silhouette(trimmed(placed))
+    return Iterate(seam_map, panel, nodes, placed, visible, misfit(simulation.target, visible))
 
 
 def _meshed(pattern: Outline, simulation: Simulation) -> Panel:

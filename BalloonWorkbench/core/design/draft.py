@@ -78,10 +78,10 @@ def inflate_drawing(
     pattern = replace(drawing, rest_positions=drawing.rest_positions + initial_displacements(drawing))
     inflation = inflate(pattern, film, pressure, progress=progress)
     seam = drawing.seams[0]
-    drawn, shown = (_box(points[seam, :2]) for points in (drawing.rest_positions, inflation.positions))
-    stretch = drawn[1] / shown[1]
+    drawn, visible = (_box(points[seam, :2]) for points in (drawing.rest_positions, inflation.positions))
+    stretch = drawn[1] / visible[1]
     scale = float(np.sqrt(np.prod(stretch)))
-    flat = drawn[0] + stretch * (inflation.positions[:, :2] - shown[0])
+    flat = drawn[0] + stretch * (inflation.positions[:, :2] - visible[0])
     wider = _area(drawing, drawing.rest_positions) / _area(drawing, flat)
     height = scale * wider**_THICKNESS * inflation.positions[:, 2:]
     return Draft(

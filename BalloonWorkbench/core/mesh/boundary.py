@@ -69,7 +69,7 @@ def weld_points(welds: tuple[Floats, ...], seams: tuple[Floats, ...], field: Siz
     """
     rim = np.concatenate(seams)
     taken = np.zeros(len(rim), dtype=bool)
-    found = []
+    resampled = []
     for line in welds:
         points = _resampled_line(line, field)
         ends = []
@@ -79,15 +79,19 @@ def weld_points(welds: tuple[Floats, ...], seams: tuple[Floats, ...], field: Siz
             at_rim = away[nearest] < 0.6 * float(field.at(points[end : end + 1 or None])[0])
             taken[nearest] |= at_rim
             ends.append(nearest if at_rim else None)
-        found.append(Weld(points[ends[0] is not None : len(points) - (ends[1] is not None)], *ends))
-    place = first_crossing(seams, [weld.points for weld in found if len(weld.points) > 1]) if found else None
+        resampled.append(Weld(points[ends[0] is not None : len(points) - (ends[1] is not None)], *ends))
+    place = (
+        first_crossing(seams, [weld.points for weld in resampled if len(weld.points) > 1])
+        if resampled
+        else None
+    )
     if place is not None:
         raise MeshError(
             f"A weld runs too near to another one or to the outline at {place_text(place)} for this mesh:"
             " move it away, or use a smaller mesh size.",
             (float(place[0]), float(place[1])),
         )
-    return found
+    return resampled
 
 
 def _resampled_line(line: Floats, field: SizeField) -> Floats:

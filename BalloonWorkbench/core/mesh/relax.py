@@ -72,8 +72,8 @@ def chord_middles(
     chord = np.sort(np.stack([starts[row, longest], ends[row, longest]], axis=1), axis=1)
     # Each chord belongs to two triangles, and one of a tip may stay.
     allowed = set(map(tuple, chord[tip].tolist()))
-    wanted = sorted(set(map(tuple, chord[length.max(axis=1, initial=0.0) > 0.0].tolist())) - allowed)
-    return points[np.array(wanted, dtype=np.int32).reshape(-1, 2)].mean(axis=1)
+    to_split = sorted(set(map(tuple, chord[length.max(axis=1, initial=0.0) > 0.0].tolist())) - allowed)
+    return points[np.array(to_split, dtype=np.int32).reshape(-1, 2)].mean(axis=1)
 
 
 def _unlocked(

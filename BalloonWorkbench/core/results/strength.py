@@ -299,7 +299,7 @@ def _round_sums(cells: Floats, radius: float) -> Floats:
         half = int(np.sqrt(radius * radius - row * row))
         last, first = np.minimum(column + half + 1, count), np.maximum(column - half, 0)
         strip = sums[:, last] - sums[:, first]
-        kept = slice(max(row, 0), len(cells) + min(row, 0))
+        overlap = slice(max(row, 0), len(cells) + min(row, 0))
         moved = slice(max(-row, 0), len(cells) + min(-row, 0))
-        within[moved] += strip[kept]
+        within[moved] += strip[overlap]
     return within

@@ -44,7 +44,7 @@ def kept(parts: Parts) -> Kept:
         settings,
         symmetry=SYMMETRY[outline.Symmetry],
         drawn_as=DRAWN_AS[outline.DrawnAs],
-        wanted=pattern.values(parts.pattern),
+        pattern=pattern.values(parts.pattern),
     )
     everything = [obj for each in (parts, *companions(parts)) for obj in each]
     shown = tuple(obj.Name for obj in everything if obj.ViewObject.Visibility)

@@ -19,7 +19,7 @@ from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.view3d.fit_view import fit_all
 from BalloonWorkbench.gui.window import macro_recorder
 from BalloonWorkbench.gui.window.borders import undo_step
-from BalloonWorkbench.gui.window.sentences import tell
+from BalloonWorkbench.gui.window.sentences import translated
 from BalloonWorkbench.gui.window.user_units import NOTHING, size_text
 
 _HIGHEST = 160  # px, of the list of patterns
@@ -96,18 +96,18 @@ class NestPanel(ObjectPanel):
     def show_state(self) -> None:
         """What the object says."""
         self.fields.refresh()
-        obj, told = self.obj, NOTHING
+        obj, figures = self.obj, NOTHING
         if obj.LaidOutFor:
-            told = translate("Pieces: {}, on {}, {} used").format(
+            figures = translate("Pieces: {}, on {}, {} used").format(
                 obj.Pieces,
                 size_text(obj.UsedLength.Value, obj.FilmWidth.Value),
                 percent_text(0.01 * obj.Used),
             )
             if obj.Sheets > 1:
-                told += "\n" + translate("Sheet {} of {}").format(obj.Shown, obj.Sheets)
-        self.result.setText(told)
+                figures += "\n" + translate("Sheet {} of {}").format(obj.Shown, obj.Sheets)
+        self.result.setText(figures)
         problem = status.problem(obj) if obj.Status else ""
-        self.message.setText("\n".join(tell(text) for text in [problem, *obj.Warnings] if text))
+        self.message.setText("\n".join(translated(text) for text in [problem, *obj.Warnings] if text))
 
     def accept(self):
         self.take()
@@ -116,11 +116,11 @@ class NestPanel(ObjectPanel):
             self.show_state()
             return False
         self.keep()
-        told = values.texts_of(self.obj, film_sheet.PROPERTIES)
+        arguments = values.texts_of(self.obj, film_sheet.PROPERTIES)
         if not self.is_new:
-            told["sheet"] = macro_recorder.obj(self.obj)
+            arguments["sheet"] = macro_recorder.obj(self.obj)
         names = ", ".join(map(macro_recorder.obj, self.obj.Patterns))
-        macro_recorder.call("nest", f"[{names}]", result=self.obj, name="sheet", **told)
+        macro_recorder.call("nest", f"[{names}]", result=self.obj, name="sheet", **arguments)
         return True
 
 

@@ -7,7 +7,7 @@ from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.shapes import part_shapes
 from BalloonWorkbench.core.units import to_mm
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, translate
-from BalloonWorkbench.gui.window.sentences import tell
+from BalloonWorkbench.gui.window.sentences import translated
 from BalloonWorkbench.gui.window.user_units import size_text
 
 _MARGIN = 6
@@ -22,7 +22,7 @@ def notes_of(outline) -> str:
         return ""
     size = size_text(outline.SizeX.Value, outline.SizeY.Value)
     size_form = translate("Outline {}, holes: {}") if outline.HoleCount else translate("Outline {}")
-    return "\n".join([size_form.format(size, outline.HoleCount), *map(tell, outline.Notes)])
+    return "\n".join([size_form.format(size, outline.HoleCount), *map(translated, outline.Notes)])
 
 
 class Preview(QtWidgets.QWidget):

@@ -12,7 +12,7 @@ from BalloonWorkbench.app.properties.property_table import Property
 from BalloonWorkbench.gui.panels.widgets.narrow import ElidedCombo, NarrowForm
 from BalloonWorkbench.gui.panels.widgets.whole_box import WholeBox
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, translate
-from BalloonWorkbench.gui.window.sentences import tell
+from BalloonWorkbench.gui.window.sentences import translated
 
 _SEEN = 0.01  # mm, between what is shown and its rounded text
 _MIN_WIDTH, _MAX_WIDTH = 120, 170  # px; a task panel may be 190 px wide
@@ -127,7 +127,7 @@ class Fields(QtCore.QObject):
         """A combo box for an enumeration."""
         widget = ElidedCombo()
         for entry in self.obj.getEnumerationsOfProperty(name):
-            widget.addItem(tell(entry), entry)
+            widget.addItem(translated(entry), entry)
         self._add(name, widget, lambda value: widget.setCurrentIndex(widget.findData(value)))
         widget.activated.connect(lambda index: self._write(name, widget.itemData(index)))
         return widget
