@@ -178,5 +178,5 @@ def _measure(truth: Truth, finding: Finding) -> float:
 
 
 def _rim_near(truth: Truth, place: np.ndarray) -> np.ndarray:
-    rim = truth.flat[truth.panel.seams[0]]
+    rim = truth.flat[truth.panel.loops[0]]
     return rim[np.argmin(np.linalg.norm(rim - place, axis=1))]

@@ -37,13 +37,13 @@ def store(obj, inflation, film, values: dict) -> None:
     import numpy as np
 
     panel = inflation.panel
-    lines = (*panel.seams, *panel.welds)
+    lines = (*panel.loops, *panel.welds)
     lower = inflation.lower if inflation.lower is not None else np.empty((0, 3))
     flat = np.column_stack([panel.rest_positions, np.zeros(len(panel.rest_positions))])
     obj.PanelPoints, obj.FilmPoints, obj.LowerFilmPoints = map(_vectors, (flat, inflation.positions, lower))
     obj.PanelTriangles = panel.triangles.ravel().tolist()
     obj.PanelLines = [vertex for line in lines for vertex in line.tolist()]
-    obj.PanelLineCounts = [len(panel.seams), *map(len, lines)]
+    obj.PanelLineCounts = [len(panel.loops), *map(len, lines)]
     obj.SolvedWith = json.dumps(
         {
             "film": asdict(film),

@@ -37,26 +37,26 @@ class VisibleFilm:
     flat       (n, 2) m, vertices of the panel
     seen       (n, 2) m, the same vertices of the inflated balloon in the drawing's plane
     triangles  (m, 3)
-    seams      vertex indices of each boundary loop, film on the left
+    loops      vertex indices of each boundary loop, film on the left
     """
 
     flat: Floats
     seen: Floats
     triangles: Ints
-    seams: tuple[Ints, ...]
+    loops: tuple[Ints, ...]
 
 
 def front(inflation: Inflation) -> VisibleFilm:
     """The panel that faces the viewer."""
     panel = inflation.panel
-    return VisibleFilm(panel.rest_positions, inflation.positions[:, :2], panel.triangles, panel.seams)
+    return VisibleFilm(panel.rest_positions, inflation.positions[:, :2], panel.triangles, panel.loops)
 
 
 def back(inflation: Inflation) -> VisibleFilm:
     """The panel behind, seen through the front one: both are cut from one pattern."""
     panel = inflation.panel
     lower = inflation.positions if inflation.lower is None else inflation.lower
-    return VisibleFilm(panel.rest_positions, lower[:, :2], panel.triangles, panel.seams)
+    return VisibleFilm(panel.rest_positions, lower[:, :2], panel.triangles, panel.loops)
 
 
 def seen_from(film: VisibleFilm, x: Floats, y: Floats, needed: Bools) -> Floats:
@@ -75,16 +75,16 @@ def seen_from(film: VisibleFilm, x: Floats, y: Floats, needed: Bools) -> Floats:
 
 def _add_fin(film: VisibleFilm, x: Floats, y: Floats, needed: Bools, places: Floats) -> None:
     """Fill in what is wanted outside the seam."""
-    at, image, outward = (np.concatenate(parts) for parts in zip(*_along_seams(film)))
+    at, image, outward = (np.concatenate(parts) for parts in zip(*_along_loops(film)))
     rows, columns = np.nonzero(needed & np.isnan(places[..., 0]))
     if len(rows):
         nearest, away = _nearest(np.stack([x[columns], y[rows]], axis=1), at)
         places[rows, columns] = image[nearest] + away[:, None] * outward[nearest]
 
 
-def _along_seams(film: VisibleFilm) -> Iterator[tuple[Floats, Floats, Floats]]:
+def _along_loops(film: VisibleFilm) -> Iterator[tuple[Floats, Floats, Floats]]:
     """Points along each seam: flat, as seen, and the direction outward as seen."""
-    for seam in film.seams:
+    for seam in film.loops:
         flat, seen = film.flat[seam], film.seen[seam]
         outward = -left_normals(seen, smoothed=2)  # a crumpled rim has no direction of its own at each vertex
         along = arc_lengths(flat)

@@ -286,10 +286,10 @@ def _initial(drawn: SeamMap, target: Outline, mesh_size: float | None, clearance
     edge = min(float(np.sqrt(target.area / (0.87 * INITIAL_VERTICES))), mesh_size or np.inf)
     panel = _meshed(target, edge)
     shift = initial_displacements(panel)
-    shift -= shift[np.concatenate(panel.seams)].mean(axis=0)
+    shift -= shift[np.concatenate(panel.loops)].mean(axis=0)
     fields = tuple(
         node.field(shift[seam], drawing, SMOOTHING * edge)
-        for node, seam, drawing in zip(seam_nodes(drawn, panel), panel.seams, drawn.drawing, strict=True)
+        for node, seam, drawing in zip(seam_nodes(drawn, panel), panel.loops, drawn.drawing, strict=True)
     )
     flat = panel.rest_positions
     lines = [

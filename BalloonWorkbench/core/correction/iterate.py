@@ -125,7 +125,7 @@ def _aligned(
     seam_map: SeamMap, nodes: tuple[SeamNodes, ...], inflation: Inflation, unreachable: tuple[Bools, ...]
 ) -> Inflation:
     """The balloon moved in its plane of symmetry to where the drawing is, by what is not given up."""
-    seams = inflation.panel.seams
+    seams = inflation.panel.loops
     drawn = np.concatenate([node.placed_on(loop) for node, loop in zip(nodes, seam_map.drawing, strict=True)])
     seam = np.concatenate([inflation.positions[loop, :2] for loop in seams])
     weights = np.concatenate([point_weights(inflation.panel.rest_positions[loop]) for loop in seams])

@@ -31,7 +31,7 @@ def trimmed(inflation: Inflation) -> Inflation:
 
     Round holes the film is taut, and the facets show no such error.
     """
-    seam = inflation.panel.seams[0]
+    seam = inflation.panel.loops[0]
     flat, places = inflation.panel.rest_positions[seam], inflation.positions[seam, :2]
     inward = FACETS * point_weights(flat)[:, None] * left_normals(places)
     positions, lower = inflation.positions.copy(), inflation.lower

@@ -26,7 +26,7 @@ def split_along_welds(panel: Panel) -> tuple[Panel, Ints]:
         return panel, np.arange(len(panel.rest_positions), dtype=np.int32)
     origin = list(range(len(panel.rest_positions)))
     triangles = panel.triangles.copy()
-    on_rim = set(np.concatenate(panel.seams).tolist())
+    on_rim = set(np.concatenate(panel.loops).tolist())
     fans = _fans(panel)
     lines = []
     for line in panel.welds:

@@ -171,7 +171,7 @@ def drawn(inflation) -> np.ndarray:
     panel = inflation.panel
     moved = move_rim(
         panel,
-        [inflation.positions[seam, :2] for seam in panel.seams],
+        [inflation.positions[seam, :2] for seam in panel.loops],
         [inflation.positions[weld, :2] for weld in panel.welds],
     )
     return inflation.positions if moved is None else moved.rest_positions
