@@ -19,7 +19,7 @@ from BalloonWorkbench.core.geometry.polyline import bounds
 from BalloonWorkbench.core.machines.layers import LAYERS
 from BalloonWorkbench.core.making.numbers import Numbers
 from BalloonWorkbench.core.packages import matplotlib_pdf
-from BalloonWorkbench.core.pages.fonts import fonts_for, readable, shown
+from BalloonWorkbench.core.pages.fonts import drawable, fonts_for, readable
 from BalloonWorkbench.core.pages.pdf import pdf, picture
 from BalloonWorkbench.core.pattern.pattern import Pattern, Role
 from BalloonWorkbench.core.pictures.render import balloon_picture
@@ -71,8 +71,8 @@ def assembly_pdf(subject: SheetSubject, paper: str = "A4", say: Say = in_english
         raise ExportError(f'There is no paper "{paper}" for the assembly sheet: choose A4 or Letter.')
     matplotlib_pdf()
     say = readable(say, "Assembly sheet")
-    film = replace(subject.film, title=shown(subject.film.title), name=shown(subject.film.name))
-    subject = replace(subject, title=shown(subject.title), film=film)
+    film = replace(subject.film, title=drawable(subject.film.title), name=drawable(subject.film.name))
+    subject = replace(subject, title=drawable(subject.title), film=film)
     fonts = fonts_for(say("Assembly sheet"), subject.title + say(film.title))
     title = f"{subject.title}: {say('Assembly sheet')}"
     return pdf(title, fonts, [(size, lambda axes: _fill(Pen(axes, say, fonts), subject, size))])

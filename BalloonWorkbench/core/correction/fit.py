@@ -240,10 +240,10 @@ class _Correction:
     def _correct(self) -> None:
         """Move the pattern of the last iterate."""
         assert self.last is not None
-        given_up = self.stalls.given_up
+        abandoned = self.stalls.abandoned
         self.seam_map = next_seam_map(self.last, self.rule, self.stalls, self._scales)
         self.keep_mesh = True
-        if self.stalls.given_up > given_up:  # the rest has its chance now
+        if self.stalls.abandoned > abandoned:  # the rest has its chance now
             self.history.stalled = 0
 
     def _hand_over(self) -> None:

@@ -54,15 +54,15 @@ class Simulation:
 class Iterate:
     """A pattern and what it inflates to, placed over the drawing.
 
-    nodes   the seam vertices along each loop of the seam map
-    shown   the silhouette of the film that the facets stand for; misfit: how far it is from the drawing
+    nodes       the seam vertices along each loop of the seam map
+    silhouette  the silhouette of the film that the facets stand for; misfit: how far it is from the drawing
     """
 
     seam_map: SeamMap
     panel: Panel
     nodes: tuple[SeamNodes, ...]
     inflation: Inflation
-    shown: Outline
+    silhouette: Outline
     misfit: Misfit
 
 
@@ -108,7 +108,7 @@ def weld_error(current: Iterate) -> float:
     positions = current.inflation.positions[:, :2]
     lines = zip(current.seam_map.lines, current.panel.welds, strict=True)
     error = max((line.mean_distance(positions[weld]) for line, weld in lines), default=0.0)
-    return error / max(current.shown.size)
+    return error / max(current.silhouette.size)
 
 
 def _moved(last: Iterate, seam_map: SeamMap) -> Panel | None:
@@ -131,8 +131,8 @@ def _aligned(
     weights = np.concatenate([point_weights(inflation.panel.rest_positions[loop]) for loop in seams])
     if unreachable:
         sure = [
-            ~given_up[np.rint(node.index).astype(np.int64) % len(given_up)]
-            for node, given_up in zip(nodes, unreachable, strict=True)
+            ~ignored[np.rint(node.index).astype(np.int64) % len(ignored)]
+            for node, ignored in zip(nodes, unreachable, strict=True)
         ]
         weights = weights * np.concatenate(sure) if np.concatenate(sure).any() else weights
     rotation, shift = alignment(seam, drawn, weights)

@@ -65,7 +65,7 @@ def _corrections(current: Iterate, scales: Scales) -> tuple[Floats, ...]:
         points = current.inflation.positions[seam, :2]
         around = float(arc_lengths(drawing)[-1])
         drift = np.full(len(points), min(DRIFT * scales.edge, DRIFT_ROUND * around))
-        places = visible_places(points, current.shown, OVERHANG * scales.size)
+        places = visible_places(points, current.silhouette, OVERHANG * scales.size)
         places[node.corner_nodes] = points[node.corner_nodes]
         missing = goals(drawing, places, node.lengths, node.corner_nodes, node.corners, drift) - places
         smooth = node.field(missing, drawing, scales.smoothing)

@@ -35,7 +35,7 @@ class StallTracker:
         )
 
     @property
-    def given_up(self) -> int:
+    def abandoned(self) -> int:
         """Number of points that are given up."""
         return sum(int(unreachable.sum()) for unreachable in self.unreachable)
 

@@ -74,7 +74,7 @@ def unshown(text: str) -> list[str]:
     return [_name(letter) for letter in dict.fromkeys(text) if _family(letter) is None]
 
 
-def shown(text: str) -> str:
+def drawable(text: str) -> str:
     """A text as one line, with a sign in place of each letter that cannot be drawn, plain and bold.
 
     Needs matplotlib.

@@ -25,7 +25,7 @@ from BalloonWorkbench.gui.paint.canvas.canvas_widget import Canvas
 from BalloonWorkbench.gui.paint.dock import PaintDock
 from BalloonWorkbench.gui.paint.documents import follow_documents
 from BalloonWorkbench.gui.paint.form import PaintForm
-from BalloonWorkbench.gui.paint.keep import keep, kept, show
+from BalloonWorkbench.gui.paint.keep import keep, show, values_of
 from BalloonWorkbench.gui.paint.painting.lengths import short
 from BalloonWorkbench.gui.paint.painting.painted import Painting
 from BalloonWorkbench.gui.paint.painting.pictures import Pictures
@@ -172,12 +172,12 @@ class PaintWindow(PaintDock):
 
     def _take_over(self, parts) -> None:
         """The painting, width and values of a balloon that was made before."""
-        before = kept(parts)
+        before = values_of(parts)
         self.painting.load(before.file)
         self.live.width, self.live.settings = before.width, before.settings
         self.form.show_width(before.width)
         self.form.show_drawn_as(before.settings.drawn_as)
-        self._hidden = before.shown
+        self._hidden = before.visible
 
     # what the user does
 
@@ -292,13 +292,13 @@ class PaintWindow(PaintDock):
     def _sized(self, width: float) -> None:
         self._is_sized = True
         self.set_width(width)
-        self.canvas.scale.shown = False
+        self.canvas.scale.is_visible = False
         self.canvas.setFocus()
 
     def _focus_moved(self, before, now) -> None:
         """The hand lies beside the shape as long as its width is being typed."""
         typing = now is not None and self.form.width_field.isAncestorOf(now)
-        self.canvas.scale.shown = typing or now is self.form.width_field or self.card.isVisible()
+        self.canvas.scale.is_visible = typing or now is self.form.width_field or self.card.isVisible()
         self.canvas.update()
 
     # what comes of it
@@ -312,7 +312,7 @@ class PaintWindow(PaintDock):
         self.canvas.overlay.show(state, short(self.live.width))
         self.canvas.scale.fit(state, self.live.width)
         if not self._is_sized and not self.card.isVisible() and self.hand.stroke is None:
-            self.canvas.scale.shown = True
+            self.canvas.scale.is_visible = True
             self.card.ask(self.live.width)
         self.scene.show(state, self.painting.image)
         self.form.show_state(state)

@@ -52,22 +52,22 @@ def map_nodes(obj, kind: str) -> list:
     skin, film_results = skin_from(inflation, film), results(inflation, film)
     if kind == colour_map.RESIDUAL:
         return _residual_nodes(obj, inflation, skin)
-    shown = colour_map.film_map(film_results, kind)
+    drawn_map = colour_map.film_map(film_results, kind)
     safe = maker.safety_of(obj) if kind == colour_map.TENSION else None
     if safe is not None:  # single triangles say more of the mesh than of the film
-        shown = replace(shown, largest=safe.load.value, place=to_mm(safe.load.place))
-    factor, unit = user_unit(shown.unit, shown.top)
+        drawn_map = replace(drawn_map, largest=safe.load.value, place=to_mm(safe.load.place))
+    factor, unit = user_unit(drawn_map.unit, drawn_map.top)
     legend = Legend(
         _title(obj, kind, unit),
-        () if kind == colour_map.STATE else _ticks(shown.top * factor),
+        () if kind == colour_map.STATE else _ticks(drawn_map.top * factor),
         _states(film_state(inflation, film)) if kind == colour_map.STATE else (),
-        _notes(safe, shown, factor, unit),
+        _notes(safe, drawn_map, factor, unit),
         warnings_of(obj),
     )
-    nodes = [_film(SkinNodes(skin, shown.shares), _scale_nodes()), legend_node(obj, legend, TOP)]
-    if shown.place is not None:
+    nodes = [_film(SkinNodes(skin, drawn_map.shares), _scale_nodes()), legend_node(obj, legend, TOP)]
+    if drawn_map.place is not None:
         name = f"{translated(safe.weakest)} " if safe is not None and safe.weakest else ""
-        nodes.append(label_node(shown.place, f"{name}{number_text(shown.largest * factor)} {unit}"))
+        nodes.append(label_node(drawn_map.place, f"{name}{number_text(drawn_map.largest * factor)} {unit}"))
     return nodes
 
 
@@ -163,10 +163,10 @@ def _states(film: FilmState) -> tuple:
     )
 
 
-def _notes(safe, shown, factor: float, unit: str) -> tuple[str, ...]:
+def _notes(safe, drawn_map, factor: float, unit: str) -> tuple[str, ...]:
     notes = []
-    if shown.largest > 1.05 * shown.top:
-        notes.append(translate("at most {} {}").format(number_text(shown.largest * factor), unit))
+    if drawn_map.largest > 1.05 * drawn_map.top:
+        notes.append(translate("at most {} {}").format(number_text(drawn_map.largest * factor), unit))
     if safe is not None:
         if safe.safe_pressure is None:
             notes.append(translate("strength of the film not known"))

@@ -297,9 +297,9 @@ class BalloonPanel(TaskPanel):
         breathe()
         self.doc.recompute()
         if status.is_ready(self.parts.pattern):
-            shown = Gui.getDocument(self.doc.Name)
-            if self.is_new or (self.was_whole and not is_whole(shown)):
-                fit_all(shown)
+            window = Gui.getDocument(self.doc.Name)
+            if self.is_new or (self.was_whole and not is_whole(window)):
+                fit_all(window)
             self.is_new = self.was_whole = False
 
     @contextmanager

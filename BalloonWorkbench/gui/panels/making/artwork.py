@@ -18,7 +18,7 @@ from BalloonWorkbench.gui.panels.widgets.fields import PropertyForm
 from BalloonWorkbench.gui.panels.widgets.narrow import WrappedLabel
 from BalloonWorkbench.gui.panels.widgets.object_panel import ObjectPanel
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
-from BalloonWorkbench.gui.view3d.fit_view import kept_whole
+from BalloonWorkbench.gui.view3d.fit_view import fit_kept
 from BalloonWorkbench.gui.window import macro_recorder
 from BalloonWorkbench.gui.window.borders import undo_step
 from BalloonWorkbench.gui.window.file_dialogs import ask_for_picture
@@ -80,7 +80,7 @@ class ArtworkPanel(ObjectPanel):
 
     def update(self) -> None:
         """Bring the artwork up to date and show what it says."""
-        with kept_whole(Gui.getDocument(self.doc.Name)):
+        with fit_kept(Gui.getDocument(self.doc.Name)):
             self.obj.recompute()
         self.fields.refresh()
         self.front.show_file(self.obj.Picture)

@@ -46,7 +46,7 @@ class NestPanel(ObjectPanel):
             entry.setCheckState(QtCore.Qt.Checked if taken else QtCore.Qt.Unchecked)
             self.choice.addItem(entry)
         self.choice.fit()
-        self.shown = self.fields.whole("Shown", 1, MOST_BALLOONS)
+        self.sheet_number = self.fields.whole("Shown", 1, MOST_BALLOONS)
         self.apply = QtWidgets.QPushButton(translate("Lay out"))
         self.apply.setObjectName("LayOut")
         self.apply.setToolTip(translate("Look for the closest layout; Esc takes the best one so far"))
@@ -60,11 +60,11 @@ class NestPanel(ObjectPanel):
         for item in film_sheet.PROPERTIES:
             if item.label:
                 form.add(item)
-        form.addRow(translate("Shown sheet"), self.shown)
+        form.addRow(translate("Shown sheet"), self.sheet_number)
         form.addRow(self.apply)
         form.addRow(translate("Used"), self.result)
         form.addRow(self.message)
-        self.shown.valueChanged.connect(lambda _value: self.lay_out() if obj.LaidOutFor else None)
+        self.sheet_number.valueChanged.connect(lambda _value: self.lay_out() if obj.LaidOutFor else None)
         self.apply.clicked.connect(lambda _checked=False: self.lay_out())
         self.show_state()
 

@@ -143,16 +143,16 @@ class AdvicePanel(TaskPanel):
         if not self.map.isChecked() or not status.is_ready(self.parts.outline):
             return
         try:
-            shown = advice.advice_before(self.parts).map
+            prediction = advice.advice_before(self.parts).map
         except BalloonError as error:
             self.legend.setText(translated(str(error)))
             return
         self.legend.setText(
             translate("Blue 0, green {}, red {}").format(
-                *(length_text(to_mm(share * float(shown.thickness.max())), 3) for share in (0.5, 1.0))
+                *(length_text(to_mm(share * float(prediction.thickness.max())), 3) for share in (0.5, 1.0))
             )
         )
-        self.overlay.map(shown, self.parts.outline.Placement, self._height())
+        self.overlay.map(prediction, self.parts.outline.Placement, self._height())
 
     def _height(self) -> float:
         """Of the balloon over its plane [mm]."""

@@ -77,9 +77,9 @@ class ColourMapPanel(TaskPanel):
         """Show another result."""
         self.view.ColourMap = self.choice.itemData(index)
 
-    def compare(self, shown: bool) -> None:
+    def compare(self, visible: bool) -> None:
         """Show the drawing and the silhouette, or not."""
-        self.view.CompareOutlines = shown
+        self.view.CompareOutlines = visible
 
     def accept(self):
         """Keep what is shown; a macro has it too."""

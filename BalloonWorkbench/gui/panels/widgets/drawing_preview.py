@@ -32,7 +32,7 @@ class Preview(QtWidgets.QWidget):
         super().__init__(parent)
         self.setObjectName("Preview")
         self.setMinimumHeight(_LEAST)
-        self._picture, self._shown = QtGui.QPixmap(), ""
+        self._picture, self._file = QtGui.QPixmap(), ""
         self._picture_box = QtCore.QRectF()
         self._path = QtGui.QPainterPath()
         self._welds = QtGui.QPainterPath()
@@ -67,9 +67,9 @@ class Preview(QtWidgets.QWidget):
 
     def _show_picture(self, path: str) -> None:
         """Read it once, and no larger than it can be seen."""
-        if path == self._shown:
+        if path == self._file:
             return
-        self._shown, self._picture = path, QtGui.QPixmap()
+        self._file, self._picture = path, QtGui.QPixmap()
         if path:
             reader = QtGui.QImageReader(path)
             size = reader.size()

@@ -164,13 +164,13 @@ class Fields(QtCore.QObject):
             elif isinstance(widget, QtWidgets.QLineEdit):
                 widget.editingFinished.emit()
 
-    def _add_number(self, name: str, widget, step: float, shown) -> None:
-        """Tie a spin box to a property; shown turns its value into a number."""
+    def _add_number(self, name: str, widget, step: float, as_number) -> None:
+        """Tie a spin box to a property; as_number turns its value into a number."""
         widget.setProperty("singleStep", step)
         Gui.ExpressionBinding(widget).bind(self.obj, name)
         self._bound.add(name)
         widget.setKeyboardTracking(False)
-        self._add(name, widget, lambda value: widget.setProperty("rawValue", shown(value)))
+        self._add(name, widget, lambda value: widget.setProperty("rawValue", as_number(value)))
         QtCore.QObject.connect(
             widget, QtCore.SIGNAL("valueChanged(double)"), lambda value: self._write(name, value)
         )
@@ -244,10 +244,10 @@ class PropertyForm(NarrowForm):
         for name in self._rows:
             self.show_row(name, "Hidden" not in self.fields.obj.getEditorMode(name))
 
-    def show_row(self, name: str, shown: bool) -> None:
+    def show_row(self, name: str, visible: bool) -> None:
         """Show a row or hide it."""
         for widget in self._rows[name]:
-            widget.setVisible(shown)
+            widget.setVisible(visible)
 
 
 class PropertyPage(QtWidgets.QWidget):
