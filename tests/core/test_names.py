@@ -16,6 +16,11 @@ LAYERS = ["core", "app", "gui", "cli"]
 VAGUE = {"found", "told", "tell", "wanted", "given"}
 
 
+_NAMED = (
+    ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef | ast.ExceptHandler | ast.MatchAs | ast.MatchStar
+)
+
+
 def names_bound(tree: ast.AST) -> Iterator[tuple[int, str]]:
     """The line and the name of each variable, field, parameter, function, class and import."""
     for node in ast.walk(tree):
@@ -23,9 +28,7 @@ def names_bound(tree: ast.AST) -> Iterator[tuple[int, str]]:
             yield node.lineno, node.id if isinstance(node, ast.Name) else node.attr
         elif isinstance(node, ast.arg):
             yield node.lineno, node.arg
-        elif isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef):
-            yield node.lineno, node.name
-        elif isinstance(node, ast.ExceptHandler | ast.MatchAs | ast.MatchStar) and node.name:
+        elif isinstance(node, _NAMED) and node.name:
             yield node.lineno, node.name
         elif isinstance(node, ast.Import | ast.ImportFrom):
             yield from ((node.lineno, alias.asname or alias.name) for alias in node.names)

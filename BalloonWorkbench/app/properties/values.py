@@ -16,8 +16,8 @@ from BalloonWorkbench.core.options.option import snake
 #: They decide about others, so they come first.
 _FIRST = ("film", "load", "size_goal", "drawing", "source")
 _READ = {"Length": quantities.length, "Pressure": quantities.pressure, "Volume": quantities.volume}
-#: Of results: the one that goes with a film's numbers.
-_TOLD = ("Material",)
+#: Results that are written with the values: the one that goes with a film's numbers.
+_ASSIGNED_RESULTS = ("Material",)
 
 
 def places() -> dict[str, tuple[str, Property]]:
@@ -29,7 +29,7 @@ def places() -> dict[str, tuple[str, Property]]:
     properties = {}
     for part, module in (("outline", outline), ("balloon", balloon), ("pattern", pattern)):
         for item in module.PROPERTIES:
-            if item.type != "Link" and (not item.result or item.name in _TOLD):
+            if item.type != "Link" and (not item.result or item.name in _ASSIGNED_RESULTS):
                 twice = part == "balloon" and item.name in cut
                 properties[("film_" if twice else "") + snake(item.name)] = (part, item)
     return properties
@@ -131,4 +131,6 @@ def _link(value) -> str:
 
 def _follows(parts, name: str, part: str) -> bool:
     """The value is set by another one or has no effect now: the property editor does not offer it."""
-    return name == "Part" or (name not in _TOLD and bool(getattr(parts, part).getEditorMode(name)))
+    return name == "Part" or (
+        name not in _ASSIGNED_RESULTS and bool(getattr(parts, part).getEditorMode(name))
+    )
