@@ -26,7 +26,7 @@ class BalloonWorkbench(Gui.Workbench):
         toolbar, menu = commands.register()
         self.appendToolbar(QT_TRANSLATE_NOOP("Workbench", "Film Balloon"), toolbar)
         self.appendMenu(QT_TRANSLATE_NOOP("Workbench", "Film &Balloon"), menu)
-        equipment.tell_missing()
+        equipment.report_missing()
         native_offer.offer()
         preload.begin()
 
@@ -43,8 +43,8 @@ def _plug_in():
 
     hooks.attach_view = attach_view.attach_view
     hooks.run_blocking = blocking.run_blocking
-    hooks.say = sentences.tell
-    hooks.tell = borders.tell
+    hooks.say = sentences.translated
+    hooks.show_error = borders.show_error
     borders.watch()
     Gui.addIconPath(qt.ICONS)
     Gui.addLanguagePath(str(qt.TRANSLATIONS))

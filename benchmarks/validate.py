@@ -28,7 +28,7 @@ def main() -> int:
         plates.wrinkled_beam,
         trade.trade,
         trade.inverse,
-        balloons.puffiness,
+        balloons.relative_volume,
         balloons.solvers,
         lambda: convergence.convergence(DOCS / "images"),
         convergence.independence,

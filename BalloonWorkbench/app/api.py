@@ -35,10 +35,10 @@ def _bordered(function: Callable[..., _Result]) -> Callable[..., _Result]:
     taken = signature(function)
 
     @wraps(function)
-    def call(*given, **named):
-        taken.bind(*given, **named)  # a call that does not fit is the caller's TypeError
+    def call(*positional, **named):
+        taken.bind(*positional, **named)  # a call that does not fit is the caller's TypeError
         try:
-            return function(*given, **named)
+            return function(*positional, **named)
         except BalloonError:
             raise
         except faults.UNFORESEEN as error:
@@ -48,38 +48,38 @@ def _bordered(function: Callable[..., _Result]) -> Callable[..., _Result]:
 
 
 @_bordered
-def from_picture(doc, path, width=None, height=None, **wanted) -> Parts:
+def from_picture(doc, path, width=None, height=None, **options) -> Parts:
     """A new balloon from a picture, SVG, DXF or JSON file; pictures need a width or a height.
 
     A painting that the paint window has saved is such a picture. Raises BalloonError when no balloon comes
     out; the document is then as before.
     """
-    return _done[-1] if _done else create.balloon_from_picture(doc, path, width, height, values=wanted)
+    return _done[-1] if _done else create.balloon_from_picture(doc, path, width, height, values=options)
 
 
 @_bordered
-def from_sketch(doc, source, elements=(), **wanted) -> Parts:
+def from_sketch(doc, source, elements=(), **options) -> Parts:
     """A new balloon that follows a sketch, wire or face; elements such as ["Face6"] pick a part of it.
 
     Raises BalloonError when no balloon comes out; the document is then as before.
     """
-    return _done[-1] if _done else create.balloon_from_sketch(doc, source, elements, values=wanted)
+    return _done[-1] if _done else create.balloon_from_sketch(doc, source, elements, values=options)
 
 
 @_bordered
 def parts(obj) -> Parts:
     """The balloon that an object or its group belongs to; InputError for other objects."""
-    found = parts_of(obj)
-    if found is None:
+    balloon_parts = parts_of(obj)
+    if balloon_parts is None:
         raise InputError(f"{obj.Label} belongs to no balloon: choose an outline, a balloon or a pattern.")
-    return found
+    return balloon_parts
 
 
 @_bordered
-def change(made: Parts, **wanted) -> None:
+def change(made: Parts, **options) -> None:
     """Change values of a balloon and bring the document up to date; InputError for unknown names."""
     if not _done:
-        values.assign(made, wanted)
+        values.assign(made, options)
         made.balloon.Document.recompute()
 
 
@@ -106,11 +106,13 @@ def repair(made: Parts, rule: str, near=(0.0, 0.0)) -> None:
 
     if _done:
         return
-    found = [each for each in coach.findings(made) if each.rule == rule and each.repair is not None]
-    if not found:
+    repairable = [each for each in coach.findings(made) if each.rule == rule and each.repair is not None]
+    if not repairable:
         raise InputError(f'There is no "{rule}" to repair in {made.balloon.Label}: see its advice.')
     x, y = near
-    nearest = min(found, key=lambda each: (to_mm(each.place[0]) - x) ** 2 + (to_mm(each.place[1]) - y) ** 2)
+    nearest = min(
+        repairable, key=lambda each: (to_mm(each.place[0]) - x) ** 2 + (to_mm(each.place[1]) - y) ** 2
+    )
     repairs.take(made, nearest.repair)
     made.balloon.Document.recompute()
 
@@ -145,7 +147,7 @@ def export(
 
 
 @_bordered
-def artwork(pattern_obj, **wanted):
+def artwork(pattern_obj, **options):
     """The artwork of a pattern, made if there is none, with these values: picture, back_picture, bleed ...
 
     Returns the Artwork object; `export` with a folder writes its files. Raises InputError.
@@ -154,9 +156,9 @@ def artwork(pattern_obj, **wanted):
 
     if _done:
         return _done[-1]
-    found = [obj for obj in pattern_obj.InList if is_artwork(obj) and obj.Pattern == pattern_obj]
-    made = found[0] if found else prints.make(pattern_obj)
-    values.assign_to(made, prints.PROPERTIES, wanted)
+    artworks = [obj for obj in pattern_obj.InList if is_artwork(obj) and obj.Pattern == pattern_obj]
+    made = artworks[0] if artworks else prints.make(pattern_obj)
+    values.assign_to(made, prints.PROPERTIES, options)
     made.Document.recompute()
     return made
 
@@ -170,7 +172,7 @@ def sketch(pattern_obj):
 
 
 @_bordered
-def nest(patterns, sheet=None, **wanted):
+def nest(patterns, sheet=None, **options):
     """Lay out patterns closely on a new roll or sheet, or on one that is there; returns the object.
 
     Values are film, film_width, film_length, spacing, balloons, grain, shown. Raises InputError.
@@ -181,7 +183,7 @@ def nest(patterns, sheet=None, **wanted):
         return _done[-1]
     made = sheet or film_sheet.make(patterns[0].Document, patterns)
     made.Patterns = list(patterns)
-    values.assign_to(made, film_sheet.PROPERTIES, wanted)
+    values.assign_to(made, film_sheet.PROPERTIES, options)
     made.Document.recompute()
     return made
 

@@ -48,8 +48,8 @@ class ArtworkProxy(DocumentProxy):
             return
         with status.reported(obj, bool(obj.Roles)):
             _pictures(obj)
-            with results(obj) as found:
-                show(found, self.cut_pattern(obj))
+            with results(obj) as output:
+                show(output, self.cut_pattern(obj))
             status.set_status(obj, status.READY)
         obj.positionBySupport()
 
@@ -224,9 +224,9 @@ def _frame(balloon):
     from BalloonWorkbench.app.engine import film_result
     from BalloonWorkbench.app.outline import DRAWN_AS, SYMMETRY
 
-    shown, first = film_result.drawing(balloon), leader(balloon.Outline)
+    drawn, first = film_result.drawing(balloon), leader(balloon.Outline)
     if first.Source or first.Kind != "picture":
-        return shown.outer.min(axis=0), np.ptp(shown.outer, axis=0), ""
+        return drawn.outer.min(axis=0), np.ptp(drawn.outer, axis=0), ""
     read, _ = read_drawing(
         first.Drawing,
         first.Width,
@@ -237,7 +237,7 @@ def _frame(balloon):
     )
     goal = 1.0
     if balloon.SizeGoal != "Width" and balloon.Outline.SizeX.Value:
-        goal = shown.size[0] * 1e3 / balloon.Outline.SizeX.Value
+        goal = drawn.size[0] * 1e3 / balloon.Outline.SizeX.Value
     points = np.concatenate([part.outer for part in read.parts]) * goal
     return points.min(axis=0), np.ptp(points, axis=0), first.Drawing
 

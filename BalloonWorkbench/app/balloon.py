@@ -124,13 +124,13 @@ class BalloonProxy(DocumentProxy):
         if status.waits_for(obj, obj.Outline, bool(obj.SolvedFor), "Choose the outline to inflate."):
             return
         with status.reported(obj, bool(obj.SolvedFor)):
-            wanted = request(obj)
-            if wanted.key() != obj.SolvedFor or not film_result.is_known(obj):
+            current = request(obj)
+            if current.key() != obj.SolvedFor or not film_result.is_known(obj):
                 if not obj.Live:
                     status.set_problem(obj, bool(obj.SolvedFor), _not_asked(obj))
                     return
-                design, told = hooks.run_blocking(f"Inflating {obj.Label}", wanted.solve)
-                show(obj, wanted, design, told)
+                design, report = hooks.run_blocking(f"Inflating {obj.Label}", current.solve)
+                show(obj, current, design, report)
             size_goal.show_lift(obj)
             status.set_status(obj, _verdict(obj))
         if obj.Placement != obj.Outline.Placement:
@@ -145,18 +145,20 @@ def inflate_now(obj) -> None:
     from BalloonWorkbench.app.border import hooks
 
     with status.reported(obj, bool(obj.SolvedFor)):
-        wanted = request(obj)
-        if wanted.key() != obj.SolvedFor:
-            design, told = hooks.run_blocking(f"Inflating {obj.Label}", wanted.solve)
-            show(obj, wanted, design, told)
+        current = request(obj)
+        if current.key() != obj.SolvedFor:
+            design, report = hooks.run_blocking(f"Inflating {obj.Label}", current.solve)
+            show(obj, current, design, report)
         obj.touch()
         obj.Document.recompute()
 
 
 def follow_load(obj) -> None:
     """Show the pressure or the volume in the property editor: what is given."""
-    given = obj.Load == VOLUME
-    show_in_editor(obj, Pressure="hide" if given else "edit", TargetVolume="edit" if given else "hide")
+    by_volume = obj.Load == VOLUME
+    show_in_editor(
+        obj, Pressure="hide" if by_volume else "edit", TargetVolume="edit" if by_volume else "hide"
+    )
 
 
 def request(obj):
@@ -180,16 +182,16 @@ def request(obj):
             film=film.read(obj),
             goal=size_goal.goal(obj),
             filling=size_goal.filling(obj),
-            wanted=size_goal.wanted_of(obj),
+            pattern=size_goal.pattern_options(obj),
             model=Model(**vars(options_from(obj, ModelOptions))),
         ),
     )
 
 
-def show(obj, wanted, design, told: dict | None = None) -> None:
+def show(obj, current, design, report: dict | None = None) -> None:
     """Write a design into the object; the next recompute finds it and does not solve again.
 
-    told  the result of `describe` where it is known
+    report  the result of `describe` where it is known
     """
     import json
 
@@ -199,18 +201,18 @@ def show(obj, wanted, design, told: dict | None = None) -> None:
     from BalloonWorkbench.core.results.stl import balloon_mesh
     from BalloonWorkbench.core.units import to_mm
 
-    told = told or describe(wanted, design)
-    with results(obj) as found:
+    report = report or describe(current, design)
+    with results(obj) as output:
         positions, triangles = balloon_mesh(design.inflation)
-        found.Mesh = mesh_from_arrays(to_mm(positions), triangles)
-        part_shapes.store(found, "Seam", design.pattern)
-        _show_measures(found, told)
-        found.Warnings = list(design.warnings)
-        found.Advice = [f"{finding['severity']}: {finding['text']}" for finding in told["advice"]]
-        found.Puffiness = told["puffiness"]
-        found.Report = json.dumps(told, ensure_ascii=False)
-        film_result.store(found, design.inflation, wanted.settings.film, _values(obj))
-        found.SolvedFor = wanted.key()
+        output.Mesh = mesh_from_arrays(to_mm(positions), triangles)
+        part_shapes.store(output, "Seam", design.pattern)
+        _show_measures(output, report)
+        output.Warnings = list(design.warnings)
+        output.Advice = [f"{finding['severity']}: {finding['text']}" for finding in report["advice"]]
+        output.Puffiness = report["puffiness"]
+        output.Report = json.dumps(report, ensure_ascii=False)
+        film_result.store(output, design.inflation, current.settings.film, _values(obj))
+        output.SolvedFor = current.key()
 
 
 def _values(obj) -> dict:
@@ -227,22 +229,22 @@ def _not_asked(obj) -> str:
     return f"{changed} changed since. Choose Inflate now in its context menu, or switch Live on."
 
 
-def _show_measures(obj, told) -> None:
+def _show_measures(obj, report) -> None:
     from BalloonWorkbench.app.properties import quantities
 
-    inflated, design, error = told["inflated"], told["design"], told["design"]["silhouette_error_mm"]
+    inflated, design, error = report["inflated"], report["design"], report["design"]["silhouette_error_mm"]
     obj.InflatedWidth, obj.InflatedHeight = inflated["width_mm"], inflated["height_mm"]
     obj.InflatedThickness = inflated["thickness_mm"]
     obj.Volume = quantities.cubic_millimetres(inflated["volume_m3"])
     obj.FilmArea = quantities.square_millimetres(inflated["film_area_m2"])
-    obj.ActivePressure = quantities.kilopascals(told["pressure_Pa"])
+    obj.ActivePressure = quantities.kilopascals(report["pressure_Pa"])
     obj.MaxTension, obj.MaxStrain = inflated["max_tension_N_per_m"], inflated["max_strain"]
     obj.WrinkledShare = inflated["area_shares"]["wrinkled"]
     obj.SlackShare = inflated["area_shares"]["slack"]
     obj.ResidualMean, obj.ResidualP95, obj.ResidualMax = error["mean"], error["p95"], error["max"]
-    obj.Reached, obj.Converged = bool(design["reached"]), bool(told["solve"]["converged"])
-    obj.Passes, obj.NewtonSteps = int(design["passes"]), int(told["solve"]["newton_steps"])
-    obj.ActiveBackend = told["backend"]
+    obj.Reached, obj.Converged = bool(design["reached"]), bool(report["solve"]["converged"])
+    obj.Passes, obj.NewtonSteps = int(design["passes"]), int(report["solve"]["newton_steps"])
+    obj.ActiveBackend = report["backend"]
 
 
 def _verdict(obj) -> str:

@@ -64,26 +64,26 @@ class FilmSheetProxy(DocumentProxy):
             if status.waits_for(obj, pattern_obj, has_result, ""):
                 return
         with status.reported(obj, has_result):
-            with results(obj) as found:
-                self.lay_out(obj, found)
+            with results(obj) as output:
+                self.lay_out(obj, output)
             status.set_status(obj, status.READY)
 
-    def lay_out(self, obj, found):
+    def lay_out(self, obj, output):
         """The layout that is shown, laid out anew where something changed."""
         from BalloonWorkbench.app.border import hooks
 
         parted, stock = _by_film(obj), _stock(obj)
         pieces = _chosen(obj, parted)
-        wanted = _label(pieces, stock)
-        if wanted != obj.LaidOutFor:
+        label = _label(pieces, stock)
+        if label != obj.LaidOutFor:
             from BalloonWorkbench.core.nesting.nest import nest
 
             layouts, remarks = hooks.run_blocking(
                 f"Laying out {obj.Label}", lambda progress: nest(pieces, stock, progress)
             )
-            _keep(found, layouts)
-            found.Warnings, found.LaidOutFor = [*remarks, *_left_out(obj, parted)], wanted
-        show(found, pieces, stock)
+            _keep(output, layouts)
+            output.Warnings, output.LaidOutFor = [*remarks, *_left_out(obj, parted)], label
+        show(output, pieces, stock)
 
     def cut_pattern(self, obj):
         """All pieces of the sheet that is shown, as one pattern."""
@@ -130,10 +130,10 @@ def show(obj, pieces, stock) -> None:
 
 def _chosen(obj, parted) -> list:
     """The pieces that are laid out, of those by film. InputError where the patterns have none of it."""
-    found = parted.get(FILMS[obj.Film], [])
-    if not found:
+    pieces = parted.get(FILMS[obj.Film], [])
+    if not pieces:
         raise InputError(f'No pattern here has pieces of "{obj.Film}": choose another film.')
-    return found
+    return pieces
 
 
 def _left_out(obj, parted) -> list[str]:
@@ -154,19 +154,19 @@ def _by_film(obj) -> dict:
 
     if obj.Balloons < 1:
         raise InputError(f"{obj.Balloons} balloons cannot be laid out: give 1 or more.")
-    found = []
+    pieces = []
     for each in obj.Patterns:
         panel = pattern.build(each)
         whole = sheet_of(panel, replace(pattern.values(each), mirror=True, copies=1))
-        found += pieces_of(panel, whole, obj.Balloons, film.read(each.Balloon).lies)
-    return by_stock(found)
+        pieces += pieces_of(panel, whole, obj.Balloons, film.read(each.Balloon).lies)
+    return by_stock(pieces)
 
 
 def _stock(obj):
     from BalloonWorkbench.core.nesting.layout import GrainRule, Stock
 
-    told = options_from(obj, SheetOptions)
-    return Stock(told.film_width, told.film_length, told.spacing, GrainRule(told.grain))
+    options = options_from(obj, SheetOptions)
+    return Stock(options.film_width, options.film_length, options.spacing, GrainRule(options.grain))
 
 
 def _label(pieces, stock) -> str:
@@ -186,11 +186,11 @@ def _label(pieces, stock) -> str:
 
 def _keep(obj, layouts) -> None:
     """Write where all pieces lie into the object."""
-    kept = [
+    places = [
         [[place.piece, place.mirrored, place.angle, *place.shift.tolist()] for place in layout.places]
         for layout in layouts
     ]
-    obj.Layouts = json.dumps(kept)
+    obj.Layouts = json.dumps(places)
 
 
 def _layout(obj, stock, pieces):
@@ -199,11 +199,11 @@ def _layout(obj, stock, pieces):
 
     from BalloonWorkbench.core.nesting.layout import Place, layout_of
 
-    kept = json.loads(obj.Layouts)
-    if not 1 <= obj.Shown <= len(kept):
-        raise InputError(f"There is no sheet {obj.Shown}: give a number from 1 to {len(kept)}.")
+    sheets = json.loads(obj.Layouts)
+    if not 1 <= obj.Shown <= len(sheets):
+        raise InputError(f"There is no sheet {obj.Shown}: give a number from 1 to {len(sheets)}.")
     places = [
         Place(int(piece), bool(mirrored), angle, np.array([x, y]))
-        for piece, mirrored, angle, x, y in kept[obj.Shown - 1]
+        for piece, mirrored, angle, x, y in sheets[obj.Shown - 1]
     ]
     return layout_of(stock, pieces, places)

@@ -156,8 +156,8 @@ def read(obj):
         )
     outline = drawing.parts[obj.Part - 1]
     if len(drawing.parts) > 1:
-        told = f"This is shape {obj.Part} of the {len(drawing.parts)} in the drawing."
-        outline = replace(outline, notes=(told, *outline.notes))
+        note = f"This is shape {obj.Part} of the {len(drawing.parts)} in the drawing."
+        outline = replace(outline, notes=(note, *outline.notes))
     return outline, kind, placement
 
 
@@ -181,11 +181,11 @@ def show(obj, outline, kind: str) -> None:
     from BalloonWorkbench.app.shapes import part_shapes
     from BalloonWorkbench.core.units import to_mm
 
-    with results(obj) as found:
-        part_shapes.store(found, "Loop", outline)
+    with results(obj) as output:
+        part_shapes.store(output, "Loop", outline)
         width, height = outline.size
-        found.Shape = part_shapes.face(outline)
-        found.Kind = kind
-        found.SizeX, found.SizeY = to_mm(width), to_mm(height)
-        found.HoleCount = len(outline.holes)
-        found.Notes = list(outline.notes)
+        output.Shape = part_shapes.face(outline)
+        output.Kind = kind
+        output.SizeX, output.SizeY = to_mm(width), to_mm(height)
+        output.HoleCount = len(outline.holes)
+        output.Notes = list(outline.notes)

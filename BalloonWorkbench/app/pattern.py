@@ -120,8 +120,8 @@ class PatternProxy(DocumentProxy):
         with status.reported(obj, has_result):
             request, arcs = _request(obj), obj.Arcs
             curves = hooks.run_blocking(f"Drawing {obj.Label}", lambda progress: draw(*request, arcs))
-            with results(obj) as found:
-                pattern_shape.show(found, sheet(obj), curves, kind_of(obj).note if obj.Intake else "")
+            with results(obj) as output:
+                pattern_shape.show(output, sheet(obj), curves, kind_of(obj).note if obj.Intake else "")
             status.set_status(obj, status.READY)
         obj.positionBySupport()
 
@@ -228,7 +228,7 @@ def _request(obj) -> tuple:
     return part_shapes.stored(obj.Balloon, "Seam"), metres(obj.Balloon.SealWidth), values(obj)
 
 
-def draw(seam, seal_width: float, wanted, arcs: bool = True) -> tuple:
+def draw(seam, seal_width: float, options, arcs: bool = True) -> tuple:
     """What is drawn of a pattern: a curve for each contour of its sheet; touches no document.
 
     arcs  lines and arcs in place of many short lines
@@ -239,5 +239,5 @@ def draw(seam, seal_width: float, wanted, arcs: bool = True) -> tuple:
     from BalloonWorkbench.core.pattern.make import make_pattern, sheet_of
 
     curve = fit_curve if arcs else polyline
-    contours = sheet_of(make_pattern(seam, seal_width, wanted), wanted).contours
+    contours = sheet_of(make_pattern(seam, seal_width, options), options).contours
     return tuple(curve(contour.points, contour.closed) for contour in contours)

@@ -156,7 +156,7 @@ class _Run:
         if not contents:
             raise self._fault or ExportError("\n".join(["No file could be made.", *self._left_out]))
         write_files(options.out, contents, self._written)
-        return self._tell(
+        return self._print_summary(
             balloon, [*(self.say(f"Check: {doubt}") for doubt in doubts), *map(self.say, smaller), *lines]
         )
 
@@ -171,8 +171,8 @@ class _Run:
         """Contents of the files that can be made, by name, and lines for the user."""
         progress(1.0, "writing files")
         contents: dict[str, bytes] = {}
-        usual = self._attempt("The file of the pattern", lambda: makers(balloon, options.results))
-        for name, maker in (usual or {}).items():
+        pattern_makers = self._attempt("The file of the pattern", lambda: makers(balloon, options.results))
+        for name, maker in (pattern_makers or {}).items():
             content = self._attempt(name, maker)
             if content is not None:
                 contents[name] = content
@@ -200,8 +200,8 @@ class _Run:
             raise ExportError("\n".join([*map(str, refused), *bed.ways_on(balloon, chosen)]))
         self._left_out += [*map(str, refused), *(bed.ways_on(balloon, chosen) if refused else [])]
         more = self._attempt("The rest of the job", lambda: make(balloon, chosen, progress, self._attempt))
-        files, told = more or ({}, [])
-        return contents | files, [*lines, *told]
+        files, remarks = more or ({}, [])
+        return contents | files, [*lines, *remarks]
 
     def _attempt(self, what: str, make: Callable[[], Made], /) -> Made | None:
         """Make something that the other files can do without: see core/types.py."""
@@ -228,7 +228,7 @@ class _Run:
         if load.problem_with_library() is None:
             return self._show("The native solver is here already.")
         wheel = native_wheel.wheel()
-        shown = self._show(
+        failure = self._show(
             f"Fetching {wheel.address} ({number_text(wheel.size / 1e6, 2)} MB) "
             f"into {native_wheel.place()}; only the file with SHA-256 {wheel.sha256} is kept."
         )
@@ -237,20 +237,20 @@ class _Run:
             native_wheel.fetch(wheel, self._progress(line))
         finally:
             line.clear()
-        return shown or self._show("The native solver is in use now.")
+        return failure or self._show("The native solver is in use now.")
 
     def _show(self, text: str) -> int:
         """Show a line; the exit code."""
         return 0 if console.show(f"{self.say(text)}\n") is None else console.UNSHOWN
 
-    def _tell(self, balloon: Balloon, lines: Sequence[str]) -> int:
+    def _print_summary(self, balloon: Balloon, lines: Sequence[str]) -> int:
         """Tell what was found and written; the exit code."""
         say, settings = self.say, balloon.settings
-        told = summary(balloon.report, settings.film, settings.correct, say)
+        output = summary(balloon.report, settings.film, settings.correct, say)
         slow = native_wheel.slow_notes() if settings.backend is None else []
-        told += [say(f"Note: {say(note)}") for note in (*self._left_out, *slow)]
-        told += [*lines, *(say(f"Wrote {path}") for path in self._paths)]
-        problem = console.show("\n".join(told) + "\n")
+        output += [say(f"Note: {say(note)}") for note in (*self._left_out, *slow)]
+        output += [*lines, *(say(f"Wrote {path}") for path in self._paths)]
+        problem = console.show("\n".join(output) + "\n")
         if self._fault is not None:
             self.complain(self._fault)
             return FAULT
@@ -278,7 +278,7 @@ def _settings(options: argparse.Namespace) -> Settings:
         model=Model(**vars(typed(options, ModelOptions))),
         goal=_goal(options),
         filling=Filling(**{**vars(filling), "gas": gas(filling.gas)}),
-        wanted=typed(options, PatternOptions),
+        pattern=typed(options, PatternOptions),
     )
 
 

@@ -145,26 +145,28 @@ def _add_options(command: argparse.ArgumentParser) -> None:
 
 def _argument(option: Option) -> dict[str, Any]:
     """How argparse reads an option."""
-    told: dict[str, Any] = {"help": help_text(option).replace("%", "%%"), "default": option.default}
+    arguments: dict[str, Any] = {"help": help_text(option).replace("%", "%%"), "default": option.default}
     if isinstance(option.default, bool):
-        return told | {"action": "store_false" if option.default else "store_true"}
+        return arguments | {"action": "store_false" if option.default else "store_true"}
     name, read, _ = _KINDS[option.kind]
-    told["type"] = partial(read, plain=option.plain) if option.plain else read
+    arguments["type"] = partial(read, plain=option.plain) if option.plain else read
     if isinstance(option.default, tuple):
-        told |= {"action": "append", "default": []}
+        arguments |= {"action": "append", "default": []}
     if option.kind is Kind.CHOICE and not option.metavar:
         none = [NONE] if option.switch else []
-        return told | {"choices": [*(value for value in option.titles if value is not None), *none]}
+        return arguments | {"choices": [*(value for value in option.titles if value is not None), *none]}
     if option.switch:
-        told |= {"nargs": "?", "const": True}
-    return told | {"metavar": option.metavar or name}
+        arguments |= {"nargs": "?", "const": True}
+    return arguments | {"metavar": option.metavar or name}
 
 
 def metavar(option: Option) -> str:
     """What is typed after an option: its kind of value, or what may be chosen."""
-    told = _argument(option)
-    choices = "{" + ",".join(told["choices"]) + "}" if "choices" in told else told.get("metavar", "")
-    return f"[{choices}]" if "nargs" in told else choices
+    arguments = _argument(option)
+    choices = (
+        "{" + ",".join(arguments["choices"]) + "}" if "choices" in arguments else arguments.get("metavar", "")
+    )
+    return f"[{choices}]" if "nargs" in arguments else choices
 
 
 def help_text(option: Option) -> str:

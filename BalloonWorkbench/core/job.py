@@ -34,8 +34,7 @@ from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.film.library import film
 from BalloonWorkbench.core.machines.machine import ANY, machines
 from BalloonWorkbench.core.machines.machine_file import file_of_stock, machine_file
-from BalloonWorkbench.core.making.numbers import Numbers, maker_numbers
-from BalloonWorkbench.core.making.numbers import told as told_numbers
+from BalloonWorkbench.core.making.numbers import Numbers, maker_numbers, numbers_report
 from BalloonWorkbench.core.making.weight import film_and_valve
 from BalloonWorkbench.core.options.drawing import ReadingOptions
 from BalloonWorkbench.core.options.film import DEFAULT_FILM
@@ -67,20 +66,20 @@ DEFAULT_PRESSURE = InflationOptions.pressure
 class Settings(ReadingOptions, InflationOptions):
     """How a balloon is made: how its drawing is read, to what it is inflated, and
 
-    film: of what; model: what is simulated; goal: what the size has to give; filling: what lifts; wanted: how
-    the pattern is made.
+    film: of what; model: what is simulated; goal: what the size has to give; filling: what lifts;
+    pattern: how the pattern is made.
     """
 
     film: Film = field(default_factory=lambda: film(DEFAULT_FILM))
     model: Model = field(default_factory=Model)
     goal: SizeGoal | None = None
     filling: Filling = field(default_factory=Filling)
-    wanted: PatternOptions = field(default_factory=PatternOptions)
+    pattern: PatternOptions = field(default_factory=PatternOptions)
 
     @property
     def intake(self) -> bool:
         """Whether the pattern has one."""
-        return self.wanted.intake
+        return self.pattern.intake
 
 
 @dataclass(frozen=True)
@@ -122,7 +121,7 @@ class Balloon:
     @property
     def sheet(self) -> Pattern:
         """All that is cut: the patterns with their pieces, second panels and copies as they are wanted."""
-        return on_one_sheet([sheet_of(pattern, self.settings.wanted) for pattern in self.patterns])
+        return on_one_sheet([sheet_of(pattern, self.settings.pattern) for pattern in self.patterns])
 
 
 def make_balloon(
@@ -143,7 +142,7 @@ def make_balloon(
     """
     settings = rounded(settings)
     settings.filling.lightness()  # a mistake shows before the work
-    remarks = pieces_remarks(settings.wanted, settings.film)
+    remarks = pieces_remarks(settings.pattern, settings.film)
     if settings.goal is not None and width is None and height is None:
         width = START_WIDTH
     drawing, kind = read_drawing(path, width, height, decode, settings.drawn_as)
@@ -165,18 +164,18 @@ def make_balloon(
     drawing = replace(drawing, parts=tuple(outlines))
     made = []
     for design in designs:
-        pattern = make_pattern(design.pattern, settings.film.seal_width, settings.wanted)
+        pattern = make_pattern(design.pattern, settings.film.seal_width, settings.pattern)
         pattern = replace(pattern, warnings=(*pattern.warnings, *remarks))
         numbers = attempt("What it takes to make it", partial(_numbers, design, pattern, settings))
         made.append(Part(design, pattern, numbers))
     balloon = Balloon(drawing, settings, tuple(made), {})
-    told = attempt("report.json", partial(_report, balloon, Path(path).name, kind))
-    return replace(balloon, report=told or {})
+    report_data = attempt("report.json", partial(_report, balloon, Path(path).name, kind))
+    return replace(balloon, report=report_data or {})
 
 
 def _report(balloon: Balloon, file: str, kind: str) -> dict[str, Any]:
     """The report; empty where the numbers of a balloon are missing."""
-    told, settings = [], balloon.settings
+    of_parts, settings = [], balloon.settings
     for part, outline in zip(balloon.parts, balloon.drawing.parts, strict=True):
         if part.numbers is None:
             return {}
@@ -191,12 +190,12 @@ def _report(balloon: Balloon, file: str, kind: str) -> dict[str, Any]:
             settings.goal,
             part.numbers.valve,
         )
-        of_part["pattern"]["options"] = unusual(settings.wanted)
-        of_part["maker"] = told_numbers(part.numbers)
-        told.append(
-            of_part | advice_report(advise_design(part.design, settings.film, wanted=settings.wanted))
+        of_part["pattern"]["options"] = unusual(settings.pattern)
+        of_part["maker"] = numbers_report(part.numbers)
+        of_parts.append(
+            of_part | advice_report(advise_design(part.design, settings.film, options=settings.pattern))
         )
-    return report.together(told, balloon.drawing, balloon.sheet)
+    return report.together(of_parts, balloon.drawing, balloon.sheet)
 
 
 def _numbers(design: Design, pattern: Pattern, settings: Settings) -> Numbers:
@@ -208,7 +207,7 @@ def _numbers(design: Design, pattern: Pattern, settings: Settings) -> Numbers:
         pattern,
         design.target.size[0],
         settings.filling,
-        pieces=sheet_of(pattern, replace(settings.wanted, mirror=True, copies=1)),
+        pieces=sheet_of(pattern, replace(settings.pattern, mirror=True, copies=1)),
     )
 
 
@@ -266,8 +265,8 @@ def _design_to_goal(outline: Outline, settings: Settings, goal: SizeGoal, progre
     buoyancy = Buoyancy(
         settings.filling.lightness(settings.pressure),
         settings.film.areal_density,
-        lambda seam: film_and_valve(seam, settings.film, settings.wanted)[0],
-        film_and_valve(outline, settings.film, settings.wanted)[1],
+        lambda seam: film_and_valve(seam, settings.film, settings.pattern)[0],
+        film_and_valve(outline, settings.film, settings.pattern)[1],
     )
     return design_to_size(work, outline, goal, buoyancy, corrected=settings.correct, progress=progress)
 
@@ -316,8 +315,8 @@ def left_out_text(name: str, why: BalloonError | str) -> str:
 
 def report_bytes(balloon: Balloon, left_out: Sequence[str] = ()) -> bytes:
     """The content of report.json, with warnings about what was left out."""
-    told = balloon.report | {"warnings": [*balloon.report["warnings"], *left_out]}
-    text = json.dumps(told, indent=2, ensure_ascii=False, allow_nan=False)
+    data = balloon.report | {"warnings": [*balloon.report["warnings"], *left_out]}
+    text = json.dumps(data, indent=2, ensure_ascii=False, allow_nan=False)
     # letters that are none, as in names of files from other systems, as JSON writes them
     return (text + "\n").encode(errors="backslashreplace")
 

@@ -30,8 +30,8 @@ _TO_INSTALL = {"cv2": "opencv-python-headless"}
 
 def missing() -> list[str]:
     """A sentence for each package that is not installed: what that costs, what remains, how to get it."""
-    told = [NO_CTYPES] if lacks_ctypes() else []
-    return told + [
+    sentences = [NO_CTYPES] if lacks_ctypes() else []
+    return sentences + [
         f"The Python package {name} is missing. {cost} To get it: pip install {_TO_INSTALL.get(name, name)}"
         for name, cost in ABSENCES.items()
         if importlib.util.find_spec(name) is None

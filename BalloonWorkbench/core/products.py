@@ -117,11 +117,11 @@ def nested(
 
     Raises what `nest` raises.
     """
-    wanted = replace(balloon.settings.wanted, mirror=True, copies=1)
+    options = replace(balloon.settings.pattern, mirror=True, copies=1)
     pieces = [
         piece
         for pattern in balloon.patterns
-        for piece in pieces_of(pattern, sheet_of(pattern, wanted), copies, balloon.settings.film.lies)
+        for piece in pieces_of(pattern, sheet_of(pattern, options), copies, balloon.settings.film.lies)
     ]
     laid = {}
     for name, parted in by_stock(pieces).items():
@@ -136,11 +136,11 @@ def assembly_files(balloon: Balloon, title: str, paper: str, say: Say) -> Mappin
     Raises what assembly_pdf raises.
     """
     count = len(balloon.parts)
-    found = {}
+    files = {}
     for number, part in enumerate(balloon.parts, 1):
         if part.numbers is None:
             continue
         name = title if count == 1 else f"{title} {number}"
         subject = SheetSubject(name, balloon.settings.film, part.design.inflation, part.pattern, part.numbers)
-        found["assembly.pdf" if number == 1 else f"assembly-{number}.pdf"] = assembly_pdf(subject, paper, say)
-    return found
+        files["assembly.pdf" if number == 1 else f"assembly-{number}.pdf"] = assembly_pdf(subject, paper, say)
+    return files

@@ -128,8 +128,8 @@ def temperature_text(kelvin: float) -> str:
 
 def money_text(amount: float, currency: str) -> str:
     """A price for people: two decimals, but for very small and large ones."""
-    usual = amount == 0.0 or 0.005 <= amount < 100.0
-    return f"{f'{amount:.2f}' if usual else number_text(amount, 1)} {currency}"
+    common = amount == 0.0 or 0.005 <= amount < 100.0
+    return f"{f'{amount:.2f}' if common else number_text(amount, 1)} {currency}"
 
 
 def percent_text(share: float) -> str:

@@ -27,7 +27,7 @@ def attach_view(obj) -> None:
         vobj.Proxy.restored(vobj)
         return
     _view_of(type(obj.Proxy).__name__)(vobj)
-    for shown in (obj, obj.getParentGroup()):  # FreeCAD hides what it loads without its looks
-        if shown is not None:
-            shown.ViewObject.Visibility = True
+    for each in (obj, obj.getParentGroup()):  # FreeCAD hides what it loads without its looks
+        if each is not None:
+            each.ViewObject.Visibility = True
     vobj.Proxy.updateData(obj, "Roles")  # colours of lines hold only for lines that are drawn already

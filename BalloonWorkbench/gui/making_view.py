@@ -68,8 +68,8 @@ class ArtworkView(LinesView):
             front, back = artwork.sheets(obj, _DPI)
         except BalloonError:
             return
-        shown = back if obj.Side == artwork.BACK else front
-        for node in _plane(shown):
+        image = back if obj.Side == artwork.BACK else front
+        for node in _plane(image):
             self.print.addChild(node)
 
     def doubleClicked(self, vobj):

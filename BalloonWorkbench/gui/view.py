@@ -44,9 +44,9 @@ class _View(Stateless):
 
     def updateData(self, obj, name):
         if name in ("Status", "Reached"):
-            for shown in (obj, obj.getParentGroup()):
-                if shown is not None and shown.ViewObject is not None:
-                    shown.ViewObject.signalChangeIcon()
+            for each in (obj, obj.getParentGroup()):
+                if each is not None and each.ViewObject is not None:
+                    each.ViewObject.signalChangeIcon()
 
     def doubleClicked(self, vobj):
         from BalloonWorkbench.gui.panels import edit

@@ -43,7 +43,7 @@ def edited(before: Panel) -> Panel:
     The rim follows as a Gaussian of EDIT_REACH; the mesh is kept.
     """
     width = float(np.ptp(before.rest_positions, axis=0).max())
-    outer = before.rest_positions[before.seams[0]]
+    outer = before.rest_positions[before.loops[0]]
     lengths = np.linalg.norm(np.roll(outer, -1, axis=0) - outer, axis=1)
     along = np.concatenate([[0.0], np.cumsum(lengths)])
     point = int(np.argmin(np.abs(along[:-1] - 0.3 * along[-1])))
@@ -51,7 +51,7 @@ def edited(before: Panel) -> Panel:
     gap = np.minimum(gap, along[-1] - gap)
     pull = np.exp(-0.5 * (gap / (EDIT_REACH * width)) ** 2)
     moved = [outer + EDIT * width * pull[:, None] * _outward(outer, point)]
-    moved += [before.rest_positions[seam] for seam in before.seams[1:]]
+    moved += [before.rest_positions[seam] for seam in before.loops[1:]]
     panel = move_rim(before, moved)
     if panel is None:
         raise RuntimeError("The mesh did not survive the edit.")

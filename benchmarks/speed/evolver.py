@@ -132,7 +132,7 @@ def datafile(panel: Panel, film: Film, pressure: float, softening: float, limit:
     stiff = film.membrane_stiffness / (pressure * size)
     rest, positions = panel.rest_positions / size, starts.dome(panel) / size
     rim = np.zeros(len(rest), dtype=bool)
-    rim[np.concatenate(panel.seams)] = True
+    rim[np.concatenate(panel.loops)] = True
     edges, sides = oriented_edges(panel.triangles)
     lines = [_HEAD.format(soft=stiff / softening), "vertices"]
     lines += [

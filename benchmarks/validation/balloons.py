@@ -255,7 +255,7 @@ def airbag() -> Section:
     )
 
 
-def puffiness() -> Section:
+def relative_volume() -> Section:
     """Section 12: V / A^1.5."""
     hexagon = circle(1.0, 6)
     triangle = circle(1.0, 3)

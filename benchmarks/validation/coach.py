@@ -58,7 +58,7 @@ class _Study:
 
     shapes: int
     scores: dict[str, Score] = field(default_factory=new_scores)
-    puffiness: list[float] = field(default_factory=list)
+    relative_volume: list[float] = field(default_factory=list)
     thickest: list[float] = field(default_factory=list)
     refused: int = 0
 
@@ -71,7 +71,7 @@ class _Study:
             except BalloonError:
                 self.refused += 1
                 continue
-            self.puffiness.append(advice.puffiness / truth.puffiness())
+            self.relative_volume.append(advice.relative_volume / truth.relative_volume())
             self.thickest.append(float(advice.map.thickness.max() / truth.thick.max()))
             yield case, truth, advice
 
@@ -92,7 +92,7 @@ def coach(images: Path) -> Section:
         the generator drew such a part, or for notches all places of the outer rim, and the simulation shows
         the flaw. {drawn.refused} outlines were refused.
 
-        Predicted over simulated: puffiness {_spread(drawn.puffiness)}, greatest thickness
+        Predicted over simulated: relative volume {_spread(drawn.relative_volume)}, greatest thickness
         {_spread(drawn.thickest)}."""
     )
     text += "\n" + table(
@@ -102,7 +102,7 @@ def coach(images: Path) -> Section:
     text += "\n" + paragraphs(
         f"""{FITTED} of them once more, with the pattern corrected until the balloon looks like the outline.
         The one constant of the coach, by how much that tightens notches, comes from these.
-        Predicted over simulated: puffiness {_spread(fitted.puffiness)}, greatest thickness
+        Predicted over simulated: relative volume {_spread(fitted.relative_volume)}, greatest thickness
         {_spread(fitted.thickest)}."""
     )
     text += "\n" + table(
@@ -128,7 +128,9 @@ def coach(images: Path) -> Section:
 def _pictures() -> list[tuple[str, Outline, Advice]]:
     outlines = [(path.stem, read_picture(path, 0.3, None)) for path in sorted(PICTURES.glob("*.png"))]
     said = [(name, outline, advise(outline, FILM)) for name, outline in outlines]
-    return [(f"{name}: {100 * advice.puffiness:.0f} %", outline, advice) for name, outline, advice in said]
+    return [
+        (f"{name}: {100 * advice.relative_volume:.0f} %", outline, advice) for name, outline, advice in said
+    ]
 
 
 def _row(rule: str, score: Score) -> tuple[str, ...]:
@@ -176,5 +178,5 @@ def _measure(truth: Truth, finding: Finding) -> float:
 
 
 def _rim_near(truth: Truth, place: np.ndarray) -> np.ndarray:
-    rim = truth.flat[truth.panel.seams[0]]
+    rim = truth.flat[truth.panel.loops[0]]
     return rim[np.argmin(np.linalg.norm(rim - place, axis=1))]

@@ -40,7 +40,7 @@ class GaussNewton:
     def step(self, current: Iterate, correction: Floats) -> Floats:
         """How the finely sampled pattern (n, 2) shall move; what is missing is measured, not smoothed."""
         seam_map, panel, node = current.seam_map, current.panel, current.nodes[0]
-        drawing, pattern, seam = seam_map.drawing[0], seam_map.pattern[0], panel.seams[0]
+        drawing, pattern, seam = seam_map.drawing[0], seam_map.pattern[0], panel.loops[0]
         points = current.inflation.positions[seam, :2]
         edge = float(arc_lengths(panel.rest_positions[seam])[-1]) / len(seam)
         drift = np.full(len(points), DRIFT * edge)
@@ -64,7 +64,7 @@ class GaussNewton:
 def _answers(current: Iterate, film: Film, pressure: float, at_nodes: Floats) -> Floats:
     """Moves (m, n, 3) of the balloon for moves (m, k, 2) of the pattern's seam."""
     panel, inflation = current.panel, current.inflation
-    seam = panel.seams[0]
+    seam = panel.loops[0]
     free = np.setdiff1d(np.arange(len(panel.rest_positions)), seam)
     columns = np.moveaxis(at_nodes, 0, 1).reshape(len(seam), -1)
     moves = np.zeros((len(at_nodes), len(panel.rest_positions), 2))

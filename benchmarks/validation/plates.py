@@ -23,7 +23,7 @@ from BalloonWorkbench.core.types import Bools, Floats, Ints
 def hencky() -> Section:
     """Section 7: clamped disc under pressure."""
     disc, stiffness = panel("disc", 1500), 1e5
-    rest, rim = disc.rest_positions, disc.seams[0]
+    rest, rim = disc.rest_positions, disc.loops[0]
     fixed = held(len(rest))
     fixed[rim, :3] = True
     deflection = 0.653443 * stiffness ** (-1.0 / 3.0)
@@ -221,8 +221,8 @@ def _disc_plate(clamped: bool, even: bool) -> float:
     disc = panel("disc", 400)
     points = disc.rest_positions
     fixed = held(len(points), moves="xy")
-    fixed[disc.seams[0], 2] = True
-    fixed[disc.seams[0], 3:] = clamped
+    fixed[disc.loops[0], 2] = True
+    fixed[disc.loops[0], 3:] = clamped
     centre = nearest(points, 0.0, 0.0)
     load = vertex_areas(points, disc.triangles) if even else np.eye(len(points))[centre]
     return _deflection(points, disc.triangles, fixed, load, centre)

@@ -37,7 +37,7 @@ def capitals(monkeypatch: pytest.MonkeyPatch) -> None:
     """The command line in that language, with the texts that the source has now."""
     known = sentence_forms.known(tool.sentences())
     monkeypatch.setattr(
-        command_line, "speech", lambda _name: lambda text: sentence_forms.told(text, known, loud)
+        command_line, "speech", lambda _name: lambda text: sentence_forms.translated(text, known, loud)
     )
 
 

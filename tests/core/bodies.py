@@ -32,7 +32,7 @@ def panel_of(points: Floats, triangles: Ints) -> Panel:
 
 def run(number: int, panel: Panel, start: Floats, end: Floats, loop: int = 0) -> Run:
     """Along a boundary loop counter-clockwise from one place to another; all round where they are one."""
-    rim = panel.seams[loop]
+    rim = panel.loops[loop]
     first, last = (int(np.argmin(np.hypot(*(panel.rest_positions[rim] - place).T))) for place in (start, end))
     count = (last - first) % len(rim) or len(rim)
     return Run(number, rim[(first + np.arange(count + 1)) % len(rim)])

@@ -103,7 +103,7 @@ class Truth:
 
     def peaks(self) -> Iterator[Floats]:
         """Places of the outer rim with a tension peak, the highest first, each with its surroundings."""
-        rim = self.flat[self.panel.seams[0]]
+        rim = self.flat[self.panel.loops[0]]
         values = np.array([self.peak(place) for place in rim])
         left = values >= 3.0
         while left.any():
@@ -114,9 +114,9 @@ class Truth:
     def warp(self) -> float:
         """Height of the seam of both panels, simulated from a twisted start, relative to the size."""
         both = inflate(self.panel, FILM, PRESSURE, model=Model(two_panels=True, twist=TWIST))
-        return float(np.ptp(both.positions[np.concatenate(self.panel.seams), 2]) / self.size)
+        return float(np.ptp(both.positions[np.concatenate(self.panel.loops), 2]) / self.size)
 
-    def puffiness(self) -> float:
+    def relative_volume(self) -> float:
         """V / A^1.5 relative to a disc's."""
         return float(self.balloon.volume / self.areas.sum() ** 1.5 / DISC)
 
@@ -146,7 +146,7 @@ class Truth:
             "flat_tip": lambda: self.flat_length(where) > 0.07,
             "notch": lambda: self.peak(where) >= 3.0,
             "warping_ring": lambda: self.warp() > 0.08,
-            "flat_shape": lambda: self.puffiness() < 0.4,
+            "flat_shape": lambda: self.relative_volume() < 0.4,
             "hidden_intake": lambda: self.entered() < 0.5,
             "delicate_intake": lambda: self.thickest_near(where) < 0.3,
         }

@@ -21,9 +21,9 @@ REPORT = SolveReport("numpy", 12, 14, 0.5, True, 300.0, 1e-5, 0.0, 2000.0, Model
 def lifted(panel: Panel, shrink: float = 0.9) -> Inflation:
     """The panel shrunk in its plane and lifted as the square root of the distance to its seam."""
     flat = panel.rest_positions
-    rim = np.concatenate([_finer(flat[seam]) for seam in panel.seams])
+    rim = np.concatenate([_finer(flat[seam]) for seam in panel.loops])
     away, _ = cKDTree(rim).query(flat)
-    seam = np.concatenate(panel.seams)
+    seam = np.concatenate(panel.loops)
     away[seam] = 0.0
     height = np.sqrt(away * float(np.ptp(flat, axis=0).max()) * 0.12)
     positions = np.column_stack([shrink * flat, height])
@@ -47,7 +47,7 @@ def designed(outline: Outline, vertices: int = 1500) -> Design:
 
 
 def _loops(inflation: Inflation) -> tuple[np.ndarray, tuple[np.ndarray, ...]]:
-    first, *others = (inflation.positions[seam, :2] for seam in inflation.panel.seams)
+    first, *others = (inflation.positions[seam, :2] for seam in inflation.panel.loops)
     return first, tuple(others)
 
 

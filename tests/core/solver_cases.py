@@ -83,7 +83,7 @@ def _inflated(shape: str, k: float, backend: str, seal_width: float, vertices: i
 
 def radii(inflation: Inflation, seam: int) -> Floats:
     """Distances of the vertices of a seam from their centre."""
-    rim = inflation.positions[inflation.panel.seams[seam], :2]
+    rim = inflation.positions[inflation.panel.loops[seam], :2]
     return np.linalg.norm(rim - rim.mean(axis=0), axis=1)
 
 

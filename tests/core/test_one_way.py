@@ -29,7 +29,7 @@ def test_what_a_document_keeps_in_mm_asks_for_the_same_pattern() -> None:
     settings = Settings(correct=False, mesh_size=0.03, goal=SizeGoal(volume=1e-3))
     design = make_balloon(PICTURE, settings).design
     kept = rounded_outline(design.pattern.map(lambda line: from_mm(to_mm(line))))
-    assert make_pattern.knows(kept, settings.film.seal_width, settings.wanted)
+    assert make_pattern.knows(kept, settings.film.seal_width, settings.pattern)
 
 
 def test_a_command_does_everything_once(tmp_path: Path) -> None:

@@ -77,7 +77,7 @@ def test_the_engine_begins_with_what_is_declared() -> None:
     for made, declaring in (
         (settings, InflationOptions),
         (settings, ReadingOptions),
-        (settings.wanted, PatternOptions),
+        (settings.pattern, PatternOptions),
         (settings.model, ModelOptions),
         (Model(), ModelOptions),
     ):

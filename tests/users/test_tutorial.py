@@ -94,7 +94,7 @@ def _first_stroke(user, story, says):
 
 def _width(user, says, window):
     live = window.live
-    hand_is_there = window.canvas.scale.shown
+    hand_is_there = window.canvas.scale.is_visible
     user.replace(window.card.field, "25", confirm=False)
     user.button("PaintSizeDone")
     says(

@@ -16,7 +16,7 @@ from BalloonWorkbench.core import faults
 faults.surroundings["FreeCAD"] = ".".join(App.Version()[:3])
 
 
-def _none(*_given):
+def _none(*_arguments):
     return None
 
 
@@ -45,11 +45,11 @@ def guarded(method, answer=_none):
     """The method with a border around it: what it raises is told, and `answer` returned."""
 
     @wraps(method)
-    def call(self, *given):
+    def call(self, *arguments):
         try:
-            return method(self, *given)
+            return method(self, *arguments)
         except faults.UNFORESEEN as error:
-            hooks.tell(faults.as_balloon_error(error, f"in {type(self).__name__}.{method.__name__}"))
-            return answer(*given)
+            hooks.show_error(faults.as_balloon_error(error, f"in {type(self).__name__}.{method.__name__}"))
+            return answer(*arguments)
 
     return call

@@ -26,7 +26,7 @@ def report(error: BalloonError, about: str = "") -> None:
     write(f"{about}: {error}\n" if about else f"{error}\n")
 
 
-def tell(error: BalloonError) -> None:
+def show_error(error: BalloonError) -> None:
     """Say what went wrong where nobody waits for an answer; the window says it where the user looks."""
     report(error)
 

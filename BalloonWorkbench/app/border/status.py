@@ -69,6 +69,6 @@ def reported(obj, has_result: bool):
     try:
         yield
     except faults.UNFORESEEN as error:
-        told = faults.as_balloon_error(error, f"{obj.Name}: recompute")
-        set_problem(obj, has_result, str(told))
-        hooks.report(told, obj.Label)
+        known = faults.as_balloon_error(error, f"{obj.Name}: recompute")
+        set_problem(obj, has_result, str(known))
+        hooks.report(known, obj.Label)

@@ -293,8 +293,10 @@ def _is_apart(unit: _Unit) -> bool:
         return True
     back = unit.frame().inverse()
     lying = [back.multVec(obj.getGlobalPlacement().Base) for obj in unit.objects]
-    wanted = _on_a_sheet(unit.objects)
-    return all(((a - lying[0]) - (b - wanted[0])).Length < _SAME for a, b in zip(lying, wanted, strict=True))
+    intended = _on_a_sheet(unit.objects)
+    return all(
+        ((a - lying[0]) - (b - intended[0])).Length < _SAME for a, b in zip(lying, intended, strict=True)
+    )
 
 
 def _clearance(box, others, way: App.Vector) -> App.Vector:

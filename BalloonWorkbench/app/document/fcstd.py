@@ -70,5 +70,5 @@ def write_settings(parts, settings) -> None:
         parts.balloon.Load = balloon.VOLUME
     write_options(parts.balloon, settings.model, ModelOptions)
     write_options(parts.outline, settings, ReadingOptions)
-    pattern.set_values(parts.pattern, settings.wanted)
+    pattern.set_values(parts.pattern, settings.pattern)
     size_goal.set_filling(parts.balloon, settings.filling)

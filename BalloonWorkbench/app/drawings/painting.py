@@ -34,12 +34,12 @@ _FITTING = 0.6  # of the work of `solve`
 class SolvedPainting:
     """The balloons of a painting, the largest shape first, free of the document.
 
-    told  what `describe` says about each
+    reports  what `describe` says about each
     """
 
     requests: tuple[Request, ...]
     designs: tuple[Design, ...]
-    told: tuple[dict, ...]
+    reports: tuple[dict, ...]
 
 
 @dataclass(frozen=True)
@@ -103,12 +103,12 @@ def solve(
     """
     from BalloonWorkbench.core.report import Source
 
-    settings = _as_kept(settings)
+    settings = _as_stored(settings)
     drawing, kind = read_drawing(
         str(path), width, 0.0, symmetry=settings.symmetry, drawn_as=settings.drawn_as
     )
     count = len(drawing.parts)
-    requests, designs, told = [], [], []
+    requests, designs, reports = [], [], []
     for number, drawn in enumerate(drawing.parts):
         outline = linked(drawn, settings.passage)
         alike = settings if number == 0 else replace(settings, goal=None)
@@ -119,12 +119,12 @@ def solve(
     with stoppable(progress):
         for number, (request, design) in enumerate(zip(requests, designs)):
             checkpoint(_FITTING + (1.0 - _FITTING) * number / count)
-            told.append(describe(request, design))
+            reports.append(describe(request, design))
             checkpoint(_FITTING + (1.0 - _FITTING) * (number + 0.5) / count)
             with suppress(InputError):  # the pattern object will say what is wrong
-                pattern.draw(design.pattern, settings.film.seal_width, settings.wanted)
+                pattern.draw(design.pattern, settings.film.seal_width, settings.pattern)
         place(path, width, drawn_as=settings.drawn_as)  # the window will ask for it, and shall not wait
-    return SolvedPainting(tuple(requests), tuple(designs), tuple(told))
+    return SolvedPainting(tuple(requests), tuple(designs), tuple(reports))
 
 
 def _share(progress: Progress, number: int, count: int) -> Progress:
@@ -132,12 +132,12 @@ def _share(progress: Progress, number: int, count: int) -> Progress:
     return lambda fraction, text: progress(_FITTING * (number + fraction) / count, text)
 
 
-def _as_kept(settings: Settings) -> Settings:
+def _as_stored(settings: Settings) -> Settings:
     """Settings as the objects will have them, which keep the width of the intake."""
     from BalloonWorkbench.core.pattern.intake.places import intake_of
 
-    wanted = settings.wanted
-    return rounded(replace(settings, wanted=replace(wanted, intake_width=intake_of(wanted).width)))
+    options = settings.pattern
+    return rounded(replace(settings, pattern=replace(options, intake_width=intake_of(options).width)))
 
 
 def make(
@@ -176,13 +176,13 @@ def _fill(parts: Parts, path: Path, width: float, solved: SolvedPainting, pause)
     create.match_companions(parts)
     pause()
     everyone = [parts, *companions(parts)]
-    for each, request, design, told in zip(everyone, solved.requests, solved.designs, solved.told):
+    for each, request, design, report in zip(everyone, solved.requests, solved.designs, solved.reports):
         parts.outline.Document.recompute([each.outline])
         pause()
         if status.is_ready(each.outline):
-            wanted = balloon.request(each.balloon)
-            if wanted.key() == request.key():  # else its own values differ, and the recompute solves it
-                balloon.show(each.balloon, wanted, design, told)
+            current = balloon.request(each.balloon)
+            if current.key() == request.key():  # else its own values differ, and the recompute solves it
+                balloon.show(each.balloon, current, design, report)
                 pause()
                 parts.outline.Document.recompute([each.balloon])
                 pause()

@@ -24,12 +24,12 @@ def findings(parts) -> list:
         return []
     if not (status.is_ready(balloon) and is_solved(balloon)):
         return predicted(parts)
-    found = [finding for finding in stored(balloon) if finding.rule not in _OF_INTAKE]
-    found += _of_intake(balloon, values(pattern))
-    return sorted(found, key=lambda finding: -finding.severity.rank)
+    merged = [finding for finding in stored(balloon) if finding.rule not in _OF_INTAKE]
+    merged += _of_intake(balloon, values(pattern))
+    return sorted(merged, key=lambda finding: -finding.severity.rank)
 
 
-def _of_intake(balloon, wanted) -> list:
+def _of_intake(balloon, options) -> list:
     """The findings about the intake of a balloon that has a result, on the outline."""
     from BalloonWorkbench.app.engine import film_result
     from BalloonWorkbench.app.shapes import part_shapes
@@ -37,7 +37,7 @@ def _of_intake(balloon, wanted) -> list:
 
     inflation, film = film_result.stored(balloon)
     seam, drawn = part_shapes.stored(balloon, "Seam"), film_result.drawing(balloon)
-    return _on_outline(balloon, intake_findings(drawn, film, inflation, seam, balloon.Passes > 0, wanted))
+    return _on_outline(balloon, intake_findings(drawn, film, inflation, seam, balloon.Passes > 0, options))
 
 
 def is_solved(balloon) -> bool:
@@ -55,15 +55,15 @@ def stored(balloon) -> list:
     return _on_outline(balloon, [finding_from(data) for data in report.get("advice", [])])
 
 
-def _on_outline(balloon, found: list) -> list:
+def _on_outline(balloon, on_drawing: list) -> list:
     """Findings in the frame of the drawing, in that of the outline."""
     from BalloonWorkbench.core.advice.repairs import finding_scaled
 
     outline = balloon.Outline
-    if not found or not outline.SizeX:
-        return found
+    if not on_drawing or not outline.SizeX:
+        return on_drawing
     factor = outline.SizeX.Value / json.loads(balloon.Report)["input"]["width_mm"]
-    return [finding_scaled(finding, factor) for finding in found]
+    return [finding_scaled(finding, factor) for finding in on_drawing]
 
 
 def predicted(parts) -> list:
@@ -79,4 +79,4 @@ def advice_before(parts):
 
     asked = request(parts.balloon)
     settings = asked.settings
-    return advise(asked.source.outline, settings.film, fitted=settings.correct, wanted=values(parts.pattern))
+    return advise(asked.source.outline, settings.film, fitted=settings.correct, options=values(parts.pattern))

@@ -104,15 +104,15 @@ def export_for(
         path = path / made_for.file_name
 
     def contents(progress) -> dict[str, bytes]:
-        found = {}
+        files = {}
         for number, stock in enumerate(pattern.stocks):
             part = pattern.of_stock(stock)
             for finding in (*doubts, *preflight(part, made_for, oversize)):
                 if finding.severity == ERROR:
                     raise ExportError(finding.text)
             name = file_of_stock(path.name, stock) if number else path.name
-            found[name] = machine_file(part, made_for, paper, hooks.say)
-        return found
+            files[name] = machine_file(part, made_for, paper, hooks.say)
+        return files
 
     write_files(path.parent, hooks.run_blocking(f"Writing {path.name}", contents))
     return path

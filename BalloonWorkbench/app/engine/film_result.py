@@ -37,13 +37,13 @@ def store(obj, inflation, film, values: dict) -> None:
     import numpy as np
 
     panel = inflation.panel
-    lines = (*panel.seams, *panel.welds)
+    lines = (*panel.loops, *panel.welds)
     lower = inflation.lower if inflation.lower is not None else np.empty((0, 3))
     flat = np.column_stack([panel.rest_positions, np.zeros(len(panel.rest_positions))])
     obj.PanelPoints, obj.FilmPoints, obj.LowerFilmPoints = map(_vectors, (flat, inflation.positions, lower))
     obj.PanelTriangles = panel.triangles.ravel().tolist()
     obj.PanelLines = [vertex for line in lines for vertex in line.tolist()]
-    obj.PanelLineCounts = [len(panel.seams), *map(len, lines)]
+    obj.PanelLineCounts = [len(panel.loops), *map(len, lines)]
     obj.SolvedWith = json.dumps(
         {
             "film": asdict(film),
@@ -74,7 +74,7 @@ def stored(obj):
 
     if not is_known(obj):
         raise InputError(f"{obj.Label} has no result yet: recompute it.")
-    told = json.loads(obj.SolvedWith)
+    data = json.loads(obj.SolvedWith)
     seams, *counts = obj.PanelLineCounts
     lines = np.split(np.array(obj.PanelLines, dtype=np.int32), np.cumsum(counts)[:-1])
     panel = Panel(
@@ -83,18 +83,18 @@ def stored(obj):
         tuple(lines[:seams]),
         tuple(lines[seams:]),
     )
-    report = told["report"]
+    report = data["report"]
     positions = _metres(obj.FilmPoints)
     inflation = Inflation(
         Assembly.mirrored(panel),
         positions,
         vertex_normals(positions, panel),
         np.zeros((len(panel.triangles), 2)),
-        told["volume"],
+        data["volume"],
         SolveReport(**{**report, "model": Model(**report["model"])}),
         _metres(obj.LowerFilmPoints) if obj.LowerFilmPoints else None,
     )
-    made_of = told["film"]
+    made_of = data["film"]
     film = Film(**{**made_of, "sources": tuple(made_of["sources"]), "look": Look(**made_of["look"])})
     return replace(inflation, tensions=film_state(inflation, film).tensions), film
 

@@ -62,8 +62,8 @@ class Request:
     def _unusual(self) -> list[str]:
         """Options that differ from the usual ones; none in the key of a balloon without."""
         settings, film = self.settings, self.settings.film
-        usual = asdict(Model())
-        options = {name: value for name, value in asdict(settings.model).items() if value != usual[name]}
+        default = asdict(Model())
+        options = {name: value for name, value in asdict(settings.model).items() if value != default[name]}
         if settings.volume is not None:
             options["volume"] = settings.volume
         if film.young_modulus_across is not None:
@@ -82,8 +82,8 @@ class Request:
         """What weighs in a pattern that differs from the usual one, where the weight decides the size."""
         if self.settings.goal is None or self.settings.goal.lift is None:
             return []
-        own, usual = (asdict(weighing(wanted)) for wanted in (self.settings.wanted, PatternOptions()))
-        return [f"{name}={value}" for name, value in own.items() if value != usual[name]]
+        own, default = (asdict(weighing(options)) for options in (self.settings.pattern, PatternOptions()))
+        return [f"{name}={value}" for name, value in own.items() if value != default[name]]
 
     def design(self, progress: Progress = no_progress) -> Design:
         """The balloon and its seam; BalloonError when there is none, Cancelled when progress says stop."""
@@ -99,8 +99,8 @@ class Request:
 
 def _of_balloon(settings: Settings) -> Settings:
     """Settings without how the drawing was read: that is in the outline."""
-    usual = Settings()
-    return replace(settings, symmetry=usual.symmetry, drawn_as=usual.drawn_as, passage=usual.passage)
+    default = Settings()
+    return replace(settings, symmetry=default.symmetry, drawn_as=default.drawn_as, passage=default.passage)
 
 
 @memoized(most=8)
@@ -113,5 +113,5 @@ def describe(request: Request, design: Design) -> dict:
     settings, source = request.settings, request.source
     if settings.goal is not None:
         source = replace(source, outline=design.target)
-    told = report.build(source, settings.film, design, volume=settings.volume, goal=settings.goal)
-    return told | advice_report(advise_design(design, settings.film, wanted=settings.wanted))
+    of_design = report.build(source, settings.film, design, volume=settings.volume, goal=settings.goal)
+    return of_design | advice_report(advise_design(design, settings.film, options=settings.pattern))

@@ -55,13 +55,13 @@ def _own_films() -> dict:
     from BalloonWorkbench.core.files.data_file import data_files
     from BalloonWorkbench.core.film.library import read_film
 
-    found = {}
+    own = {}
     for path in data_files(own_folder):
         try:
-            found[path.stem] = read_film(path)
+            own[path.stem] = read_film(path)
         except InputError as error:
             hooks.report(error)
-    return found
+    return own
 
 
 def offer(obj) -> None:
@@ -146,11 +146,11 @@ def read(obj):
 
     from BalloonWorkbench.core.film.library import custom_film, with_grain
 
-    told = dict(vars(options_from(obj, FilmOptions)))
-    elastic = (told.pop(name) or 0.0 for name in ("young_modulus", "poisson_ratio", "thickness"))
-    own = custom_film(*elastic, told.pop("areal_density"))
-    across, angle = told.pop("young_modulus_across"), told.pop("grain_angle")
-    own = replace(own, **told)
+    values = dict(vars(options_from(obj, FilmOptions)))
+    elastic = (values.pop(name) or 0.0 for name in ("young_modulus", "poisson_ratio", "thickness"))
+    own = custom_film(*elastic, values.pop("areal_density"))
+    across, angle = values.pop("young_modulus_across"), values.pop("grain_angle")
+    own = replace(own, **values)
     if obj.Material:
         own = replace(own, title=obj.Material)
     if across:

@@ -43,8 +43,8 @@ def register() -> None:
 
 def cards() -> list[Card]:
     """Every card with a Young's modulus, ours first, then by library and name."""
-    found = _managed() if has_material_system() else _filed()
-    usable = [card for card in found if card.values.get("YoungsModulus")]
+    listed = _managed() if has_material_system() else _filed()
+    usable = [card for card in listed if card.values.get("YoungsModulus")]
     return sorted(usable, key=lambda card: ("Thickness" not in card.values, card.library, card.name))
 
 
@@ -62,8 +62,8 @@ def card_with(uuid: str) -> Card | None:
     """The card of the material system with this identity; None when there is none."""
     import Materials
 
-    found = Materials.MaterialManager().Materials.get(uuid)
-    return None if found is None else Card(found.Name, found.LibraryName, dict(found.Properties))
+    material = Materials.MaterialManager().Materials.get(uuid)
+    return None if material is None else Card(material.Name, material.LibraryName, dict(material.Properties))
 
 
 def filters(films: str, others: str) -> list:
@@ -102,7 +102,7 @@ def _numbers(card: Card) -> dict[str, float]:
     """The values in the units of our properties."""
     from BalloonWorkbench.core.errors import InputError
 
-    wanted = {
+    keys = {
         "YoungModulus": ("YoungsModulus", "kPa"),
         "YoungModulusAcross": ("YoungsModulusAcross", "kPa"),
         "Strength": ("UltimateTensileStrength", "kPa"),
@@ -113,7 +113,7 @@ def _numbers(card: Card) -> dict[str, float]:
         "Density": ("Density", "kg/m^3"),
     }
     numbers = {}
-    for name, (key, unit) in wanted.items():
+    for name, (key, unit) in keys.items():
         text = card.values.get(key, "").strip()
         if text:
             try:
@@ -156,8 +156,8 @@ def read_card(text: str) -> dict[str, str]:
     values = {}
     for line in text.splitlines():
         mark = "=" if "=" in line.split(":")[0] else ":"
-        key, found, value = line.strip().partition(mark)
+        key, separator, value = line.strip().partition(mark)
         value = value.strip().strip("\"'").strip()
-        if found and value and key.strip() and not key.startswith((";", "#", "[")):
+        if separator and value and key.strip() and not key.startswith((";", "#", "[")):
             values.setdefault(key.strip(), value)
     return values

@@ -194,7 +194,7 @@ class _Results:
 @contextmanager
 def results(obj):
     """Results of an object that are written together at the end: an error on the way leaves it as it was."""
-    found = _Results(obj)
-    yield found
-    for name, value in found._values.items():
+    output = _Results(obj)
+    yield output
+    for name, value in output._values.items():
         setattr(obj, name, value)

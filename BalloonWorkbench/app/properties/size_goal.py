@@ -87,22 +87,22 @@ def filling(obj):
     """The gas and the air around it."""
     from BalloonWorkbench.core.film.filling import Filling, gas
 
-    told = dict(vars(options_from(obj, FillingOptions)))
-    if told["gas"] != WARM_AIR:
-        told["gas_temperature"] = None
-    return Filling(gas(told.pop("gas")), **told)
+    values = dict(vars(options_from(obj, FillingOptions)))
+    if values["gas"] != WARM_AIR:
+        values["gas_temperature"] = None
+    return Filling(gas(values.pop("gas")), **values)
 
 
 def set_filling(obj, filling) -> None:
     """Write a filling into the object's properties."""
-    told = FillingOptions(filling.gas.name, filling.temperature, filling.air_temperature, filling.altitude)
+    options = FillingOptions(filling.gas.name, filling.temperature, filling.air_temperature, filling.altitude)
     names = [option.name for option in options_of(FillingOptions)]
     if filling.gas.name != WARM_AIR:
         names.remove("gas_temperature")
-    write_options(obj, told, FillingOptions, *names)
+    write_options(obj, options, FillingOptions, *names)
 
 
-def wanted_of(obj):
+def pattern_options(obj):
     """How the pattern of a balloon is made, `PatternOptions`; the usual way where it has none yet."""
     from BalloonWorkbench.app import pattern
     from BalloonWorkbench.core.options.pattern import PatternOptions
@@ -126,9 +126,9 @@ def show_lift(obj) -> None:
     from BalloonWorkbench.core.pattern.make import make_pattern
     from BalloonWorkbench.core.units import to_grams, to_mm
 
-    own, seam, wanted = read(obj), part_shapes.stored(obj, "Seam"), wanted_of(obj)
-    weigh = partial(film_and_valve, seam, own, wanted)
-    known = film_and_valve.knows(seam, own, wanted) or make_pattern.knows(seam, own.seal_width, wanted)
+    own, seam, options = read(obj), part_shapes.stored(obj, "Seam"), pattern_options(obj)
+    weigh = partial(film_and_valve, seam, own, options)
+    known = film_and_valve.knows(seam, own, options) or make_pattern.knows(seam, own.seal_width, options)
     area, valve = weigh() if known else hooks.run_blocking(f"Weighing {obj.Label}", lambda progress: weigh())
     lightness = filling(obj).lightness(pascals(obj.ActivePressure))
     buoyancy = Buoyancy(lightness, own.areal_density, lambda seam: area, valve)
@@ -136,13 +136,13 @@ def show_lift(obj) -> None:
     size = max(width, metres(obj.InflatedHeight))
     scaling = Scaling(size, cubic_metres(obj.Volume), seam.area, area - seam.area)
     lift, scale = scaling.lift_at(1.0, buoyancy), scaling.floating(buoyancy)
-    found = {
+    figures = {
         "Weight": to_grams(scaling.weight_at(1.0, buoyancy)),
         "Lift": to_grams(lift),
         "Floats": lift > 0.0,
         "FloatsFrom": 0.0 if scale is None else to_mm(width * scale),
     }
-    for name, value in found.items():
+    for name, value in figures.items():
         present = getattr(obj, name)
         if getattr(present, "Value", present) != value:
             setattr(obj, name, value)

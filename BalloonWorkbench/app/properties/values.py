@@ -16,8 +16,8 @@ from BalloonWorkbench.core.options.option import snake
 #: They decide about others, so they come first.
 _FIRST = ("film", "load", "size_goal", "drawing", "source")
 _READ = {"Length": quantities.length, "Pressure": quantities.pressure, "Volume": quantities.volume}
-#: Of results: the one that goes with a film's numbers.
-_TOLD = ("Material",)
+#: Results that are written with the values: the one that goes with a film's numbers.
+_ASSIGNED_RESULTS = ("Material",)
 
 
 def places() -> dict[str, tuple[str, Property]]:
@@ -26,13 +26,13 @@ def places() -> dict[str, tuple[str, Property]]:
     seal_width is that of the pattern, which overrules the film's: film_seal_width.
     """
     cut = {item.name for item in pattern.PROPERTIES if not item.result}
-    found = {}
+    properties = {}
     for part, module in (("outline", outline), ("balloon", balloon), ("pattern", pattern)):
         for item in module.PROPERTIES:
-            if item.type != "Link" and (not item.result or item.name in _TOLD):
+            if item.type != "Link" and (not item.result or item.name in _ASSIGNED_RESULTS):
                 twice = part == "balloon" and item.name in cut
-                found[("film_" if twice else "") + snake(item.name)] = (part, item)
-    return found
+                properties[("film_" if twice else "") + snake(item.name)] = (part, item)
+    return properties
 
 
 def check(names) -> None:
@@ -71,7 +71,7 @@ def texts_of(obj, properties: tuple[Property, ...]) -> dict[str, str]:
         snake(item.name): text(getattr(obj, item.name), item)
         for item in properties
         if not item.result and "Link" not in item.type and item.type != "FileIncluded"
-        if _plain(getattr(obj, item.name)) != _usual(obj, item)
+        if _plain(getattr(obj, item.name)) != _default(obj, item)
     }
 
 
@@ -79,7 +79,7 @@ def _plain(value):
     return getattr(value, "Value", value)
 
 
-def _usual(obj, item: Property):
+def _default(obj, item: Property):
     if item.type == "Enumeration":
         return obj.getEnumerationsOfProperty(item.name)[0]
     return item.value or type(_plain(getattr(obj, item.name)))()
@@ -131,4 +131,6 @@ def _link(value) -> str:
 
 def _follows(parts, name: str, part: str) -> bool:
     """The value is set by another one or has no effect now: the property editor does not offer it."""
-    return name == "Part" or (name not in _TOLD and bool(getattr(parts, part).getEditorMode(name)))
+    return name == "Part" or (
+        name not in _ASSIGNED_RESULTS and bool(getattr(parts, part).getEditorMode(name))
+    )

@@ -45,12 +45,12 @@ _RULES = (
 
 
 @memoized(most=8)
-def advise(outline: Outline, film: Film, *, fitted: bool = True, wanted: PatternOptions = _USUAL) -> Advice:
+def advise(outline: Outline, film: Film, *, fitted: bool = True, options: PatternOptions = _USUAL) -> Advice:
     """Advice before the design, from one coarse inflation, within a fraction of a second.
 
     fitted  the pattern will be corrected until the balloon looks like the outline; else the outline is the
             pattern
-    wanted  how the pattern will be made
+    options  how the pattern will be made
 
     Raises OutlineError for an outline that is not valid, MeshError where it is too thin to be meshed.
     """
@@ -60,24 +60,24 @@ def advise(outline: Outline, film: Film, *, fitted: bool = True, wanted: Pattern
     look = inflate_drawing(outline, panel, film, _PRESSURE, corrected=fitted)
     tighter = CORRECTED_PEAKS if fitted else 1.0
     gauge = Gauge(look.inflation, panel.rest_positions, look.pattern.area, tighter)
-    return _advice(Subject(outline, film, gauge, fitted, outline, wanted), inflated=False)
+    return _advice(Subject(outline, film, gauge, fitted, outline, options), inflated=False)
 
 
-def advise_design(design: Design, film: Film, *, wanted: PatternOptions = _USUAL) -> Advice:
+def advise_design(design: Design, film: Film, *, options: PatternOptions = _USUAL) -> Advice:
     """Advice from a finished design, in the frame of its drawing; arguments as for `advise`."""
     fitted = design.passes > 0
     gauge = _measured(design.inflation, fitted)
-    subject = Subject(design.target, film, gauge, fitted, faired_seam(design.pattern), wanted)
+    subject = Subject(design.target, film, gauge, fitted, faired_seam(design.pattern), options)
     return _advice(subject, inflated=True)
 
 
 @memoized(most=8)
 def intake_findings(
-    outline: Outline, film: Film, inflation: Inflation, seam: Outline, fitted: bool, wanted: PatternOptions
+    outline: Outline, film: Film, inflation: Inflation, seam: Outline, fitted: bool, options: PatternOptions
 ) -> list[Finding]:
     """What there is to say about the intake of a finished balloon alone; seam: of its pattern."""
     gauge = _measured(inflation, fitted)
-    return list(shape_rules.intake(Subject(outline, film, gauge, fitted, faired_seam(seam), wanted)))
+    return list(shape_rules.intake(Subject(outline, film, gauge, fitted, faired_seam(seam), options)))
 
 
 def _measured(inflation: Inflation, fitted: bool) -> Gauge:
@@ -88,12 +88,12 @@ def _measured(inflation: Inflation, fitted: bool) -> Gauge:
 
 
 def _advice(subject: Subject, inflated: bool) -> Advice:
-    findings = sorted(_found(subject), key=lambda finding: -finding.severity.rank)
+    findings = sorted(_findings(subject), key=lambda finding: -finding.severity.rank)
     gauge = subject.gauge
-    return Advice(gauge.puffiness, tuple(findings), gauge.map, inflated)
+    return Advice(gauge.relative_volume, tuple(findings), gauge.map, inflated)
 
 
-def _found(subject: Subject) -> Iterator[Finding]:
+def _findings(subject: Subject) -> Iterator[Finding]:
     for rule in _RULES:
         checkpoint()
         yield from rule(subject)

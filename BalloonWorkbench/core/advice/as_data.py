@@ -17,7 +17,7 @@ _DIGITS = 4  # of a mm
 def advice_report(advice: Advice) -> dict[str, Any]:
     """What a report tells: the score, and the findings, the worst first."""
     return {
-        "puffiness": advice.puffiness,
+        "puffiness": advice.relative_volume,
         "advice": [finding_data(finding) for finding in advice.findings],
     }
 

@@ -89,12 +89,12 @@ class ThicknessMap:
 class Advice:
     """Everything the coach has to say about a shape.
 
-    puffiness  V / A^1.5 relative to a disc's, A the area of one panel: 1 is as round as film can be
+    relative_volume  V / A^1.5 relative to a disc's, A the area of one panel: 1 is as round as film can be
     findings   the worst first
     inflated   measured on the finished balloon; else on a coarse one of the first pattern
     """
 
-    puffiness: float
+    relative_volume: float
     findings: tuple[Finding, ...]
     map: ThicknessMap
     inflated: bool

@@ -27,10 +27,10 @@ class Gauge:
 
     def __init__(self, inflation: Inflation, drawn: Floats, film_area: float, tighter: float = 1.0) -> None:
         panel = inflation.panel
-        self.puffiness = inflation.volume / film_area**1.5 / DISC
+        self.relative_volume = inflation.volume / film_area**1.5 / DISC
         self.map = ThicknessMap(drawn, panel.triangles, 2.0 * inflation.positions[:, 2])
         self._positions = inflation.positions
-        rim = panel.seams[0]
+        rim = panel.loops[0]
         self._cut, self._seen = panel.rest_positions[rim], drawn[rim]
         self._located = Located(drawn, panel.triangles)
         self._centres = drawn[panel.triangles].mean(axis=1)

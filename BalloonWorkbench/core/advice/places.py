@@ -94,7 +94,7 @@ def thin_parts(outline: Outline, width: float) -> list[ThinPart]:
         return [_part(PlaceKind.ARM, area, across, None)]
     slack = 0.01 * width
     left = area.difference(shapely().union_all(rooms).buffer(slack))
-    found = []
+    thin = []
     for piece in parts(left):
         touched = [room for room in rooms if room.distance(piece) < 2.0 * slack]
         reach = max(_farthest(piece, body)[1] for body in touched) if touched else np.inf
@@ -103,8 +103,8 @@ def thin_parts(outline: Outline, width: float) -> list[ThinPart]:
         inside = across.of(_within(piece, across.middles))
         if not len(inside.widths):
             continue
-        found.append(_judged(area, piece, touched, inside, slack))
-    return found
+        thin.append(_judged(area, piece, touched, inside, slack))
+    return thin
 
 
 def bodies(area: Any, width: float) -> list[Any]:

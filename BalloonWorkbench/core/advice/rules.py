@@ -46,7 +46,7 @@ class Rule:
             for value in (limit.times * scales[limit.of],)
             if (measured > value if self.above else measured < value)
         ]
-        return max(broken, key=lambda found: found[0].severity.rank, default=None)
+        return max(broken, key=lambda pair: pair[0].severity.rank, default=None)
 
     def first(self, scales: dict[str, float]) -> float:
         """The limit at which a measure begins to matter."""

@@ -36,29 +36,31 @@ def sharp_notches(subject: Subject) -> Iterator[Finding]:
     limit = rules()["notch"].first(subject.scales)
     for notch in notches(subject.outline):
         measured = subject.gauge.peak(notch.place, reach)
-        wanted = min(reach * measured / limit, _LARGEST_RADIUS * subject.size)
-        found = subject.finding(
+        target_radius = min(reach * measured / limit, _LARGEST_RADIUS * subject.size)
+        finding = subject.finding(
             "notch",
             measured,
             notch.place,
             (notch.extent,),
-            Repair(RepairKind.ROUND, notch.place[None], wanted) if wanted > 1.2 * notch.radius else None,
+            Repair(RepairKind.ROUND, notch.place[None], target_radius)
+            if target_radius > 1.2 * notch.radius
+            else None,
             measured=f"{number_text(measured, 2)} times",
-            wanted=length_text(wanted, 2),
+            wanted=length_text(target_radius, 2),
         )
-        if found is not None:
-            yield found
+        if finding is not None:
+            yield finding
 
 
 def rings(subject: Subject) -> Iterator[Finding]:
     """Holes round which the balloon warps; spots keep their film, and with it their shape."""
     for hole in subject.outline.holes:
         warp = predicted_warp(subject.outline, hole)
-        found = subject.finding(
+        finding = subject.finding(
             "warping_ring", warp, hole.mean(axis=0), (hole,), None, length=length_text(warp * subject.size, 2)
         )
-        if found is not None:
-            yield found
+        if finding is not None:
+            yield finding
 
 
 def predicted_warp(outline: Outline, hole: Floats) -> float:
@@ -69,23 +71,23 @@ def predicted_warp(outline: Outline, hole: Floats) -> float:
 
 def roundness(subject: Subject) -> Iterator[Finding]:
     """A shape that holds little air for its film."""
-    score = subject.gauge.puffiness
+    score = subject.gauge.relative_volume
     centre = np.asarray(whole(subject.outline).representative_point().coords[0])
-    found = subject.finding(
+    finding = subject.finding(
         "flat_shape", score, centre, (subject.outline.outer,), None, percent=percent_text(score)
     )
-    if found is not None:
-        yield found
+    if finding is not None:
+        yield finding
 
 
 def intake(subject: Subject) -> Iterator[Finding]:
     """Intakes that open into a side part; else one that the pattern has put on a thin part."""
-    if not subject.wanted.intake:
+    if not subject.options.intake:
         return
     places = subject.intakes(subject.wish)
-    hidden = [found for at in places for found in _hidden(subject, at, len(places) == 1)]
+    hidden = [finding for at in places for finding in _hidden(subject, at, len(places) == 1)]
     yield from hidden
-    if not hidden and subject.wish.is_found and subject.wish.place == FARTHEST:
+    if not hidden and subject.wish.is_automatic and subject.wish.place == FARTHEST:
         for at in places[:1]:
             yield from _delicate(subject, at)
 
@@ -102,7 +104,7 @@ def _hidden(subject: Subject, at: Floats, alone: bool) -> Iterator[Finding]:
     if entered is largest:
         return
     share = float(entered.area / area.area)
-    found = subject.finding(
+    finding = subject.finding(
         "hidden_intake",
         share,
         at,
@@ -110,8 +112,8 @@ def _hidden(subject: Subject, at: Floats, alone: bool) -> Iterator[Finding]:
         _moved(subject, area, rooms, largest, at) if alone else None,
         percent=percent_text(share),
     )
-    if found is not None:
-        yield found
+    if finding is not None:
+        yield finding
 
 
 def _moved(subject: Subject, area: Any, rooms: list[Any], largest: Any, at: Floats) -> Repair | None:
@@ -139,7 +141,7 @@ def _delicate(subject: Subject, at: Floats) -> Iterator[Finding]:
         for place in subject.intakes(replace(subject.wish, place=LOW))
         if rule.judge(_thickness_round(subject, place), subject.scales) is None
     ]
-    found = subject.finding(
+    finding = subject.finding(
         "delicate_intake",
         measured,
         at,
@@ -147,8 +149,8 @@ def _delicate(subject: Subject, at: Floats) -> Iterator[Finding]:
         Repair(RepairKind.LOWER_INTAKE, better[0][None], 0.0) if better else None,
         measured=percent_text(measured),
     )
-    if found is not None:
-        yield found
+    if finding is not None:
+        yield finding
 
 
 def _thickness_round(subject: Subject, at: Floats) -> float:

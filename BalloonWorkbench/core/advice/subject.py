@@ -34,7 +34,7 @@ class Subject:
 
     fitted  the pattern is corrected until the balloon looks like the outline; else the outline is the pattern
     seam    of the pattern, faired; the outline where it is not known yet
-    wanted  how the pattern is made
+    options  how the pattern is made
     """
 
     outline: Outline
@@ -42,12 +42,12 @@ class Subject:
     gauge: Gauge
     fitted: bool
     seam: Outline
-    wanted: PatternOptions
+    options: PatternOptions
 
     @cached_property
     def wish(self) -> Wish:
         """The intake as it is wanted."""
-        return intake_of(self.wanted)
+        return intake_of(self.options)
 
     @property
     def intake_width(self) -> float:
@@ -56,8 +56,8 @@ class Subject:
 
     @cached_property
     def _places(self) -> Places:
-        seal_width = self.film.seal_width if self.wanted.seal_width is None else self.wanted.seal_width
-        return Places(self.seam, seal_width + self.wanted.allowance)
+        seal_width = self.film.seal_width if self.options.seal_width is None else self.options.seal_width
+        return Places(self.seam, seal_width + self.options.allowance)
 
     def intakes(self, wish: Wish) -> list[Floats]:
         """Where in the drawing the intakes sit (2,) [m]; none where the pattern refuses them."""
@@ -109,10 +109,10 @@ class Subject:
 
         A repair that cannot be made is left out.
         """
-        found = rules()[rule].judge(measured, self.scales)
-        if found is None:
+        judged = rules()[rule].judge(measured, self.scales)
+        if judged is None:
             return None
-        limit, value = found
+        limit, value = judged
         text = limit.sentence.format(**words)
         at = (float(place[0]), float(place[1]))
         lines = tuple(simple_line(line, _DETAIL * self.size) for line in extent)

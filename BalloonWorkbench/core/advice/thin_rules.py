@@ -37,19 +37,19 @@ def arms(subject: Subject) -> Iterator[Finding]:
         judged = rule.judge(measured, subject.scales)
         if judged is None:
             continue
-        wanted = _arm_width(subject, judged[0].severity)
-        found = subject.finding(
+        target_width = _arm_width(subject, judged[0].severity)
+        finding = subject.finding(
             "thin_arm",
             measured,
             part.middle[len(part.middle) // 2],
             rim_near(subject.outline, part.area, 0.02 * width),
-            _widening(part, width, wanted),
+            _widening(part, width, target_width),
             width=length_text(width, 2),
             measured=length_text(measured, 2),
-            wanted=length_text(wanted, 2),
+            wanted=length_text(target_width, 2),
         )
-        if found is not None:
-            yield found
+        if finding is not None:
+            yield finding
 
 
 def _arm_width(subject: Subject, severity: Severity) -> float:
@@ -71,23 +71,25 @@ def necks(subject: Subject) -> Iterator[Finding]:
         if judged is None:
             continue
         worst = judged[0].severity is Severity.HINT
-        wanted = _ENOUGH * (rule.first(subject.scales) if worst else subject.intake_width) / subject.growth
+        target_width = (
+            _ENOUGH * (rule.first(subject.scales) if worst else subject.intake_width) / subject.growth
+        )
         if part.length >= _ARM * width:  # or the arm that it is would be too thin next
-            wanted = max(wanted, _arm_width(subject, Severity.WARNING))
-        wanted = max(wanted, 1.2 * width)
-        found = subject.finding(
+            target_width = max(target_width, _arm_width(subject, Severity.WARNING))
+        target_width = max(target_width, 1.2 * width)
+        finding = subject.finding(
             "choked_neck",
             measured,
             0.5 * (start + end),
             (np.stack([start, end]), *rim_near(subject.outline, part.area, 0.02 * width)),
-            _widening(part, width, wanted),
+            _widening(part, width, target_width),
             measured=length_text(measured, 2),
             intake=length_text(subject.intake_width, 2),
             behind=percent_text(part.behind),
-            wanted=length_text(wanted, 2),
+            wanted=length_text(target_width, 2),
         )
-        if found is not None:
-            yield found
+        if finding is not None:
+            yield finding
 
 
 def tips(subject: Subject) -> Iterator[Finding]:
@@ -98,7 +100,7 @@ def tips(subject: Subject) -> Iterator[Finding]:
         if part.kind is not PlaceKind.TIP:
             continue
         flat = _flat_length(subject, part, enough)
-        found = subject.finding(
+        finding = subject.finding(
             "flat_tip",
             flat / subject.size,
             part.middle[0],
@@ -107,8 +109,8 @@ def tips(subject: Subject) -> Iterator[Finding]:
             length=length_text(flat, 2),
             wanted=length_text(0.5 * width, 2),
         )
-        if found is not None:
-            yield found
+        if finding is not None:
+            yield finding
 
 
 def _flat_length(subject: Subject, part: ThinPart, enough: float) -> float:
@@ -122,6 +124,6 @@ def _flat_length(subject: Subject, part: ThinPart, enough: float) -> float:
     return float(away[np.argmax(thick)]) if thick.any() else part.length
 
 
-def _widening(part: ThinPart, width: float, wanted: float) -> Repair:
+def _widening(part: ThinPart, width: float, target_width: float) -> Repair:
     line: Floats = simple_line(part.middle, 0.03 * width)
-    return Repair(RepairKind.WIDEN, line, wanted, width)
+    return Repair(RepairKind.WIDEN, line, target_width, width)

@@ -127,13 +127,13 @@ def _reach(
         )
         low[:, 0], high[:, 0] = np.maximum(low[:, 0], least), np.minimum(high[:, 0], most)
         low, high = np.maximum.accumulate(low, axis=1), np.minimum.accumulate(high, axis=1)
-        found = ((low <= high) & inside).sum(axis=1)
-        reach[alive] += found
+        ahead = ((low <= high) & inside).sum(axis=1)
+        reach[alive] += ahead
         if bounds:
-            for kept, part in ((lows, low), (highs, high)):
-                kept.append(np.zeros((len(reach), width)))
-                kept[-1][alive] = part
-        on = found == width
+            for columns, part in ((lows, low), (highs, high)):
+                columns.append(np.zeros((len(reach), width)))
+                columns[-1][alive] = part
+        on = ahead == width
         alive, least, most, before = alive[on], low[on, -1], high[on, -1], away[on, -1]
         begin, width = begin + width, 2 * width
     if not bounds:
@@ -177,15 +177,15 @@ def _next(
     away = samples.along[place] - samples.along[states.place[parent]]
     rise = states.beside[parent] + states.heading[parent] * away + 0.5 * bend * away**2
     beside = rise - (samples.swept[place] - samples.swept[states.place[parent]])
-    found = _States(place, beside, states.heading[parent] + bend * away, parent)
-    _, _, further = _reach(samples, found, tolerance, bounds=False)
+    candidates = _States(place, beside, states.heading[parent] + bend * away, parent)
+    _, _, further = _reach(samples, candidates, tolerance, bounds=False)
     ends = np.where(place < len(samples.along) - 1, place + further, -1)
     order = np.lexsort((place, np.abs(beside), -ends))
     best = order[_rank_within(place[order]) < _PER_PLACE][:_BEAM]
     best = best[ends[best] > 0]
     if not len(best):
         return None
-    return _States(place[best], beside[best], found.heading[best], parent[best])
+    return _States(place[best], beside[best], candidates.heading[best], parent[best])
 
 
 def _rank_within(

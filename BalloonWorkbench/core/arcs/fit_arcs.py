@@ -98,9 +98,9 @@ def _fitted(stretch: Stretch, tolerance: float) -> tuple[Floats, list[float]]:
             knots = fewest_arcs(samples, stretch.first, stretch.last, share * tolerance)
             if knots is None:
                 continue
-            found = _drawn(samples, knots, stretch)
-            if found is not None and _deviation(samples, knots, *found) <= tolerance:
-                return found
+            arcs = _drawn(samples, knots, stretch)
+            if arcs is not None and _deviation(samples, knots, *arcs) <= tolerance:
+                return arcs
         if len(points) >= _DIVISIBLE:
             return _in_halves(stretch, tolerance)
     return points, [0.0] * (len(points) - 1)

@@ -59,20 +59,20 @@ def stretches(points: Floats, closed: bool, tolerance: float) -> tuple[Stretch, 
         straight = straight[around[:-1]]
     chords = np.diff(points, axis=0)
     headings = np.arctan2(chords[:, 1], chords[:, 0])
-    found = []
+    pieces = []
     for low, high in pairwise(np.flatnonzero(knots)):
         # where no corner is, a straight edge lies on the other side
         first = None if corner[low] else float(headings[low - 1])
         last = None if corner[high] else float(headings[high % len(headings)])
-        found.append(Stretch(points[low : high + 1], first, last, bool(high == low + 1 and straight[low])))
-    return tuple(found)
+        pieces.append(Stretch(points[low : high + 1], first, last, bool(high == low + 1 and straight[low])))
+    return tuple(pieces)
 
 
 def _without_needless(points: Floats, closed: bool) -> Floats:
     """Without repeated points and without those amid a straight line."""
     steps = np.diff(ring(points, closed), axis=0)
-    kept = norm(steps) > 1e-9
-    points = points[kept if closed else np.append(True, kept)]
+    distinct = norm(steps) > 1e-9
+    points = points[distinct if closed else np.append(True, distinct)]
     if len(points) < 3:
         return points
     points = np.asarray(shapely().LineString(ring(points, closed)).simplify(_STRAIGHT).coords)

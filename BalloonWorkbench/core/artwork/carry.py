@@ -37,54 +37,54 @@ class VisibleFilm:
     flat       (n, 2) m, vertices of the panel
     seen       (n, 2) m, the same vertices of the inflated balloon in the drawing's plane
     triangles  (m, 3)
-    seams      vertex indices of each boundary loop, film on the left
+    loops      vertex indices of each boundary loop, film on the left
     """
 
     flat: Floats
     seen: Floats
     triangles: Ints
-    seams: tuple[Ints, ...]
+    loops: tuple[Ints, ...]
 
 
 def front(inflation: Inflation) -> VisibleFilm:
     """The panel that faces the viewer."""
     panel = inflation.panel
-    return VisibleFilm(panel.rest_positions, inflation.positions[:, :2], panel.triangles, panel.seams)
+    return VisibleFilm(panel.rest_positions, inflation.positions[:, :2], panel.triangles, panel.loops)
 
 
 def back(inflation: Inflation) -> VisibleFilm:
     """The panel behind, seen through the front one: both are cut from one pattern."""
     panel = inflation.panel
     lower = inflation.positions if inflation.lower is None else inflation.lower
-    return VisibleFilm(panel.rest_positions, lower[:, :2], panel.triangles, panel.seams)
+    return VisibleFilm(panel.rest_positions, lower[:, :2], panel.triangles, panel.loops)
 
 
-def seen_from(film: VisibleFilm, x: Floats, y: Floats, wanted: Bools) -> Floats:
+def seen_from(film: VisibleFilm, x: Floats, y: Floats, needed: Bools) -> Floats:
     """Where the places of a grid of the flat film are seen: (len(y), len(x), 2) m in the drawing's plane.
 
     x, y    even columns and rows of the grid in the flat film [m]
-    wanted  (len(y), len(x)) the places that matter outside the seam; the others there are NaN
+    needed  (len(y), len(x)) the places that matter outside the seam; the others there are NaN
     """
-    found = np.full((len(y), len(x), 2), np.nan)
+    places = np.full((len(y), len(x), 2), np.nan)
     triangles = film.triangles[signed_areas(film.flat, film.triangles) > 0.0]
     for number, rows, columns, shares in covered(film.flat, triangles, x, y):
-        found[rows, columns] = shares @ film.seen[triangles[number]]
-    _add_fin(film, x, y, wanted, found)
-    return found
+        places[rows, columns] = shares @ film.seen[triangles[number]]
+    _add_fin(film, x, y, needed, places)
+    return places
 
 
-def _add_fin(film: VisibleFilm, x: Floats, y: Floats, wanted: Bools, found: Floats) -> None:
+def _add_fin(film: VisibleFilm, x: Floats, y: Floats, needed: Bools, places: Floats) -> None:
     """Fill in what is wanted outside the seam."""
-    at, image, outward = (np.concatenate(parts) for parts in zip(*_along_seams(film)))
-    rows, columns = np.nonzero(wanted & np.isnan(found[..., 0]))
+    at, image, outward = (np.concatenate(parts) for parts in zip(*_along_loops(film)))
+    rows, columns = np.nonzero(needed & np.isnan(places[..., 0]))
     if len(rows):
         nearest, away = _nearest(np.stack([x[columns], y[rows]], axis=1), at)
-        found[rows, columns] = image[nearest] + away[:, None] * outward[nearest]
+        places[rows, columns] = image[nearest] + away[:, None] * outward[nearest]
 
 
-def _along_seams(film: VisibleFilm) -> Iterator[tuple[Floats, Floats, Floats]]:
+def _along_loops(film: VisibleFilm) -> Iterator[tuple[Floats, Floats, Floats]]:
     """Points along each seam: flat, as seen, and the direction outward as seen."""
-    for seam in film.seams:
+    for seam in film.loops:
         flat, seen = film.flat[seam], film.seen[seam]
         outward = -left_normals(seen, smoothed=2)  # a crumpled rim has no direction of its own at each vertex
         along = arc_lengths(flat)
@@ -101,12 +101,12 @@ def _nearest(points: Floats, at: Floats) -> tuple[Ints, Floats]:
     try:
         away, nearest = kd_tree(at).query(points)
     except MissingPackageError:
-        found, away = np.zeros(len(points), dtype=np.int32), np.zeros(len(points))
+        indices, away = np.zeros(len(points), dtype=np.int32), np.zeros(len(points))
         block = max(1, _BLOCK // len(at))
         for start in range(0, len(points), block):
             part = slice(start, start + block)
             square = ((points[part, None] - at) ** 2).sum(axis=2)
-            found[part] = square.argmin(axis=1)
+            indices[part] = square.argmin(axis=1)
             away[part] = np.sqrt(square.min(axis=1))
-        return found, away
+        return indices, away
     return nearest.astype(np.int32), away

@@ -103,8 +103,8 @@ def carried_on(pixels: Pixels, inside: Bools) -> Pixels:
 
 def _thinner(inside: Bools) -> Bools:
     """Without a rim of a few pixels, where that leaves anything."""
-    kept = inside
+    inner = inside
     for _ in range(_SOFT):
-        padded = np.pad(kept, 1, constant_values=True)
-        kept = kept & padded[:-2, 1:-1] & padded[2:, 1:-1] & padded[1:-1, :-2] & padded[1:-1, 2:]
-    return kept if kept.any() else inside
+        padded = np.pad(inner, 1, constant_values=True)
+        inner = inner & padded[:-2, 1:-1] & padded[2:, 1:-1] & padded[1:-1, :-2] & padded[1:-1, 2:]
+    return inner if inner.any() else inside

@@ -158,11 +158,11 @@ def _print(sheet: Pixels, frame: _SheetFrame, one: Print, film: VisibleFilm, pic
         np.arange(a - 2.0 * GRID, b + 3.0 * GRID, GRID) for a, b in zip(low - one.shift, high - one.shift)
     )
     columns, rows = frame.columns(x + one.shift[0]) - left, frame.rows(y + one.shift[1]) - top
-    wanted = printed[
+    needed = printed[
         np.clip(np.rint(rows), 0, len(printed) - 1).astype(int)[:, None],
         np.clip(np.rint(columns), 0, right - left - 1).astype(int),
     ]
-    seen = seen_from(film, x, y, _wider(wanted))
+    seen = seen_from(film, x, y, _wider(needed))
     at = np.stack(picture.columns_rows(seen), axis=-1)
     across = (frame.x(np.arange(left, right)) - one.shift[0] - x[0]) / GRID
     strip = max(1, _STRIP // (right - left))

@@ -19,7 +19,7 @@ from BalloonWorkbench.core.geometry.polyline import bounds
 from BalloonWorkbench.core.machines.layers import LAYERS
 from BalloonWorkbench.core.making.numbers import Numbers
 from BalloonWorkbench.core.packages import matplotlib_pdf
-from BalloonWorkbench.core.pages.fonts import fonts_for, readable, shown
+from BalloonWorkbench.core.pages.fonts import drawable, fonts_for, readable
 from BalloonWorkbench.core.pages.pdf import pdf, picture
 from BalloonWorkbench.core.pattern.pattern import Pattern, Role
 from BalloonWorkbench.core.pictures.render import balloon_picture
@@ -71,8 +71,8 @@ def assembly_pdf(subject: SheetSubject, paper: str = "A4", say: Say = in_english
         raise ExportError(f'There is no paper "{paper}" for the assembly sheet: choose A4 or Letter.')
     matplotlib_pdf()
     say = readable(say, "Assembly sheet")
-    film = replace(subject.film, title=shown(subject.film.title), name=shown(subject.film.name))
-    subject = replace(subject, title=shown(subject.title), film=film)
+    film = replace(subject.film, title=drawable(subject.film.title), name=drawable(subject.film.name))
+    subject = replace(subject, title=drawable(subject.title), film=film)
     fonts = fonts_for(say("Assembly sheet"), subject.title + say(film.title))
     title = f"{subject.title}: {say('Assembly sheet')}"
     return pdf(title, fonts, [(size, lambda axes: _fill(Pen(axes, say, fonts), subject, size))])
@@ -89,8 +89,8 @@ def _fill(pen: Pen, subject: SheetSubject, size: tuple[float, float]) -> None:
     steps_top = foot + 10.0 + max(map(_tall, work))
     pen.axes.plot([_MARGIN, right], [steps_top + 4.5, steps_top + 4.5], color=RULE, lw=0.8)
     pen.heading(_MARGIN, steps_top - 1.6, say("Steps"))
-    for told, x in zip(work, (_MARGIN, second)):
-        _steps(pen, told, x, steps_top)
+    for items, x in zip(work, (_MARGIN, second)):
+        _steps(pen, items, x, steps_top)
     rows = (
         _rows(pen, material(subject.film, subject.pattern, subject.numbers, say), column),
         _rows(pen, figures(subject.film, subject.numbers, say), column),
@@ -114,8 +114,10 @@ def _head(pen: Pen, subject: SheetSubject, right: float, top: float) -> None:
     across, up, _ = map(float, high - low)
     size = size_text(across, up, 2.0 * float(high[2]))
     pen.text(_MARGIN, top - 6.5, subject.title, 20.0, right - _MARGIN, bold=True)
-    told = pen.say(f"inflated {size}, {volume_text(subject.numbers.volume)}")
-    pen.text(_MARGIN, top - 12.0, f"{pen.say('Assembly sheet')}  ·  {told}", 9.0, right - _MARGIN, color=SOFT)
+    subtitle = pen.say(f"inflated {size}, {volume_text(subject.numbers.volume)}")
+    pen.text(
+        _MARGIN, top - 12.0, f"{pen.say('Assembly sheet')}  ·  {subtitle}", 9.0, right - _MARGIN, color=SOFT
+    )
     pen.axes.plot([_MARGIN, right], [top - 14.6, top - 14.6], color=ACCENT, lw=1.6, solid_capstyle="butt")
 
 
@@ -189,16 +191,16 @@ def _balloon(pen: Pen, subject: SheetSubject, box: tuple[float, float, float, fl
     pen.heading(left, top - 3.4, pen.say("Inflated"))
     wide, tall = right - left, top - 7.0 - bottom
     pixels = int(_DOTS * wide), int(_DOTS * tall)
-    shown = balloon_picture(
+    image = balloon_picture(
         [subject.inflation], subject.pattern.seal_width, *pixels, subject.film.look.colour
     )
-    picture(pen.axes, shown, (left, bottom, right, top - 7.0))
+    picture(pen.axes, image, (left, bottom, right, top - 7.0))
 
 
-def _rows(pen: Pen, told: Sequence[tuple[str, str]], column: float) -> list[tuple[str, list[str]]]:
+def _rows(pen: Pen, rows: Sequence[tuple[str, str]], column: float) -> list[tuple[str, list[str]]]:
     """Names, and their values in lines."""
-    room = column - _name_width(pen, [name for name, _ in told])
-    return [(name, pen.lines(value, room)) for name, value in told]
+    room = column - _name_width(pen, [name for name, _ in rows])
+    return [(name, pen.lines(value, room)) for name, value in rows]
 
 
 def _name_width(pen: Pen, names: Sequence[str]) -> float:
@@ -218,9 +220,11 @@ def _list(pen: Pen, title: str, rows: Sequence[tuple[str, list[str]]], x: float,
 
 def _wrapped(pen: Pen, work: Sequence[str], room: float) -> tuple[_Column, _Column]:
     """The steps in two columns of equal height."""
-    told = [(number, pen.lines(text, room)) for number, text in enumerate(work, 1)]
-    half = min(range(len(told) + 1), key=lambda at: (abs(_tall(told[:at]) - _tall(told[at:])), -at))
-    return told[:half], told[half:]
+    numbered = [(number, pen.lines(text, room)) for number, text in enumerate(work, 1)]
+    half = min(
+        range(len(numbered) + 1), key=lambda at: (abs(_tall(numbered[:at]) - _tall(numbered[at:])), -at)
+    )
+    return numbered[:half], numbered[half:]
 
 
 def _tall(column: _Column) -> float:

@@ -41,17 +41,17 @@ def steps(pattern: Pattern, film: Film, numbers: Numbers, say: Say = in_english)
         "margin": number_text(numbers.safety.margin),
     }
     names = list(dict.fromkeys(kind.name for kind in kinds))
-    found = []
+    sentences = []
     for step in _steps():
         if "notes" in step:
-            found += [say(intake_kind(name).note) for name in names if name in step["notes"]]
+            sentences += [say(intake_kind(name).note) for name in names if name in step["notes"]]
         elif "intakes" in step and not set(names) & set(step["intakes"]):
             continue
         elif film.joining in step.get("joining", [film.joining]) and all(
             is_so[key] is step[key] for key in is_so if key in step
         ):
-            found.append(say(str(step["text"]).format(**words)))
-    return found
+            sentences.append(say(str(step["text"]).format(**words)))
+    return sentences
 
 
 @cache

@@ -34,7 +34,7 @@ _BLANK = "\u00a0"  # where no line ends
 
 def material(film: Film, pattern: Pattern, numbers: Numbers, say: Say = in_english) -> list[tuple[str, str]]:
     """What it is made of: names and values."""
-    found = [
+    rows = [
         (say("Film"), say(film.title or film.name)),
         (
             say("Thickness"),
@@ -42,21 +42,21 @@ def material(film: Film, pattern: Pattern, numbers: Numbers, say: Say = in_engli
         ),
     ]
     if numbers.roll is None:
-        found.append((say("Needed"), say(f"{area_text(numbers.film_area)}; wider than the usual roll")))
+        rows.append((say("Needed"), say(f"{area_text(numbers.film_area)}; wider than the usual roll")))
     else:
         width, length = numbers.roll
-        found.append((say("Needed"), say(f"{length_text(length, 3)} of a roll {length_text(width)} wide")))
+        rows.append((say("Needed"), say(f"{length_text(length, 3)} of a roll {length_text(width)} wide")))
     wide = length_text(pattern.seal_width, 3)
-    found.append(
+    rows.append(
         (say(film.seam.capitalize()), say(f"{wide} wide, {length_text(numbers.seam_length, 3)} long"))
     )
     intakes = pattern.intakes
     if intakes:
         kind = intake_kind(intakes[0].kind)
-        found.append((say("Intake"), f"{say(kind.title)}, {length_text(intakes[0].width, 3)}"))
+        rows.append((say("Intake"), f"{say(kind.title)}, {length_text(intakes[0].width, 3)}"))
         if kind.stock is not None:
-            found.append((say("Strips"), say(kind.stock.title)))
-    return found
+            rows.append((say("Strips"), say(kind.stock.title)))
+    return rows
 
 
 def figures(film: Film, numbers: Numbers, say: Say = in_english) -> list[tuple[str, str]]:
@@ -64,7 +64,7 @@ def figures(film: Film, numbers: Numbers, say: Say = in_english) -> list[tuple[s
     safe, weight = numbers.safety, mass_text(numbers.weight)
     if numbers.valve:
         weight = say(f"{weight} with valve {mass_text(numbers.valve)}")
-    found = [
+    rows = [
         (say("Volume"), volume_text(numbers.volume)),
         (say("Weight"), weight),
         (say("Pressure"), pressure_text(safe.pressure)),
@@ -72,24 +72,24 @@ def figures(film: Film, numbers: Numbers, say: Say = in_english) -> list[tuple[s
     if safe.safe_pressure is not None:
         weakest = film.seam if safe.weakest == WELD else safe.weakest
         bears = say(f"{pressure_text(safe.safe_pressure)} ({weakest}, margin {number_text(safe.margin)})")
-        found.append((say("Safe to"), bears))
+        rows.append((say("Safe to"), bears))
     one = numbers.floating[0]
     gas = volume_text(one.gas_needed)
     if one.cost is not None:
         gas = gas + say(f", about {money_text(one.cost, numbers.currency)}")
-    found.append((say(one.gas.capitalize()), gas))
-    found.append((say("Will it float?"), say(numbers.sentence())))
-    return found
+    rows.append((say(one.gas.capitalize()), gas))
+    rows.append((say("Will it float?"), say(numbers.sentence())))
+    return rows
 
 
 def broken(text: str, fits: Callable[[str], bool]) -> list[str]:
     """Lines that fit; a number stays with its unit, a French mark with its word."""
-    kept = re.sub(
+    joined = re.sub(
         r"(\d) (?=(?:[µm]?m|cm[²³]?|m[²³]|mm[²³]|m?l|[mk]?g|[kM]?Pa)(?![^\W\d]))", rf"\1{_BLANK}", text
     )
-    kept = re.sub(r" (?=[:;?!»%])|(?<=«) ", _BLANK, kept)
+    joined = re.sub(r" (?=[:;?!»%])|(?<=«) ", _BLANK, joined)
     lines, line = [], ""
-    for piece in _PIECE.findall(kept):
+    for piece in _PIECE.findall(joined):
         if line and not fits(line + piece):
             lines.append(line)
             line = ""

@@ -240,10 +240,10 @@ class _Correction:
     def _correct(self) -> None:
         """Move the pattern of the last iterate."""
         assert self.last is not None
-        given_up = self.stalls.given_up
+        abandoned = self.stalls.abandoned
         self.seam_map = next_seam_map(self.last, self.rule, self.stalls, self._scales)
         self.keep_mesh = True
-        if self.stalls.given_up > given_up:  # the rest has its chance now
+        if self.stalls.abandoned > abandoned:  # the rest has its chance now
             self.history.stalled = 0
 
     def _hand_over(self) -> None:
@@ -286,10 +286,10 @@ def _initial(drawn: SeamMap, target: Outline, mesh_size: float | None, clearance
     edge = min(float(np.sqrt(target.area / (0.87 * INITIAL_VERTICES))), mesh_size or np.inf)
     panel = _meshed(target, edge)
     shift = initial_displacements(panel)
-    shift -= shift[np.concatenate(panel.seams)].mean(axis=0)
+    shift -= shift[np.concatenate(panel.loops)].mean(axis=0)
     fields = tuple(
         node.field(shift[seam], drawing, SMOOTHING * edge)
-        for node, seam, drawing in zip(seam_nodes(drawn, panel), panel.seams, drawn.drawing, strict=True)
+        for node, seam, drawing in zip(seam_nodes(drawn, panel), panel.loops, drawn.drawing, strict=True)
     )
     flat = panel.rest_positions
     lines = [

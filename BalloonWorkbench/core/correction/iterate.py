@@ -54,15 +54,15 @@ class Simulation:
 class Iterate:
     """A pattern and what it inflates to, placed over the drawing.
 
-    nodes   the seam vertices along each loop of the seam map
-    shown   the silhouette of the film that the facets stand for; misfit: how far it is from the drawing
+    nodes       the seam vertices along each loop of the seam map
+    silhouette  the silhouette of the film that the facets stand for; misfit: how far it is from the drawing
     """
 
     seam_map: SeamMap
     panel: Panel
     nodes: tuple[SeamNodes, ...]
     inflation: Inflation
-    shown: Outline
+    silhouette: Outline
     misfit: Misfit
 
 
@@ -93,8 +93,8 @@ def make_iterate(
         settings=simulation.newton,
     )
     placed = _aligned(seam_map, nodes, inflation, simulation.unreachable)
-    shown = silhouette(trimmed(placed))
-    return Iterate(seam_map, panel, nodes, placed, shown, misfit(simulation.target, shown))
+    visible = silhouette(trimmed(placed))
+    return Iterate(seam_map, panel, nodes, placed, visible, misfit(simulation.target, visible))
 
 
 def _meshed(pattern: Outline, simulation: Simulation) -> Panel:
@@ -108,7 +108,7 @@ def weld_error(current: Iterate) -> float:
     positions = current.inflation.positions[:, :2]
     lines = zip(current.seam_map.lines, current.panel.welds, strict=True)
     error = max((line.mean_distance(positions[weld]) for line, weld in lines), default=0.0)
-    return error / max(current.shown.size)
+    return error / max(current.silhouette.size)
 
 
 def _moved(last: Iterate, seam_map: SeamMap) -> Panel | None:
@@ -125,14 +125,14 @@ def _aligned(
     seam_map: SeamMap, nodes: tuple[SeamNodes, ...], inflation: Inflation, unreachable: tuple[Bools, ...]
 ) -> Inflation:
     """The balloon moved in its plane of symmetry to where the drawing is, by what is not given up."""
-    seams = inflation.panel.seams
+    seams = inflation.panel.loops
     drawn = np.concatenate([node.placed_on(loop) for node, loop in zip(nodes, seam_map.drawing, strict=True)])
     seam = np.concatenate([inflation.positions[loop, :2] for loop in seams])
     weights = np.concatenate([point_weights(inflation.panel.rest_positions[loop]) for loop in seams])
     if unreachable:
         sure = [
-            ~given_up[np.rint(node.index).astype(np.int64) % len(given_up)]
-            for node, given_up in zip(nodes, unreachable, strict=True)
+            ~ignored[np.rint(node.index).astype(np.int64) % len(ignored)]
+            for node, ignored in zip(nodes, unreachable, strict=True)
         ]
         weights = weights * np.concatenate(sure) if np.concatenate(sure).any() else weights
     rotation, shift = alignment(seam, drawn, weights)

@@ -177,7 +177,7 @@ class SeamNodes:
 def seam_nodes(seam_map: SeamMap, panel: Panel) -> tuple[SeamNodes, ...]:
     """The seam vertices of a panel that was meshed from the map's pattern, loop by loop."""
     loops = []
-    for drawing, pattern, seam in zip(seam_map.drawing, seam_map.pattern, panel.seams, strict=True):
+    for drawing, pattern, seam in zip(seam_map.drawing, seam_map.pattern, panel.loops, strict=True):
         lengths = arc_lengths(pattern)
         counter = np.arange(len(pattern) + 1, dtype=np.float64)
         index = np.interp(locate(pattern, panel.rest_positions[seam]), lengths, counter)

@@ -61,11 +61,11 @@ def next_seam_map(current: Iterate, rule: UpdateRule, stalls: StallTracker, scal
 def _corrections(current: Iterate, scales: Scales) -> tuple[Floats, ...]:
     """For each loop what is missing at its points (n, 2), smooth and in the directions of the pattern."""
     corrections = []
-    for drawing, node, seam in zip(current.seam_map.drawing, current.nodes, current.panel.seams, strict=True):
+    for drawing, node, seam in zip(current.seam_map.drawing, current.nodes, current.panel.loops, strict=True):
         points = current.inflation.positions[seam, :2]
         around = float(arc_lengths(drawing)[-1])
         drift = np.full(len(points), min(DRIFT * scales.edge, DRIFT_ROUND * around))
-        places = visible_places(points, current.shown, OVERHANG * scales.size)
+        places = visible_places(points, current.silhouette, OVERHANG * scales.size)
         places[node.corner_nodes] = points[node.corner_nodes]
         missing = goals(drawing, places, node.lengths, node.corner_nodes, node.corners, drift) - places
         smooth = node.field(missing, drawing, scales.smoothing)

@@ -34,7 +34,7 @@ def summary(target: Outline, best: Iterate, passes: int, meshes: int, seconds: f
         target,
         best.seam_map.outline,
         best.inflation,
-        best.shown,
+        best.silhouette,
         error,
         passes,
         meshes,

@@ -17,13 +17,13 @@ def transferred(inflation: Inflation, panel: Panel) -> Inflation:
     rest, places = inflation.panel.rest_positions, panel.rest_positions
     moves = inflation.positions.copy()
     moves[:, :2] -= rest
-    found = interpolated(rest, moves, places)
-    found[panel.sealed, 2] = 0.0
-    found[:, :2] += panel.rest_positions
+    positions = interpolated(rest, moves, places)
+    positions[panel.sealed, 2] = 0.0
+    positions[:, :2] += panel.rest_positions
     return replace(
         inflation,
         assembly=Assembly.mirrored(panel),
-        positions=found,
-        directors=vertex_normals(found, panel),
+        positions=positions,
+        directors=vertex_normals(positions, panel),
         lower=None,
     )

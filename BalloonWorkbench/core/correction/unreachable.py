@@ -35,7 +35,7 @@ class StallTracker:
         )
 
     @property
-    def given_up(self) -> int:
+    def abandoned(self) -> int:
         """Number of points that are given up."""
         return sum(int(unreachable.sum()) for unreachable in self.unreachable)
 
@@ -53,7 +53,7 @@ class StallTracker:
             self._least_mean = mean
             return moves
         self._tried.append((seam_map.pattern, away))
-        kept, unreachable = [], []
+        allowed, unreachable = [], []
         for k, (drawing, pattern, move) in enumerate(
             zip(seam_map.drawing, seam_map.pattern, moves, strict=True)
         ):
@@ -67,9 +67,9 @@ class StallTracker:
                 distances = [float(tried[k][hopeless].mean()) for _, tried in self._tried]
                 nearest, _ = self._tried[int(np.argmin(distances))]
                 moved += _nearness(drawing, hopeless, width)[:, None] * (nearest[k] - pattern)
-            kept.append(moved)
+            allowed.append(moved)
         self.unreachable = tuple(unreachable)
-        return tuple(kept)
+        return tuple(allowed)
 
     def mean_error(self, misfit: Misfit) -> float:
         """Mean distance [m] at the places that are not given up.

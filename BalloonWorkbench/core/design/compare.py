@@ -37,17 +37,20 @@ class Misfit:
         return Residual(float(away.mean()), float(np.percentile(away, 95)), float(away.max()))
 
 
-def residual(drawing: Outline, shown: Outline) -> Residual:
+def residual(drawing: Outline, visible: Outline) -> Residual:
     """Distances from each outline to the other one, at points evenly spaced along both [m]."""
-    return misfit(drawing, shown).residual
+    return misfit(drawing, visible).residual
 
 
-def misfit(drawing: Outline, shown: Outline) -> Misfit:
+def misfit(drawing: Outline, visible: Outline) -> Misfit:
     """Distances from each outline to the other one, at points evenly spaced along both, place by place."""
     spacing = max(float(arc_lengths(loop)[-1]) for loop in drawing.loops) / _SAMPLES
     here = [evenly(loop, spacing) for loop in drawing.loops]
-    there = np.concatenate([evenly(loop, spacing) for loop in shown.loops])
-    forth, back = nearest_on_loops(shown.loops, np.concatenate(here)), nearest_on_loops(drawing.loops, there)
+    there = np.concatenate([evenly(loop, spacing) for loop in visible.loops])
+    forth, back = (
+        nearest_on_loops(visible.loops, np.concatenate(here)),
+        nearest_on_loops(drawing.loops, there),
+    )
     loop, share = way_round(drawing.loops, back)
     owner = np.repeat(np.arange(len(here)), [len(points) for points in here])
     return Misfit(

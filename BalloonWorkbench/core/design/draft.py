@@ -77,11 +77,11 @@ def inflate_drawing(
         return Draft(inflate(drawing, film, pressure, progress=progress), outline)
     pattern = replace(drawing, rest_positions=drawing.rest_positions + initial_displacements(drawing))
     inflation = inflate(pattern, film, pressure, progress=progress)
-    seam = drawing.seams[0]
-    drawn, shown = (_box(points[seam, :2]) for points in (drawing.rest_positions, inflation.positions))
-    stretch = drawn[1] / shown[1]
+    seam = drawing.loops[0]
+    drawn, visible = (_box(points[seam, :2]) for points in (drawing.rest_positions, inflation.positions))
+    stretch = drawn[1] / visible[1]
     scale = float(np.sqrt(np.prod(stretch)))
-    flat = drawn[0] + stretch * (inflation.positions[:, :2] - shown[0])
+    flat = drawn[0] + stretch * (inflation.positions[:, :2] - visible[0])
     wider = _area(drawing, drawing.rest_positions) / _area(drawing, flat)
     height = scale * wider**_THICKNESS * inflation.positions[:, 2:]
     return Draft(
@@ -106,13 +106,13 @@ def _meshed(outline: Outline, vertices: int) -> Panel:
 
 def _area(panel: Panel, points: Floats) -> float:
     """Inside the seams of a panel whose vertices are at points (n, 2)."""
-    return sum(float(signed_area(points[seam])) for seam in panel.seams)
+    return sum(float(signed_area(points[seam])) for seam in panel.loops)
 
 
 def _seam(outline: Outline, drawing: Panel, moved: Floats) -> Outline:
     """The outline with its loops moved as the seams of its panel are, to points (n, 2)."""
     loops = []
-    for loop, seam in zip(outline.loops, drawing.seams, strict=True):
+    for loop, seam in zip(outline.loops, drawing.loops, strict=True):
         shift = moved[seam] - drawing.rest_positions[seam]
         along, around = locate(loop, drawing.rest_positions[seam]), arc_lengths(loop)
         moves = [np.interp(around[:-1], along, part, period=around[-1]) for part in shift.T]

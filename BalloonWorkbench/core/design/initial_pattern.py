@@ -63,6 +63,6 @@ def initial_displacements(panel: Panel) -> Floats:
             break
         short = stretched
     moves = solution.reshape(-1, 2)
-    for hole in panel.seams[1:]:  # film is taut round a hole: its rim neither grows nor shrinks
+    for hole in panel.loops[1:]:  # film is taut round a hole: its rim neither grows nor shrinks
         moves[hole] = moves[hole].mean(axis=0)
     return moves

@@ -32,7 +32,7 @@ def silhouette(inflation: Inflation) -> Outline:
     if not bodies:
         raise SolverError("The film folds up and nothing of it is seen from above: make the shape thicker.")
     holes = sorted((loop_of(ring) for ring in bodies[0].interiors), key=signed_area, reverse=True)
-    count = len(inflation.panel.seams) - 1
+    count = len(inflation.panel.loops) - 1
     return Outline(loop_of(bodies[0].exterior), tuple(hole[::-1] for hole in holes[:count]))
 
 

@@ -31,7 +31,7 @@ def trimmed(inflation: Inflation) -> Inflation:
 
     Round holes the film is taut, and the facets show no such error.
     """
-    seam = inflation.panel.seams[0]
+    seam = inflation.panel.loops[0]
     flat, places = inflation.panel.rest_positions[seam], inflation.positions[seam, :2]
     inward = FACETS * point_weights(flat)[:, None] * left_normals(places)
     positions, lower = inflation.positions.copy(), inflation.lower
@@ -42,11 +42,11 @@ def trimmed(inflation: Inflation) -> Inflation:
     return replace(inflation, positions=positions, lower=lower)
 
 
-def visible_places(points: Floats, shown: Outline, reach: float) -> Floats:
+def visible_places(points: Floats, visible: Outline, reach: float) -> Floats:
     """Where points (k, 2) of the seam are seen: at the nearest place of the silhouette within `reach` [m].
 
     Farther ones are hidden, as deep in a slit that the film has closed, and stay where they are.
     """
-    nearest = nearest_places(shown.loops, points)
+    nearest = nearest_places(visible.loops, points)
     hidden = np.linalg.norm(nearest - points, axis=1) > reach
     return np.asarray(np.where(hidden[:, None], points, nearest))

@@ -204,17 +204,17 @@ def _rename(path: Path, target: Path) -> None:
 
 def _screen(place: Path, names: Iterable[str]) -> Path | None:
     """A folder beside this one that looks as it will look; None where that cannot be."""
-    wanted, screen = set(names), beside(place)
+    published, screen = set(names), beside(place)
     with os.scandir(place) as listed:
         entries = [entry for entry in listed if entry.name != WHOLE]
     if len(entries) > _MOST_ENTRIES or any(entry.is_dir(follow_symlinks=False) for entry in entries):
         return None
     try:
-        _mark(screen, wanted)
+        _mark(screen, published)
         for entry in entries:
-            if entry.name not in wanted:
+            if entry.name not in published:
                 os.link(entry.path, screen / entry.name, follow_symlinks=False)
-        for name in wanted:
+        for name in published:
             os.link(place / WHOLE / _NEW / name, screen / name)
         _as_before(screen, place.stat())
     except (OSError, NotImplementedError):

@@ -42,14 +42,14 @@ def write_files(
     Returns the paths; calls done(paths) as soon as they are there, before an interruption that came meanwhile
     takes effect. Raises ExportError, and then no file has changed and nothing new is left behind.
     """
-    shown = Path(folder)
-    paths = tuple(shown / name for name in contents)
+    target = Path(folder)
+    paths = tuple(target / name for name in contents)
     for name in contents:
         if not name or Path(name).name != name or name.startswith(".film-balloon"):
             raise ExportError(f"'{name}' is not a file name: leave out the folder.")
     made: list[Path] = []
     try:
-        place = Path(os.path.realpath(shown))
+        place = Path(os.path.realpath(target))
         made = _missing_folders(place.parent)
         place.parent.mkdir(parents=True, exist_ok=True)
         with locked(place.parent), signals_wait():
@@ -62,7 +62,7 @@ def write_files(
             made = []
             done(paths)
     except OSError as error:
-        raise _refused(shown, error) from error
+        raise _refused(target, error) from error
     finally:
         _discard(made)
     return paths

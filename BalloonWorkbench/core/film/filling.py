@@ -96,10 +96,10 @@ def gases() -> dict[str, Gas]:
 def gas(name: str) -> Gas:
     """The gas of this name; InputError with the known names when there is none."""
     known = _library()
-    found = known.get("-".join(name.lower().split()))
-    if found is None:
+    named = known.get("-".join(name.lower().split()))
+    if named is None:
         raise InputError(f'There is no gas "{name}": choose one of {", ".join(known)}.')
-    return found
+    return named
 
 
 @cache

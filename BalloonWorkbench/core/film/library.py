@@ -35,10 +35,10 @@ def film(name: str) -> Film:
     Raises InputError with the known names when there is none.
     """
     known = _library()
-    found = known.get("-".join(name.lower().split()))
-    if found is None:
+    named = known.get("-".join(name.lower().split()))
+    if named is None:
         raise InputError(f'There is no film "{name}": choose one of {", ".join(known)}.')
-    return found
+    return named
 
 
 def custom_film(young: float, poisson: float, thickness: float, areal_density: float | None = None) -> Film:
@@ -90,14 +90,16 @@ def read_film(path: Path) -> Film:
     Raises InputError that names the file when something is missing, mistyped or out of range.
     """
     try:
-        found = _film_of(read_data(path))
+        described = _film_of(read_data(path))
     except KeyError as error:
         raise InputError(f"The film file {path.name} lacks {error}: add it.") from error
     except (*UNUSABLE, InputError) as error:
         raise InputError(f"The film file {path.name} is of no use: {error}") from error
-    if found.name != path.stem:
-        raise InputError(f'The film file {path.name} calls itself "{found.name}": give both the same name.')
-    return found
+    if described.name != path.stem:
+        raise InputError(
+            f'The film file {path.name} calls itself "{described.name}": give both the same name.'
+        )
+    return described
 
 
 def _film_of(data: dict[str, Any]) -> Film:

@@ -51,10 +51,10 @@ def _without_spikes(loop: Floats, tolerance: float, first: int) -> Floats:
         back, ahead = before[gone], after[gone]
         after[back], before[ahead] = ahead, back
         here, unchanged, count = back, 0, count - 1
-    kept = {here}
-    while (here := after[here]) not in kept:
-        kept.add(here)
-    return np.asarray(loop[sorted(kept)])
+    visited = {here}
+    while (here := after[here]) not in visited:
+        visited.add(here)
+    return np.asarray(loop[sorted(visited)])
 
 
 def _is_tip(back: list[float], tip: list[float], ahead: list[float], tolerance: float) -> bool:
@@ -66,10 +66,10 @@ def _is_tip(back: list[float], tip: list[float], ahead: list[float], tolerance: 
 def _distinct(loop: Floats, tolerance: float) -> Floats:
     if (edge_lengths(loop) > tolerance).all():
         return loop
-    kept, points = [0], loop.tolist()
+    distinct, points = [0], loop.tolist()
     for k in range(1, len(loop)):
-        if math.dist(points[k], points[kept[-1]]) > tolerance:
-            kept.append(k)
-    while len(kept) > 1 and np.linalg.norm(loop[kept[-1]] - loop[0]) <= tolerance:
-        kept.pop()
-    return np.asarray(loop[kept])
+        if math.dist(points[k], points[distinct[-1]]) > tolerance:
+            distinct.append(k)
+    while len(distinct) > 1 and np.linalg.norm(loop[distinct[-1]] - loop[0]) <= tolerance:
+        distinct.pop()
+    return np.asarray(loop[distinct])

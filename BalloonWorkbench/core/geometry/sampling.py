@@ -71,7 +71,7 @@ def simplify(loop: Floats, tolerance: float, keep: NDArray[np.intp] | None = Non
 
 def _significant(points: Floats, first: int, last: int, tolerance: float) -> list[int]:
     """Indices from first (included) to last (excluded) of the points that keep the chain within tolerance."""
-    kept = [first]
+    significant = [first]
     stack = [(first, last)]
     while stack:
         a, b = stack.pop()
@@ -82,9 +82,9 @@ def _significant(points: Floats, first: int, last: int, tolerance: float) -> lis
         far = int(np.argmax(away))
         if away[far] > tolerance:
             middle = a + 1 + far
-            kept.append(middle)
+            significant.append(middle)
             stack += [(a, middle), (middle, b)]
-    return sorted(kept)
+    return sorted(significant)
 
 
 def smooth(loop: Floats, width: float, fixed: NDArray[np.intp]) -> Floats:

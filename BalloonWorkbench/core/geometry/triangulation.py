@@ -55,7 +55,7 @@ class Located:
 
     def values(self, field: Floats, places: Floats) -> Floats:
         """A field (n, d) at places (k, 2): linear inside, that of the nearest edge for places outside."""
-        found = np.empty((len(places), field.shape[1]))
+        interpolants = np.empty((len(places), field.shape[1]))
         step = max(1, _CHUNK // max(len(self._triangles), 1))
         for first in range(0, len(places), step):
             some = places[first : first + step]
@@ -65,8 +65,8 @@ class Located:
             chosen = np.clip(weights[np.arange(len(some)), best], 0.0, 1.0)
             chosen /= chosen.sum(axis=1, keepdims=True)
             corners = field[self._triangles[best]]
-            found[first : first + step] = np.einsum("ka,kad->kd", chosen, corners)
-        return found
+            interpolants[first : first + step] = np.einsum("ka,kad->kd", chosen, corners)
+        return interpolants
 
 
 def interpolated(points: Floats, values: Floats, places: Floats) -> Floats:

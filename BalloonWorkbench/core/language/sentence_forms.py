@@ -30,17 +30,19 @@ def known(listed: Iterable[str]) -> Known:
     return plain, tuple(sorted(forms, key=lambda form: (-form.letters, form.source)))
 
 
-def told(text: str, sentences: Known, translate: Callable[[str], str]) -> str:
+def translated(text: str, sentences: Known, translate: Callable[[str], str]) -> str:
     """A text in another language, with what it was filled with; one that is not known stays as it is."""
     if "\n" in text:
-        return "\n".join(told(line, sentences, translate) for line in text.split("\n"))
+        return "\n".join(translated(line, sentences, translate) for line in text.split("\n"))
     plain, forms = sentences
     if text in plain:
         return translate(text)
     for form in forms:
-        found = form.pattern.fullmatch(text)
-        if found:
-            filling = {name: told(value, sentences, translate) for name, value in found.groupdict().items()}
+        match = form.pattern.fullmatch(text)
+        if match:
+            filling = {
+                name: translated(value, sentences, translate) for name, value in match.groupdict().items()
+            }
             return _fill(translate(form.source), filling)
     return text
 

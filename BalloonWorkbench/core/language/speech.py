@@ -39,8 +39,8 @@ def short_names() -> list[str]:
 
 def language_named(name: str) -> str:
     """The language that is meant by "de", "de-AT" or "de_DE". InputError for one that is not here."""
-    wanted = _short(name)
-    known = [language for language in languages() if _short(language) == wanted]
+    short = _short(name)
+    known = [language for language in languages() if _short(language) == short]
     if not known:
         raise InputError(f'There is no language "{name}": choose one of {", ".join(short_names())}.')
     return known[0]
@@ -67,7 +67,7 @@ def speech(language: str) -> Say:
     messages = ElementTree.parse(FOLDER / f"{_STEM}{language}.ts").iter("message")
     done = {message.findtext("source", ""): message.findtext("translation", "") for message in messages}
     known = listed()
-    return lambda text: sentence_forms.told(text, known, lambda source: done.get(source) or source)
+    return lambda text: sentence_forms.translated(text, known, lambda source: done.get(source) or source)
 
 
 @cache

@@ -187,12 +187,12 @@ def _known_machine(name: str) -> Machine:
     for path, own in _own_machines().items():  # never ours in the place of the user's: its numbers are others
         if path.stem == plain and isinstance(own, InputError):
             raise own
-    found = known.get(plain)
-    if found is None:
+    named = known.get(plain)
+    if named is None:
         raise InputError(
             f'There is no machine "{name}": choose one of {", ".join(known)}, or give a .json file.'
         )
-    return found
+    return named
 
 
 def read_machine(path: Path) -> Machine:
@@ -201,16 +201,16 @@ def read_machine(path: Path) -> Machine:
     Raises InputError that names the file and the value.
     """
     try:
-        found = _machine_of(read_data(path))
+        described = _machine_of(read_data(path))
     except KeyError as error:
         raise InputError(f"The machine file {path.name} lacks {error}: add it.") from error
     except (*UNUSABLE, InputError) as error:
         raise InputError(f"The machine file {path.name} is of no use: {error}") from error
-    if found.name != path.stem:
+    if described.name != path.stem:
         raise InputError(
-            f'The machine file {path.name} calls itself "{found.name}": give both the same name.'
+            f'The machine file {path.name} calls itself "{described.name}": give both the same name.'
         )
-    return found
+    return described
 
 
 #: Files made before notches, folds and drawn marks had layers of their own have one for all of them. It may
@@ -234,7 +234,7 @@ def _machine_of(data: dict[str, Any]) -> Machine:
     marked = dict(data["layers"])
     if _NOTCH in marked:
         marked.pop(_MARK, None)
-    found = Machine(
+    described = Machine(
         name=str(data["name"]),
         title=str(data["title"]),
         note=str(data["note"]),
@@ -256,15 +256,17 @@ def _machine_of(data: dict[str, Any]) -> Machine:
         process=_one_of(data.get("process", ""), PROCESSES, "process"),
         remarks=_remarks(data),
     )
-    if not _FILE_NAME.fullmatch(found.file):
-        raise InputError(f'the file name "{found.file}" may have letters, digits, spaces, _, - and . only.')
-    if kind in ("hpgl", "pdf", "lbrn2") and found.unit != "mm":
+    if not _FILE_NAME.fullmatch(described.file):
+        raise InputError(
+            f'the file name "{described.file}" may have letters, digits, spaces, _, - and . only.'
+        )
+    if kind in ("hpgl", "pdf", "lbrn2") and described.unit != "mm":
         raise InputError(f'a {kind.upper()} file has a unit of its own: give "unit": "mm".')
-    if kind == "lbrn2" and any(line.pen >= _PROJECT_LAYERS for line in found.layers.values()):
+    if kind == "lbrn2" and any(line.pen >= _PROJECT_LAYERS for line in described.layers.values()):
         raise InputError(f"a LightBurn project has layers up to {_PROJECT_LAYERS - 1}: change the pen.")
-    if kind == "hpgl" and found.arcs:
+    if kind == "hpgl" and described.arcs:
         raise InputError('HPGL is written as polylines: give "arcs": false.')
-    return found
+    return described
 
 
 def _remarks(data: dict[str, Any]) -> tuple[str, ...]:

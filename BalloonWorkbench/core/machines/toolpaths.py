@@ -77,9 +77,9 @@ def draw(pattern: Pattern, machine: Machine) -> Toolpaths:
         for curve in _curves(contour, machine, ends_mm)
     ]
     if not paths:
-        wanted = ", ".join(role.value for role in machine.layers)
+        roles = ", ".join(role.value for role in machine.layers)
         raise ExportError(
-            f"The pattern has no lines for {machine.title}, which takes {wanted}: choose another machine."
+            f"The pattern has no lines for {machine.title}, which takes {roles}: choose another machine."
         )
     paths = _once(paths)
     if machine.control_bar and Role.REGISTRATION in machine.layers:
@@ -114,15 +114,15 @@ def _curves(contour: Contour, machine: Machine, ends: Floats) -> Iterator[Curve]
 def _once(paths: list[Path]) -> list[Path]:
     """Without paths that lie on an earlier one of the same role."""
     boxes = np.array([np.concatenate(path.curve.bounds) for path in paths])
-    kept: list[int] = []
+    distinct: list[int] = []
     for number, path in enumerate(paths):
-        near = np.abs(boxes[kept] - boxes[number]).max(axis=1) < _SAME if kept else np.zeros(0)
-        alike = [paths[kept[k]] for k in np.flatnonzero(near) if paths[kept[k]].role is path.role]
+        near = np.abs(boxes[distinct] - boxes[number]).max(axis=1) < _SAME if distinct else np.zeros(0)
+        alike = [paths[distinct[k]] for k in np.flatnonzero(near) if paths[distinct[k]].role is path.role]
         points = path.curve.flattened(_SAME) if alike else path.curve.joints
         lines = [ring(other.curve.flattened(_SAME)) for other in alike]
         if not any(nearest_on_line(line, points).distance.max() < 2.0 * _SAME for line in lines):
-            kept.append(number)
-    return [paths[number] for number in kept]
+            distinct.append(number)
+    return [paths[number] for number in distinct]
 
 
 def _bar(low: Floats) -> Iterator[Curve]:

@@ -177,7 +177,7 @@ def film_on_roll(pattern: Pattern, film: Film, width: float) -> tuple[float, flo
     return width, layout_of(stock, pieces, places).length
 
 
-def told(numbers: Numbers) -> dict[str, Any]:
+def numbers_report(numbers: Numbers) -> dict[str, Any]:
     """The numbers as plain data; keys carry their units."""
     safe = numbers.safety
     return {

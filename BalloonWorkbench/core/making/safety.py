@@ -67,13 +67,17 @@ def safety_with(
     does: so the pressure found in proportion is safe where it is above that of the inflation. Where it is
     below, the balloon is inflated anew at lower pressures, until the margin is there; not so unless `exact`.
     """
-    found = own = _in_proportion(inflation, film, weld_limit, margin)
+    estimate = own = _in_proportion(inflation, film, weld_limit, margin)
     for _ in range(_MOST_TRIALS):
-        if not exact or found.safe_pressure is None or found.safe_pressure >= found.pressure * (1.0 - _NEAR):
+        if (
+            not exact
+            or estimate.safe_pressure is None
+            or estimate.safe_pressure >= estimate.pressure * (1.0 - _NEAR)
+        ):
             break
         model = inflation.report.model
-        inflation = inflate(inflation.panel, film, found.safe_pressure, start=inflation, model=model)
-        found = _in_proportion(inflation, film, weld_limit, margin)
+        inflation = inflate(inflation.panel, film, estimate.safe_pressure, start=inflation, model=model)
+        estimate = _in_proportion(inflation, film, weld_limit, margin)
     return Safety(
         own.film_load,
         own.weld_load,
@@ -81,9 +85,9 @@ def safety_with(
         weld_limit,
         own.pressure,
         margin,
-        found.safe_pressure,
-        found.weakest,
-        own.at_rest and found.at_rest,
+        estimate.safe_pressure,
+        estimate.weakest,
+        own.at_rest and estimate.at_rest,
     )
 
 

@@ -32,10 +32,10 @@ class Making:
 
     def seal_strength(self, film: Film) -> float | None:
         """Load at which a weld of this film opens [N/m]; None where not even the film's is known."""
-        found = self.seals.get(film.name)
-        if found is None and film.max_stress is not None:
-            found = self.seal_share * film.max_stress * film.thickness
-        return found
+        strength = self.seals.get(film.name)
+        if strength is None and film.max_stress is not None:
+            strength = self.seal_share * film.max_stress * film.thickness
+        return strength
 
 
 @cache

@@ -37,16 +37,16 @@ class Weld:
 
 
 def seam_points(
-    loops: tuple[Floats, ...], field: SizeField, kept: Ints = _NONE
+    loops: tuple[Floats, ...], field: SizeField, fixed: Ints = _NONE
 ) -> tuple[tuple[Floats, ...], SizeField]:
     """Resampled loops (k, 2), in the order and sense given, and the field.
 
-    kept: points of the first loop that stay. Where the coarser loops would cross (a narrow slit) the field is
-    refined. Raises MeshError when that does not help.
+    fixed: points of the first loop that stay. Where the coarser loops would cross (a narrow slit) the field
+    is refined. Raises MeshError when that does not help.
     """
 
     def seams_on(field: SizeField) -> tuple[Floats, ...]:
-        return tuple(_resampled(loop, field, _NONE if n else kept) for n, loop in enumerate(loops))
+        return tuple(_resampled(loop, field, _NONE if n else fixed) for n, loop in enumerate(loops))
 
     seams = seams_on(field)
     while (place := first_crossing(seams)) is not None:
@@ -69,7 +69,7 @@ def weld_points(welds: tuple[Floats, ...], seams: tuple[Floats, ...], field: Siz
     """
     rim = np.concatenate(seams)
     taken = np.zeros(len(rim), dtype=bool)
-    found = []
+    resampled = []
     for line in welds:
         points = _resampled_line(line, field)
         ends = []
@@ -79,15 +79,19 @@ def weld_points(welds: tuple[Floats, ...], seams: tuple[Floats, ...], field: Siz
             at_rim = away[nearest] < 0.6 * float(field.at(points[end : end + 1 or None])[0])
             taken[nearest] |= at_rim
             ends.append(nearest if at_rim else None)
-        found.append(Weld(points[ends[0] is not None : len(points) - (ends[1] is not None)], *ends))
-    place = first_crossing(seams, [weld.points for weld in found if len(weld.points) > 1]) if found else None
+        resampled.append(Weld(points[ends[0] is not None : len(points) - (ends[1] is not None)], *ends))
+    place = (
+        first_crossing(seams, [weld.points for weld in resampled if len(weld.points) > 1])
+        if resampled
+        else None
+    )
     if place is not None:
         raise MeshError(
             f"A weld runs too near to another one or to the outline at {place_text(place)} for this mesh:"
             " move it away, or use a smaller mesh size.",
             (float(place[0]), float(place[1])),
         )
-    return found
+    return resampled
 
 
 def _resampled_line(line: Floats, field: SizeField) -> Floats:
@@ -106,10 +110,10 @@ def _resampled_line(line: Floats, field: SizeField) -> Floats:
     return np.concatenate([*pieces, line[-1:]])
 
 
-def _resampled(loop: Floats, field: SizeField, kept: Ints) -> Floats:
+def _resampled(loop: Floats, field: SizeField, required: Ints) -> Floats:
     lengths = arc_lengths(loop)
     around = float(lengths[-1])
-    fixed = np.union1d(corners(loop, _CORNER, reach=min(0.6 * field.smallest, around / 8.0)), kept)
+    fixed = np.union1d(corners(loop, _CORNER, reach=min(0.6 * field.smallest, around / 8.0)), required)
     stops = np.append(lengths[fixed], lengths[fixed[0]] + around) if len(fixed) else np.array([0.0, around])
     # Edges along the loop: the integral of 1 / size.
     fine = np.linspace(0.0, around, max(64, int(4.0 * around / field.smallest))) + stops[0]

@@ -91,12 +91,14 @@ def _left(outline: Outline, mirror: Mirror) -> _Half | None:
 
 def _twins(outline: Outline, mirror: Mirror, left: list[int], right: list[int]) -> tuple[int, ...]:
     """For each loop on the left the one on the right that is its image."""
-    found: list[int] = []
+    images: list[int] = []
     for number in left:
         image = mirror.reflect(outline.loops[number]).mean(axis=0)
-        rest = [other for other in right if other not in found]
-        found.append(min(rest, key=lambda other: float(np.linalg.norm(outline.loops[other].mean(0) - image))))
-    return tuple(found)
+        rest = [other for other in right if other not in images]
+        images.append(
+            min(rest, key=lambda other: float(np.linalg.norm(outline.loops[other].mean(0) - image)))
+        )
+    return tuple(images)
 
 
 def _numbers(half: _Half, rim: Floats) -> list[int]:
@@ -113,7 +115,7 @@ class _Whole:
         self._half, self._at, self._mirror, self._points, self._chains = half, at, mirror, points, chains
         self._mine = np.full(len(points), -1, dtype=np.int32)  # the number of a vertex, and of its image
         self._image = np.full(len(points), -1, dtype=np.int32)
-        self._found: list[Floats] = []
+        self._added_points: list[Floats] = []
         self._count = 0
 
     def panel(self, triangles: Ints, loops: int) -> Panel:
@@ -124,7 +126,7 @@ class _Whole:
         self._mine[inside] = self._added(self._points[inside])
         self._image[inside] = self._added(self._mirror.reflect(self._points[inside]))
         both = np.concatenate([self._mine[triangles], self._image[triangles][:, [0, 2, 1]]])
-        return Panel(np.concatenate(self._found), both, seams)
+        return Panel(np.concatenate(self._added_points), both, seams)
 
     def _loop(self, number: int) -> Ints:
         """The seam along a loop: a half and its image, a loop on the left, or the image of such a one."""
@@ -153,6 +155,6 @@ class _Whole:
 
     def _added(self, points: Floats) -> Ints:
         """Numbers for vertices at these points (n, 2)."""
-        self._found.append(points)
+        self._added_points.append(points)
         self._count += len(points)
         return np.arange(self._count - len(points), self._count, dtype=np.int32)

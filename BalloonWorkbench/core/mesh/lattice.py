@@ -32,7 +32,7 @@ def lattice(seams: tuple[Floats, ...], field: SizeField, lines: Sequence[Floats]
     if levels:
         index = np.stack(np.meshgrid(*(np.arange(n) for n in cells), indexing="ij"), axis=-1).reshape(-1, 2)
         in_cell = field.at(low + (index + 0.5) * field.size)
-    kept = []
+    chosen = []
     for level in range(levels + 1):
         size = field.size * 2.0 ** (-0.5 * level)
         points = _hexagons(low, high, size)
@@ -41,17 +41,17 @@ def lattice(seams: tuple[Floats, ...], field: SizeField, lines: Sequence[Floats]
         if levels:  # a coarse look first: the field changes slowly
             cell = ((points - low) / field.size).astype(int).clip(0, cells - 1)
             near = in_cell[cell[:, 0] * cells[1] + cell[:, 1]]
-            wanted = (near < upper + 0.2 * field.size) & (near >= lower - 0.2 * field.size)
-            points = points[wanted]
+            in_range = (near < upper + 0.2 * field.size) & (near >= lower - 0.2 * field.size)
+            points = points[in_range]
             local = field.at(points)
-            wanted = (local < upper) & (local >= lower)
-            points = points[wanted]
+            in_range = (local < upper) & (local >= lower)
+            points = points[in_range]
         if len(points):
             points = points[inside(seams, points)]
         if len(points):
             distance, _ = tree.query(points)
-            kept.append(points[distance > _CLEARANCE * field.at(points)])
-    return np.concatenate(kept) if kept else np.empty((0, 2))
+            chosen.append(points[distance > _CLEARANCE * field.at(points)])
+    return np.concatenate(chosen) if chosen else np.empty((0, 2))
 
 
 def _hexagons(low: Floats, high: Floats, size: float) -> Floats:

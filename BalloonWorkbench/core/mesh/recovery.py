@@ -73,10 +73,10 @@ class _Swapper:
             p, q = queue.popleft()
             if (min(p, q), max(p, q)) in fixed:
                 continue
-            found = self._pair(p, q)
-            if found is None or found[1] < 0:
+            pair = self._pair(p, q)
+            if pair is None or pair[1] < 0:
                 continue
-            r, s = self._opposite(found[0], p, q), self._opposite(found[1], p, q)
+            r, s = self._opposite(pair[0], p, q), self._opposite(pair[1], p, q)
             if self._angle(r, p, q) + self._angle(s, p, q) > np.pi + 1e-9 and self._swap(p, q):
                 queue.extend([(p, r), (r, q), (q, s), (s, p)])
 
@@ -106,10 +106,10 @@ class _Swapper:
 
     def _swap(self, p: int, q: int) -> tuple[int, int] | None:
         """Replace edge p-q by the other diagonal; None where the two triangles are not convex."""
-        found = self._pair(p, q)
-        if found is None or found[1] < 0:
+        pair = self._pair(p, q)
+        if pair is None or pair[1] < 0:
             return None
-        first, second = found
+        first, second = pair
         triangle = self.triangles[first]
         k = next(k for k in range(3) if {triangle[k - 2], triangle[k - 1]} == {p, q})
         r, p, q = triangle[k], triangle[k - 2], triangle[k - 1]

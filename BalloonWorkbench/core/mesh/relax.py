@@ -37,8 +37,8 @@ def relax(
     for sweep in range(sweeps):
         points = _smoothed(points, fixed, triangles, field)
         if sweep in _EDITS:
-            kept = _uncrowded(points, fixed, triangles, field)
-            points = np.concatenate([points[kept], _missing(points, loops, triangles, field, lines)])
+            stays = _uncrowded(points, fixed, triangles, field)
+            points = np.concatenate([points[stays], _missing(points, loops, triangles, field, lines)])
         triangles = triangulate_points(points, loops, lines)
     points, triangles = _repaired(*_unlocked(points, loops, triangles, field, lines), loops, lines)
     return _unlocked(points, loops, triangles, field, lines)
@@ -72,8 +72,8 @@ def chord_middles(
     chord = np.sort(np.stack([starts[row, longest], ends[row, longest]], axis=1), axis=1)
     # Each chord belongs to two triangles, and one of a tip may stay.
     allowed = set(map(tuple, chord[tip].tolist()))
-    wanted = sorted(set(map(tuple, chord[length.max(axis=1, initial=0.0) > 0.0].tolist())) - allowed)
-    return points[np.array(wanted, dtype=np.int32).reshape(-1, 2)].mean(axis=1)
+    to_split = sorted(set(map(tuple, chord[length.max(axis=1, initial=0.0) > 0.0].tolist())) - allowed)
+    return points[np.array(to_split, dtype=np.int32).reshape(-1, 2)].mean(axis=1)
 
 
 def _unlocked(
@@ -119,8 +119,8 @@ def _smoothed(points: Floats, fixed: int, triangles: Ints, field: SizeField) -> 
 
 def _uncrowded(points: Floats, fixed: int, triangles: Ints, field: SizeField) -> Bools:
     """Which vertices to keep: all but one interior end of each edge that is much too short."""
-    kept = np.bincount(triangles.ravel(), minlength=len(points)) > 0
-    kept[:fixed] = True
+    stays = np.bincount(triangles.ravel(), minlength=len(points)) > 0
+    stays[:fixed] = True
     ends = np.sort(triangles[:, [1, 2, 2, 0, 0, 1]].reshape(-1, 2), axis=1)
     length = np.linalg.norm(points[ends[:, 0]] - points[ends[:, 1]], axis=1)
     sizes = field.at(points)[ends].min(axis=1)
@@ -131,8 +131,8 @@ def _uncrowded(points: Floats, fixed: int, triangles: Ints, field: SizeField) ->
         p, q = ends[k]
         if not busy[p] and not busy[q]:
             busy[[p, q]] = True
-            kept[q] = False
-    return kept
+            stays[q] = False
+    return stays
 
 
 def _missing(
@@ -152,12 +152,12 @@ def _spread(points: Floats, field: SizeField) -> Floats:
     """The points without those too close to an earlier one."""
     if len(points) < 2:
         return points
-    kept = np.ones(len(points), dtype=bool)
+    stays = np.ones(len(points), dtype=bool)
     sizes = field.at(points)
     for i, j in sorted(kd_tree(points).query_pairs(0.5 * field.size)):
-        if kept[i] and kept[j] and np.linalg.norm(points[i] - points[j]) < 0.2 * sizes[j]:
-            kept[j] = False
-    return points[kept]
+        if stays[i] and stays[j] and np.linalg.norm(points[i] - points[j]) < 0.2 * sizes[j]:
+            stays[j] = False
+    return points[stays]
 
 
 def _repaired(

@@ -24,7 +24,7 @@ _DELAUNAY_LOSS = 0.03
 def move_rim(
     panel: Panel, seam_positions: Sequence[Floats], weld_positions: Sequence[Floats] = ()
 ) -> Panel | None:
-    """The panel with its seams at new positions (k, 2) [m], in the order of `panel.seams`, and its welds.
+    """The panel with its seams at new positions (k, 2) [m], in the order of `panel.loops`, and its welds.
 
     Same connectivity; the interior follows by a harmonic displacement (cotangent weights of the old mesh), so
     a uniform stretch stays uniform. None when triangles turn over, get thin (15 R < L) or lose the Delaunay
@@ -32,7 +32,7 @@ def move_rim(
     """
     moved = panel.rest_positions.copy()
     # the seams last: they have the say where a weld ends on them
-    for chain, positions in (*zip(panel.welds, weld_positions), *zip(panel.seams, seam_positions)):
+    for chain, positions in (*zip(panel.welds, weld_positions), *zip(panel.loops, seam_positions)):
         moved[chain] = positions
     seam = panel.sealed
     free = np.setdiff1d(np.arange(len(moved)), seam)

@@ -102,11 +102,11 @@ def size_field(outline: Outline, size: float, rough: bool = False) -> SizeField:
 
 def _lengths(outline: Outline, across: Floats, least: Floats, size: float) -> Floats:
     """Edge lengths (n,) for walls so thick; arms that hardly fill lean one way or another on few elements."""
-    usual, fine = (np.clip(across / elements, least, size) for elements in (_ACROSS, _MORE_ACROSS))
+    coarse, fine = (np.clip(across / elements, least, size) for elements in (_ACROSS, _MORE_ACROSS))
     spacing = outline.perimeter / len(across)
     thick = np.where(np.isfinite(across), across, 0.0)
-    more = 0.5 * spacing * float((thick * (fine**-2 - usual**-2)).sum())
-    return fine if more < _COST * outline.area / size**2 else usual
+    more = 0.5 * spacing * float((thick * (fine**-2 - coarse**-2)).sum())
+    return fine if more < _COST * outline.area / size**2 else coarse
 
 
 def _beside_welds(outline: Outline, field: SizeField) -> SizeField:

@@ -104,16 +104,18 @@ def thickness(outline: Outline, reach: float, spacing: float) -> Thickness:
         radius[active], partner[active] = smaller[wall], nearest[wall]
         if not len(active):
             break
-    found = np.flatnonzero(partner >= 0)
-    other = partner[found]
-    centre = points[found] + radius[found, None] * normals[found]
-    opposed = (normals[found] * normals[other]).sum(axis=1) < np.cos(_FACING)
-    across_corner = (turn[other] < -_CORNER) & (_seen_apart(points[found], points[other], centre) > _FACING)
-    found = found[np.where(np.abs(turn[other]) < _CORNER, opposed, across_corner)]
+    partnered = np.flatnonzero(partner >= 0)
+    other = partner[partnered]
+    centre = points[partnered] + radius[partnered, None] * normals[partnered]
+    opposed = (normals[partnered] * normals[other]).sum(axis=1) < np.cos(_FACING)
+    across_corner = (turn[other] < -_CORNER) & (
+        _seen_apart(points[partnered], points[other], centre) > _FACING
+    )
+    partnered = partnered[np.where(np.abs(turn[other]) < _CORNER, opposed, across_corner)]
     across = np.full(len(points), np.inf)
-    across[found] = 2.0 * radius[found]
+    across[partnered] = 2.0 * radius[partnered]
     channel = np.zeros(len(points), dtype=bool)
-    channel[found] = ~_tapers(loops, found, partner[found], across[found])
+    channel[partnered] = ~_tapers(loops, partnered, partner[partnered], across[partnered])
     return Thickness(points, across, channel)
 
 

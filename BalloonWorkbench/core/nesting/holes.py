@@ -43,29 +43,29 @@ def into_holes(pieces: Sequence[Piece], stock: Stock, units: Sequence[Unit]) -> 
     while left:
         host = left.pop(0)
         hosts.append(host)
-        found: list[Guest] = []
+        placed: list[Guest] = []
         for hole in pieces[units[host][0]].panel(units[host][1]).of(Role.CUT_INNER):
             room = _largest(shapely().Polygon(hole.points).buffer(-stock.spacing))
             while room is not None:
                 guest = _fitting(pieces, stock, units[host], room, [units[k] for k in left], areas)
                 if guest is None:
                     break
-                found.append(guest)
+                placed.append(guest)
                 left.remove(next(k for k in left if units[k] == guest.unit))
                 room = _largest(room.difference(_laid(pieces, guest).buffer(stock.spacing)))
-        guests.setdefault(units[host], []).append(found)
+        guests.setdefault(units[host], []).append(placed)
     return [units[k] for k in sorted(hosts)], guests
 
 
 def with_guests(places: Sequence[Place], guests: Guests) -> list[Place]:
     """The places of hosts and of what lies in their holes; hosts that are placed leave the guests' list."""
-    found = []
+    placed = []
     for place in places:
-        found.append(place)
+        placed.append(place)
         for guest in guests[(place.piece, place.mirrored)].pop(0):
             shift = guest.shift @ rotation(place.angle) + place.shift
-            found.append(Place(*guest.unit, place.angle + guest.angle, shift))
-    return found
+            placed.append(Place(*guest.unit, place.angle + guest.angle, shift))
+    return placed
 
 
 def _fitting(
@@ -103,5 +103,5 @@ def _middle(area: Any) -> Floats:
 
 def _largest(area: Any) -> Any:
     """The largest polygon of an area, None where it has none."""
-    found = parts(area)
-    return found[0] if found else None
+    polygons = parts(area)
+    return polygons[0] if polygons else None

@@ -165,11 +165,11 @@ def check(pieces: Sequence[Piece], stock: Stock) -> None:
         ]
         if not any(width <= room and height <= stock.room for width, height in sizes):
             width, height = min(sizes, key=lambda size: size[1])
-            wanted = length_text(height + 2.0 * stock.spacing)
+            needed = length_text(height + 2.0 * stock.spacing)
             where = "" if stock.length is None else f" x {length_text(stock.length)}"
             raise InputError(
                 f"A piece of {length_text(width)} x {length_text(height)} does not fit on film of"
-                f" {length_text(stock.width)}{where}: take film at least {wanted} wide, or let the grain"
+                f" {length_text(stock.width)}{where}: take film at least {needed} wide, or let the grain"
                 " lie in"
                 " another direction."
             )

@@ -96,18 +96,18 @@ def _sheets(pieces: Sequence[Piece], stock: Stock, units: list[Unit], progress: 
         take = max(1, int(np.searchsorted(areas, room, side="right")))
         while True:
             chosen = units[:take]
-            found = known.get(tuple(sorted(chosen)))
-            if found is None:
+            layout = known.get(tuple(sorted(chosen)))
+            if layout is None:
                 places, width = _strip(pieces, stock, chosen, stock.length, progress)
                 if width <= stock.length + 1e-9:
-                    found = layout_of(stock, pieces, places)
-                    known[tuple(sorted(chosen))] = found
-            if found is not None:
+                    layout = layout_of(stock, pieces, places)
+                    known[tuple(sorted(chosen))] = layout
+            if layout is not None:
                 break
             if take == 1:
                 raise InputError("A piece does not fit on the sheet: take a larger one.")
             take = max(1, min(take - 1, int(take * stock.length / width)))
-        layouts.append(found)
+        layouts.append(layout)
         units = units[take:]
     return layouts
 
@@ -145,14 +145,14 @@ def _strip(
         min_items_separation=to_mm(stock.spacing) or None,
     )
     goal = None if enough is None else to_mm(enough - 2.0 * edge)
-    found = _search(spyrrow, instance, config, goal, progress)
+    solution = _search(spyrrow, instance, config, goal, progress)
     origin = np.array([edge, edge])
     places = []
-    for placed in found.placed_items:
+    for placed in solution.placed_items:
         number, side = placed.id.split()
         angle = float(np.radians(placed.rotation))
         places.append(Place(int(number), side == "1", angle, from_mm(np.array(placed.translation)) + origin))
-    return places, from_mm(found.width) + 2.0 * edge
+    return places, from_mm(solution.width) + 2.0 * edge
 
 
 def _area_of(pieces: Sequence[Piece], units: Sequence[Unit]) -> float:
@@ -186,8 +186,8 @@ def _search(package: Any, instance: Any, config: Any, goal: float | None, progre
                 best.append(solution)
         reached = goal is not None and best and best[-1].width <= goal
         share = 1.0 - _USUAL / (_USUAL + time.monotonic() - began)
-        told = f"laying out, {length_text(from_mm(best[-1].width))} so far" if best else "laying out"
-        if reached or not progress(share, told):
+        status = f"laying out, {length_text(from_mm(best[-1].width))} so far" if best else "laying out"
+        if reached or not progress(share, status):
             raise _Enough
 
     if threading.current_thread() is not threading.main_thread():
@@ -197,16 +197,16 @@ def _search(package: Any, instance: Any, config: Any, goal: float | None, progre
     bell = threading.Thread(target=_ring, args=(done,), name="nesting", daemon=True)
     bell.start()
     try:
-        found = _solved(instance, config, queue)
+        outcome = _solved(instance, config, queue)
     except _Enough:  # the bell rang just after the search had ended
         if not best:
             raise Cancelled("The layout was stopped; nothing was changed.") from None
-        found = best[-1]
+        outcome = best[-1]
     finally:
         done.set()
         bell.join()
         signal.signal(_SIGNAL, former or signal.SIG_DFL)
-    return found
+    return outcome
 
 
 def _beside(instance: Any, config: Any, queue: Any, look: Callable[[], None], best: list[Any]) -> Any:

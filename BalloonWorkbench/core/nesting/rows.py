@@ -82,14 +82,14 @@ def _laid(stock: Stock, order: Sequence[Unit], ways: dict[Unit, list[_Way]], fir
 def _best(reached: Floats, used: float, ways: Sequence[_Way]) -> tuple[float, _Way, int]:
     """Where a piece begins [m], in which way and from which band on, so that least film is used and the piece
     lies farthest back."""
-    found = []
+    candidates = []
     for number, way in enumerate(ways):
         windows = np.lib.stride_tricks.sliding_window_view(reached, len(way.begins))
         begins = np.round((windows - way.begins).max(axis=1), 9)
         band = int(np.argmin(begins))
         end = float(begins[band]) + way.width
-        found.append((round(max(end, used), 9), round(end, 9), number, band, float(begins[band])))
-    _, _, number, band, begin = min(found)
+        candidates.append((round(max(end, used), 9), round(end, 9), number, band, float(begins[band])))
+    _, _, number, band, begin = min(candidates)
     return begin, ways[number], band
 
 
@@ -105,7 +105,7 @@ def _ways(pieces: Sequence[Piece], stock: Stock, unit: Unit) -> list[_Way]:
     step = _step(stock)
     line = shapely().segmentize(grown.exterior, step / _FINE)
     outline = shapely().get_coordinates(line)
-    found = []
+    ways = []
     for degrees in pieces[number].angles(mirrored, stock.grain):
         angle = float(np.radians(degrees))
         points = outline @ rotation(angle)
@@ -115,8 +115,8 @@ def _ways(pieces: Sequence[Piece], stock: Stock, unit: Unit) -> list[_Way]:
         if stock.length is not None:
             fits &= width <= stock.length - stock.spacing + _EXACT
         if fits:
-            found.append(_Way(angle, low, width, height, *_bands(points - low, height, step)))
-    return found
+            ways.append(_Way(angle, low, width, height, *_bands(points - low, height, step)))
+    return ways
 
 
 def _bands(points: Floats, height: float, step: float) -> tuple[Floats, Floats]:

@@ -147,8 +147,8 @@ def titles_in(name: str, first: str = "") -> Mapping[str, str]:
     known: dict[str, str] = {}
     for path in data_files(lambda: place) if place.is_dir() else [place]:
         with suppress(*UNUSABLE):
-            told = read_data(path)
-            described = {told["name"]: told} if place.is_dir() else told
+            data = read_data(path)
+            described = {data["name"]: data} if place.is_dir() else data
             known |= {each: str(entry["title"]) for each, entry in described.items()}
     return {each: known[each] for each in sorted(known, key=lambda each: (each != first, each))}
 

@@ -55,10 +55,10 @@ def linked(outline: Outline, width: float = PASSAGE) -> Outline:
     notes = list(outline.notes)
     while True:
         rooms = chambers(outline)
-        found = _best_passage(outline, rooms, width) if len(rooms) > 1 else None
-        if found is None:
+        best = _best_passage(outline, rooms, width) if len(rooms) > 1 else None
+        if best is None:
             return replace(outline, notes=tuple(notes))
-        number, along = found
+        number, along = best
         weld = outline.welds[number]
         lengths = line_lengths(weld)
         middle = np.round(point_on(weld, lengths, np.array([along]))[0], 6) + 0.0

@@ -82,10 +82,10 @@ def arranged(loops: Sequence[Floats], notes: Sequence[str] = (), budget: Budget 
         for inner in _within(loop, loops, smaller[number], number in holes):
             around[inner].append(number)
     most = abs(signed_area(loops[0]))
-    kept = [number for number in holes if abs(signed_area(loops[number])) >= SPECK * most]
-    remarks = (*notes, *speck_note(len(holes) - len(kept)))
+    sizeable = [number for number in holes if abs(signed_area(loops[number])) >= SPECK * most]
+    remarks = (*notes, *speck_note(len(holes) - len(sizeable)))
     return Drawing(
-        tuple(Outline(loops[number], tuple(holes[number]), () if number else remarks) for number in kept)
+        tuple(Outline(loops[number], tuple(holes[number]), () if number else remarks) for number in sizeable)
     )
 
 

@@ -88,9 +88,9 @@ def find_mirror(outline: Outline) -> Mirror:
     upright = np.abs(angles - 0.5 * np.pi) < 1e-6
     candidates = np.flatnonzero((valley | upright) & (rough < 1.5 * rough.min() + 0.01 * size))
     candidates = candidates[np.lexsort((rough[candidates], ~upright[candidates]))][:_MOST_AXES]
-    found = [_settled(outline, samples, Mirror(centre, float(angles[k]), 0.0), size) for k in candidates]
-    best = min(mirror.error for mirror in found)
-    good = [mirror for mirror in found if mirror.error <= (best + _AS_GOOD if best > EXACT else EXACT)]
+    mirrors = [_settled(outline, samples, Mirror(centre, float(angles[k]), 0.0), size) for k in candidates]
+    best = min(mirror.error for mirror in mirrors)
+    good = [mirror for mirror in mirrors if mirror.error <= (best + _AS_GOOD if best > EXACT else EXACT)]
     return min(good, key=lambda mirror: (round(abs(mirror.angle - 0.5 * np.pi), 3), mirror.error))
 
 

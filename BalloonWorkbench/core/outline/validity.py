@@ -121,15 +121,15 @@ def scale_to(outline: Sized, width: float | None, height: float | None) -> Sized
     InputError for sizes that are not numbers or outside SMALLEST to LARGEST, also those the outline has
     brought along.
     """
-    for name, wanted in (("width", width), ("height", height)):
-        if wanted is not None and not _is_makable(wanted):
+    for name, target in (("width", width), ("height", height)):
+        if target is not None and not _is_makable(target):
             raise InputError(
-                f"A {name} of {length_text(wanted)} cannot be made; choose one between 1 mm and 100 m."
+                f"A {name} of {length_text(target)} cannot be made; choose one between 1 mm and 100 m."
             )
     own = outline.size
     if min(own) <= 0:
         raise OutlineError("The outline encloses no area; draw a closed shape with at least three corners.")
-    factors = [wanted / have for wanted, have in zip((width, height), own) if wanted is not None]
+    factors = [target / have for target, have in zip((width, height), own) if target is not None]
     factor = min(factors, default=1.0)
     for name, have in zip(("width", "height"), own):
         if not _is_makable(have * factor):

@@ -42,8 +42,8 @@ def valid_welds(
     for drawn in lines:
         budget.check_time()
         points = np.asarray(drawn, dtype=np.float64).reshape(-1, 2)
-        kept = np.append(True, np.linalg.norm(np.diff(points, axis=0), axis=1) > tolerance)
-        line = _drawn_back(_drawn_back(points[kept], loops, hair)[::-1], loops, hair)[::-1]
+        distinct = np.append(True, np.linalg.norm(np.diff(points, axis=0), axis=1) > tolerance)
+        line = _drawn_back(_drawn_back(points[distinct], loops, hair)[::-1], loops, hair)[::-1]
         if len(line) < 2:
             raise OutlineError("A weld has no length; draw a line, or a circle for a spot.")
         for number, loop in enumerate(loops):

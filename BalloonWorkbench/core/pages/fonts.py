@@ -65,8 +65,8 @@ class Fonts:
 def plain(text: str) -> str:
     """A text as one line of letters: single blanks, marks joined to their letters, no invisible signs."""
     text = unicodedata.normalize("NFC", " ".join(text.split()))
-    shown = (letter for letter in text if unicodedata.category(letter) != "Cf")
-    return " ".join(_IGNORED.sub("", "".join(shown)).split())
+    visible = (letter for letter in text if unicodedata.category(letter) != "Cf")
+    return " ".join(_IGNORED.sub("", "".join(visible)).split())
 
 
 def unshown(text: str) -> list[str]:
@@ -74,7 +74,7 @@ def unshown(text: str) -> list[str]:
     return [_name(letter) for letter in dict.fromkeys(text) if _family(letter) is None]
 
 
-def shown(text: str) -> str:
+def drawable(text: str) -> str:
     """A text as one line, with a sign in place of each letter that cannot be drawn, plain and bold.
 
     Needs matplotlib.
@@ -133,8 +133,8 @@ def _path(text: str, families: list[str], size: float) -> Any:
 
 def _families(text: str) -> list[str]:
     """DejaVu Sans, and what else draws the letters of a text, plain and bold."""
-    found = [_family(letter, bold) for letter in text for bold in (False, True)]
-    return list(dict.fromkeys([_EUROPE, *filter(None, found)]))
+    families = [_family(letter, bold) for letter in text for bold in (False, True)]
+    return list(dict.fromkeys([_EUROPE, *filter(None, families)]))
 
 
 @cache
@@ -191,16 +191,16 @@ def _japanese() -> str | None:
         from matplotlib import font_manager
     except ImportError:
         return None
-    found = _listed(font_manager.fontManager)
-    if found is None:  # matplotlib keeps its list: look for fonts that came later
+    family = _listed(font_manager.fontManager)
+    if family is None:  # matplotlib keeps its list: look for fonts that came later
         known = {font.fname for font in font_manager.fontManager.ttflist}
         for path in sorted(set(font_manager.findSystemFonts()) - known):
             try:
                 font_manager.fontManager.addfont(path)
             except (OSError, RuntimeError, ValueError):
                 continue  # no font that it can read
-        found = _listed(font_manager.fontManager)
-    return found
+        family = _listed(font_manager.fontManager)
+    return family
 
 
 def _listed(manager: Any) -> str | None:

@@ -32,8 +32,8 @@ def pdf(title: str, fonts: Fonts, pages: Iterable[Page]) -> bytes:
     stream = io.BytesIO()
     with style.context(["default", own]):  # not as the user's other diagrams
         # no date: the same bytes again
-        told = {"Title": title, "CreationDate": None, "Creator": None, "Producer": None}
-        file = backend.PdfFile(stream, metadata=told)
+        metadata = {"Title": title, "CreationDate": None, "Creator": None, "Producer": None}
+        file = backend.PdfFile(stream, metadata=metadata)
         name = backend.Name
         unscaled = {"PrintScaling": name("None")}  # printers must not fit the page
         catalog = {"Type": name("Catalog"), "Pages": file.pagesObject, "ViewerPreferences": unscaled}

@@ -40,7 +40,7 @@ class Assembly:
         if not self.mirror:
             return self
         (panel,) = self.panels
-        loops = [np.append(loop, loop[:1]) for loop in panel.seams]
+        loops = [np.append(loop, loop[:1]) for loop in panel.loops]
         return Assembly((panel, panel), _with_itself(loops), _with_itself(panel.welds))
 
     @property

@@ -17,20 +17,20 @@ class Panel:
 
     rest_positions  (n, 2) m, the film before inflation
     triangles       (m, 3) vertex indices, counter-clockwise
-    seams           vertex indices of each boundary loop in order: the outer loop first
+    loops           vertex indices of each boundary loop in order: the outer loop first
                     (counter-clockwise), then the holes (clockwise)
     welds           vertex indices along each line inside at which it is sealed to another film
     """
 
     rest_positions: Floats
     triangles: Ints
-    seams: tuple[Ints, ...]
+    loops: tuple[Ints, ...]
     welds: tuple[Ints, ...] = ()
 
     @property
     def sealed(self) -> Ints:
         """The vertices at which films are sealed together, in ascending order."""
-        return np.unique(np.concatenate([*self.seams, *self.welds]))
+        return np.unique(np.concatenate([*self.loops, *self.welds]))
 
     @property
     def size(self) -> float:

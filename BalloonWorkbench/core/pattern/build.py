@@ -113,7 +113,7 @@ def _outer(
     return [*inner, *seals, Contour(Role.CUT, closed_loop(cut.exterior, True), True)]
 
 
-def usual_pattern(seam: Outline, film: Film, intake: bool = True) -> Pattern:
+def default_pattern(seam: Outline, film: Film, intake: bool = True) -> Pattern:
     """The pattern as it is made unless told otherwise: for its weight. Without an intake that has no room."""
     try:
         return build_pattern(seam, film.seal_width, PatternOptions(intake=intake))
@@ -150,16 +150,16 @@ def _between_welds(whole: Any, holes: list[Any], seam: Outline, seal_width: floa
 
 def _advice(neck: Neck) -> str:
     """What to do about an intake into a narrow place."""
-    wanted = length_text(neck.intake.width)
+    width = length_text(neck.intake.width)
     if neck.way == 0.0:
         return (
-            f"The balloon is nowhere {wanted} wide behind its intake: choose another intake angle or a"
+            f"The balloon is nowhere {width} wide behind its intake: choose another intake angle or a"
             " narrower intake, else air enters slowly."
         )
     return (
         f"The way from the intake into the balloon narrows to {length_text(neck.way or 0.0)}, and the"
         " intake is"
-        f" {wanted} wide: put it where the balloon is wider, else air enters slowly."
+        f" {width} wide: put it where the balloon is wider, else air enters slowly."
     )
 
 

@@ -42,8 +42,8 @@ def closed_gaps(film: Any, radius: float = LEAST_RADIUS) -> Any:
 def opened_hole(hole: Any, radius: float = LEAST_RADIUS) -> list[Any]:
     """What a hole of the film, a polygon of shapely, keeps when the film closes: none or some polygons."""
     shrunk = hole.buffer(-radius, join_style="mitre", mitre_limit=_SHARPEST)
-    kept = shrunk.buffer(radius, quad_segs=_STEPS)
-    lost = _sizeable(hole.difference(kept))
+    remaining = shrunk.buffer(radius, quad_segs=_STEPS)
+    lost = _sizeable(hole.difference(remaining))
     return parts(hole.difference(_wider(lost))) if lost else [hole]
 
 

@@ -111,8 +111,8 @@ def with_tie_tab(pattern: Pattern, angle: float | None = None) -> Pattern:
         raise elsewhere
     cut = Contour(Role.CUT, closed_loop(joined.exterior, True), True)
     round_hole = Contour(Role.CUT_INNER, closed_loop(hole.exterior, False), True)
-    kept = tuple(cut if contour is largest else contour for contour in pattern.contours)
-    return replace(pattern, contours=(round_hole, *kept))
+    contours = tuple(cut if contour is largest else contour for contour in pattern.contours)
+    return replace(pattern, contours=(round_hole, *contours))
 
 
 def _seals(pattern: Pattern) -> Any:

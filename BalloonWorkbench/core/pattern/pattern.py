@@ -131,10 +131,10 @@ class Pattern:
         """What is cut from one film; the seam is that of the panels."""
         if self.stocks == (stock,):
             return self
-        kept = tuple(contour for contour in self.contours if contour.stock == stock)
+        contours = tuple(contour for contour in self.contours if contour.stock == stock)
         if stock:
-            return replace(self, contours=kept, intake=None, more_intakes=(), seam_length=0.0)
-        return replace(self, contours=kept)
+            return replace(self, contours=contours, intake=None, more_intakes=(), seam_length=0.0)
+        return replace(self, contours=contours)
 
     def of(self, role: Role) -> tuple[Contour, ...]:
         """The contours of one role."""

@@ -42,8 +42,8 @@ def on_sheet(pattern: Pattern, mirror: bool, copies: int) -> Pattern:
     if both:
         made = _beside(made, _mirrored(pattern))
     if front and not mirror:
-        told = "Both panels are on the sheet: only the front one gets the hole of the nozzle. Cut it once."
-        made = replace(made, warnings=(*made.warnings, told))
+        remark = "Both panels are on the sheet: only the front one gets the hole of the nozzle. Cut it once."
+        made = replace(made, warnings=(*made.warnings, remark))
     if copies > 1:
         made = _repeated(made, copies)
     if any(piece[0].stock for piece in pieces):
@@ -98,14 +98,14 @@ def _in_rows(pattern: Pattern, pieces: Sequence[list[Contour]]) -> Pattern:
 
 def _pieces(pattern: Pattern) -> list[list[Contour]]:
     """The lines of each piece that the pattern's intakes need beside the panels."""
-    found = []
+    pieces = []
     for intake in pattern.intakes:
         kind = intake_kind(intake.kind)
         sizes = {"L": intake.length, "W": intake.width, "S": pattern.seal_width}
         stock = "" if kind.stock is None else kind.stock.name
         for piece in kind.pieces:
-            found.append([replace(line, stock=stock) for line in _drawn(piece, sizes)])
-    return found
+            pieces.append([replace(line, stock=stock) for line in _drawn(piece, sizes)])
+    return pieces
 
 
 def _drawn(piece: IntakePiece, sizes: Mapping[str, float]) -> list[Contour]:

@@ -86,7 +86,7 @@ def _surface(
         parts.append((top, upper + start, up, film))
         parts.append((top * mirror, upper[:, ::-1] + start + count, up * mirror, film))
         start += 2 * count
-        for seam in panel.seams:
+        for seam in panel.loops:
             for side in (-1.0, 1.0):
                 parts.append((*_weld(top[seam, :2], seal_width, start, side), _WELD * film))
                 start += 2 * len(seam)

@@ -194,7 +194,7 @@ def _length(line: Floats) -> float:
 
 def _without_twins(loops: list[Floats], budget: Budget) -> list[Floats]:
     """The loops without those drawn twice, which is common where a shape has a fill and a line."""
-    kept: list[Floats] = []
+    distinct: list[Floats] = []
     cells: dict[tuple[int, ...], list[Floats]] = {}
     for loop in loops:
         budget.check_time()
@@ -205,6 +205,6 @@ def _without_twins(loops: list[Floats], budget: Budget) -> list[Floats]:
         )
         others = [other for cell in set(near) for other in cells.get(cell, ())]
         if not any(np.abs(mark - other).max() <= SAME_END for other in others):
-            kept.append(loop)
+            distinct.append(loop)
             cells.setdefault(tuple((mark // _CELL).astype(np.int64).tolist()), []).append(mark)
-    return kept
+    return distinct

@@ -137,12 +137,12 @@ def _lines(document: Any, tolerance: float, budget: Budget) -> Iterator[tuple[st
     """The layer and the points of each line."""
     from ezdxf import disassemble
 
-    shown = {layer.dxf.name.lower(): layer.is_on() and not layer.is_frozen() for layer in document.layers}
+    visible = {layer.dxf.name.lower(): layer.is_on() and not layer.is_frozen() for layer in document.layers}
     budget.spend_elements(_Weights(document, budget).of(document.modelspace(), 0))
     for entity in disassemble.recursive_decompose(document.modelspace()):
         budget.check_time()
         layer = entity.dxf.layer.lower()
-        if not shown.get(layer, True):
+        if not visible.get(layer, True):
             continue
         if layer == LAYER and entity.dxftype() == "POINT":
             yield layer, np.array([tuple(entity.dxf.location)[:2]], dtype=np.float64)

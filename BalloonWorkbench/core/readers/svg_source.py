@@ -104,8 +104,8 @@ def _cleaned(element: ElementTree.Element, styles: dict[str, int]) -> ElementTre
     if name == "style":
         copy.text = _rules(element.text or "", styles)
     else:
-        shown = [child for child in element if child.tag.removeprefix(_SVG) not in _SHOWS_NOTHING]
-        copy.extend([_cleaned(child, styles) for child in shown])
+        visible = [child for child in element if child.tag.removeprefix(_SVG) not in _SHOWS_NOTHING]
+        copy.extend([_cleaned(child, styles) for child in visible])
     return copy
 
 

@@ -96,44 +96,44 @@ def colours(shares: Floats) -> NDArray[np.uint8]:
     return np.stack([np.rint(np.interp(shares, at, stops[:, k])) for k in range(3)], axis=-1).astype(np.uint8)
 
 
-def film_map(found: Results, kind: str) -> ColourMap:
+def film_map(results: Results, kind: str) -> ColourMap:
     """One of the results on the film: any kind but RESIDUAL, for which there is `distances`.
 
     Values of triangles are averaged over those around a vertex, in the same panel, by area.
     """
-    faces = found.triangles
+    faces = results.triangles
     if kind == STATE:
-        shares = 0.5 * found.of_triangles["state"][:, None] * np.ones(3)
+        shares = 0.5 * results.of_triangles["state"][:, None] * np.ones(3)
         return ColourMap(kind, shares, 1.0, 1.0)
     if kind == THICKNESS:
-        values = found.of_vertices["thickness_mm"]
+        values = results.of_vertices["thickness_mm"]
         top = largest = max(float(values.max()), _NOTHING)
-        place = found.positions[int(np.argmax(values))]
+        place = results.positions[int(np.argmax(values))]
     else:
         name = {TENSION: "tension_N_per_m", WRINKLES: "wrinkle_intensity", STRAIN: "strain"}[kind]
-        own = found.of_triangles[name] * (1.0 if kind == TENSION else _PERCENT)
-        areas = _areas(found)
-        weights = np.bincount(faces.ravel(), np.repeat(areas, 3), len(found.positions))
-        sums = np.bincount(faces.ravel(), np.repeat(areas * own, 3), len(found.positions))
+        own = results.of_triangles[name] * (1.0 if kind == TENSION else _PERCENT)
+        areas = _areas(results)
+        weights = np.bincount(faces.ravel(), np.repeat(areas, 3), len(results.positions))
+        sums = np.bincount(faces.ravel(), np.repeat(areas * own, 3), len(results.positions))
         values = np.maximum(sums / np.where(weights > 0.0, weights, 1.0), 0.0)
         order = np.argsort(own)
-        usual = np.searchsorted(np.cumsum(areas[order]), (1.0 - _ODD) * areas.sum())
+        quantile = np.searchsorted(np.cumsum(areas[order]), (1.0 - _ODD) * areas.sum())
         largest = max(float(own.max()), _NOTHING)
-        top = max(float(own[order][min(usual, len(own) - 1)]), _NOTHING)
-        place = found.positions[faces[int(np.argmax(own))]].mean(axis=0)
+        top = max(float(own[order][min(quantile, len(own) - 1)]), _NOTHING)
+        place = results.positions[faces[int(np.argmax(own))]].mean(axis=0)
     shares = np.clip(values / top, 0.0, 1.0)[faces]
     return ColourMap(kind, shares, top, largest, None if kind == WRINKLES else place)
 
 
 def distances(inflation: Inflation, drawing: Outline) -> Distances:
     """How far an inflated balloon's silhouette is from the drawing. Raises MissingPackageError."""
-    shown = silhouette(trimmed(inflation)).loops  # as the residual is measured
-    spacing = max(float(arc_lengths(loop)[-1]) for loop in shown) / _SAMPLES
-    loops = tuple(evenly(loop, spacing) for loop in shown)
+    visible = silhouette(trimmed(inflation)).loops  # as the residual is measured
+    spacing = max(float(arc_lengths(loop)[-1]) for loop in visible) / _SAMPLES
+    loops = tuple(evenly(loop, spacing) for loop in visible)
     nearest = tuple(nearest_places(drawing.loops, loop) for loop in loops)
     lengths = tuple(to_mm(norm(ends - loop)) for ends, loop in zip(nearest, loops, strict=True))
     places = np.concatenate([evenly(loop, spacing) for loop in drawing.loops])
-    ends = nearest_places(shown, places)
+    ends = nearest_places(visible, places)
     away = to_mm(norm(ends - places))
     worst = int(np.argmax(away))
     return Distances(loops, nearest, lengths, (ends[worst], places[worst], float(away[worst])))
@@ -147,6 +147,6 @@ def ticks(top: float, most: int = 6) -> list[float]:
     return [number * step for number in range(int(top / step * (1.0 + 1e-9)) + 1)]
 
 
-def _areas(found: Results) -> Floats:
+def _areas(results: Results) -> Floats:
     """Of the flat triangles [mm2]."""
-    return np.abs(signed_areas(found.of_vertices["flat_mm"][:, :2], found.triangles))
+    return np.abs(signed_areas(results.of_vertices["flat_mm"][:, :2], results.triangles))

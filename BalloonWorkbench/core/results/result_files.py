@@ -77,15 +77,15 @@ def results(inflation: Inflation, film: Film) -> Results:
 
 def results_bytes(inflation: Inflation, film: Film, kind: str) -> bytes:
     """A file of a balloon's results, "vtu" or "npz"; InputError for another format."""
-    found = results(inflation, film)
+    computed = results(inflation, film)
     if kind == "vtu":
-        return vtu_bytes(found.positions, found.triangles, found.of_vertices, found.of_triangles)
+        return vtu_bytes(computed.positions, computed.triangles, computed.of_vertices, computed.of_triangles)
     if kind != "npz":
         raise InputError(f"Results cannot be written as '{kind}'. Choose {' or '.join(FORMATS)}.")
     stream = io.BytesIO()
-    arrays: dict[str, Any] = {"positions_mm": found.positions, "triangles": found.triangles}
-    arrays.update(found.of_vertices)
-    arrays.update(found.of_triangles)
+    arrays: dict[str, Any] = {"positions_mm": computed.positions, "triangles": computed.triangles}
+    arrays.update(computed.of_vertices)
+    arrays.update(computed.of_triangles)
     np.savez(stream, **arrays)
     return stream.getvalue()
 

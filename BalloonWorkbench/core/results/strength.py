@@ -155,7 +155,7 @@ def seam_forces(inflation: Inflation, film: Film) -> list[tuple[Ints, Floats, Fl
     corners += np.einsum("mck,mak,mci->mai", moments, shape, directors)
     forces = _summed(flat.triangles, corners, len(origin))
     whole = _summed(origin[:, None], forces[:, None], len(panel.rest_positions))
-    lines = [(seam, edge_lengths(panel.rest_positions[seam]), whole[seam]) for seam in panel.seams]
+    lines = [(seam, edge_lengths(panel.rest_positions[seam]), whole[seam]) for seam in panel.loops]
     round_end = 0.5 * np.pi * film.seal_width
     for left, right in zip(flat.welds[::2], flat.welds[1::2], strict=True):
         ends = [left[end] == right[end] for end in (0, -1)]  # free, not at the rim
@@ -299,7 +299,7 @@ def _round_sums(cells: Floats, radius: float) -> Floats:
         half = int(np.sqrt(radius * radius - row * row))
         last, first = np.minimum(column + half + 1, count), np.maximum(column - half, 0)
         strip = sums[:, last] - sums[:, first]
-        kept = slice(max(row, 0), len(cells) + min(row, 0))
+        overlap = slice(max(row, 0), len(cells) + min(row, 0))
         moved = slice(max(-row, 0), len(cells) + min(-row, 0))
-        within[moved] += strip[kept]
+        within[moved] += strip[overlap]
     return within

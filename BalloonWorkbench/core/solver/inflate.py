@@ -80,11 +80,11 @@ def inflate(
     )
     count, faces = int(whole.offsets[-1]), sum(len(panel.triangles) for panel in whole.panels)
     volume = film_volume(rest.positions, rest.directors, problem.triangles)
-    places = rest.positions[split.kept] * size
+    places = rest.positions[split.own] * size
     return Inflation(
         whole,
         places[:count],
-        rest.directors[split.kept][:count],
+        rest.directors[split.own][:count],
         film.membrane_stiffness * _principal_stresses(problem, rest.positions)[:faces],
         (2.0 if assembly.mirror else 1.0) * volume * size**3,
         report,

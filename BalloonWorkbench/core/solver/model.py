@@ -107,11 +107,11 @@ def _with_bands(problem: FilmProblem, split: SplitFilm, film: Film, pressure: fl
     relative = band / (pressure * width**4)
     outer, hole = min(max(relative, SEAM_FLOOR), SEAM_CEILING), max(relative, HOLE_FLOOR)
     welds = panel.welds[::2]  # of the two sides of each one
-    taut = len(panel.seams) - 1 + len(welds)
+    taut = len(panel.loops) - 1 + len(welds)
     films = 1.0 if assembly.mirror else 2.0
     rigidities = tuple(films * (rigidity * (width / size) ** 4) for rigidity in (outer, *[hole] * taut))
-    hinges = seam_hinges(panel.seams, welds)
-    return replace(problem, hinges=hinges, hinge_rigidities=hinge_rigidities(panel.seams, rigidities, welds))
+    hinges = seam_hinges(panel.loops, welds)
+    return replace(problem, hinges=hinges, hinge_rigidities=hinge_rigidities(panel.loops, rigidities, welds))
 
 
 def grain_of(film: Film) -> Grain | None:
@@ -131,7 +131,7 @@ def typical_width(panels: Sequence[Panel]) -> float:
     for panel in panels:
         rest = panel.rest_positions
         area += float(gradients(rest[panel.triangles])[1].sum())
-        sealed += sum(perimeter(rest[seam]) for seam in panel.seams)
+        sealed += sum(perimeter(rest[seam]) for seam in panel.loops)
         sealed += sum(length(rest[weld]) for weld in panel.welds)
     return 4.0 * area / sealed
 

@@ -26,7 +26,7 @@ def split_along_welds(panel: Panel) -> tuple[Panel, Ints]:
         return panel, np.arange(len(panel.rest_positions), dtype=np.int32)
     origin = list(range(len(panel.rest_positions)))
     triangles = panel.triangles.copy()
-    on_rim = set(np.concatenate(panel.seams).tolist())
+    on_rim = set(np.concatenate(panel.loops).tolist())
     fans = _fans(panel)
     lines = []
     for line in panel.welds:
@@ -86,7 +86,7 @@ class SplitFilm:
     rest_positions  (n, 2) m
     triangles       (m, 3), counter-clockwise seen from outside
     origin          (n,) the vertex of the assembly that each one is
-    kept            which of them those of the assembly are
+    own             which of them those of the assembly are
     tied            (n,) the first of those whose place a vertex shares; None where each has one of its own
     """
 
@@ -95,7 +95,7 @@ class SplitFilm:
     rest_positions: Floats
     triangles: Ints
     origin: Ints
-    kept: Ints
+    own: Ints
     tied: Ints | None
 
 
@@ -105,14 +105,14 @@ def split_assembly(assembly: Assembly) -> SplitFilm:
     panels, origins = zip(*map(split_along_welds, assembly.panels))
     origin = np.concatenate([own + at for own, at in zip(origins, assembly.offsets)])
     starts = np.cumsum([0, *map(len, origins)])
-    kept = [np.arange(len(panel.rest_positions)) + at for panel, at in zip(assembly.panels, starts)]
+    blocks = [np.arange(len(panel.rest_positions)) + at for panel, at in zip(assembly.panels, starts)]
     return SplitFilm(
         assembly,
         panels,
         surface.rest_positions[origin],
         outward_triangles([panel.triangles for panel in panels], surface.turned, starts),
         origin,
-        np.concatenate(kept),
+        np.concatenate(blocks),
         _tied(surface.first[origin]),
     )
 

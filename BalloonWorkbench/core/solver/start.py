@@ -144,6 +144,6 @@ def carried_over(start: Inflation, panel: Panel) -> tuple[Floats, tuple[float, .
     stretch = 1.0 + (LARGE_STRETCH if large else float(np.clip(2.0 * edit, LEAST_STRETCH, MOST_STRETCH)))
     positions = start.positions.copy()
     positions[:, :2] += moved
-    positions[:, 2] -= positions[np.concatenate(panel.seams), 2].mean()
+    positions[:, 2] -= positions[np.concatenate(panel.loops), 2].mean()
     centre = positions.mean(axis=0) * (1.0, 1.0, 0.0)
     return centre + stretch * (positions - centre), SOFTENING if large else (1.0,)

@@ -103,12 +103,12 @@ def _without_dots(silhouette: Pixels, lines: Strokes) -> Pixels:
 def _without_loose(silhouette: Pixels, filled: Bools, lines: Strokes) -> tuple[Pixels, bool]:
     """The silhouette without what has no filled inside, and whether that was more than dots."""
     labels, count = label(silhouette > 0.5)
-    kept = np.zeros(count + 1, dtype=np.bool_)
-    kept[labels[filled]] = True
-    kept[0] = True
+    solid = np.zeros(count + 1, dtype=np.bool_)
+    solid[labels[filled]] = True
+    solid[0] = True
     sizes = np.bincount(labels.ravel(), minlength=count + 1)
-    loose = ~kept & (sizes > 4.0 * lines.width**2)
-    gone = neighbours(~kept[labels]) & ~(kept[labels] & (labels > 0))  # with its soft edge
+    loose = ~solid & (sizes > 4.0 * lines.width**2)
+    gone = neighbours(~solid[labels]) & ~(solid[labels] & (labels > 0))  # with its soft edge
     return np.where(gone, 0, silhouette).astype(np.float32), bool(loose.any())
 
 

@@ -12,7 +12,7 @@ from BalloonWorkbench.gui.panels import show
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, icon, number_of, translate
 from BalloonWorkbench.gui.window import native_offer
 from BalloonWorkbench.gui.window.borders import TaskPanel
-from BalloonWorkbench.gui.window.sentences import tell
+from BalloonWorkbench.gui.window.sentences import translated
 
 
 class Equipment(Command):
@@ -38,7 +38,7 @@ class _Panel(TaskPanel):
         self.form = QtWidgets.QWidget()
         self.form.setWindowTitle(translate("What works here"))
         self.form.setWindowIcon(QtGui.QIcon(icon("workbench")))
-        self.message = text = QtWidgets.QLabel("\n\n".join(map(tell, described())))
+        self.message = text = QtWidgets.QLabel("\n\n".join(map(translated, described())))
         text.setObjectName("Equipment")
         text.setWordWrap(True)
         text.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)

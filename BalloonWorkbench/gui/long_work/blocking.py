@@ -61,7 +61,7 @@ def run_blocking(title: str, job):
     worker.start()
     guard = _Guard()
     application.installEventFilter(guard)
-    application.installEventFilter(worker.shown)  # the last one is asked first: Esc and its button
+    application.installEventFilter(worker.status)  # the last one is asked first: Esc and its button
     try:
         (loop.exec if hasattr(loop, "exec") else loop.exec_)()
     finally:

@@ -6,7 +6,7 @@ from __future__ import annotations
 import FreeCADGui as Gui
 
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
-from BalloonWorkbench.gui.window.sentences import tell
+from BalloonWorkbench.gui.window.sentences import translated
 
 _WIDTH = 180  # px of the bar
 _PATIENCE = 200  # ms; shorter work is over before anybody would read it
@@ -19,7 +19,7 @@ class StatusProgress(QtCore.QObject):
     def __init__(self, title: str, stop):
         super().__init__(Gui.getMainWindow())
         self._title, self._stop = title, stop
-        self._text = QtWidgets.QLabel(tell(title))
+        self._text = QtWidgets.QLabel(translated(title))
         self._bar = QtWidgets.QProgressBar()
         self._bar.setObjectName("BalloonProgress")
         self._bar.setMaximumWidth(_WIDTH)
@@ -40,8 +40,8 @@ class StatusProgress(QtCore.QObject):
     def show_part(self, part: float, text: str = "") -> None:
         """How far it is, 0 to 1, and what it is at."""
         self._bar.setValue(round(1000 * part))
-        title = tell(self._title)
-        self._text.setText(translate("{}: {}").format(title, tell(text)) if text else title)
+        title = translated(self._title)
+        self._text.setText(translate("{}: {}").format(title, translated(text)) if text else title)
 
     def stop(self) -> None:
         """The user wants no more of it."""

@@ -69,15 +69,15 @@ class Worker(QtCore.QThread):
         self.work = 0.0
         self._stop = False
         self._title = title
-        self.shown: StatusProgress | None = None
+        self.status: StatusProgress | None = None
 
     def start(self, *priority):
         """Begin; call it in the main thread."""
         _sharing.one_more()
         if self._title:
-            self.shown = StatusProgress(self._title, self.stop)
-            self.progressed.connect(self.shown.show_part)
-            self.ended.connect(self.shown.close)
+            self.status = StatusProgress(self._title, self.stop)
+            self.progressed.connect(self.status.show_part)
+            self.ended.connect(self.status.close)
         super().start(*priority)
 
     def run(self):

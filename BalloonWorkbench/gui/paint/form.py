@@ -40,7 +40,7 @@ class PaintForm(QtWidgets.QWidget):
         self.drawn_as = QtWidgets.QComboBox()
         self.drawn_as.setObjectName("PaintDrawnAs")
         for title, choice in DRAWN_AS.items():
-            self.drawn_as.addItem(sentences.tell(title), choice)
+            self.drawn_as.addItem(sentences.translated(title), choice)
         self.drawn_as.setToolTip(
             translate("The holes of a filled shape stay, the lines of a pen drawing are filled inside")
         )
@@ -79,7 +79,7 @@ class PaintForm(QtWidgets.QWidget):
         column.addWidget(self.bar)
         column.addWidget(self.hint)
         column.addLayout(below)
-        self.tell("")
+        self.show_message("")
 
     def showEvent(self, event):
         """Themes give fields least widths that cut off what is in them."""
@@ -111,11 +111,12 @@ class PaintForm(QtWidgets.QWidget):
         """How far the full design is; 1 is done."""
         self.bar.setValue(round(1000 * part) % 1000)
 
-    def tell(self, text: str) -> None:
+    def show_message(self, text: str) -> None:
         """One sentence; without one, what to do first."""
         self.says_first = not text
         self.hint.setText(
-            sentences.tell(text) or translate("Draw a closed line, or paint an area: it becomes a balloon.")
+            sentences.translated(text)
+            or translate("Draw a closed line, or paint an area: it becomes a balloon.")
         )
 
 

@@ -22,20 +22,20 @@ from BalloonWorkbench.gui.window import macro_recorder
 
 
 @dataclass(frozen=True)
-class Kept:
+class BalloonValues:
     """What a painted balloon of a document was made with.
 
     width  mm
-    shown  names of the objects that can be seen
+    visible  names of the objects that can be seen
     """
 
     file: Path
     width: float
     settings: Settings
-    shown: tuple[str, ...]
+    visible: tuple[str, ...]
 
 
-def kept(parts: Parts) -> Kept:
+def values_of(parts: Parts) -> BalloonValues:
     """The values of a balloon that was made before; usual ones while its outline is of no use."""
     outline = parts.outline
     settings = balloon.request(parts.balloon).settings if outline.LoopCounts else Settings()
@@ -43,11 +43,11 @@ def kept(parts: Parts) -> Kept:
         settings,
         symmetry=SYMMETRY[outline.Symmetry],
         drawn_as=DRAWN_AS[outline.DrawnAs],
-        wanted=pattern.values(parts.pattern),
+        pattern=pattern.values(parts.pattern),
     )
     everything = [obj for each in (parts, *companions(parts)) for obj in each]
-    shown = tuple(obj.Name for obj in everything if obj.ViewObject.Visibility)
-    return Kept(Path(outline.Drawing), outline.Width.Value, settings, shown)
+    visible = tuple(obj.Name for obj in everything if obj.ViewObject.Visibility)
+    return BalloonValues(Path(outline.Drawing), outline.Width.Value, settings, visible)
 
 
 def keep(doc, parts: Parts | None, state, width: float, pause) -> Parts:
@@ -86,10 +86,10 @@ def _record(edit, file: Path) -> None:
     edit.write()
 
 
-def show(document, names, shown: bool) -> None:
+def show(document, names, visible: bool) -> None:
     """Show or hide objects of a document in the window; nothing in one that is being closed: None."""
     if document is None:
         return
     for obj in map(document.Document.getObject, names):
         if obj is not None:
-            obj.ViewObject.Visibility = shown
+            obj.ViewObject.Visibility = visible

@@ -25,7 +25,7 @@ from BalloonWorkbench.gui.paint.canvas.canvas_widget import Canvas
 from BalloonWorkbench.gui.paint.dock import PaintDock
 from BalloonWorkbench.gui.paint.documents import follow_documents
 from BalloonWorkbench.gui.paint.form import PaintForm
-from BalloonWorkbench.gui.paint.keep import keep, kept, show
+from BalloonWorkbench.gui.paint.keep import keep, show, values_of
 from BalloonWorkbench.gui.paint.painting.lengths import short
 from BalloonWorkbench.gui.paint.painting.painted import Painting
 from BalloonWorkbench.gui.paint.painting.pictures import Pictures
@@ -153,8 +153,8 @@ class PaintWindow(PaintDock):
         self.actions.acted.connect(self.act)
         self.canvas.chosen.connect(self._key)
         self.canvas.accepted.connect(self.widen)
-        self.hand.message.connect(self.form.tell)
-        self.pictures.message.connect(self.form.tell)
+        self.hand.message.connect(self.form.show_message)
+        self.pictures.message.connect(self.form.show_message)
         self.hand.growing.connect(self.live.drawing)
         self.painting.changed.connect(self._painted)
         self.live.shown.connect(self._show)
@@ -172,12 +172,12 @@ class PaintWindow(PaintDock):
 
     def _take_over(self, parts) -> None:
         """The painting, width and values of a balloon that was made before."""
-        before = kept(parts)
+        before = values_of(parts)
         self.painting.load(before.file)
         self.live.width, self.live.settings = before.width, before.settings
         self.form.show_width(before.width)
         self.form.show_drawn_as(before.settings.drawn_as)
-        self._hidden = before.shown
+        self._hidden = before.visible
 
     # what the user does
 
@@ -186,7 +186,7 @@ class PaintWindow(PaintDock):
         self.hand.tool = tool
         self.tools.show_chosen(tool)
         if self.live.latest is None:
-            self.form.tell("")
+            self.form.show_message("")
         self.canvas.update()
 
     def colour(self, value: str) -> None:
@@ -213,7 +213,7 @@ class PaintWindow(PaintDock):
         step.mirror = self.hand.mirror
         self.canvas.thin.show(())
         self.painting.do(step)
-        self.form.tell(translate("It is wider now. Ctrl+Z takes that back."))
+        self.form.show_message(translate("It is wider now. Ctrl+Z takes that back."))
 
     def set_width(self, width: float) -> None:
         """Of the balloon in mm."""
@@ -230,7 +230,7 @@ class PaintWindow(PaintDock):
             return
         self.hand.end()
         if self.painting.is_empty():
-            self.form.tell(translate("Paint something first: a closed line is enough."))
+            self.form.show_message(translate("Paint something first: a closed line is enough."))
             return
         if self.card.isVisible():
             self.card.answer()
@@ -239,7 +239,7 @@ class PaintWindow(PaintDock):
         if self.live.is_settled():
             self._keep(self.live.latest)
         else:
-            self.form.tell(translate("The pattern is being fitted to the painting ..."))
+            self.form.show_message(translate("The pattern is being fitted to the painting ..."))
             self._waiting = StatusProgress(translate("Fitting the pattern"), self._stop_making)
             self.live.progressed.connect(self._waiting.show_part)
             self.live.begin_full_design(awaited=True)
@@ -249,7 +249,7 @@ class PaintWindow(PaintDock):
         self.live.drop_full_design()
         self._not_making()
         self._is_refused = False  # a state that is still on its way leaves the words
-        self.form.tell(translate("Stopped. Your painting is still here."))
+        self.form.show_message(translate("Stopped. Your painting is still here."))
 
     def _not_making(self) -> None:
         """Made, or given up."""
@@ -268,7 +268,9 @@ class PaintWindow(PaintDock):
             parts = keep(self.doc, self.parts, state, self.live.width, breathe)
         except faults.UNFORESEEN as error:
             self.doc.abortTransaction()
-            self.form.tell(str(faults.as_balloon_error(error, "putting a painting into the document")))
+            self.form.show_message(
+                str(faults.as_balloon_error(error, "putting a painting into the document"))
+            )
             return
         self.doc.commitTransaction()
         self.finish()
@@ -290,13 +292,13 @@ class PaintWindow(PaintDock):
     def _sized(self, width: float) -> None:
         self._is_sized = True
         self.set_width(width)
-        self.canvas.scale.shown = False
+        self.canvas.scale.is_visible = False
         self.canvas.setFocus()
 
     def _focus_moved(self, before, now) -> None:
         """The hand lies beside the shape as long as its width is being typed."""
         typing = now is not None and self.form.width_field.isAncestorOf(now)
-        self.canvas.scale.shown = typing or now is self.form.width_field or self.card.isVisible()
+        self.canvas.scale.is_visible = typing or now is self.form.width_field or self.card.isVisible()
         self.canvas.update()
 
     # what comes of it
@@ -310,13 +312,13 @@ class PaintWindow(PaintDock):
         self.canvas.overlay.show(state, short(self.live.width))
         self.canvas.scale.fit(state, self.live.width)
         if not self._is_sized and not self.card.isVisible() and self.hand.stroke is None:
-            self.canvas.scale.shown = True
+            self.canvas.scale.is_visible = True
             self.card.ask(self.live.width)
         self.scene.show(state, self.painting.image)
         self.form.show_state(state)
         if self._is_refused or self.form.says_first:
             self._is_refused = False
-            self.form.tell(translate("The pattern is being fitted to the painting ..."))
+            self.form.show_message(translate("The pattern is being fitted to the painting ..."))
         if state.solved is not None or state.remarks:
             self._advised(state.remarks)
         self.canvas.update()
@@ -330,13 +332,13 @@ class PaintWindow(PaintDock):
         fine = translate("Ready to make. Paint on, or press Make it!")
         state = self.live.latest
         filled = [note for note in (state.drawing.notes if state else ()) if KEEP_HOLES in note]
-        self.form.tell((*serious, *filled, fine)[0])
+        self.form.show_message((*serious, *filled, fine)[0])
         self.canvas.update()
 
     def _refused(self, text: str) -> None:
         self._nothing()
         self._is_refused = True
-        self.form.tell(text)
+        self.form.show_message(text)
 
     def is_shown(self) -> bool:
         return self in _open and self.isVisible()
@@ -344,7 +346,7 @@ class PaintWindow(PaintDock):
     def fail(self, error: BalloonError) -> None:
         """Something went wrong in the window itself; the painting is as it is."""
         self._not_making()
-        self.form.tell(str(error))
+        self.form.show_message(str(error))
 
     def _nothing(self) -> None:
         """There is no balloon to show."""
@@ -359,7 +361,7 @@ class PaintWindow(PaintDock):
         """Nothing is painted, so there is nothing to say but what to do first."""
         self._nothing()
         self._is_refused = False
-        self.form.tell("")
+        self.form.show_message("")
 
     def refresh(self) -> None:
         """Buttons that would do nothing are off."""

@@ -19,7 +19,7 @@ from BalloonWorkbench.gui.qt import translate
 from BalloonWorkbench.gui.view3d.legend import TOP, Legend, label_node
 from BalloonWorkbench.gui.view3d.legend_row import OFF, legend_node, title
 from BalloonWorkbench.gui.view3d.skin import SkinNodes, skin_from
-from BalloonWorkbench.gui.window.sentences import tell
+from BalloonWorkbench.gui.window.sentences import translated
 from BalloonWorkbench.gui.window.user_units import lengths_text, pressure_text, user_unit
 
 CHOICES = [OFF, *colour_map.KINDS]
@@ -38,7 +38,7 @@ _GREY = (0.72, 0.74, 0.77)
 
 def choice_title(choice: str) -> str:
     """What people read for one of CHOICES."""
-    return translate(_TITLES[choice]) if choice in _TITLES else tell(choice)
+    return translate(_TITLES[choice]) if choice in _TITLES else translated(choice)
 
 
 def map_nodes(obj, kind: str) -> list:
@@ -49,25 +49,25 @@ def map_nodes(obj, kind: str) -> list:
     if not film_result.is_known(obj):
         return []
     inflation, film = film_result.stored(obj)
-    skin, found = skin_from(inflation, film), results(inflation, film)
+    skin, film_results = skin_from(inflation, film), results(inflation, film)
     if kind == colour_map.RESIDUAL:
         return _residual_nodes(obj, inflation, skin)
-    shown = colour_map.film_map(found, kind)
+    drawn_map = colour_map.film_map(film_results, kind)
     safe = maker.safety_of(obj) if kind == colour_map.TENSION else None
     if safe is not None:  # single triangles say more of the mesh than of the film
-        shown = replace(shown, largest=safe.load.value, place=to_mm(safe.load.place))
-    factor, unit = user_unit(shown.unit, shown.top)
+        drawn_map = replace(drawn_map, largest=safe.load.value, place=to_mm(safe.load.place))
+    factor, unit = user_unit(drawn_map.unit, drawn_map.top)
     legend = Legend(
         _title(obj, kind, unit),
-        () if kind == colour_map.STATE else _ticks(shown.top * factor),
+        () if kind == colour_map.STATE else _ticks(drawn_map.top * factor),
         _states(film_state(inflation, film)) if kind == colour_map.STATE else (),
-        _notes(safe, shown, factor, unit),
+        _notes(safe, drawn_map, factor, unit),
         warnings_of(obj),
     )
-    nodes = [_film(SkinNodes(skin, shown.shares), _scale_nodes()), legend_node(obj, legend, TOP)]
-    if shown.place is not None:
-        name = f"{tell(safe.weakest)} " if safe is not None and safe.weakest else ""
-        nodes.append(label_node(shown.place, f"{name}{number_text(shown.largest * factor)} {unit}"))
+    nodes = [_film(SkinNodes(skin, drawn_map.shares), _scale_nodes()), legend_node(obj, legend, TOP)]
+    if drawn_map.place is not None:
+        name = f"{translated(safe.weakest)} " if safe is not None and safe.weakest else ""
+        nodes.append(label_node(drawn_map.place, f"{name}{number_text(drawn_map.largest * factor)} {unit}"))
     return nodes
 
 
@@ -112,8 +112,8 @@ def _residual_nodes(obj, inflation, skin) -> list:
     """Grey film with its silhouette coloured by the distance from the drawing."""
     from pivy import coin
 
-    found = colour_map.distances(inflation, film_result.drawing(obj))
-    top = max(found.largest[2], 1e-9)
+    deviations = colour_map.distances(inflation, film_result.drawing(obj))
+    top = max(deviations.largest[2], 1e-9)
     front, style, light = coin.SoAnnotation(), coin.SoDrawStyle(), coin.SoLightModel()
     style.lineWidth.setValue(_LINE)
     light.model.setValue(coin.SoLightModel.BASE_COLOR)
@@ -121,7 +121,7 @@ def _residual_nodes(obj, inflation, skin) -> list:
     binding.value.setValue(coin.SoMaterialBinding.PER_VERTEX)
     for child in (style, light, binding):
         front.addChild(child)
-    for loop, distance in zip(found.loops, found.distances):
+    for loop, distance in zip(deviations.loops, deviations.distances):
         rgb = colour_map.colours(np.append(distance, distance[:1]) / top) / 255.0
         points, colours, line = coin.SoCoordinate3(), coin.SoMaterial(), coin.SoLineSet()
         corners = [(x, y, 0.0) for x, y in to_mm(ring(loop)).tolist()]
@@ -135,7 +135,7 @@ def _residual_nodes(obj, inflation, skin) -> list:
     legend = Legend(
         _title(obj, colour_map.RESIDUAL, unit), _ticks(top * factor), notes=notes, warnings=warnings_of(obj)
     )
-    place, _, largest = found.largest
+    place, _, largest = deviations.largest
     label = label_node((*to_mm(place), 0.0), lengths_text(largest)[0])
     return [_film(SkinNodes(skin), [_matt(coin, _GREY)]), front, legend_node(obj, legend, TOP), label]
 
@@ -149,7 +149,7 @@ def _ticks(top: float) -> tuple[tuple[float, str], ...]:
     return tuple((value / top, number_text(value, 4)) for value in colour_map.ticks(top))
 
 
-def _states(found: FilmState) -> tuple:
+def _states(film: FilmState) -> tuple:
     """The colours of the states, and how much of the film is in each."""
     names = {
         State.SLACK: translate("loose: {}"),
@@ -159,24 +159,24 @@ def _states(found: FilmState) -> tuple:
     rgb = colour_map.colours(np.array([0.0, 0.5, 1.0])).tolist()
     return tuple(
         (tuple(rgb[state]), names[state].format(percent_text(share)))
-        for state, share in found.shares().items()
+        for state, share in film.shares().items()
     )
 
 
-def _notes(safe, shown, factor: float, unit: str) -> tuple[str, ...]:
-    told = []
-    if shown.largest > 1.05 * shown.top:
-        told.append(translate("at most {} {}").format(number_text(shown.largest * factor), unit))
+def _notes(safe, drawn_map, factor: float, unit: str) -> tuple[str, ...]:
+    notes = []
+    if drawn_map.largest > 1.05 * drawn_map.top:
+        notes.append(translate("at most {} {}").format(number_text(drawn_map.largest * factor), unit))
     if safe is not None:
         if safe.safe_pressure is None:
-            told.append(translate("strength of the film not known"))
+            notes.append(translate("strength of the film not known"))
         else:
-            told.append(
+            notes.append(
                 translate("safe to {}, margin {}").format(
                     pressure_text(safe.safe_pressure), number_text(safe.margin)
                 )
             )
-    return tuple(told)
+    return tuple(notes)
 
 
 def warnings_of(obj) -> tuple[str, ...]:

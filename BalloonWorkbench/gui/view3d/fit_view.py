@@ -46,7 +46,7 @@ def is_whole(document) -> bool:
 
 
 @contextmanager
-def kept_whole(document):
+def fit_kept(document):
     """What comes or grows meanwhile is brought into a view that had shown everything."""
     was_whole = is_whole(document)
     yield
@@ -118,10 +118,10 @@ def _legends(view) -> float:
     """The width in Qt's pixels that legends take at the left of a view."""
     from BalloonWorkbench.gui.view3d.legend_row import width_of_row
 
-    shown = Gui.ActiveDocument
-    if shown is None or view_of(shown) != view:
+    active = Gui.ActiveDocument
+    if active is None or view_of(active) != view:
         return 0.0
-    return width_of_row(shown.Document.Name) / view.graphicsView().devicePixelRatioF()
+    return width_of_row(active.Document.Name) / view.graphicsView().devicePixelRatioF()
 
 
 def _corners(view, document) -> np.ndarray:
@@ -129,11 +129,11 @@ def _corners(view, document) -> np.ndarray:
     from BalloonWorkbench.app.document.arrange import boxes
 
     frame = App.Placement(App.Vector(), App.Rotation(*view.getCameraNode().orientation.getValue().getValue()))
-    shown = [obj for obj in document.Document.Objects if obj.Visibility and obj.ViewObject is not None]
+    visible = [obj for obj in document.Document.Objects if obj.Visibility and obj.ViewObject is not None]
     return np.array(
         [
             (x, y, z)
-            for box in boxes(shown, frame)
+            for box in boxes(visible, frame)
             for x in (box.XMin, box.XMax)
             for y in (box.YMin, box.YMax)
             for z in (box.ZMin, box.ZMax)

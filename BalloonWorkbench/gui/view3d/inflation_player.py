@@ -87,7 +87,7 @@ class Player:
             part.addChild(before)
             part.addChild(shape)
             self._node.addChild(part)
-        self._shown = vobj.SwitchNode.whichChild.getValue()
+        self._child_before = vobj.SwitchNode.whichChild.getValue()
         vobj.SwitchNode.whichChild.setValue(coin.SO_SWITCH_NONE)
         vobj.RootNode.addChild(self._node)
 
@@ -98,7 +98,7 @@ class Player:
     def close(self) -> None:
         """Show the balloon as it was."""
         self._vobj.RootNode.removeChild(self._node)
-        self._vobj.SwitchNode.whichChild.setValue(self._shown)
+        self._vobj.SwitchNode.whichChild.setValue(self._child_before)
 
 
 def _both_panels(frame: Frame) -> np.ndarray:

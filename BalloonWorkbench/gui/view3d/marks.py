@@ -20,7 +20,7 @@ class PlaceMarks:
 
     def __init__(self, document_name: str):
         self._document_name = document_name
-        self._shown: dict[str, tuple] = {}  # root and node by what it is
+        self._nodes: dict[str, tuple] = {}  # root and node by what it is
 
     def mark(self, finding, placement, size: float, height: float) -> None:
         """Mark a finding of the core instead of the last one.
@@ -58,8 +58,8 @@ class PlaceMarks:
 
     def clear(self, what: str = "") -> None:
         """Take the mark or the map away, or both."""
-        for name in [name for name in self._shown if what in ("", name)]:
-            root, node = self._shown.pop(name)
+        for name in [name for name in self._nodes if what in ("", name)]:
+            root, node = self._nodes.pop(name)
             if self._document() is not None:
                 root.removeChild(node)
 
@@ -87,7 +87,7 @@ class PlaceMarks:
             node.addChild(child)
         root = view.getSceneGraph()
         root.addChild(node)
-        self._shown[what] = root, node
+        self._nodes[what] = root, node
 
 
 def _line(coin, points, placement, height: float):

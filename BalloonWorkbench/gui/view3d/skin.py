@@ -40,7 +40,7 @@ def skin_of(obj) -> Skin | None:
 def skin_from(inflation, film) -> Skin:
     """The film of a balloon of the core."""
     state, panel = results(inflation, film), inflation.panel
-    lines = (*(np.append(seam, seam[:1]) for seam in panel.seams), *panel.welds)
+    lines = (*(np.append(seam, seam[:1]) for seam in panel.loops), *panel.welds)
     return Skin(state.positions, state.triangles, normals(state.positions, state.triangles), lines)
 
 

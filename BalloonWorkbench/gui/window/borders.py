@@ -22,7 +22,7 @@ from BalloonWorkbench.app.border import hooks
 from BalloonWorkbench.core import faults
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
-from BalloonWorkbench.gui.window.sentences import tell as say
+from BalloonWorkbench.gui.window.sentences import translated
 
 faults.surroundings["Qt"] = QtCore.qVersion()
 
@@ -42,7 +42,7 @@ def speaks(surface) -> None:
     _surfaces.append(ref(surface))
 
 
-def tell(error: BalloonError) -> None:
+def show_error(error: BalloonError) -> None:
     """Say what went wrong: in the report view, and where the user looks."""
     text, now = str(error), time.monotonic()
     if text == _last[0] and now < _last[1] + _ONCE:
@@ -61,7 +61,7 @@ def command(name: str, activated):
         try:
             return activated(*arguments)
         except faults.UNFORESEEN as error:
-            return tell(faults.as_balloon_error(error, f"running {name}"))
+            return show_error(faults.as_balloon_error(error, f"running {name}"))
 
     return call
 
@@ -74,7 +74,7 @@ def offered(name: str, is_active):
         try:
             return is_active()
         except faults.UNFORESEEN as error:
-            tell(faults.as_balloon_error(error, f"offering {name}"))
+            show_error(faults.as_balloon_error(error, f"offering {name}"))
             return False
 
     return call
@@ -103,7 +103,7 @@ class TaskPanel:
 
     def fail(self, error: BalloonError) -> None:
         """Say what went wrong."""
-        self.message.setText(say(str(error)))
+        self.message.setText(translated(str(error)))
 
     def is_shown(self) -> bool:
         """The user can see it."""
@@ -128,19 +128,19 @@ def _bordered(method, answer):
 
 
 def _stay(panel, error: BalloonError) -> bool:
-    tell(error)
+    show_error(error)
     return False
 
 
 def _close(panel, error: BalloonError) -> bool:
     """Cancel: nothing is kept, whatever went wrong on the way."""
-    tell(error)
+    show_error(error)
     doc = getattr(panel, "doc", None)
     try:
         panel.abandon()
     except faults.UNFORESEEN as another:
         Gui.Control.closeDialog()
-        tell(faults.as_balloon_error(another, f"closing {type(panel).__name__}"))
+        show_error(faults.as_balloon_error(another, f"closing {type(panel).__name__}"))
     if doc is not None and doc in App.listDocuments().values():
         doc.abortTransaction()
     return False
@@ -156,19 +156,19 @@ def _unforeseen(others, kind, error, trace) -> None:
     known = faults.as_balloon_error(error, "answering the window")
     # Python keeps the last trace: a painter in it would outlive what it paints on
     traceback.clear_frames(trace)
-    tell(known)
+    show_error(known)
 
 
 def _show(error: BalloonError) -> None:
     for surface in reversed(_surfaces):
-        shown = surface()
+        here = surface()
         try:
-            if shown is not None and shown.is_shown():
-                shown.fail(error)
+            if here is not None and here.is_shown():
+                here.fail(error)
                 return
         except faults.UNFORESEEN:  # Qt has deleted it, or it cannot even say so
             continue
-    _box(say(str(error)))
+    _box(translated(str(error)))
 
 
 def _box(text: str) -> None:

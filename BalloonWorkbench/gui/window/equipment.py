@@ -11,7 +11,7 @@ from BalloonWorkbench.core.errors import BalloonError, FetchError
 from BalloonWorkbench.core.solver.native import library
 
 
-def tell_missing() -> None:
+def report_missing() -> None:
     """A line in the report view for each package that is missing, and for a damaged library; loads none."""
     for sentence in [*packages.missing(), *library.damaged()]:
         App.Console.PrintMessage(f"Film Balloon: {sentence}\n")

@@ -24,8 +24,8 @@ def ask_for_picture(parent, *more: str) -> str | None:
 
 
 def _ask(parent, title: str, kinds: str) -> str | None:
-    usual = QtCore.QStandardPaths.writableLocation(QtCore.QStandardPaths.PicturesLocation)
-    folder = preferences.open_folder() or usual
+    pictures = QtCore.QStandardPaths.writableLocation(QtCore.QStandardPaths.PicturesLocation)
+    folder = preferences.open_folder() or pictures
     path, _ = QtWidgets.QFileDialog.getOpenFileName(parent, title, folder, kinds)
     if not path:
         return None

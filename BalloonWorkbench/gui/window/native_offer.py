@@ -13,7 +13,7 @@ from BalloonWorkbench.core.solver.native import library
 from BalloonWorkbench.core.units import number_text
 from BalloonWorkbench.gui.long_work.worker import Worker
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
-from BalloonWorkbench.gui.window.sentences import tell
+from BalloonWorkbench.gui.window.sentences import translated
 
 KEY = "OfferSolver"
 _SHOWN = 15000  # ms that a sentence stays in the status bar
@@ -44,7 +44,7 @@ def _offer() -> None:
     try:
         ask()
     except FetchError as error:  # nobody asked for it: no box
-        App.Console.PrintMessage(f"Film Balloon: {tell(str(error))}\n")
+        App.Console.PrintMessage(f"Film Balloon: {translated(str(error))}\n")
 
 
 def ask() -> None:
@@ -107,10 +107,10 @@ def _fetched() -> None:
         preferences.put(KEY, True)
         _note(translate("The native solver is in use now."))
     elif isinstance(worker.error, Cancelled):
-        _note(tell(str(worker.error)))
+        _note(translated(str(worker.error)))
     else:
         box = _box("BalloonNotFetched", QtWidgets.QMessageBox.Information)
-        box.setText(tell(str(worker.error)))
+        box.setText(translated(str(worker.error)))
         box.show()
 
 

@@ -7,7 +7,7 @@ from BalloonWorkbench.app.border.guard import Guarded
 from BalloonWorkbench.app.properties import preferences
 from BalloonWorkbench.gui.panels.widgets.fields import UNITS, new_quantity_box
 from BalloonWorkbench.gui.qt import QtWidgets, translate
-from BalloonWorkbench.gui.window.sentences import tell
+from BalloonWorkbench.gui.window.sentences import translated
 
 
 class PreferencesPage(Guarded):
@@ -60,9 +60,9 @@ class PreferencesPage(Guarded):
     def _rows(self) -> dict[str, list[tuple[str, str]]]:
         known = [item.prop for item in preferences.items().values() if item.prop]
         fine = [(prop.name, translate(prop.preference)) for prop in known if prop.page == "Solver"]
-        usual = [(prop.name, translate(prop.preference)) for prop in known if prop.page != "Solver"]
+        general = [(prop.name, translate(prop.preference)) for prop in known if prop.page != "Solver"]
         return {
-            translate("New balloons"): usual,
+            translate("New balloons"): general,
             translate("Simulation"): [
                 *fine,
                 ("OfferSolver", translate("Offer the native solver where it is missing")),
@@ -120,7 +120,7 @@ def _title(key: str, choice: str) -> str:
     from BalloonWorkbench.core.machines.machine import machines
 
     if key == "Film":
-        return tell(known_films()[choice].title)
+        return translated(known_films()[choice].title)
     if key == "Machine":
-        return tell(machines()[choice].title)
-    return tell(choice)
+        return translated(machines()[choice].title)
+    return translated(choice)

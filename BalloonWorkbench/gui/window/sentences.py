@@ -12,6 +12,6 @@ from BalloonWorkbench.core.language.speech import listed
 from BalloonWorkbench.gui.qt import translate
 
 
-def tell(text: str) -> str:
+def translated(text: str) -> str:
     """A text of the engine in the user's language; one that is not known stays as it is."""
-    return sentence_forms.told(text, listed(), translate)
+    return sentence_forms.translated(text, listed(), translate)

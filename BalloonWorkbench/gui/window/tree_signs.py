@@ -9,7 +9,7 @@ import FreeCADGui as Gui
 from BalloonWorkbench.app.balloon import FIT
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
-from BalloonWorkbench.gui.window.sentences import tell
+from BalloonWorkbench.gui.window.sentences import translated
 
 #: Ends of the names of icons: all is well; the result is not what was asked for; there is none to rely on.
 CALM, WARNING, ERROR = "", "_warning", "_error"
@@ -40,7 +40,7 @@ def remark(obj) -> str:
         return translate(
             "The drawing cannot be reached everywhere: the silhouette is up to {} off it."
         ).format(away)
-    return tell(obj.Status)
+    return translated(obj.Status)
 
 
 def watch_trees() -> None:

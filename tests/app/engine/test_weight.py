@@ -79,7 +79,7 @@ def test_weight_follows_every_value_of_the_pattern(parts, item):
             balloon.Document.recompute()
         setattr(obj, item.name, other(obj, item))
     balloon.Document.recompute()
-    assert balloon.Weight == pytest.approx(weighed(balloon, size_goal.wanted_of(balloon)), rel=1e-9)
+    assert balloon.Weight == pytest.approx(weighed(balloon, size_goal.pattern_options(balloon)), rel=1e-9)
     if item.name == "Balloon":
         obj.Balloon = balloon
         balloon.Document.recompute()

@@ -11,12 +11,12 @@ SHAPES = 3 * len(KINDS)
 
 def test_findings_hold_in_the_simulation() -> None:
     scores = new_scores()
-    puffiness = []
+    relative_volume = []
     for seed in range(SHAPES):
         advice, truth = compared(flawed(seed), scores, f"{seed} {KINDS[seed % len(KINDS)]}")
-        puffiness.append(advice.puffiness / truth.puffiness())
+        relative_volume.append(advice.relative_volume / truth.relative_volume())
         assert abs(advice.map.thickness.max() / truth.thick.max() - 1.0) < 0.04, seed  # a ring: 0.032
-    assert max(abs(ratio - 1.0) for ratio in puffiness) < 0.02
+    assert max(abs(ratio - 1.0) for ratio in relative_volume) < 0.02
     stray = [line for score in scores.values() for line in score.stray]
     right, wrong = (sum(getattr(score, name) for score in scores.values()) for name in ("right", "wrong"))
     found, missed = (sum(getattr(score, name) for score in scores.values()) for name in ("found", "missed"))

@@ -28,7 +28,7 @@ from BalloonWorkbench.core.film.film import JOININGS
 from BalloonWorkbench.core.film.library import FOLDER, custom_film, film, films, read_film
 from BalloonWorkbench.core.machines.machine import machines
 from BalloonWorkbench.core.machines.machine_file import machines_for
-from BalloonWorkbench.core.making.numbers import told
+from BalloonWorkbench.core.making.numbers import numbers_report
 from BalloonWorkbench.core.making.safety import WELD
 from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.pattern.intake.kinds import intake_kind, intake_kinds
@@ -225,7 +225,7 @@ def test_command_line_and_preview_say_nothing_against_the_film(
     name: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     one, data = about(name)
-    numbers = told(one.numbers)
+    numbers = numbers_report(one.numbers)
     line = "\n".join(summary._making(numbers, one.film, 2000.0, in_english))
     assert not contradictions(line, {**data, "laser": None}), line
     assert (one.film.seam in line) == (numbers["strength"]["weakest"] == WELD)

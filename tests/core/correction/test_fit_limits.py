@@ -42,7 +42,7 @@ def circle(radius: float, count: int = 3000) -> np.ndarray:
 def test_first_pattern_of_a_disc_and_of_an_arm() -> None:
     """A disc grows by 1.311, an arm by pi / 2 across and hardly along."""
     disc = triangulate(Outline(circle(0.1, 240)), 0.01)
-    rim = (disc.rest_positions + initial_displacements(disc))[disc.seams[0]]
+    rim = (disc.rest_positions + initial_displacements(disc))[disc.loops[0]]
     assert np.sqrt(signed_area(rim) / np.pi) / 0.1 == pytest.approx(1.311028777, rel=0.02)
     arm = triangulate(NAMED["rectangle"].map(lambda loop: loop * (1.0, 0.5)), 0.006)  # 300 x 50 mm
     before, after = arm.rest_positions, arm.rest_positions + initial_displacements(arm)
@@ -55,7 +55,7 @@ def test_first_pattern_of_a_disc_and_of_an_arm() -> None:
 def test_first_pattern_keeps_the_hole_of_a_ring() -> None:
     """Round its hole a ring is taut: there it may not shrink, and hardly has to grow."""
     ring = triangulate(NAMED["ring"], 0.012)
-    hole = (ring.rest_positions + initial_displacements(ring))[ring.seams[1]]
+    hole = (ring.rest_positions + initial_displacements(ring))[ring.loops[1]]
     assert np.sqrt(-signed_area(hole) / np.pi) == pytest.approx(0.075, rel=0.05)
 
 
@@ -98,7 +98,7 @@ def short_waves(loop: np.ndarray, below: float) -> float:
 
 
 def mean_edge(design: Design) -> float:
-    seam = design.inflation.panel.rest_positions[design.inflation.panel.seams[0]]
+    seam = design.inflation.panel.rest_positions[design.inflation.panel.loops[0]]
     return float(arc_lengths(seam)[-1] / len(seam))
 
 

@@ -18,7 +18,7 @@ from BalloonWorkbench.core.film.library import film
 from BalloonWorkbench.core.job import Settings, design_outline
 from BalloonWorkbench.core.options.film import DEFAULT_FILM
 from BalloonWorkbench.core.outline.outline import Outline
-from BalloonWorkbench.core.pattern.build import usual_pattern
+from BalloonWorkbench.core.pattern.build import default_pattern
 from BalloonWorkbench.core.readers.read import read_outline
 
 FILM = film(DEFAULT_FILM)
@@ -105,7 +105,7 @@ def test_a_draft_is_near_the_fitted_balloon(name: str) -> None:
 def test_the_neck_is_where_the_fitted_balloon_has_it(name: str) -> None:
     outline = shapes()[name]
     look, design = draft(outline, FILM, PRESSURE), design_outline(outline, Settings())
-    first, last = (usual_pattern(seam, FILM).intake for seam in (look.pattern, design.pattern))
+    first, last = (default_pattern(seam, FILM).intake for seam in (look.pattern, design.pattern))
     assert first is not None
     assert last is not None
     middles = [
@@ -123,7 +123,7 @@ def test_an_end_that_becomes_a_little_shorter_keeps_the_neck(share: float) -> No
         points = plain.outer - plain.outer.mean(axis=0)
         turn = np.arctan2(points[:, 1], points[:, 0])
         other = Outline(points * (1.0 + share * np.cos(turn - 0.7))[:, None])
-        one, two = (usual_pattern(seam, FILM).intake for seam in (Outline(points), other))
+        one, two = (default_pattern(seam, FILM).intake for seam in (Outline(points), other))
         assert one is not None
         assert two is not None
         assert np.linalg.norm(one.at - two.at) < 0.05 * max(plain.size), name

@@ -15,7 +15,7 @@ from solver_cases import circle
 from BalloonWorkbench.core.film.filling import ROOM, Filling, gas, gases
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.film.library import FOLDER, film, films
-from BalloonWorkbench.core.making.numbers import Numbers, film_on_roll, maker_numbers, told
+from BalloonWorkbench.core.making.numbers import Numbers, film_on_roll, maker_numbers, numbers_report
 from BalloonWorkbench.core.making.safety import FILM, WELD, safety_with
 from BalloonWorkbench.core.making.trade_figures import FILE, making
 from BalloonWorkbench.core.mesh.sizing import size_for
@@ -248,7 +248,7 @@ def test_data_are_complete() -> None:
 
 
 def test_told_is_plain_data() -> None:
-    found = told(numbers_of(disc(0.12), Outline(circle(0.12, 240)), Filling()))
+    found = numbers_report(numbers_of(disc(0.12), Outline(circle(0.12, 240)), Filling()))
     again = json.loads(json.dumps(found, allow_nan=False))
     assert again == found
     assert found["will_it_float"].startswith("Helium lifts")

@@ -53,7 +53,7 @@ def test_both_halves_are_images(name: str) -> None:
     assert {frozenset(triangle) for triangle in image[panel.triangles].tolist()} == triangles
     areas = signed_areas(panel.rest_positions, panel.triangles)
     assert areas.min() > 0.0
-    loops = [panel.rest_positions[seam] for seam in panel.seams]
+    loops = [panel.rest_positions[seam] for seam in panel.loops]
     assert areas.sum() == pytest.approx(sum(map(signed_area, loops)), rel=1e-12)
     assert np.unique(panel.triangles).tolist() == list(range(len(image)))
     for loop, drawn in zip(loops, even.loops, strict=True):  # in the order and sense of the outline
@@ -69,7 +69,7 @@ def test_it_is_as_good_as_the_plain_mesh(name: str) -> None:
     # a sharp tip on the axis is halved
     assert min_angles(panel).min() > 0.45 * min_angles(plain).min()
     assert np.percentile(min_angles(panel), 5) > 0.8 * np.percentile(min_angles(plain), 5)
-    assert not len(chord_middles(panel.rest_positions, panel.seams, panel.triangles))
+    assert not len(chord_middles(panel.rest_positions, panel.loops, panel.triangles))
 
 
 def test_none_where_it_cannot_be() -> None:

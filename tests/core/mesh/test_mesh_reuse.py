@@ -15,7 +15,7 @@ from BalloonWorkbench.core.panels.panel import Panel
 
 
 def rim_of(panel: Panel) -> list[np.ndarray]:
-    return [panel.rest_positions[seam] for seam in panel.seams]
+    return [panel.rest_positions[seam] for seam in panel.loops]
 
 
 @pytest.mark.parametrize("name", ["disc", "ring", "heart"])
@@ -33,7 +33,7 @@ def test_a_small_wave_of_the_rim() -> None:
     rim = [seam * (1.0 + 0.03 * np.cos(5.0 * np.arctan2(*seam.T)))[:, None] for seam in rim_of(panel)]
     moved = move_rim(panel, rim)
     assert moved is not None
-    for seam, wanted in zip(moved.seams, rim):
+    for seam, wanted in zip(moved.loops, rim):
         np.testing.assert_array_equal(moved.rest_positions[seam], wanted)
     assert signed_areas(moved.rest_positions, moved.triangles).min() > 0.0
     assert np.degrees(min_angles(moved)).min() > 15.0
@@ -48,7 +48,7 @@ def test_harmonic_displacement() -> None:
         panel,
         [
             seam + np.stack([wave[loop], 0.0 * wave[loop]], axis=1)
-            for seam, loop in zip(rim_of(panel), panel.seams)
+            for seam, loop in zip(rim_of(panel), panel.loops)
         ],
     )
     assert moved is not None

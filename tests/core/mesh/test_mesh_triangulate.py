@@ -46,7 +46,7 @@ def keys(starts: np.ndarray, ends: np.ndarray) -> np.ndarray:
 def tips(panel: Panel, below: float) -> np.ndarray:
     """Seam vertices whose inner angle is below so many degrees."""
     found = [np.empty((0, 2))]
-    for seam in panel.seams:
+    for seam in panel.loops:
         here = panel.rest_positions[seam]
         back, ahead = np.roll(here, 1, axis=0) - here, np.roll(here, -1, axis=0) - here
         cross = ahead[:, 0] * back[:, 1] - ahead[:, 1] * back[:, 0]
@@ -60,23 +60,23 @@ def assert_sound(panel: Panel, outline: Outline, size: float) -> None:
     areas = signed_areas(points, triangles)
     assert areas.min() > 0.0
     # The seams bound the triangles: together they fill the polygons of the seams, edge by edge.
-    assert [len(panel.seams), *(np.sign(signed_area(points[seam])) for seam in panel.seams)] == [
+    assert [len(panel.loops), *(np.sign(signed_area(points[seam])) for seam in panel.loops)] == [
         len(outline.loops),
         1.0,
         *(-1.0 for _ in outline.holes),
     ]
-    assert areas.sum() == pytest.approx(sum(signed_area(points[seam]) for seam in panel.seams), rel=1e-9)
+    assert areas.sum() == pytest.approx(sum(signed_area(points[seam]) for seam in panel.loops), rel=1e-9)
     starts, ends = triangles.ravel(), np.roll(triangles, -1, axis=1).ravel()
     directed = keys(starts, ends)
     assert (np.diff(directed) > 0).all()
     rim = np.setdiff1d(directed, keys(ends, starts))
-    seams = [keys(seam, np.roll(seam, -1)) for seam in panel.seams]
+    seams = [keys(seam, np.roll(seam, -1)) for seam in panel.loops]
     np.testing.assert_array_equal(rim, np.sort(np.concatenate(seams)))
     edges = (len(directed) + len(rim)) // 2
     assert len(points) - edges + len(triangles) == 1 - len(outline.holes)
     np.testing.assert_array_equal(np.unique(triangles), np.arange(len(points)))
     # The seams lie on the outline and enclose its area but for the sagitta of an edge.
-    seam = points[np.concatenate(panel.seams)]
+    seam = points[np.concatenate(panel.loops)]
     assert distance_to(outline.loops, seam).max() < 1e-12
     assert areas.sum() == pytest.approx(outline.area, rel=6e-3)
     # Quality.
@@ -92,7 +92,7 @@ def assert_sound(panel: Panel, outline: Outline, size: float) -> None:
     assert delaunay_loss(panel) < 0.002
     # An inner edge that joins two vertices of the seam is found at the foot of a very sharp tip only.
     inner, _ = interior_edges(triangles)
-    chords = inner[np.isin(inner, np.concatenate(panel.seams)).all(axis=1)]
+    chords = inner[np.isin(inner, np.concatenate(panel.loops)).all(axis=1)]
     feet = {
         tuple(sorted(int(v) for v in t if tuple(points[v]) not in very_sharp))
         for t in triangles[locked(panel)]
@@ -135,7 +135,7 @@ def test_same_input_same_mesh() -> None:
 def test_seams_are_evenly_spaced_in_loop_order(name: str) -> None:
     size = size_for(NAMED[name], 1000)
     panel = triangulate(NAMED[name], size)
-    for number, seam in enumerate(panel.seams):
+    for number, seam in enumerate(panel.loops):
         here = panel.rest_positions[seam]
         steps = np.linalg.norm(np.roll(here, -1, axis=0) - here, axis=1)
         assert steps.max() < 1.25 * steps.min()
@@ -146,7 +146,7 @@ def test_seams_are_evenly_spaced_in_loop_order(name: str) -> None:
 @pytest.mark.parametrize("name", ["square", "star", "L", "wedge", "spiky"])
 def test_corners_are_seam_vertices(name: str) -> None:
     panel = triangulate(NAMED[name], size_for(NAMED[name], 600))
-    seam = panel.rest_positions[panel.seams[0]]
+    seam = panel.rest_positions[panel.loops[0]]
     for corner in NAMED[name].outer:
         assert np.linalg.norm(seam - corner, axis=1).min() < 1e-12
 
@@ -195,7 +195,7 @@ def test_narrow_slit_is_no_thin_part() -> None:
     outline = Outline(oriented(np.concatenate(way)))
     panel = triangulate(outline, 0.01)
     assert_sound(panel, outline, 0.01)
-    seam = panel.rest_positions[panel.seams[0]]
+    seam = panel.rest_positions[panel.loops[0]]
     in_slit = np.abs(np.linalg.norm(seam, axis=1) - 0.1) < 2.0 * gap
     assert in_slit.sum() > 20
 
@@ -203,7 +203,7 @@ def test_narrow_slit_is_no_thin_part() -> None:
 def test_tiny_hole_keeps_its_shape() -> None:
     outline = Outline(polar(0.15), (hole(0.002, 0.03, 0.01),))
     panel = triangulate(outline, 0.012)
-    assert len(panel.seams[1]) >= 8
+    assert len(panel.loops[1]) >= 8
     assert np.degrees(min_angles(panel)).min() > 20.0
 
 

@@ -225,7 +225,7 @@ def test_a_start_that_does_not_fit_is_not_used() -> None:
 def test_panels_of_two_meshes_over_each_other() -> None:
     """Their seam lies over itself, but one is no mirror image of the other."""
     one, other = bodies.rectangle(6, 6, 1.0, 1.0), bodies.crossed(bodies.rectangle(6, 6, 1.0, 1.0))
-    rim = np.append(one.seams[0], one.seams[0][:1])
+    rim = np.append(one.loops[0], one.loops[0][:1])
     np.testing.assert_array_equal(one.rest_positions[rim], other.rest_positions[rim])
     both = Assembly((one, other), (Seam(Run(0, rim), Run(1, rim)),))
     assert not both.is_pair

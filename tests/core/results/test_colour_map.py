@@ -78,7 +78,7 @@ def test_states_have_three_colours(disc):
 
 def test_distances_are_those_of_two_circles(disc):
     """The silhouette of a round balloon is nearly a circle; a drawing 4 mm larger is 4 mm away."""
-    rim = np.linalg.norm(trimmed(disc).positions[disc.panel.seams[0], :2], axis=1).mean()
+    rim = np.linalg.norm(trimmed(disc).positions[disc.panel.loops[0], :2], axis=1).mean()
     angle = np.linspace(0.0, 2.0 * np.pi, 720, endpoint=False)
     drawing = Outline((rim + 0.004) * np.column_stack([np.cos(angle), np.sin(angle)]))
     found = colour_map.distances(disc, drawing)
@@ -89,7 +89,7 @@ def test_distances_are_those_of_two_circles(disc):
 
 def test_the_largest_distance_is_that_of_the_residual(disc):
     """A square round the disc: its corners are farther from the silhouette than that is from it."""
-    rim = np.linalg.norm(trimmed(disc).positions[disc.panel.seams[0], :2], axis=1).mean()
+    rim = np.linalg.norm(trimmed(disc).positions[disc.panel.loops[0], :2], axis=1).mean()
     square = Outline(rim * np.array([[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]]))
     place, corner, largest = colour_map.distances(disc, square).largest
     assert largest == pytest.approx(1e3 * residual(square, silhouette(trimmed(disc))).max, rel=0.01)
@@ -104,7 +104,7 @@ def test_tension_of_the_mylar_balloon(disc):
     The parallels bear nothing, so the force across each of them is the same, and the equator with radius a
     carries p pi a^2 (W. Paulsen, "What is the shape of a Mylar balloon?", Am. Math. Monthly 101, 1994).
     """
-    rim = np.linalg.norm(disc.positions[disc.panel.seams[0], :2], axis=1).mean()
+    rim = np.linalg.norm(disc.positions[disc.panel.loops[0], :2], axis=1).mean()
     state = film_state(disc, film("mylar"))
     flat = np.linalg.norm(disc.panel.rest_positions[disc.panel.triangles].mean(axis=1), axis=1)
     ring = (flat > 0.6 * RADIUS) & (flat < 0.8 * RADIUS)

@@ -34,7 +34,7 @@ def test_closed_and_outward(inflation: Inflation) -> None:
     np.testing.assert_array_equal(np.unique(triangles), np.arange(len(positions)))
     # Two panels glued along loops: Euler characteristic 2 (1 - holes).
     euler = len(positions) - len(forth) // 2 + len(triangles)
-    assert euler == 2 * (2 - len(inflation.panel.seams))
+    assert euler == 2 * (2 - len(inflation.panel.loops))
     assert inflation.volume > 0.0
     assert enclosed_volume(positions, triangles) == pytest.approx(inflation.volume, rel=1e-9)
 
@@ -49,7 +49,7 @@ def test_cone_by_hand() -> None:
     """Disc lifted to a cone: two cones on a polygon of n sides."""
     panel = triangulate(NAMED["disc"], 0.005)
     away = 0.15 - np.linalg.norm(panel.rest_positions, axis=1)
-    away[panel.seams[0]] = 0.0
+    away[panel.loops[0]] = 0.0
     flat = lifted(panel)
     cone = Inflation(Assembly.mirrored(panel), np.column_stack([panel.rest_positions, away]), *(
         getattr(flat, name) for name in ("directors", "tensions", "volume", "report")

@@ -158,7 +158,7 @@ def test_global_balance(shape: str) -> None:
     pulled = -sum(float(forces[:, 2].sum()) for _, _, forces in seam_forces(inflation, FOIL))
     x, y = inflation.positions[:, :2].T
     enclosed = 0.0
-    for seam in inflation.panel.seams:
+    for seam in inflation.panel.loops:
         after = np.roll(seam, -1)
         enclosed += 0.5 * float(np.sum(x[seam] * y[after] - x[after] * y[seam]))
     assert pulled == pytest.approx(PRESSURE * enclosed, rel=0.015)
@@ -265,7 +265,7 @@ def test_a_spot_bears_the_film_around_it() -> None:
     outline = replace(square, spots=(spot(np.zeros(2)),))
     inflation = inflate(triangulate(outline, size_for(outline, 1500)), FOIL, PRESSURE)
     found = settled_loads(inflation, FOIL)[0].weld
-    around = inflation.positions[inflation.panel.seams[1]]
+    around = inflation.positions[inflation.panel.loops[1]]
     assert np.linalg.norm(around - found.place, axis=1).min() < 0.003
     _, steps, forces = seam_forces(inflation, FOIL)[1]
     whole = np.linalg.norm(forces.sum(axis=0)) / steps.sum()

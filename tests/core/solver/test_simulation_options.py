@@ -215,7 +215,7 @@ def test_both_panels_stay_together_in_a_design() -> None:
     design = design_outline(Outline(RECTANGLE + 0.3), replace(COARSE, model=Model(two_panels=True)))
     inflation = design.inflation
     assert inflation.lower is not None
-    seam = inflation.panel.seams[0]
+    seam = inflation.panel.loops[0]
     np.testing.assert_allclose(inflation.lower[seam], inflation.positions[seam], atol=1e-12)
     assert design.silhouette.outer.mean(axis=0) == pytest.approx([0.4, 0.375], abs=2e-3)
 

@@ -113,7 +113,7 @@ def test_every_film(name: str) -> None:
 def test_every_shape(name: str) -> None:
     result = inflate(drawn(name, 600), films()["mylar"], 2000.0, backend="native")
     assert result.report.converged
-    seams = np.concatenate(result.panel.seams)
+    seams = np.concatenate(result.panel.loops)
     assert not result.positions[seams, 2].any()
     assert np.delete(result.positions[:, 2], seams).min() > 0.0
     assert result.tensions.min() > -1e-9 * result.tensions.max()
@@ -144,7 +144,7 @@ def test_thin_strip_is_a_tube() -> None:
 def test_holes_stay_open(name: str) -> None:
     result = inflate(drawn(name, 600), films()["nylon-foil"], 2000.0, backend="native")
     assert result.report.converged
-    for seam in result.panel.seams[1:]:
+    for seam in result.panel.loops[1:]:
         loops = result.panel.rest_positions[seam], result.positions[seam, :2]
         before, now = (np.linalg.norm(np.roll(loop, -1, axis=0) - loop, axis=1).sum() for loop in loops)
         assert now == pytest.approx(before, rel=0.05)
@@ -157,7 +157,7 @@ def test_warm_start() -> None:
     mylar = films()["mylar"]
     first = drawn("heart", 600)
     before = inflate(first, mylar, 2000.0, backend="native")
-    moved = move_rim(first, [first.rest_positions[seam] * (1.01, 1.0) for seam in first.seams])
+    moved = move_rim(first, [first.rest_positions[seam] * (1.01, 1.0) for seam in first.loops])
     assert moved is not None
     cold = inflate(moved, mylar, 2000.0, backend="native")
     warm = inflate(moved, mylar, 2000.0, backend="native", start=before)
@@ -174,7 +174,7 @@ def test_small_edits_need_few_steps() -> None:
     mylar = films()["mylar"]
     first = drawn("heart", 600)
     before = inflate(first, mylar, 2000.0, backend="native")
-    moved = move_rim(first, [first.rest_positions[seam] * (1.001, 1.0) for seam in first.seams])
+    moved = move_rim(first, [first.rest_positions[seam] * (1.001, 1.0) for seam in first.loops])
     assert moved is not None
     warm = inflate(moved, mylar, 2000.0, backend="native", start=before)
     again = inflate(first, mylar, 2000.0, backend="native", start=before)
@@ -194,7 +194,7 @@ def test_start_from_another_mesh_is_a_cold_one() -> None:
 def test_size_does_not_matter() -> None:
     """The same balloon ten times larger at a tenth of the pressure: k and the shape stay."""
     small = panel("disc", 400)
-    large = Panel(10.0 * small.rest_positions, small.triangles, small.seams)
+    large = Panel(10.0 * small.rest_positions, small.triangles, small.loops)
     one = inflate(small, film(100), PRESSURE)
     other = inflate(large, film(100), 0.1 * PRESSURE)
     assert other.report.stiffness_k == pytest.approx(one.report.stiffness_k)

@@ -150,7 +150,7 @@ def test_two_panels_find_the_same_balloon_as_one(square, backend) -> None:
     two = inflate(square, film(500), PRESSURE, backend=backend, model=Model(two_panels=True))
     assert two.volume == pytest.approx(one.volume, rel=1e-3)
     assert two.lower is not None
-    seam = square.seams[0]
+    seam = square.loops[0]
     np.testing.assert_allclose(two.lower[seam], two.positions[seam], atol=1e-12)
     assert two.lower[:, 2].min() == pytest.approx(-two.positions[:, 2].max(), rel=0.01)
 
@@ -201,6 +201,6 @@ def test_two_panels_start_from_a_balloon_that_lies_aslant(square) -> None:
         square, film(500), PRESSURE, model=Model(two_panels=True), start=replace(both, positions=aslant)
     )
     assert again.lower is not None
-    seam = square.seams[0]
+    seam = square.loops[0]
     np.testing.assert_allclose(again.lower[seam], again.positions[seam], atol=1e-12)
     assert again.volume == pytest.approx(both.volume, rel=1e-3)

@@ -69,7 +69,7 @@ def test_welds_are_edges_of_the_mesh(outline: Outline, package: str, monkeypatch
     assert np.degrees(min_angles(panel).min()) > 20.0
     # no edge but its own joins two vertices of the seams and welds, or it would pinch the balloon
     sealed = set(panel.sealed.tolist())
-    chains = [*(np.append(seam, seam[0]) for seam in panel.seams), *panel.welds]
+    chains = [*(np.append(seam, seam[0]) for seam in panel.loops), *panel.welds]
     own = {tuple(sorted(pair)) for chain in chains for pair in zip(chain[:-1].tolist(), chain[1:].tolist())}
     chords = [pair for pair in present - own if sealed.issuperset(pair)]
     assert len(chords) <= 8  # at the tips where a weld meets the rim
@@ -78,14 +78,14 @@ def test_welds_are_edges_of_the_mesh(outline: Outline, package: str, monkeypatch
 def test_an_end_at_the_rim_is_a_vertex_of_the_rim() -> None:
     panel = meshed(HALVES)
     for line, end in zip(panel.welds, (0, -1), strict=True):
-        assert line[end] in panel.seams[0]
-        assert line[-1 - end] not in panel.seams[0]
+        assert line[end] in panel.loops[0]
+        assert line[-1 - end] not in panel.loops[0]
 
 
 def test_moved_welds_keep_the_mesh() -> None:
     panel = meshed(WINDING)
     grow = 1.1 * panel.rest_positions
-    moved = move_rim(panel, [grow[seam] for seam in panel.seams], [grow[weld] for weld in panel.welds])
+    moved = move_rim(panel, [grow[seam] for seam in panel.loops], [grow[weld] for weld in panel.welds])
     assert moved is not None
     assert moved.welds is panel.welds
     np.testing.assert_allclose(moved.rest_positions, grow, atol=1e-12)
@@ -110,7 +110,7 @@ def test_a_weld_from_rim_to_rim_parts_the_film() -> None:
     """No edge leads from the triangles above it to those below but its own."""
     panel = meshed(replace(DISC, welds=(np.array([[-0.1375, 0.06], [0.1375, 0.06]]),)))
     (wall,) = panel.welds
-    assert {int(wall[0]), int(wall[-1])} <= set(panel.seams[0].tolist())
+    assert {int(wall[0]), int(wall[-1])} <= set(panel.loops[0].tolist())
     above = panel.rest_positions[panel.triangles].mean(axis=1)[:, 1] > 0.06
     shared = edges(panel.triangles[above]) & edges(panel.triangles[~above])
     assert shared == {tuple(sorted(pair)) for pair in zip(wall[:-1].tolist(), wall[1:].tolist())}
@@ -247,7 +247,7 @@ def designed():
 
 def test_welds_appear_where_they_are_drawn(designed) -> None:
     assert designed.residual.mean < 0.005 * 0.3
-    positions, rim = designed.inflation.positions[:, :2], designed.inflation.panel.seams[0]
+    positions, rim = designed.inflation.positions[:, :2], designed.inflation.panel.loops[0]
     for line, drawn in zip(designed.inflation.panel.welds, designed.target.welds, strict=True):
         away = shapely.distance(shapely.points(positions[line]), shapely.LineString(drawn)) / 0.3
         assert away[~np.isin(line, rim)].max() < 0.004
@@ -255,7 +255,7 @@ def test_welds_appear_where_they_are_drawn(designed) -> None:
         assert away.max() < 0.011
     ends = positions[designed.inflation.panel.welds[1][[0, -1]]]
     assert np.linalg.norm(ends - designed.target.welds[1][[0, -1]], axis=1).max() < 0.003 * 0.3
-    assert designed.inflation.panel.welds[0][0] in designed.inflation.panel.seams[0]
+    assert designed.inflation.panel.welds[0][0] in designed.inflation.panel.loops[0]
 
 
 def test_the_pattern_has_the_welds_on_their_own_layer(designed) -> None:

@@ -137,7 +137,7 @@ def paint(window, beat, pointer):
     hands.wait_until(window.scene.is_shown, 30)
     assert live.latest.solved is None  # a glance; nothing was waited for
     hands.wait_until(window.card.isVisible, 30)
-    assert canvas.scale.shown
+    assert canvas.scale.is_visible
     picture("tutorial-first-stroke")
     beat.skip()
     hands.type_into(window.card.field, "25")

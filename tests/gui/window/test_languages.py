@@ -14,7 +14,7 @@ import BalloonWorkbench
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.document import create
 from BalloonWorkbench.core.pages import fonts
-from BalloonWorkbench.gui.window.sentences import tell
+from BalloonWorkbench.gui.window.sentences import translated
 
 
 @pytest.fixture
@@ -148,13 +148,13 @@ SAID = [
 @pytest.mark.parametrize(("english", "german"), SAID)
 def test_sentences_of_the_engine(speak, english, german):
     speak("German")
-    assert tell(english) == german
-    assert tell(f"{english}\n{english}") == f"{german}\n{german}"
+    assert translated(english) == german
+    assert translated(f"{english}\n{english}") == f"{german}\n{german}"
 
 
 def test_english_stays_as_it_was_said():
     for english, _ in SAID:
-        assert tell(english) == english
+        assert translated(english) == english
 
 
 def test_errors_of_the_engine_are_recognised():
@@ -182,7 +182,7 @@ def test_status_of_an_object_stays_english(speak, doc):
     made = create.make(doc)
     doc.recompute()
     assert status.problem(made.outline) == "Choose a picture or a sketch."
-    assert tell(status.problem(made.outline)) == "画像かスケッチを選んでください。"
+    assert translated(status.problem(made.outline)) == "画像かスケッチを選んでください。"
 
 
 SHEETS = {

@@ -21,10 +21,10 @@ def drawing_hpgl(drawing: Toolpaths, machine: Machine) -> bytes:
     commands = ["IN", "PA"]
     pen = None
     for path in drawing.paths:
-        wanted = machine.layers[path.role].pen
-        if wanted != pen:
-            commands.append(f"SP{wanted}")
-            pen = wanted
+        path_pen = machine.layers[path.role].pen
+        if path_pen != pen:
+            commands.append(f"SP{path_pen}")
+            pen = path_pen
         points = ring(path.curve.flattened(_CHORD), path.curve.closed)
         steps = np.rint(points * _UNITS).astype(int)
         steps = steps[np.append(True, np.any(np.diff(steps, axis=0) != 0, axis=1))]

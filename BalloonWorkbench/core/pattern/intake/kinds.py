@@ -99,7 +99,7 @@ class IntakeKind:
     pieces: tuple[IntakePiece, ...]
     stock: PieceStock | None = None
 
-    def usual_length(self, sizes: Mapping[str, float]) -> float | None:
+    def default_length(self, sizes: Mapping[str, float]) -> float | None:
         """The length [m] for sizes W, S, A [m]; None where the pattern has to find it."""
         return None if self.length == AUTO else measure(self.length, sizes)
 
@@ -109,14 +109,14 @@ def measure(text: str, sizes: Mapping[str, float]) -> float:
     at, total = 0, 0.0
     rest = text.strip()
     while at < len(rest):
-        found = _TERM.match(rest, at)
-        if found is None or not (found[2] or found[3]) or (at and not found[1]):
+        term = _TERM.match(rest, at)
+        if term is None or not (term[2] or term[3]) or (at and not term[1]):
             raise InputError(f'"{text}" is no sum of L, W, S, A and millimetres, such as "0.5 W + 2".')
-        if found[3] and found[3] not in sizes:
-            raise InputError(f'"{text}" may not use {found[3]}.')
-        value = float(found[2] or 1.0) * (sizes[found[3]] if found[3] else from_mm(1.0))
-        total += -value if found[1] == "-" else value
-        at = found.end()
+        if term[3] and term[3] not in sizes:
+            raise InputError(f'"{text}" may not use {term[3]}.')
+        value = float(term[2] or 1.0) * (sizes[term[3]] if term[3] else from_mm(1.0))
+        total += -value if term[1] == "-" else value
+        at = term.end()
     if not rest:
         raise InputError("A number of an intake is empty.")
     return total
@@ -125,8 +125,8 @@ def measure(text: str, sizes: Mapping[str, float]) -> float:
 @cache
 def intake_kinds() -> dict[str, IntakeKind]:
     """All kinds by name, the straw neck first. InputError when a data file is of no use."""
-    found = [read_kind(path) for path in sorted(FOLDER.glob("*.json"))]
-    return {kind.name: kind for kind in sorted(found, key=lambda kind: (kind.name != STRAW, kind.name))}
+    kinds = [read_kind(path) for path in sorted(FOLDER.glob("*.json"))]
+    return {kind.name: kind for kind in sorted(kinds, key=lambda kind: (kind.name != STRAW, kind.name))}
 
 
 def intake_kind(name: str) -> IntakeKind:
@@ -176,17 +176,17 @@ def _kind_of(data: dict[str, Any]) -> IntakeKind:
         raise InputError(f'place "{kind.place}" is neither {RIM} nor {FILM}.')
     if not (kind.width > 0.0 and 0.2 <= kind.taper <= 1.0):
         raise InputError("width_mm must be above 0, and taper from 0.2 to 1.")
-    kind.usual_length(sizes)
+    kind.default_length(sizes)
     if any(piece.strokes[-1].role is not Role.CUT for piece in kind.pieces):
         raise InputError("the last line of each piece is its CUT.")
     return kind
 
 
 def _stock(data: dict[str, Any]) -> PieceStock:
-    found = PieceStock(str(data["name"]), str(data["title"]), str(data["sealing_side"]))
-    if not re.fullmatch("[a-z-]{1,20}", found.name):
-        raise InputError(f'the name "{found.name}" of the stock goes into file names: take letters a to z.')
-    return found
+    stock = PieceStock(str(data["name"]), str(data["title"]), str(data["sealing_side"]))
+    if not re.fullmatch("[a-z-]{1,20}", stock.name):
+        raise InputError(f'the name "{stock.name}" of the stock goes into file names: take letters a to z.')
+    return stock
 
 
 def _strokes(data: Sequence[dict[str, Any]]) -> tuple[Stroke, ...]:

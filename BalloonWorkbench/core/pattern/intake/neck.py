@@ -51,7 +51,7 @@ def place_neck(film: Any, chamber: Any, rim: Rim, wish: Wish, seal_width: float,
     if not (1e-5 <= width <= 10.0):
         raise InputError("The intake's width must be between 0.01 mm and 10 m: give it about 10 mm.")
     sizes = {"W": width, "S": seal_width, "A": allowance}
-    length = wish.length if wish.length is not None else wish.kind.usual_length(sizes)
+    length = wish.length if wish.length is not None else wish.kind.default_length(sizes)
     at, direction = place_of(film, chamber, rim, wish, margin)
     turn = float(np.arctan2(direction[1], direction[0]))
     if wish.kind.place == FILM:

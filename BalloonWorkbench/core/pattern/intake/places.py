@@ -62,7 +62,7 @@ class Wish:
     place: str = FARTHEST
 
     @property
-    def is_found(self) -> bool:
+    def is_automatic(self) -> bool:
         """Whether the pattern finds the place."""
         return self.angle is None and self.along is None
 
@@ -85,18 +85,18 @@ def wishes(seam: Outline, film: Any, rim: Rim, wish: Wish, margin: float) -> lis
     rooms = chambers(seam)
     if len(rooms) == 1:
         return [(rooms[0] if seam.welds else film, wish)]
-    if not wish.is_found:
+    if not wish.is_automatic:
         at = shapely().Point(place_of(film, film, rim, wish, margin)[0])
         rooms.sort(key=lambda room: room.distance(at))
-    found = []
+    pairs = []
     for k, room in enumerate(rooms):
         each = wish
-        if k > 0 or wish.is_found:
+        if k > 0 or wish.is_automatic:
             free = replace(wish, angle=None, along=None)
             others = [*rooms[:k], *rooms[k + 1 :]]
             each = free if wish.place == LOW else replace(free, along=_freest(rim, room, others))
-        found.append((room, each))
-    return found
+        pairs.append((room, each))
+    return pairs
 
 
 class Places:
@@ -110,8 +110,8 @@ class Places:
 
     def of(self, wish: Wish) -> list[Floats]:
         """The place (2,) [m] of the intake of each chamber; InputError where there is none."""
-        found = wishes(self._seam, self._film, self._rim, wish, self._margin)
-        return [place_of(self._film, room, self._rim, each, self._margin)[0] for room, each in found]
+        pairs = wishes(self._seam, self._film, self._rim, wish, self._margin)
+        return [place_of(self._film, room, self._rim, each, self._margin)[0] for room, each in pairs]
 
 
 def film_of(seam: Outline) -> Any:
@@ -125,7 +125,7 @@ def place_of(film: Any, chamber: Any, rim: Rim, wish: Wish, margin: float) -> tu
     if wish.place not in PLACES:
         raise InputError(f'The intake\'s place cannot be "{wish.place}": choose {" or ".join(PLACES)}.')
     along, turn = wish.along, wish.angle
-    if wish.is_found and wish.place == LOW:
+    if wish.is_automatic and wish.place == LOW:
         along = _lowest(film, chamber, rim, wish, margin)
     if along is not None:
         if not np.isfinite(along):
@@ -162,9 +162,9 @@ def _lowest(film: Any, chamber: Any, rim: Rim, wish: Wish, margin: float) -> flo
     low = fits & (points[:, 1] < points[fits, 1].min() + _EQUALLY_LOW * extent(rim.points))
     middle = float(chamber.centroid.x)
     step = rim.length / _ON_RIM
-    found = [_nearest_below(step * run, points[run % _ON_RIM, 0], middle) for run in _runs(low, low)]
-    across = rim.points_at(np.array(found))[:, 0]
-    return found[_first(np.abs(across - middle), across, 2.0 * step)] % rim.length
+    lowest = [_nearest_below(step * run, points[run % _ON_RIM, 0], middle) for run in _runs(low, low)]
+    across = rim.points_at(np.array(lowest))[:, 0]
+    return lowest[_first(np.abs(across - middle), across, 2.0 * step)] % rim.length
 
 
 def _is_wide(film: Any, chamber: Any, points: Floats, width: float) -> Bools:

@@ -77,8 +77,8 @@ def _room(free: Any, at: Floats, side: Floats, reach: float) -> float:
     """Twice the way from a point to the nearer end of the film on a line across [m]; 0 outside the film."""
     package = shapely()
     reaches = [package.LineString([at, at + way * reach * side]).intersection(free) for way in (1.0, -1.0)]
-    found = []
+    lengths = []
     for line in reaches:
         near = [part for part in package.get_parts(line) if part.distance(package.Point(at)) < 1e-9]
-        found.append(max((part.length for part in near), default=0.0))
-    return 2.0 * min(found)
+        lengths.append(max((part.length for part in near), default=0.0))
+    return 2.0 * min(lengths)

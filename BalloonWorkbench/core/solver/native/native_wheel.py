@@ -159,10 +159,10 @@ def _discard(folder: Path) -> None:
         folder.parent.parent.rmdir()
 
 
-def _forget_other_versions(kept: Path) -> None:
+def _forget_other_versions(current: Path) -> None:
     """Remove what was fetched for other versions beside it."""
-    for folder in kept.parent.iterdir():
-        if folder != kept and folder.name[:1].isdigit():
+    for folder in current.parent.iterdir():
+        if folder != current and folder.name[:1].isdigit():
             shutil.rmtree(folder, ignore_errors=True)
 
 

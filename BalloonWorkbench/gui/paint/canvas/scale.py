@@ -41,7 +41,7 @@ class Scale:
     """Draws the hand in the lower left corner of the canvas, in the scale of the shape."""
 
     def __init__(self):
-        self.shown = False
+        self.is_visible = False
         self.per_mm = 0.0  # pixels of the painting for a millimetre of the balloon
         self._hand = None
 
@@ -53,7 +53,7 @@ class Scale:
 
     def paint(self, painter, canvas) -> None:
         """Draw on a canvas, in its coordinates."""
-        if not (self.shown and self.per_mm):
+        if not (self.is_visible and self.per_mm):
             return
         if self._hand is None:
             self._hand = _hand()

@@ -54,7 +54,7 @@ class LivePreview(QtCore.QObject):
         self._retired: list[Worker] = []
         self._dirty = False
         self._in_stroke = self._is_early = False  # early: the quick preview began before the stroke had ended
-        self._told = 0.0
+        self._last_part = 0.0
         self._changed_at = 0.0, 0.0
         self._rest = self._timer(REST, self.begin_full_design)
         self._soon = self._timer(_WHILE_DRAWING, self._begin_quick_preview)
@@ -133,9 +133,9 @@ class LivePreview(QtCore.QObject):
             is_awaited=awaited,
             known=tuple(self._known),
         )
-        self._told = 0.0
+        self._last_part = 0.0
         self._full_design = self._begin(request, self._full_design_done)
-        self._full_design.progressed.connect(self._tell_progress)
+        self._full_design.progressed.connect(self._pass_progress)
         self._full_design.before.connect(self._full_design_shown)
         request.show = self._full_design.before.emit
         self._full_design.start(QtCore.QThread.LowPriority)
@@ -243,9 +243,9 @@ class LivePreview(QtCore.QObject):
             self._full_design = None
             self.progressed.emit(1.0)
 
-    def _tell_progress(self, fraction: float, text: str) -> None:
+    def _pass_progress(self, fraction: float, text: str) -> None:
         if self._full_design is None or (self.is_fitted() and not self._full_design.request.is_awaited):
             return
-        if fraction >= self._told + _PART:
-            self._told = fraction
+        if fraction >= self._last_part + _PART:
+            self._last_part = fraction
             self.progressed.emit(fraction)

@@ -79,10 +79,10 @@ def _look() -> None:
     from BalloonWorkbench.gui.paint.painting.painted import SIDE, Painting
     from BalloonWorkbench.gui.paint.painting.strokes import PEN, PaintStroke
     from BalloonWorkbench.gui.paint.preview.requests import QuickPreview
-    from BalloonWorkbench.gui.window.sentences import tell
+    from BalloonWorkbench.gui.window.sentences import translated
 
     dot = Painting()
     dot.do(PaintStroke(PEN, "#000000", points=[(SIDE / 2, SIDE / 2, SIDE / 2)]))
     with suppress(BalloonError):  # what is missing is told when it is needed
         QuickPreview(dot.image, 0, 100.0, Settings()).solve(no_progress)
-    tell("")
+    translated("")

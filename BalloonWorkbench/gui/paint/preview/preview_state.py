@@ -144,23 +144,23 @@ def contours(seams, settings: Settings, fair: bool = True) -> tuple[tuple[str, n
 
     fair: the whole pattern; else without what takes long or is small, see build_pattern
     """
-    found = []
+    lines = []
     for seam in seams:
         pattern = _pattern(seam, settings, fair)
         if pattern is None:
             continue
-        found += [(contour.role.value, to_mm(np.asarray(contour.points))) for contour in pattern.contours]
-    return tuple(found)
+        lines += [(contour.role.value, to_mm(np.asarray(contour.points))) for contour in pattern.contours]
+    return tuple(lines)
 
 
 def _pattern(seam, settings: Settings, fair: bool) -> Pattern | None:
     """The pattern as it is wanted, without an intake that has no room; None where a weld has none, either:
     it is too thin as long as it is drawn."""
-    for wanted in (settings.wanted, replace(settings.wanted, intake=False)):
+    for options in (settings.pattern, replace(settings.pattern, intake=False)):
         try:
             if fair:
-                return make_pattern(seam, settings.film.seal_width, wanted)
-            return build_pattern(seam, settings.film.seal_width, wanted, fair)
+                return make_pattern(seam, settings.film.seal_width, options)
+            return build_pattern(seam, settings.film.seal_width, options, fair)
         except InputError:
             continue
     return None
@@ -171,7 +171,7 @@ def drawn(inflation) -> np.ndarray:
     panel = inflation.panel
     moved = move_rim(
         panel,
-        [inflation.positions[seam, :2] for seam in panel.seams],
+        [inflation.positions[seam, :2] for seam in panel.loops],
         [inflation.positions[weld, :2] for weld in panel.welds],
     )
     return inflation.positions if moved is None else moved.rest_positions

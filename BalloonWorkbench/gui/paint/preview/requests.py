@@ -156,7 +156,7 @@ class FullDesign:
             self._pause()
 
         solved = painting.solve(self.file, self.width, self.settings, progress, fitted)
-        findings = [finding_from(data) for told in solved.told for data in told["advice"]]
+        findings = [finding_from(data) for report in solved.reports for data in report["advice"]]
         findings.sort(key=lambda finding: -finding.severity.rank)
         pattern = contours([design.pattern for design in solved.designs], solved.requests[0].settings)
         return replace(

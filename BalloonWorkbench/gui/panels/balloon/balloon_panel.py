@@ -226,19 +226,19 @@ class BalloonPanel(TaskPanel):
             self.closing = False
             return False
         try:
-            wanted = balloon_object.request(self.parts.balloon)
+            current = balloon_object.request(self.parts.balloon)
         except BalloonError as error:
             self.fail(error)
             return False
-        if wanted.key() == self.parts.balloon.SolvedFor:
+        if current.key() == self.parts.balloon.SolvedFor:
             return self.settle()
-        self.worker = Worker(wanted, self.result, translate("Inflating"))
+        self.worker = Worker(current, self.result, translate("Inflating"))
         self.worker.progressed.connect(self.result.show_progress)
         self.worker.finished.connect(self.work_done)
         self.result.start()
         self.worker.start()
         if not self.parts.balloon.SolvedFor:
-            self.draft.begin(wanted)
+            self.draft.begin(current)
         return False
 
     def stop(self):
@@ -297,9 +297,9 @@ class BalloonPanel(TaskPanel):
         breathe()
         self.doc.recompute()
         if status.is_ready(self.parts.pattern):
-            shown = Gui.getDocument(self.doc.Name)
-            if self.is_new or (self.was_whole and not is_whole(shown)):
-                fit_all(shown)
+            window = Gui.getDocument(self.doc.Name)
+            if self.is_new or (self.was_whole and not is_whole(window)):
+                fit_all(window)
             self.is_new = self.was_whole = False
 
     @contextmanager

@@ -97,13 +97,13 @@ class _CardList(QtWidgets.QComboBox):
     def _fill(self) -> None:
         if self.count() > 1:
             return
-        shown, library = self.itemText(0), ""
+        current, library = self.itemText(0), ""
         self.clear()
-        if not any(card.name == shown for card in material.cards()):
-            self.addItem(shown)
+        if not any(card.name == current for card in material.cards()):
+            self.addItem(current)
         for card in material.cards():
             if card.library != library and self.count():
                 self.insertSeparator(self.count())
             library = card.library
             self.addItem(card.name, card)
-        self.setCurrentIndex(self.findText(shown))
+        self.setCurrentIndex(self.findText(current))

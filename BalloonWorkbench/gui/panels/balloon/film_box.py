@@ -9,7 +9,7 @@ from BalloonWorkbench.app.properties.film import CUSTOM
 from BalloonWorkbench.gui.panels.balloon.card_box import CardBox
 from BalloonWorkbench.gui.panels.widgets.fields import PropertyPage
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
-from BalloonWorkbench.gui.window.sentences import tell
+from BalloonWorkbench.gui.window.sentences import translated
 
 
 class FilmBox(PropertyPage):
@@ -47,5 +47,5 @@ def _describe(combo) -> None:
     for index in range(combo.count()):
         name = combo.itemData(index)
         if name in known:
-            combo.setItemText(index, tell(known[name].title))
+            combo.setItemText(index, translated(known[name].title))
             combo.setItemData(index, name, QtCore.Qt.ToolTipRole)

@@ -13,7 +13,7 @@ from BalloonWorkbench.gui.panels.widgets.fields import PropertyPage
 from BalloonWorkbench.gui.panels.widgets.narrow import WrappedLabel
 from BalloonWorkbench.gui.qt import QtWidgets, translate
 from BalloonWorkbench.gui.view3d.intake_handle import IntakeHandle
-from BalloonWorkbench.gui.window.sentences import tell
+from BalloonWorkbench.gui.window.sentences import translated
 
 
 class PatternBox(PropertyPage):
@@ -60,9 +60,9 @@ class PatternBox(PropertyPage):
     def refresh(self) -> None:
         super().refresh()
         pattern = self.obj
-        self.note.setText(tell(pattern.HowToFill))
+        self.note.setText(translated(pattern.HowToFill))
         self.note.setVisible(bool(pattern.HowToFill))
-        self.advice.setText("\n".join(tell(text) for text in pattern.Warnings))
+        self.advice.setText("\n".join(translated(text) for text in pattern.Warnings))
         self.advice.setVisible(bool(pattern.Warnings))
         self.drag.setVisible(pattern.Intake)
         self.drag.setEnabled(bool(pattern.Roles))
@@ -99,7 +99,7 @@ class PatternBox(PropertyPage):
         try:
             sketch = make_sketch(self.obj)
         except BalloonError as error:
-            self.advice.setText(tell(str(error)))
+            self.advice.setText(translated(str(error)))
             self.advice.setVisible(True)
             return
         sketch.recompute()

@@ -14,7 +14,7 @@ from BalloonWorkbench.gui.panels.making.maker_rows import MakerRows, value_label
 from BalloonWorkbench.gui.panels.widgets.fields import Fields
 from BalloonWorkbench.gui.panels.widgets.narrow import WrappedLabel
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, drawn_icon, translate
-from BalloonWorkbench.gui.window.sentences import tell
+from BalloonWorkbench.gui.window.sentences import translated
 from BalloonWorkbench.gui.window.user_units import (
     NOTHING,
     length_text,
@@ -75,9 +75,9 @@ class ResultBox(QtWidgets.QWidget):
         self._message = WrappedLabel()
         self._message.setObjectName("Message")
         self._message.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
-        told = QtWidgets.QHBoxLayout()
-        told.addWidget(self._sign)
-        told.addWidget(self._message, 1)
+        message_row = QtWidgets.QHBoxLayout()
+        message_row.addWidget(self._sign)
+        message_row.addWidget(self._message, 1)
         self._measures = QtWidgets.QFormLayout()
         self._maker = MakerRows(self._measures, short=True)
         column = QtWidgets.QVBoxLayout(self)
@@ -86,7 +86,7 @@ class ResultBox(QtWidgets.QWidget):
         start.addWidget(self._fields.check("Live", translate("Live")))
         column.addLayout(start)
         column.addWidget(self._working)
-        column.addLayout(told)
+        column.addLayout(message_row)
         column.addLayout(self._measures)
         column.addLayout(self._next_steps())
         self.finish()
@@ -121,7 +121,7 @@ class ResultBox(QtWidgets.QWidget):
 
     def show_progress(self, fraction: float, text: str) -> None:
         self._bar.setValue(round(1000 * fraction))
-        self._step.setText(tell(text))
+        self._step.setText(translated(text))
 
     def finish(self) -> None:
         """The work is over."""
@@ -134,7 +134,7 @@ class ResultBox(QtWidgets.QWidget):
         kind = style.SP_MessageBoxWarning if warning else style.SP_MessageBoxInformation
         self._sign.setPixmap(self.style().standardIcon(kind).pixmap(_ICON, _ICON))
         self._sign.setVisible(bool(text))
-        self._message.setText(tell(text))
+        self._message.setText(translated(text))
         self._message.setVisible(bool(text))
 
     def message(self) -> str:
@@ -193,7 +193,7 @@ def measures(balloon, pattern) -> list[tuple[str, str]]:
     """Names and values of what a user wants to know about a balloon."""
     mean, largest = lengths_text(balloon.ResidualMean.Value, balloon.ResidualMax.Value)
     cut = size_text(pattern.PatternWidth.Value, pattern.PatternHeight.Value)
-    told = [
+    rows = [
         (translate("Size"), size_text(balloon.InflatedWidth.Value, balloon.InflatedHeight.Value)),
         (translate("Thickness"), length_text(balloon.InflatedThickness.Value)),
         (translate("Volume"), volume_text(balloon.Volume.Value)),
@@ -204,21 +204,21 @@ def measures(balloon, pattern) -> list[tuple[str, str]]:
         (translate("Solver"), balloon.ActiveBackend),
     ]
     if balloon.Load == VOLUME:
-        told.append((translate("Pressure"), pressure_text(pascals(balloon.ActivePressure))))
-    return told
+        rows.append((translate("Pressure"), pressure_text(pascals(balloon.ActivePressure))))
+    return rows
 
 
 def _weight(balloon) -> str:
-    weight, gas = mass_text(from_grams(balloon.Weight)), tell(balloon.Gas.lower())
+    weight, gas = mass_text(from_grams(balloon.Weight)), translated(balloon.Gas.lower())
     if balloon.Floats:
-        told = translate("{}, carries {} with {}")
-        return told.format(weight, mass_text(from_grams(balloon.Lift)), gas)
+        template = translate("{}, carries {} with {}")
+        return template.format(weight, mass_text(from_grams(balloon.Lift)), gas)
     if not balloon.FloatsFrom:
         return translate("{}, never floats with {}").format(weight, gas)
-    told = translate("{}, floats from {} width on with {}")
-    return told.format(weight, length_text(balloon.FloatsFrom.Value, 3), gas)
+    template = translate("{}, floats from {} width on with {}")
+    return template.format(weight, length_text(balloon.FloatsFrom.Value, 3), gas)
 
 
 def _state(balloon) -> str:
-    told = translate("{} of it wrinkles, {} is loose")
-    return told.format(percent_text(balloon.WrinkledShare), percent_text(balloon.SlackShare))
+    template = translate("{} of it wrinkles, {} is loose")
+    return template.format(percent_text(balloon.WrinkledShare), percent_text(balloon.SlackShare))

@@ -18,11 +18,11 @@ from BalloonWorkbench.gui.panels.widgets.fields import PropertyForm
 from BalloonWorkbench.gui.panels.widgets.narrow import WrappedLabel
 from BalloonWorkbench.gui.panels.widgets.object_panel import ObjectPanel
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
-from BalloonWorkbench.gui.view3d.fit_view import kept_whole
+from BalloonWorkbench.gui.view3d.fit_view import fit_kept
 from BalloonWorkbench.gui.window import macro_recorder
 from BalloonWorkbench.gui.window.borders import undo_step
 from BalloonWorkbench.gui.window.file_dialogs import ask_for_picture
-from BalloonWorkbench.gui.window.sentences import tell
+from BalloonWorkbench.gui.window.sentences import translated
 from BalloonWorkbench.gui.window.user_units import NOTHING, size_text
 
 
@@ -80,7 +80,7 @@ class ArtworkPanel(ObjectPanel):
 
     def update(self) -> None:
         """Bring the artwork up to date and show what it says."""
-        with kept_whole(Gui.getDocument(self.doc.Name)):
+        with fit_kept(Gui.getDocument(self.doc.Name)):
             self.obj.recompute()
         self.fields.refresh()
         self.front.show_file(self.obj.Picture)
@@ -89,7 +89,7 @@ class ArtworkPanel(ObjectPanel):
         if ready:
             self.obj.Pattern.Balloon.ViewObject.DisplayMode = MODE
         self.write.setEnabled(ready)
-        self.message.setText(tell(status.problem(self.obj)))
+        self.message.setText(translated(status.problem(self.obj)))
         width, height = self.obj.PatternWidth.Value, self.obj.PatternHeight.Value
         self.size.setText(size_text(width, height) if ready else NOTHING)
 
@@ -107,20 +107,20 @@ class ArtworkPanel(ObjectPanel):
         try:
             artwork.write(self.obj, folder)
         except BalloonError as error:
-            self.message.setText(tell(str(error)))
+            self.message.setText(translated(str(error)))
         else:
             macro_recorder.call("export", macro_recorder.obj(self.obj), macro_recorder.text(folder))
-            told = translate("Files written to {}").format(folder)
-            self.message.setText(told)
+            message = translate("Files written to {}").format(folder)
+            self.message.setText(message)
 
     def accept(self):
         self.fields.finish_typing()
         self.update()
         self.keep()
         self.doc.recompute()
-        told = values.texts_of(self.obj, artwork.PROPERTIES) | self.files
+        arguments = values.texts_of(self.obj, artwork.PROPERTIES) | self.files
         macro_recorder.call(
-            "artwork", macro_recorder.obj(self.obj.Pattern), result=self.obj, name="artwork", **told
+            "artwork", macro_recorder.obj(self.obj.Pattern), result=self.obj, name="artwork", **arguments
         )
         return True
 

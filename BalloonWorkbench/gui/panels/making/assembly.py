@@ -16,7 +16,7 @@ from BalloonWorkbench.gui.panels.widgets.watch import Watch
 from BalloonWorkbench.gui.qt import QtGui, QtWidgets, icon, translate
 from BalloonWorkbench.gui.window import macro_recorder
 from BalloonWorkbench.gui.window.borders import TaskPanel
-from BalloonWorkbench.gui.window.sentences import tell
+from BalloonWorkbench.gui.window.sentences import translated
 
 
 class AssemblyPanel(TaskPanel):
@@ -56,7 +56,7 @@ class AssemblyPanel(TaskPanel):
         try:
             written = maker.write_assembly(self.parts, self.file.path, self.paper.currentText())
         except BalloonError as error:
-            self.message.setText(tell(str(error)))
+            self.message.setText(translated(str(error)))
             return False
         balloon = f"BalloonWorkbench.parts({macro_recorder.obj(self.parts.balloon)})"
         macro_recorder.call(

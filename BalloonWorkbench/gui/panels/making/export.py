@@ -20,7 +20,7 @@ from BalloonWorkbench.gui.panels.widgets.watch import Watch
 from BalloonWorkbench.gui.qt import QtGui, QtWidgets, icon, translate
 from BalloonWorkbench.gui.window import macro_recorder
 from BalloonWorkbench.gui.window.borders import TaskPanel, undo_step
-from BalloonWorkbench.gui.window.sentences import tell
+from BalloonWorkbench.gui.window.sentences import translated
 from BalloonWorkbench.gui.window.user_units import NOTHING, length_text, size_text
 
 
@@ -85,7 +85,7 @@ class ExportPanel(TaskPanel):
                 doc.commitTransaction()
         except BalloonError as error:
             if self.is_open:
-                self.message.setText(tell(str(error)))
+                self.message.setText(translated(str(error)))
             return
         finally:
             if self.is_open:
@@ -107,7 +107,7 @@ class ExportPanel(TaskPanel):
                 return False
             written = export_for(self.pattern(), made_for.name, self.file.path, paper, own_bed, oversize)
         except BalloonError as error:
-            self.message.setText(tell(str(error)))
+            self.message.setText(translated(str(error)))
             return False
         chosen = {"machine": made_for.name, "paper": paper, "bed": own_bed}
         if self.machine.write.isChecked():

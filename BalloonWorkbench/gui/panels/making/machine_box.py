@@ -24,7 +24,7 @@ from BalloonWorkbench.gui.panels.widgets.fields import ReturnKey
 from BalloonWorkbench.gui.panels.widgets.narrow import FullList, NarrowCombo, WrappedLabel
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.view3d.marks import PlaceMarks
-from BalloonWorkbench.gui.window.sentences import tell
+from BalloonWorkbench.gui.window.sentences import translated
 from BalloonWorkbench.gui.window.user_units import bed_size_text, user_unit
 
 _HIGHEST = 160  # px, of the list of findings
@@ -42,7 +42,7 @@ class MachineBox(QtWidgets.QWidget):
     def __init__(self, document_name: str):
         super().__init__()
         for sentence in left_out():
-            App.Console.PrintMessage(f"Film Balloon: {tell(sentence)}\n")
+            App.Console.PrintMessage(f"Film Balloon: {translated(sentence)}\n")
         self.known = list(machines().values())
         self.overlay = PlaceMarks(document_name)
         self.findings: tuple = ()
@@ -50,8 +50,8 @@ class MachineBox(QtWidgets.QWidget):
         self.choice = NarrowCombo()
         self.choice.setObjectName("Machine")
         for known in self.known:
-            self.choice.addItem(tell(known.title))
-            self.choice.setItemData(self.choice.count() - 1, tell(known.note), QtCore.Qt.ToolTipRole)
+            self.choice.addItem(translated(known.title))
+            self.choice.setItemData(self.choice.count() - 1, translated(known.note), QtCore.Qt.ToolTipRole)
         self.pages = QtWidgets.QComboBox()
         self.pages.setObjectName("Pages")
         self.pages.addItems([translate("One large page"), *TILES])
@@ -149,23 +149,23 @@ class MachineBox(QtWidgets.QWidget):
         self.write.setChecked(False)
         if pattern is None:
             return
-        self.note.setText(tell(chosen.note))
+        self.note.setText(translated(chosen.note))
         try:
             self.findings = check_for(pattern, chosen.name, self.own_bed)
         except BalloonError as error:
             self.findings = ()
-            self.list.addItem(tell(str(error)))
+            self.list.addItem(translated(str(error)))
             self.list.fit()
             return
         for finding in self.findings:
             word = translate("Not possible") if finding.severity == ERROR else translate("Mind")
-            self.list.addItem(f"{word}: {tell(finding.text)}")
+            self.list.addItem(f"{word}: {translated(finding.text)}")
         if not self.findings:
             self.list.addItem(translate("Checked: ready to make."))
         self.list.fit()
         if any(finding.oversize for finding in self.findings):
             why_not = bed.hindrance(pattern)
-            self.why_not.setText(tell(why_not))
+            self.why_not.setText(translated(why_not))
             self.why_not.setVisible(bool(why_not))
             self.scale.setVisible(not why_not)
             self.ways.show()
@@ -176,13 +176,13 @@ class MachineBox(QtWidgets.QWidget):
         if not 0 <= row < len(self.findings) or self.findings[row].place is None:
             return
         finding = self.findings[row]
-        shown = SimpleNamespace(
+        marked = SimpleNamespace(
             severity=SimpleNamespace(value="serious" if finding.severity == ERROR else "warning"),
             place=finding.place,
             extent=(),
         )
         size = max(self.pattern.PatternWidth.Value, self.pattern.PatternHeight.Value)
-        self.overlay.mark(shown, self.pattern.Placement, size, 0.0)
+        self.overlay.mark(marked, self.pattern.Placement, size, 0.0)
 
     def _take_bed(self) -> None:
         """Keep a bed that was typed, for this machine."""
@@ -194,7 +194,7 @@ class MachineBox(QtWidgets.QWidget):
         try:
             size = parse_bed(text or NO_LIMIT, unit if unit in LENGTH_UNITS else "mm")
         except BalloonError as error:
-            self.list.insertItem(0, tell(str(error)))
+            self.list.insertItem(0, translated(str(error)))
             self.list.fit()
             return
         preferences.put_bed(self.known[self.choice.currentIndex()], size)

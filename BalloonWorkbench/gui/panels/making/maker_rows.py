@@ -15,7 +15,7 @@ from BalloonWorkbench.core.units import area_text, mass_text, money_text, number
 from BalloonWorkbench.gui.long_work.worker import Worker
 from BalloonWorkbench.gui.panels.widgets.narrow import WrappedLabel
 from BalloonWorkbench.gui.qt import QtCore, translate
-from BalloonWorkbench.gui.window.sentences import tell
+from BalloonWorkbench.gui.window.sentences import translated
 from BalloonWorkbench.gui.window.user_units import length_text, lengths_text, pressure_text, volume_text
 
 _METRE = 1000.0  # mm
@@ -27,12 +27,12 @@ class MakerRows:
 
     def __init__(self, form, short: bool = False):
         self._form, self._short = form, short
-        self._wanted: Worker | None = None
+        self._worker: Worker | None = None
         self._seam = ""  # what the film's seam is called
 
     def show(self, parts) -> None:
         """What it takes and whether it floats; nothing while something is not up to date."""
-        self._wanted = None
+        self._worker = None
         if not all(status.is_ready(obj) for obj in (parts.balloon, parts.pattern)):
             return
         try:
@@ -40,24 +40,24 @@ class MakerRows:
             self._seam = film.read(parts.balloon).seam
         except BalloonError:
             return
-        worker = self._wanted = Worker(_Counting(count))
+        worker = self._worker = Worker(_Counting(count))
         _counting.append(worker)
         worker.finished.connect(partial(self._counted, worker))
         worker.start()
 
     def release(self) -> None:
         """The panel closes."""
-        self._wanted = self._form = None
+        self._worker = self._form = None
 
     def _counted(self, worker: Worker) -> None:
         _counting.remove(worker)
         worker.deleteLater()
         fault = worker.fault()
-        if worker is not self._wanted:
+        if worker is not self._worker:
             return
         if worker.design is None:
             if fault:
-                self._form.addRow(value_label(tell(fault)))
+                self._form.addRow(value_label(translated(fault)))
             return
         for name, text in _rows(worker.design, self._short, self._seam):
             self._form.addRow(name, value_label(text))
@@ -88,7 +88,7 @@ def _rows(numbers, short: bool, seam: str) -> list[tuple[str, str]]:
         (translate("Safe pressure"), _strength(numbers, seam), True),
         *_weakest(numbers, seam),
         (translate("Gas"), _gas(numbers), False),
-        (translate("Will it float?"), tell(numbers.sentence(length=_length)), True),
+        (translate("Will it float?"), translated(numbers.sentence(length=_length)), True),
     ]
     return [(name, text) for name, text, important in lines if important or not short]
 
@@ -99,9 +99,9 @@ def _length(metres: float) -> str:
 
 def _film(numbers) -> str:
     if numbers.roll is None:
-        return tell(f"{area_text(numbers.film_area)}; wider than the usual roll")
+        return translated(f"{area_text(numbers.film_area)}; wider than the usual roll")
     width, length = numbers.roll
-    return tell(f"{length_text(_METRE * length, 3)} of a roll {length_text(to_mm(width))} wide")
+    return translated(f"{length_text(_METRE * length, 3)} of a roll {length_text(to_mm(width))} wide")
 
 
 def _weight(numbers) -> str:
@@ -122,12 +122,12 @@ def _strength(numbers, seam: str) -> str:
     if safe.safe_pressure < safe.pressure:
         template = translate("less than its {} with a margin of {} ({})")
         return template.format(pressure_text(safe.pressure), number_text(safe.margin), weakest)
-    return tell(f"{pressure_text(safe.safe_pressure)} ({weakest}, margin {number_text(safe.margin)})")
+    return translated(f"{pressure_text(safe.safe_pressure)} ({weakest}, margin {number_text(safe.margin)})")
 
 
 def _weaker(safe, seam: str) -> str:
     """What gives way first, by the name that people use for the film's seam."""
-    return tell(seam if safe.weakest == WELD else safe.weakest)
+    return translated(seam if safe.weakest == WELD else safe.weakest)
 
 
 def _weakest(numbers, seam: str) -> list[tuple[str, str, bool]]:
@@ -144,7 +144,9 @@ def _weakest(numbers, seam: str) -> list[tuple[str, str, bool]]:
 
 def _gas(numbers) -> str:
     one = numbers.floating[0]
-    template = translate("{} of {}").format(volume_text(cubic_millimetres(one.gas_needed)), tell(one.gas))
+    template = translate("{} of {}").format(
+        volume_text(cubic_millimetres(one.gas_needed)), translated(one.gas)
+    )
     if one.cost is None:
         return template
-    return template + tell(f", about {money_text(one.cost, numbers.currency)}")
+    return template + translated(f", about {money_text(one.cost, numbers.currency)}")

@@ -19,7 +19,7 @@ from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.view3d.fit_view import fit_all
 from BalloonWorkbench.gui.window import macro_recorder
 from BalloonWorkbench.gui.window.borders import undo_step
-from BalloonWorkbench.gui.window.sentences import tell
+from BalloonWorkbench.gui.window.sentences import translated
 from BalloonWorkbench.gui.window.user_units import NOTHING, size_text
 
 _HIGHEST = 160  # px, of the list of patterns
@@ -46,7 +46,7 @@ class NestPanel(ObjectPanel):
             entry.setCheckState(QtCore.Qt.Checked if taken else QtCore.Qt.Unchecked)
             self.choice.addItem(entry)
         self.choice.fit()
-        self.shown = self.fields.whole("Shown", 1, MOST_BALLOONS)
+        self.sheet_number = self.fields.whole("Shown", 1, MOST_BALLOONS)
         self.apply = QtWidgets.QPushButton(translate("Lay out"))
         self.apply.setObjectName("LayOut")
         self.apply.setToolTip(translate("Look for the closest layout; Esc takes the best one so far"))
@@ -60,11 +60,11 @@ class NestPanel(ObjectPanel):
         for item in film_sheet.PROPERTIES:
             if item.label:
                 form.add(item)
-        form.addRow(translate("Shown sheet"), self.shown)
+        form.addRow(translate("Shown sheet"), self.sheet_number)
         form.addRow(self.apply)
         form.addRow(translate("Used"), self.result)
         form.addRow(self.message)
-        self.shown.valueChanged.connect(lambda _value: self.lay_out() if obj.LaidOutFor else None)
+        self.sheet_number.valueChanged.connect(lambda _value: self.lay_out() if obj.LaidOutFor else None)
         self.apply.clicked.connect(lambda _checked=False: self.lay_out())
         self.show_state()
 
@@ -96,18 +96,18 @@ class NestPanel(ObjectPanel):
     def show_state(self) -> None:
         """What the object says."""
         self.fields.refresh()
-        obj, told = self.obj, NOTHING
+        obj, figures = self.obj, NOTHING
         if obj.LaidOutFor:
-            told = translate("Pieces: {}, on {}, {} used").format(
+            figures = translate("Pieces: {}, on {}, {} used").format(
                 obj.Pieces,
                 size_text(obj.UsedLength.Value, obj.FilmWidth.Value),
                 percent_text(0.01 * obj.Used),
             )
             if obj.Sheets > 1:
-                told += "\n" + translate("Sheet {} of {}").format(obj.Shown, obj.Sheets)
-        self.result.setText(told)
+                figures += "\n" + translate("Sheet {} of {}").format(obj.Shown, obj.Sheets)
+        self.result.setText(figures)
         problem = status.problem(obj) if obj.Status else ""
-        self.message.setText("\n".join(tell(text) for text in [problem, *obj.Warnings] if text))
+        self.message.setText("\n".join(translated(text) for text in [problem, *obj.Warnings] if text))
 
     def accept(self):
         self.take()
@@ -116,11 +116,11 @@ class NestPanel(ObjectPanel):
             self.show_state()
             return False
         self.keep()
-        told = values.texts_of(self.obj, film_sheet.PROPERTIES)
+        arguments = values.texts_of(self.obj, film_sheet.PROPERTIES)
         if not self.is_new:
-            told["sheet"] = macro_recorder.obj(self.obj)
+            arguments["sheet"] = macro_recorder.obj(self.obj)
         names = ", ".join(map(macro_recorder.obj, self.obj.Patterns))
-        macro_recorder.call("nest", f"[{names}]", result=self.obj, name="sheet", **told)
+        macro_recorder.call("nest", f"[{names}]", result=self.obj, name="sheet", **arguments)
         return True
 
 

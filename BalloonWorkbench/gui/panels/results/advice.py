@@ -21,7 +21,7 @@ from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, drawn_icon, number
 from BalloonWorkbench.gui.view3d.marks import COLOURS, PlaceMarks
 from BalloonWorkbench.gui.window import macro_recorder
 from BalloonWorkbench.gui.window.borders import TaskPanel, undo_step
-from BalloonWorkbench.gui.window.sentences import tell
+from BalloonWorkbench.gui.window.sentences import translated
 from BalloonWorkbench.gui.window.user_units import length_text
 
 _DOT = 12  # px
@@ -103,12 +103,12 @@ class AdvicePanel(TaskPanel):
             measured = status.is_ready(self.parts.balloon) and advice.is_solved(self.parts.balloon)
         except BalloonError as error:
             self.listed, measured = [], False
-            self.message.setText(tell(str(error)))
+            self.message.setText(translated(str(error)))
         self.source.setText(self._source(measured))
         items = []
         for finding in self.listed:
-            items.append(QtWidgets.QListWidgetItem(_dot(finding.severity.value), tell(finding.text)))
-            items[-1].setToolTip(tell(finding.severity.value))
+            items.append(QtWidgets.QListWidgetItem(_dot(finding.severity.value), translated(finding.text)))
+            items[-1].setToolTip(translated(finding.severity.value))
         self.list.blockSignals(True)
         self.list.clear()
         for item in items:
@@ -119,22 +119,22 @@ class AdvicePanel(TaskPanel):
             widget.setVisible(bool(self.listed))
         if not self.listed and not self.message.text():
             problem = status.problem(self.parts.outline)
-            self.message.setText(tell(problem) or translate("Nothing to improve."))
+            self.message.setText(translated(problem) or translate("Nothing to improve."))
         self.choose(self.list.currentRow())
         self.show_map()
 
     def _source(self, measured: bool) -> str:
         """Where the findings come from, and how full the shape becomes."""
         if measured:
-            text, puffiness = translate("Measured on the inflated balloon."), self.parts.balloon.Puffiness
+            text, volume_share = translate("Measured on the inflated balloon."), self.parts.balloon.Puffiness
         elif self.message.text() or not status.is_ready(self.parts.outline):
             return ""
         else:
             text = translate("Predicted from the outline; not inflated yet.")
-            puffiness = advice.advice_before(self.parts).puffiness
+            volume_share = advice.advice_before(self.parts).relative_volume
         return f"{text} " + translate(
             "It holds {} of the air that a round balloon of as much film would."
-        ).format(percent_text(puffiness))
+        ).format(percent_text(volume_share))
 
     def show_map(self):
         """Colour the shape by the thickness predicted from its outline, or stop that."""
@@ -143,16 +143,16 @@ class AdvicePanel(TaskPanel):
         if not self.map.isChecked() or not status.is_ready(self.parts.outline):
             return
         try:
-            shown = advice.advice_before(self.parts).map
+            prediction = advice.advice_before(self.parts).map
         except BalloonError as error:
-            self.legend.setText(tell(str(error)))
+            self.legend.setText(translated(str(error)))
             return
         self.legend.setText(
             translate("Blue 0, green {}, red {}").format(
-                *(length_text(to_mm(share * float(shown.thickness.max())), 3) for share in (0.5, 1.0))
+                *(length_text(to_mm(share * float(prediction.thickness.max())), 3) for share in (0.5, 1.0))
             )
         )
-        self.overlay.map(shown, self.parts.outline.Placement, self._height())
+        self.overlay.map(prediction, self.parts.outline.Placement, self._height())
 
     def _height(self) -> float:
         """Of the balloon over its plane [mm]."""
@@ -163,7 +163,7 @@ class AdvicePanel(TaskPanel):
         finding = self.listed[row] if 0 <= row < len(self.listed) else None
         repair = None if finding is None else finding.repair
         self.repair.setEnabled(repair is not None)
-        self.repair.setText(translate("Repair") if repair is None else tell(repair_text(repair)))
+        self.repair.setText(translate("Repair") if repair is None else translated(repair_text(repair)))
         if finding is None:
             self.overlay.clear("mark")
             return
@@ -176,7 +176,7 @@ class AdvicePanel(TaskPanel):
         finding = self.listed[self.list.currentRow()]
         repair = finding.repair
         self.overlay.clear()
-        with undo_step(self.doc, tell(repair_text(repair))):
+        with undo_step(self.doc, translated(repair_text(repair))):
             repairs.take(self.parts, repair)
             self.doc.recompute()
             self.doc.commitTransaction()
@@ -186,7 +186,7 @@ class AdvicePanel(TaskPanel):
         self.refresh()
         trouble = next((status.problem(obj) for obj in self.parts if not status.is_ready(obj)), "")
         if trouble:
-            self.message.setText(tell(trouble))
+            self.message.setText(translated(trouble))
 
 
 class _UndoWatch(Guarded):

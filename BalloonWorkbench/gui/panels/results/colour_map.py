@@ -20,7 +20,7 @@ from BalloonWorkbench.gui.view3d.film_map import CHOICES, choice_title
 from BalloonWorkbench.gui.view3d.legend_row import OFF
 from BalloonWorkbench.gui.window import macro_recorder
 from BalloonWorkbench.gui.window.borders import TaskPanel
-from BalloonWorkbench.gui.window.sentences import tell
+from BalloonWorkbench.gui.window.sentences import translated
 
 _FILES = (("ParaView", "vtu"), ("STL", "stl"), ("NumPy", "npz"))
 _STATE = ("ColourMap", "CompareOutlines", "DisplayMode", "ModeWithoutMap")
@@ -53,7 +53,7 @@ class ColourMapPanel(TaskPanel):
         self.save.setToolTip(
             translate("Write all results for ParaView (.vtu) or NumPy (.npz), or the shape alone (.stl)")
         )
-        self.message = WrappedLabel(tell(status.problem(parts.balloon)))
+        self.message = WrappedLabel(translated(status.problem(parts.balloon)))
         self.message.setObjectName("ColourMapMessage")
         column = QtWidgets.QVBoxLayout(self.form)
         for widget in (self.choice, self.curves, self.save, self.message):
@@ -77,9 +77,9 @@ class ColourMapPanel(TaskPanel):
         """Show another result."""
         self.view.ColourMap = self.choice.itemData(index)
 
-    def compare(self, shown: bool) -> None:
+    def compare(self, visible: bool) -> None:
         """Show the drawing and the silhouette, or not."""
-        self.view.CompareOutlines = shown
+        self.view.CompareOutlines = visible
 
     def accept(self):
         """Keep what is shown; a macro has it too."""
@@ -123,7 +123,7 @@ def save_results(balloon) -> str:
     try:
         written = export_results(balloon, path)
     except BalloonError as error:
-        return tell(str(error))
+        return translated(str(error))
     preferences.put_export_folder(balloon.Document, written.parent)
     macro_recorder.call("export", macro_recorder.obj(balloon), macro_recorder.text(written))
     return translate("Results written to {}").format(written)

@@ -7,7 +7,7 @@ from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.shapes import part_shapes
 from BalloonWorkbench.core.units import to_mm
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, translate
-from BalloonWorkbench.gui.window.sentences import tell
+from BalloonWorkbench.gui.window.sentences import translated
 from BalloonWorkbench.gui.window.user_units import size_text
 
 _MARGIN = 6
@@ -22,7 +22,7 @@ def notes_of(outline) -> str:
         return ""
     size = size_text(outline.SizeX.Value, outline.SizeY.Value)
     size_form = translate("Outline {}, holes: {}") if outline.HoleCount else translate("Outline {}")
-    return "\n".join([size_form.format(size, outline.HoleCount), *map(tell, outline.Notes)])
+    return "\n".join([size_form.format(size, outline.HoleCount), *map(translated, outline.Notes)])
 
 
 class Preview(QtWidgets.QWidget):
@@ -32,7 +32,7 @@ class Preview(QtWidgets.QWidget):
         super().__init__(parent)
         self.setObjectName("Preview")
         self.setMinimumHeight(_LEAST)
-        self._picture, self._shown = QtGui.QPixmap(), ""
+        self._picture, self._file = QtGui.QPixmap(), ""
         self._picture_box = QtCore.QRectF()
         self._path = QtGui.QPainterPath()
         self._welds = QtGui.QPainterPath()
@@ -67,9 +67,9 @@ class Preview(QtWidgets.QWidget):
 
     def _show_picture(self, path: str) -> None:
         """Read it once, and no larger than it can be seen."""
-        if path == self._shown:
+        if path == self._file:
             return
-        self._shown, self._picture = path, QtGui.QPixmap()
+        self._file, self._picture = path, QtGui.QPixmap()
         if path:
             reader = QtGui.QImageReader(path)
             size = reader.size()

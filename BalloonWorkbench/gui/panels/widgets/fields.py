@@ -12,7 +12,7 @@ from BalloonWorkbench.app.properties.property_table import Property
 from BalloonWorkbench.gui.panels.widgets.narrow import ElidedCombo, NarrowForm
 from BalloonWorkbench.gui.panels.widgets.whole_box import WholeBox
 from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, translate
-from BalloonWorkbench.gui.window.sentences import tell
+from BalloonWorkbench.gui.window.sentences import translated
 
 _SEEN = 0.01  # mm, between what is shown and its rounded text
 _MIN_WIDTH, _MAX_WIDTH = 120, 170  # px; a task panel may be 190 px wide
@@ -127,7 +127,7 @@ class Fields(QtCore.QObject):
         """A combo box for an enumeration."""
         widget = ElidedCombo()
         for entry in self.obj.getEnumerationsOfProperty(name):
-            widget.addItem(tell(entry), entry)
+            widget.addItem(translated(entry), entry)
         self._add(name, widget, lambda value: widget.setCurrentIndex(widget.findData(value)))
         widget.activated.connect(lambda index: self._write(name, widget.itemData(index)))
         return widget
@@ -164,13 +164,13 @@ class Fields(QtCore.QObject):
             elif isinstance(widget, QtWidgets.QLineEdit):
                 widget.editingFinished.emit()
 
-    def _add_number(self, name: str, widget, step: float, shown) -> None:
-        """Tie a spin box to a property; shown turns its value into a number."""
+    def _add_number(self, name: str, widget, step: float, as_number) -> None:
+        """Tie a spin box to a property; as_number turns its value into a number."""
         widget.setProperty("singleStep", step)
         Gui.ExpressionBinding(widget).bind(self.obj, name)
         self._bound.add(name)
         widget.setKeyboardTracking(False)
-        self._add(name, widget, lambda value: widget.setProperty("rawValue", shown(value)))
+        self._add(name, widget, lambda value: widget.setProperty("rawValue", as_number(value)))
         QtCore.QObject.connect(
             widget, QtCore.SIGNAL("valueChanged(double)"), lambda value: self._write(name, value)
         )
@@ -244,10 +244,10 @@ class PropertyForm(NarrowForm):
         for name in self._rows:
             self.show_row(name, "Hidden" not in self.fields.obj.getEditorMode(name))
 
-    def show_row(self, name: str, shown: bool) -> None:
+    def show_row(self, name: str, visible: bool) -> None:
         """Show a row or hide it."""
         for widget in self._rows[name]:
-            widget.setVisible(shown)
+            widget.setVisible(visible)
 
 
 class PropertyPage(QtWidgets.QWidget):

@@ -233,7 +233,7 @@ def test_intake_on_an_ear_gets_a_hint_and_a_low_place() -> None:
     ],
 )
 def test_no_hint_without_a_reason(name: str, wanted: PatternOptions) -> None:
-    rules = {found.rule for found in advise(SYMMETRIC[name], FILM, wanted=wanted).findings}
+    rules = {found.rule for found in advise(SYMMETRIC[name], FILM, options=wanted).findings}
     assert not rules & {"delicate_intake", "hidden_intake"}
 
 

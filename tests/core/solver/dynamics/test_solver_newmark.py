@@ -268,7 +268,7 @@ def test_same_rest_as_the_quasi_static_method(name: str) -> None:
     assert blown.report.backend == "newmark"
     assert blown.report.converged
     assert blown.volume == pytest.approx(quasi_static.volume, rel=0.001)
-    assert not blown.positions[np.concatenate(outline.seams), 2].any()
+    assert not blown.positions[np.concatenate(outline.loops), 2].any()
 
 
 def test_disc_of_1500_vertices() -> None:
@@ -373,7 +373,7 @@ def test_frames_lead_from_flat_to_rest(blown_disc: tuple[Inflation, tuple[Frame,
     assert volumes[0] < 0.01 * volumes[-1]
     strides = [np.abs(after.positions - before.positions).max() for before, after in pairwise(frames)]
     assert max(strides) < 0.3 * 3.0 / len(frames)  # no jumps
-    seam = np.concatenate(balloon.panel.seams)
+    seam = np.concatenate(balloon.panel.loops)
     assert all(np.abs(frame.positions[seam, 2]).max() == 0.0 for frame in frames)
 
 

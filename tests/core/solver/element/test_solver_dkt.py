@@ -171,8 +171,8 @@ def test_disc_plates(solver: Backend, clamped: bool, even: bool, exact: float) -
     disc = panel("disc", 400)
     points = disc.rest_positions
     fixed = held(len(points), moves="xy")
-    fixed[disc.seams[0], 2] = True
-    fixed[disc.seams[0], 3:] = clamped
+    fixed[disc.loops[0], 2] = True
+    fixed[disc.loops[0], 3:] = clamped
     centre = nearest(points, 0.0, 0.0)
     load = vertex_areas(points, disc.triangles) if even else np.eye(len(points))[centre]
     found = deflection_in_shell(solver, points, disc.triangles, fixed, load, centre)

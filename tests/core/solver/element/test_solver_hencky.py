@@ -18,7 +18,7 @@ from BalloonWorkbench.core.types import no_progress
 def test_hencky_disc(solver: Backend) -> None:
     """Clamped disc under pressure, small slopes, nu = 0.3 (Hencky 1915): its centre."""
     disc, stiffness = panel("disc"), 1e5
-    rest, rim = disc.rest_positions, disc.seams[0]
+    rest, rim = disc.rest_positions, disc.loops[0]
     fixed = held(len(rest))
     fixed[rim, :3] = True
     deflection = 0.653443 * stiffness ** (-1.0 / 3.0)

@@ -86,7 +86,7 @@ def test_dome_of_a_disc() -> None:
     start = dome(disc)
     exact = DOME * 0.5 * np.sqrt(np.maximum(1.0 - (disc.rest_positions**2).sum(axis=1), 0.0))
     assert start[:, 2] == pytest.approx(exact, abs=0.01)
-    rim = disc.seams[0]
+    rim = disc.loops[0]
     assert not start[rim, 2].any()
     assert np.delete(start[:, 2], rim).min() > 0.0
 
@@ -95,7 +95,7 @@ def test_normals_of_a_sphere() -> None:
     disc = panel("disc")
     points, exact = cap(disc)
     normals = vertex_normals(points, disc)
-    inner = np.setdiff1d(np.arange(len(points)), disc.seams[0])
+    inner = np.setdiff1d(np.arange(len(points)), disc.loops[0])
     assert np.linalg.norm(normals, axis=1) == pytest.approx(1.0)
     assert np.einsum("ij,ij->i", normals, exact)[inner].min() > 0.999
     assert vertex_areas(disc.rest_positions, disc.triangles).sum() == pytest.approx(np.pi, rel=0.001)

@@ -78,10 +78,10 @@ def rim_distance(one: Floats, other: Floats) -> float:
 
 def pulled(panel: Panel, far: float) -> Panel:
     """The panel with one side of its rim pulled outward."""
-    rim = panel.rest_positions[panel.seams[0]]
+    rim = panel.rest_positions[panel.loops[0]]
     near = np.exp(-np.sum((rim - rim[len(rim) // 3]) ** 2, axis=1) / (2.0 * 0.015**2))
     loops = [rim + far * near[:, None] * rim / np.linalg.norm(rim, axis=1)[:, None]]
-    moved = move_rim(panel, loops + [panel.rest_positions[seam] for seam in panel.seams[1:]])
+    moved = move_rim(panel, loops + [panel.rest_positions[seam] for seam in panel.loops[1:]])
     assert moved is not None
     return moved
 
@@ -100,5 +100,5 @@ def test_an_edit_ends_where_a_long_solve_does(name: str) -> None:
     assert soon.report.newton_steps < 0.7 * late.report.newton_steps
     assert soon.volume == pytest.approx(late.volume, rel=2e-4)
     size = float(np.ptp(panel.rest_positions, axis=0).max())
-    rim = panel.seams[0]
+    rim = panel.loops[0]
     assert rim_distance(soon.positions[rim, :2], late.positions[rim, :2]) < 1e-3 * size
