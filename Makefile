@@ -47,7 +47,7 @@ lint: setup ## Check style, types and formatting
 format: setup ## Format Python and C++, repair what can be repaired
 	@.venv/bin/ruff check --fix --exit-zero --quiet .
 	@.venv/bin/ruff format .
-	@find BalloonWorkbench/native \( -name '*.cpp' -o -name '*.h' \) -print0 | xargs -0r .venv/bin/clang-format -i
+	@find BalloonWorkbench/native benchmarks tests/native \( -name '*.c' -o -name '*.cpp' -o -name '*.h' \) -print0 | xargs -0r .venv/bin/clang-format -i
 
 validation bench: export PYTHONPATH := $(CURDIR):$(CURDIR)/tests/core:$(CURDIR)/benchmarks
 
@@ -74,11 +74,12 @@ pictures: native ## Take the pictures of the tutorial anew, in docs/images
 fuzz: native readers ## Inflate 2 000 outlines, read 10 000 broken files, kill writers everywhere, inject 200 faults
 	@BALLOON_OUTLINES=2000 BALLOON_FILES=10000 BALLOON_VALUES=1000 BALLOON_KILLS=100000 BALLOON_CUTS=300 \
 	    BALLOON_COACHED=300 BALLOON_INTAKES=24 BALLOON_LAYER_SHAPES=40 BALLOON_DRAFTS=25 \
+	    BALLOON_TRIANGULATED=1500 \
 	    BALLOON_WORD_SIZES="3mm 30mm 5m 30m" BALLOON_WORD_SHAPES="star fish heart" \
 	    $(PYTHON) -m pytest -q -o faulthandler_timeout=0 --log-cli-level=INFO \
 	    tests/core/outline/test_random_outlines.py tests/core/readers/test_broken_files.py tests/core/test_value_limits.py \
 	    tests/core/files/test_interrupted_writing.py tests/core/machines/test_export_cuts.py tests/core/advice/test_coach_shapes.py \
-	    tests/core/pattern/intake/test_intake_places.py tests/core/results/test_layers.py tests/core/test_design_draft.py tests/core/test_words.py
+	    tests/core/pattern/intake/test_intake_places.py tests/core/results/test_layers.py tests/core/design/test_draft.py tests/core/test_words.py tests/core/mesh/test_mesh_delaunay.py
 	@BALLOON_ARRANGE_STORIES=200 BALLOON_TESTS="tests/app/document/test_arrange.py -k story" tools/test.sh app
 	@BALLOON_FAULTS=200 BALLOON_TESTS=tests/app/border/test_faults.py tools/test.sh app
 	@BALLOON_FAULTS=200 BALLOON_TESTS=tests/gui/test_faults.py tools/test.sh gui
@@ -95,8 +96,8 @@ coverage: native readers ## Tell which lines of core and app the tests run
 
 tidy: setup ## Look for mistakes in the C++ with clang-tidy
 	@tools/install-debian-packages.sh debian-packages-tidy.txt
-	@cd BalloonWorkbench/native && failed=0 && for file in src/*.cpp; do \
-	    clang-tidy --quiet $$file -- -std=c++17 -Iinclude -isystem /usr/include/eigen3 2>/dev/null || failed=1; \
+	@cd BalloonWorkbench/native && failed=0 && for file in film/*.cpp cholesky/src/*.cpp; do \
+	    clang-tidy --quiet $$file -- -std=c++17 -Iinclude -I. -isystem /usr/include/eigen3 2>/dev/null || failed=1; \
 	    done && exit $$failed
 
 # the Python packages of one list, for the targets that need them
@@ -106,6 +107,7 @@ build/%-tools/made-from: tools/requirements-%.txt | setup
 
 docs: export PYTHONPATH := $(CURDIR)/build/docs-tools
 docs: build/docs-tools/made-from ## Write the user guide and the reference of the engine to build/docs
+	@$(PYTHON) tools/option_tables.py
 	@$(PYTHON) -m mkdocs build --quiet
 	@# pdoc does not see in which module the types of a NamedTuple were named
 	@$(PYTHON) -W error::UserWarning -W "ignore:Error parsing type annotation ForwardRef('Floats')" \

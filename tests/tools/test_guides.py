@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The pages for those who work on the code: short, and what they name is there."""
 
+import json
 import re
 from pathlib import Path
 
@@ -51,3 +52,19 @@ def test_a_walk_is_short_and_its_functions_are_there(title: str) -> None:
     assert len({*files}) == len(files) == len(steps)
     for file, name in re.findall(r"`((?:core|app|gui|cli)/[\w./]+\.py): (\w+)`", walk):
         assert re.search(rf"(def|class) {name}\b", page(f"BalloonWorkbench/{file}")), (file, name)
+
+
+def test_tests_that_are_named_are_there() -> None:
+    """In the Makefile, in scripts and pages, which a move would leave behind."""
+    pages = [ROOT / "Makefile", ROOT / "README.md", ROOT / "CONTRIBUTING.md", ROOT / ".ci" / "run"]
+    pages += [*ROOT.glob("tools/*.*"), *ROOT.glob("docs/*.md"), *ROOT.glob("benchmarks/**/*.py")]
+    named = {path: re.findall(r"\btests/[\w/]+\.\w+", path.read_text(encoding="utf-8")) for path in pages}
+    assert sum(map(len, named.values())) > 30
+    assert not [(path.name, name) for path in pages for name in named[path] if not (ROOT / name).exists()]
+
+
+def test_mutations_are_of_this_code() -> None:
+    """What `make mutations` replaces stands in the code, and the test that must notice is there."""
+    for mutation in json.loads(page("tests/mutations.json")):
+        assert mutation["from"] in page(mutation["file"]), mutation["file"]
+        assert (ROOT / mutation["test"].split("::")[0]).exists(), mutation["test"]
