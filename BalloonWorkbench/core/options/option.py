@@ -9,12 +9,9 @@ from contextlib import suppress
 from dataclasses import dataclass, field, fields, replace
 from enum import Enum
 from functools import cache
-from pathlib import Path
 from typing import Any
 
-from BalloonWorkbench.core.files.data_file import UNUSABLE, data_files, read_data
-
-_RESOURCES = Path(__file__).resolve().parents[3] / "resources"
+from BalloonWorkbench.core.files.data_file import RESOURCES, UNUSABLE, data_files, read_data
 
 
 class Kind(Enum):
@@ -143,7 +140,7 @@ class Section:
 @cache
 def titles_in(name: str, first: str = "") -> Mapping[str, str]:
     """Names and titles of what a folder or file of resources describes; what is of no use there has none."""
-    place = _RESOURCES / name
+    place = RESOURCES / name
     known: dict[str, str] = {}
     for path in data_files(lambda: place) if place.is_dir() else [place]:
         with suppress(*UNUSABLE):
