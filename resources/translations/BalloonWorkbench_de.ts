@@ -2095,8 +2095,8 @@
         <translation>Bahn {0} hat eine Kante mit mehr als zwei Dreiecken. Neu vernetzen.</translation>
     </message>
     <message>
-        <source>Panel {0} is open between its vertices {1} and {2}: {3} edges of its boundary are in no seam. Seal them to others.</source>
-        <translation>Bahn {0} ist zwischen ihren Ecken {1} und {2} offen: {3} Kanten ihres Randes sind in keiner Naht. Mit anderen verschweißen.</translation>
+        <source>Panel {0} is open between its vertices {1} and {2}: the boundary is in no seam there. Seal it to another.</source>
+        <translation>Bahn {0} ist zwischen ihren Ecken {1} und {2} offen: Der Rand ist dort in keiner Naht. Mit einem anderen verschweißen.</translation>
     </message>
     <message>
         <source>Panels are laid on the film in rows instead of closely; nothing else changes.</source>

@@ -2095,8 +2095,8 @@
         <translation>El panel {0} tiene un borde con más de dos triángulos. Vuelva a mallarlo.</translation>
     </message>
     <message>
-        <source>Panel {0} is open between its vertices {1} and {2}: {3} edges of its boundary are in no seam. Seal them to others.</source>
-        <translation>El panel {0} está abierto entre sus vértices {1} y {2}: {3} bordes de su contorno no están en ninguna costura. Séllelos con otros.</translation>
+        <source>Panel {0} is open between its vertices {1} and {2}: the boundary is in no seam there. Seal it to another.</source>
+        <translation>El panel {0} está abierto entre sus vértices {1} y {2}: el contorno no está allí en ninguna costura. Séllelo con otro.</translation>
     </message>
     <message>
         <source>Panels are laid on the film in rows instead of closely; nothing else changes.</source>

@@ -2095,8 +2095,8 @@
         <translation>Le panneau {0} a une arête avec plus de deux triangles. Maillez-le de nouveau.</translation>
     </message>
     <message>
-        <source>Panel {0} is open between its vertices {1} and {2}: {3} edges of its boundary are in no seam. Seal them to others.</source>
-        <translation>Le panneau {0} est ouvert entre ses sommets {1} et {2} : {3} arêtes de son bord ne sont dans aucune soudure. Soudez-les à d'autres.</translation>
+        <source>Panel {0} is open between its vertices {1} and {2}: the boundary is in no seam there. Seal it to another.</source>
+        <translation>Le panneau {0} est ouvert entre ses sommets {1} et {2} : le bord n'y est dans aucune soudure. Soudez-le à un autre.</translation>
     </message>
     <message>
         <source>Panels are laid on the film in rows instead of closely; nothing else changes.</source>

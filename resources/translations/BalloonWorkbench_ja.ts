@@ -2095,8 +2095,8 @@
         <translation>パネル{0}に3つ以上の三角形をもつ辺があります。メッシュを作り直してください。</translation>
     </message>
     <message>
-        <source>Panel {0} is open between its vertices {1} and {2}: {3} edges of its boundary are in no seam. Seal them to others.</source>
-        <translation>パネル{0}は頂点{1}と{2}の間が開いています。縁の{3}辺がどの継ぎ目にも入っていません。ほかの縁と接合してください。</translation>
+        <source>Panel {0} is open between its vertices {1} and {2}: the boundary is in no seam there. Seal it to another.</source>
+        <translation>パネル{0}は頂点{1}と{2}の間が開いています。そこの縁はどの継ぎ目にも入っていません。ほかの縁と接合してください。</translation>
     </message>
     <message>
         <source>Panels are laid on the film in rows instead of closely; nothing else changes.</source>

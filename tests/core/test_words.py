@@ -288,7 +288,7 @@ def test_docs_have_the_words_of_makers(name: str) -> None:
 #: A number before these is never 1, or is a limit; and verbs that end like a plural.
 MANY = "pixels millimetres letters notches copies balloons pages degrees shapes dots elements groups points"
 MANY += " pieces lines vertices does has was its this times belongs calls crosses eases encloses ends follows"
-MANY += " lacks lies lifts makes needs reads runs wants"
+MANY += " bodies joins leaves lacks lies lifts makes needs reads runs wants"
 
 
 def test_one_is_said_in_the_singular() -> None:

@@ -23,12 +23,12 @@ class MoreOptions:
 
 
 def test_every_option_with_a_label_has_a_field(opened):
-    for module in (balloon, pattern):
-        for item in module.PROPERTIES:
-            if item.label:
-                field = hands.find(item.name)
-                hands.show_tab(field)
-                assert field.toolTip() == item.tooltip, item.name
+    labelled = [item for module in (balloon, pattern) for item in module.PROPERTIES if item.label]
+    assert labelled
+    for item in labelled:
+        field = hands.find(item.name)
+        hands.show_tab(field)
+        assert field.toolTip() == item.tooltip, item.name
 
 
 def test_an_entry_is_a_field_that_writes(opened, monkeypatch):

@@ -14,6 +14,7 @@ from BalloonWorkbench.core.types import Bools, Floats
 
 #: V / A^1.5 of two discs of film: 1.2185 a^3 / (pi a^2)^1.5 (Paulsen, Am. Math. Monthly 101 (1994) 953-958).
 DISC = 1.218524 / np.pi**1.5
+_TIGHTEST = 100.0  # times as tight as elsewhere
 STEPS = 33  # along a line across the balloon
 
 
@@ -36,7 +37,9 @@ class Gauge:
         self._centres = drawn[panel.triangles].mean(axis=1)
         self._areas = signed_areas(panel.rest_positions, panel.triangles)
         self._tension = inflation.tensions[:, 0]
-        self._median = _median(self._tension, self._areas) / tighter
+        # where nearly all film is slack, as in a tiny balloon, no place is told as endlessly tight
+        median = max(_median(self._tension, self._areas), float(self._tension.max()) / _TIGHTEST)
+        self._median = median / tighter
 
     @property
     def thickest(self) -> float:
