@@ -175,8 +175,8 @@ def _senses(panels: Sequence[Panel], seams: Sequence[Seam]) -> list[tuple[int, i
         left = sorted(edge for edge in boundary if (index, edge) not in seam_of)
         if left:
             raise AssemblyError(
-                f"Panel {index + 1} is open between its vertices {left[0][0]} and {left[0][1]}: the boundary is"
-                " in no seam there. Seal it to another."
+                f"Panel {index + 1} is open between its vertices {left[0][0]} and {left[0][1]}: the boundary"
+                " is in no seam there. Seal it to another."
             )
     return senses
 
