@@ -19,8 +19,7 @@ from matplotlib.axes import Axes
 from test_assembly import POPPLER, subject, told_by
 
 from BalloonWorkbench.cli import command_line, summary
-from BalloonWorkbench.core.advice.subject import Subject
-from BalloonWorkbench.core.assembly_sheet.page import assembly_pdf
+from BalloonWorkbench.core.assembly_sheet.page import SheetSubject, assembly_pdf
 from BalloonWorkbench.core.assembly_sheet.steps import steps
 from BalloonWorkbench.core.assembly_sheet.texts import figures, material
 from BalloonWorkbench.core.errors import ExportError, InputError
@@ -91,7 +90,7 @@ def contradictions(text: str, data: dict[str, Any]) -> list[str]:
     return found
 
 
-def about(name: str, shape: str = "disc", intake: str = "straw") -> tuple[Subject, dict[str, Any]]:
+def about(name: str, shape: str = "disc", intake: str = "straw") -> tuple[SheetSubject, dict[str, Any]]:
     """A balloon of a film of the library, or of one of a user's own, and the data of the film."""
     if name in DATA:
         return subject(shape, name, intake), DATA[name]
@@ -105,7 +104,7 @@ def tabbed(name: str, shape: str, intake: str) -> Pattern:
     return with_tie_tab(about(name, shape, intake)[0].pattern, 1.0)
 
 
-def variants(name: str, intake: str) -> Iterator[tuple[Subject, dict[str, Any]]]:
+def variants(name: str, intake: str) -> Iterator[tuple[SheetSubject, dict[str, Any]]]:
     """With and without holes, a tie tab, lines inside, a grain, enough strength; none where it is refused."""
     try:
         pieces_remarks(
