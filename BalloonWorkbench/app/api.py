@@ -19,7 +19,7 @@ from BalloonWorkbench.app import balloon
 from BalloonWorkbench.app.document import create
 from BalloonWorkbench.app.document.kinds import is_artwork, is_balloon
 from BalloonWorkbench.app.document.parts import Parts, parts_of
-from BalloonWorkbench.app.engine import advice as coach
+from BalloonWorkbench.app.engine import advice
 from BalloonWorkbench.app.engine import export as writer
 from BalloonWorkbench.app.engine import repairs
 from BalloonWorkbench.app.properties import values
@@ -92,13 +92,13 @@ def inflate(made: Parts) -> None:
 
 @_bordered
 def findings(made: Parts) -> list:
-    """What the coach says about a balloon, the worst first: rule, severity, text, place and repair."""
-    return coach.findings(made)
+    """The findings about a balloon, the worst first: rule, severity, text, place and repair."""
+    return advice.findings(made)
 
 
 @_bordered
 def repair(made: Parts, rule: str, near=(0.0, 0.0)) -> None:
-    """Take the coach's repair of a finding: the one of this rule whose place is nearest to `near` [mm].
+    """Take the repair of a finding: the one of this rule whose place is nearest to `near` [mm].
 
     Raises InputError when there is none.
     """
@@ -106,7 +106,7 @@ def repair(made: Parts, rule: str, near=(0.0, 0.0)) -> None:
 
     if _done:
         return
-    repairable = [each for each in coach.findings(made) if each.rule == rule and each.repair is not None]
+    repairable = [each for each in advice.findings(made) if each.rule == rule and each.repair is not None]
     if not repairable:
         raise InputError(f'There is no "{rule}" to repair in {made.balloon.Label}: see its advice.')
     x, y = near

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The coach in a document: its findings about a balloon."""
+"""Advice in a document: the findings about a balloon."""
 
 from __future__ import annotations
 

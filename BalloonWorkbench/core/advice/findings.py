@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the coach says: findings with a place, a sentence, a severity and perhaps a repair."""
+"""Advice: findings with a place, a sentence, a severity and perhaps a repair."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ class Repair:
 
 @dataclass(frozen=True)
 class Finding:
-    """One remark of the coach.
+    """One piece of advice.
 
     rule      its name in resources/advice/rules.json
     place     (x, y) m, in the drawing
@@ -87,7 +87,7 @@ class ThicknessMap:
 
 @dataclass(frozen=True)
 class Advice:
-    """Everything the coach has to say about a shape.
+    """All findings about a shape.
 
     relative_volume  V / A^1.5 relative to a disc's, A the area of one panel: 1 is as round as film can be
     findings   the worst first

@@ -14,7 +14,7 @@ from BalloonWorkbench.gui.commands.command import (
 
 
 class AdviceCommand(PatternCommand):
-    """Opens the panel of the coach on the selected balloon."""
+    """Opens the panel of advice on the selected balloon."""
 
     drawing = "advice"
     menu_text = QT_TRANSLATE_NOOP("BalloonWorkbench_Advice", "Advice")

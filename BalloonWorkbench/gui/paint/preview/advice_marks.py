@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the coach says about a painting, in the painting's own pixels and words."""
+"""Findings about a painting, in the painting's own pixels and words."""
 
 from __future__ import annotations
 

@@ -66,7 +66,7 @@ class PreviewState:
     contours  of the pattern: role and points (k, 2) mm
     size      width, height and thickness of the largest balloon, mm; volume in m3
     fitted    the balloon is the document's own, not that of a quick preview
-    remarks   of the coach; none before the full design is over
+    remarks   of the advice; none before the full design is over
     solved    what the document takes over, at the end of a full design. It belongs to `file`
     traced    the loops (k, 2) that were seen by a quick preview, in parts of the picture
     width     that was asked for, mm

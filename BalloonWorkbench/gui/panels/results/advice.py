@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The panel of the coach: what it has found about a balloon, where, and a button that mends it.
+"""The panel of advice: the findings about a balloon, where, and a button that mends it.
 
 Choosing a finding marks its place in the 3D view. Each repair is one undo step of its own.
 """
@@ -93,7 +93,7 @@ class AdvicePanel(TaskPanel):
     # the work
 
     def refresh(self):
-        """Ask the coach again."""
+        """Look for findings again."""
         if not self.is_open:
             return
         self.overlay.clear()
