@@ -19,9 +19,8 @@ from BalloonWorkbench.app import balloon
 from BalloonWorkbench.app.document import create
 from BalloonWorkbench.app.document.kinds import is_artwork, is_balloon
 from BalloonWorkbench.app.document.parts import Parts, parts_of
-from BalloonWorkbench.app.engine import advice
+from BalloonWorkbench.app.engine import advice, repairs
 from BalloonWorkbench.app.engine import export as writer
-from BalloonWorkbench.app.engine import repairs
 from BalloonWorkbench.app.properties import values
 from BalloonWorkbench.core import faults
 from BalloonWorkbench.core.errors import BalloonError, InputError
