@@ -18,7 +18,7 @@ _LEFT_OUT = (
     "core.errors",
     "core.types",
     "core.packages",
-    "core.recent",
+    "core.memoize",
     "core.pages.fonts",
 )
 
@@ -58,7 +58,7 @@ class Engine:
         for own, value in list(vars(module).items()):
             if getattr(value, "__module__", "") != module.__name__:
                 continue
-            if inspect.isfunction(value) or hasattr(value, "cache_clear"):
+            if inspect.isfunction(value) or hasattr(value, "cache_clear") or hasattr(value, "knows"):
                 wrapped = self._wrapped(f"{name}.{own}", value)
                 for user in ours:
                     for known in [known for known, held in vars(user).items() if held is value]:
@@ -83,7 +83,7 @@ class Engine:
                     raise self._error("put in by a test")
             return function(*given, **named)
 
-        for name in ("cache_clear", "cache_info"):
+        for name in ("cache_clear", "cache_info", "knows"):
             if hasattr(function, name):
                 setattr(call, name, getattr(function, name))
         return call

@@ -254,8 +254,8 @@ FIRST = {
     assembly: "core.assembly_sheet.page.assembly_pdf",
     advice: "core.advice.advise.advise",
     recompute: "core.report.build",
-    colours: "core.solver.film_state.film_state",
-    animation: "core.solver.animation.inflate_in_time",
+    colours: "core.results.film_state.film_state",
+    animation: "core.solver.dynamics.animation.inflate_in_time",
 }
 
 
