@@ -8,7 +8,7 @@ trap 'rm -rf "$scratch"' EXIT
 mkdir -p build/coverage "$scratch/core" "$scratch/app"
 export COVERAGE_FILE=$PWD/build/coverage/data
 .venv/bin/python -m coverage erase
-FREECAD_USER_HOME=$scratch/core .venv/bin/python -m coverage run --parallel-mode -m pytest -q tests/core || exit 1
+FREECAD_USER_HOME=$scratch/core .venv/bin/python -m coverage run --parallel-mode -m pytest -q tests/core tests/cli || exit 1
 # FreeCAD is started from outside: its own process measures itself, see tests/freecad_pytest.py
 BALLOON_COVERAGE=1 timeout --kill-after=30 2400 \
     tools/in-freecad.sh "$scratch/app" freecadcmd tests/freecad_pytest.py || exit 1
