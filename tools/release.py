@@ -42,7 +42,7 @@ PARTS = (
 PARTS_LIST = "parts.cdx.json"
 SUMS = "SHA256SUMS"
 WHEEL_LIST = ROOT / "resources" / "native-wheels.json"
-_LOADER = ROOT / "BalloonWorkbench" / "core" / "solver" / "native.py"
+_LOADER = ROOT / "BalloonWorkbench" / "core" / "solver" / "native" / "load.py"
 _LICENCES = ("LICENSE", "LICENSE-THIRD-PARTY")
 
 
