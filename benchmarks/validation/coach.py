@@ -60,6 +60,7 @@ class _Study:
     scores: dict[str, Score] = field(default_factory=new_scores)
     relative_volume: list[float] = field(default_factory=list)
     thickest: list[float] = field(default_factory=list)
+    warps: list[float] = field(default_factory=list)
     refused: int = 0
 
     def cases(self, fitted: bool) -> Iterator[tuple[Flawed, Truth, Advice]]:
@@ -73,6 +74,7 @@ class _Study:
                 continue
             self.relative_volume.append(advice.relative_volume / truth.relative_volume())
             self.thickest.append(float(advice.map.thickness.max() / truth.thick.max()))
+            self.warps += [one.measured / truth.warp for one in advice.findings if one.rule == "warping_ring"]
             yield case, truth, advice
 
 
@@ -86,14 +88,15 @@ def coach(images: Path) -> Section:
         pass
     text = paragraphs(
         f"""{SHAPES} generated outlines of 0.3 m ({", ".join(KINDS)}, in equal parts), film "mylar" at
-        {PRESSURE / 1e3:g} kPa, each its own pattern. The coach inflates it once, coarsely; the simulation has
+        {PRESSURE / 1e3:g} kPa, each its own pattern. The coach inflates it once, coarsely, and
+        with holes once more as two panels; the simulation has
         about {VERTICES} vertices. Whether a finding is true is measured on the inflated mesh at the
         finding's place, by code of its own (`tests/core/coach_study.py`). Recall counts the places where
         the generator drew such a part, or for notches all places of the outer rim, and the simulation shows
         the flaw. {drawn.refused} outlines were refused.
 
         Predicted over simulated: relative volume {_spread(drawn.relative_volume)}, greatest thickness
-        {_spread(drawn.thickest)}."""
+        {_spread(drawn.thickest)}, height of rings that warp {_spread(drawn.warps)}."""
     )
     text += "\n" + table(
         ("rule", "true when", "findings", "precision", "places", "recall"),
@@ -103,7 +106,7 @@ def coach(images: Path) -> Section:
         f"""{FITTED} of them once more, with the pattern corrected until the balloon looks like the outline.
         The one constant of the coach, by how much that tightens notches, comes from these.
         Predicted over simulated: relative volume {_spread(fitted.relative_volume)}, greatest thickness
-        {_spread(fitted.thickest)}."""
+        {_spread(fitted.thickest)}, height of rings that warp {_spread(fitted.warps)}."""
     )
     text += "\n" + table(
         ("rule", "findings", "precision", "places", "recall"),

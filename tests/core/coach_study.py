@@ -17,7 +17,8 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 import numpy as np
 import shapely
@@ -111,10 +112,18 @@ class Truth:
             yield rim[best]
             left &= np.linalg.norm(rim - rim[best], axis=1) > self.size / 12.0
 
+    @cached_property
     def warp(self) -> float:
-        """Height of the seam of both panels, simulated from a twisted start, relative to the size."""
-        both = inflate(self.panel, FILM, PRESSURE, model=Model(two_panels=True, twist=TWIST))
-        return float(np.ptp(both.positions[np.concatenate(self.panel.loops), 2]) / self.size)
+        """Height of the seam of both panels, started as one saddle or the other, relative to the size.
+
+        Of two states at rest that with more air is the one with less energy.
+        """
+        rest, rim = self.panel.rest_positions, np.concatenate(self.panel.loops)
+        turned = replace(self.panel, rest_positions=rest @ np.array([[1.0, 1.0], [-1.0, 1.0]]) / np.sqrt(2.0))
+        model = Model(two_panels=True, twist=TWIST)
+        both = [inflate(panel, FILM, PRESSURE, model=model) for panel in (self.panel, turned)]
+        rounder = max(both, key=lambda one: one.volume)
+        return float(np.ptp(rounder.positions[rim, 2]) / self.size)
 
     def relative_volume(self) -> float:
         """V / A^1.5 relative to a disc's."""
@@ -145,7 +154,7 @@ class Truth:
             "choked_neck": lambda: self.tube(where) < 1.5 * INTAKE_WIDTH,
             "flat_tip": lambda: self.flat_length(where) > 0.07,
             "notch": lambda: self.peak(where) >= 3.0,
-            "warping_ring": lambda: self.warp() > 0.08,
+            "warping_ring": lambda: self.warp > 0.08,
             "flat_shape": lambda: self.relative_volume() < 0.4,
             "hidden_intake": lambda: self.entered() < 0.5,
             "delicate_intake": lambda: self.thickest_near(where) < 0.3,

@@ -2,7 +2,8 @@
 """Advice on a shape: before its design, or on the balloon that was simulated.
 
 The rules ask a gauge how thick and tight the balloon is where: in one coarse inflation of the first pattern,
-or in the finished balloon; the rules are the same.
+or in the finished balloon; the rules are the same. Whether a balloon with holes stays in its plane shows a
+coarse inflation of both its panels.
 """
 
 from __future__ import annotations
@@ -13,11 +14,11 @@ from BalloonWorkbench.core.advice import shape_rules, thin_rules
 from BalloonWorkbench.core.advice.findings import Advice, Finding
 from BalloonWorkbench.core.advice.gauge import Gauge
 from BalloonWorkbench.core.advice.subject import Subject
+from BalloonWorkbench.core.advice.warp import PRESSURE
 from BalloonWorkbench.core.checkpoint import checkpoint
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.design.draft import inflate_drawing
 from BalloonWorkbench.core.film.film import Film
-from BalloonWorkbench.core.geometry.triangulation import signed_areas
 from BalloonWorkbench.core.memoize import memoized
 from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.mesh.triangulate import triangulate
@@ -28,7 +29,6 @@ from BalloonWorkbench.core.pattern.fairing import faired_seam
 from BalloonWorkbench.core.solver.inflation import Inflation
 
 _USUAL = PatternOptions()
-_PRESSURE = 2000.0  # Pa; the shape hardly depends on it
 #: Tension round a notch with the corrected pattern over that with the first one, whose notches are rounder:
 #: the middle of 103 notches of the validation study is 1.29; with 1.2 its hints are right most often.
 CORRECTED_PEAKS = 1.2
@@ -57,16 +57,16 @@ def advise(outline: Outline, film: Film, *, fitted: bool = True, options: Patter
     outline = check(outline)
     panel = triangulate(outline, size_for(outline, _VERTICES))
     checkpoint()
-    look = inflate_drawing(outline, panel, film, _PRESSURE, corrected=fitted)
+    look = inflate_drawing(outline, panel, film, PRESSURE, corrected=fitted)
     tighter = CORRECTED_PEAKS if fitted else 1.0
-    gauge = Gauge(look.inflation, panel.rest_positions, look.pattern.area, tighter)
+    gauge = Gauge(look.inflation, panel.rest_positions, look.pattern, tighter)
     return _advice(Subject(outline, film, gauge, fitted, outline, options), inflated=False)
 
 
 def advise_design(design: Design, film: Film, *, options: PatternOptions = _USUAL) -> Advice:
     """Advice from a finished design, in the frame of its drawing; arguments as for `advise`."""
     fitted = design.passes > 0
-    gauge = _measured(design.inflation, fitted)
+    gauge = _measured(design.inflation, design.pattern, fitted)
     subject = Subject(design.target, film, gauge, fitted, faired_seam(design.pattern), options)
     return _advice(subject, inflated=True)
 
@@ -76,15 +76,15 @@ def intake_findings(
     outline: Outline, film: Film, inflation: Inflation, seam: Outline, fitted: bool, options: PatternOptions
 ) -> list[Finding]:
     """What there is to say about the intake of a finished balloon alone; seam: of its pattern."""
-    gauge = _measured(inflation, fitted)
+    gauge = _measured(inflation, seam, fitted)
     return list(shape_rules.intake(Subject(outline, film, gauge, fitted, faired_seam(seam), options)))
 
 
-def _measured(inflation: Inflation, fitted: bool) -> Gauge:
+def _measured(inflation: Inflation, pattern: Outline, fitted: bool) -> Gauge:
     """Of a finished balloon. fitted: it lies on its drawing; else its flat film does."""
     panel = inflation.panel
     drawn = inflation.positions[:, :2] if fitted else panel.rest_positions
-    return Gauge(inflation, drawn, float(signed_areas(panel.rest_positions, panel.triangles).sum()))
+    return Gauge(inflation, drawn, pattern)
 
 
 def _advice(subject: Subject, inflated: bool) -> Advice:

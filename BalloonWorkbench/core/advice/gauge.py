@@ -9,6 +9,7 @@ from BalloonWorkbench.core.advice.findings import ThicknessMap
 from BalloonWorkbench.core.geometry.nearest import locate
 from BalloonWorkbench.core.geometry.polyline import arc_lengths, point_at
 from BalloonWorkbench.core.geometry.triangulation import Located, signed_areas
+from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.types import Bools, Floats
 
@@ -22,13 +23,14 @@ class Gauge:
     """What the rules ask about a balloon; places are those of its drawing [m].
 
     drawn      where the vertices (n, 2) of the inflation's panel lie in the drawing
-    film_area  of one panel as it is cut [m2]
+    pattern    the seam of its panels as they are cut
     tighter    by how much the notches of the finished balloon will be tighter than those of this one
     """
 
-    def __init__(self, inflation: Inflation, drawn: Floats, film_area: float, tighter: float = 1.0) -> None:
+    def __init__(self, inflation: Inflation, drawn: Floats, pattern: Outline, tighter: float = 1.0) -> None:
         panel = inflation.panel
-        self.relative_volume = inflation.volume / film_area**1.5 / DISC
+        self.relative_volume = inflation.volume / pattern.area**1.5 / DISC
+        self.pattern = pattern
         self.map = ThicknessMap(drawn, panel.triangles, 2.0 * inflation.positions[:, 2])
         self._positions = inflation.positions
         rim = panel.loops[0]

@@ -13,11 +13,11 @@ from BalloonWorkbench.core.advice.findings import Finding, Repair, RepairKind
 from BalloonWorkbench.core.advice.places import NOTCH_REACH, bodies, notches, whole
 from BalloonWorkbench.core.advice.rules import rules
 from BalloonWorkbench.core.advice.subject import Subject
+from BalloonWorkbench.core.advice.warp import seam_height
 from BalloonWorkbench.core.geometry.polyline import signed_area
 from BalloonWorkbench.core.geometry.vectors import direction
 from BalloonWorkbench.core.options.pattern import FARTHEST, LOW
 from BalloonWorkbench.core.outline.chambers import chambers
-from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import length_text, number_text, percent_text
@@ -53,20 +53,21 @@ def sharp_notches(subject: Subject) -> Iterator[Finding]:
 
 
 def rings(subject: Subject) -> Iterator[Finding]:
-    """Holes round which the balloon warps; spots keep their film, and with it their shape."""
-    for hole in subject.outline.holes:
-        warp = predicted_warp(subject.outline, hole)
-        finding = subject.finding(
-            "warping_ring", warp, hole.mean(axis=0), (hole,), None, length=length_text(warp * subject.size, 2)
-        )
-        if finding is not None:
-            yield finding
-
-
-def predicted_warp(outline: Outline, hole: Floats) -> float:
-    """Height by which the seam leaves its plane, relative to the size."""
-    radius = np.sqrt(-signed_area(hole) / np.pi)
-    return float(0.25 - 0.15 * 2.0 * radius / max(outline.size))
+    """A balloon with holes that warps; spots keep their film, and with it their shape."""
+    if not subject.outline.holes:
+        return
+    hole = min(subject.outline.holes, key=signed_area)  # the largest: they run clockwise
+    height = seam_height(subject.gauge.pattern, subject.film)
+    finding = subject.finding(
+        "warping_ring",
+        height / subject.size,
+        hole.mean(axis=0),
+        (hole,),
+        None,
+        length=length_text(height, 1),
+    )
+    if finding is not None:
+        yield finding
 
 
 def roundness(subject: Subject) -> Iterator[Finding]:

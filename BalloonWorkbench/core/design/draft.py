@@ -61,7 +61,7 @@ def draft(
     what triangulate and inflate raise.
     """
     check_area(outline)
-    return inflate_drawing(outline, _meshed(outline, vertices), film, pressure, progress, corrected)
+    return inflate_drawing(outline, rough_panel(outline, vertices), film, pressure, progress, corrected)
 
 
 def inflate_drawing(
@@ -95,7 +95,8 @@ def inflate_drawing(
     )
 
 
-def _meshed(outline: Outline, vertices: int) -> Panel:
+def rough_panel(outline: Outline, vertices: int) -> Panel:
+    """A mesh with about so many vertices, of the outline as roughly as these can follow it."""
     edge = float(np.sqrt(outline.area / (0.87 * vertices)))
     rough = outline.with_loops([simplify(loop, _ROUGHNESS * edge) for loop in outline.loops], outline.welds)
     try:

@@ -30,7 +30,7 @@ SOFTENING = (16.0, 4.0, 1.0)
 def start_of(split: SplitFilm, problem: FilmProblem, start: Inflation | Floats | None, twist: float) -> Start:
     """From an earlier balloon or from places (n, 3) [m] of the vertices; its own shape where neither fits.
 
-    twist  how far two panels start from one plane
+    twist  how far two panels start from one plane, as a saddle
     """
     assembly, panel = split.assembly, split.assembly.panels[0]
     in_plane = assembly.mirror or assembly.is_pair
@@ -69,7 +69,8 @@ def _of_half(
     assert split.tied is not None
     positions, directors = (np.concatenate([part, part * MIRROR]) for part in (half, directors))
     x, y = (positions - positions.mean(axis=0))[:, :2].T
-    positions[:, 2] += twist * x * y
+    # a saddle along no axis: one along an axis of symmetry of the outline may never leave it
+    positions[:, 2] += twist * (x * y + 0.5 * (x**2 - y**2)) / np.sqrt(2.0)
     return Start(positions[split.tied], directors, levels)  # an earlier seam is not quite in the plane
 
 

@@ -3,10 +3,33 @@
 
 from __future__ import annotations
 
-from coach_study import compared, new_scores
-from drawn_flaws import KINDS, flawed
+import numpy as np
+import pytest
+from coach_study import FILM, Truth, compared, new_scores
+from drawn_flaws import KINDS, Flawed, flawed
+from drawn_shapes import corners_of, hole, oriented, polar
+
+from BalloonWorkbench.core.advice.advise import advise
+from BalloonWorkbench.core.outline.outline import Outline
 
 SHAPES = 3 * len(KINDS)
+
+
+def square(half: float) -> Outline:
+    return corners_of((-half, -half), (half, -half), (half, half), (-half, half))
+
+
+DISC, FLATTER = polar(0.15), polar(0.15) * [1.0, 0.6]
+RINGS = {
+    "small hole in the middle": Outline(DISC, (hole(0.0075, 0.0, 0.0),)),
+    "small hole off the middle": Outline(DISC, (hole(0.0125, -0.03, 0.045),)),
+    "ring": Outline(DISC, (hole(0.06, 0.0, 0.0),)),
+    "hole off the middle": Outline(DISC, (hole(0.06, 0.045, 0.0),)),
+    "narrow ring": Outline(DISC, (hole(0.135, 0.0, 0.0),)),
+    "narrow ellipse": Outline(FLATTER, (hole(0.12, 0.0, 0.0) * [1.0, 0.6],)),
+    "two holes": Outline(FLATTER, (hole(0.03, 0.075, 0.0), hole(0.03, -0.075, 0.0))),
+    "square ring": Outline(square(0.15).outer, (oriented(square(0.075).outer, False),)),
+}
 
 
 def test_findings_hold_in_the_simulation() -> None:
@@ -25,3 +48,21 @@ def test_findings_hold_in_the_simulation() -> None:
     assert found / (found + missed) > 0.8, stray
     for rule, score in scores.items():
         assert score.precision > 0.75, (rule, score.stray)
+
+
+@pytest.mark.parametrize("name", RINGS)
+def test_a_ring_warps_as_its_simulation_does(name: str) -> None:
+    """Neither the hole's size nor the ring's width alone tells; the height is right within a factor 1.5."""
+    ring = RINGS[name]
+    said = [one for one in advise(ring, FILM, fitted=False).findings if one.rule == "warping_ring"]
+    warp = Truth(Flawed(ring)).warp
+    assert len(said) == (warp > 0.08), warp
+    for finding in said:
+        assert 1.0 / 1.5 < finding.measured / warp < 1.5, warp
+
+
+def test_an_open_ring_is_not_said_to_warp() -> None:
+    turn = np.radians(np.linspace(20.0, 340.0, 161))
+    middle = np.column_stack([np.cos(turn), np.sin(turn)])
+    open_ring = Outline(oriented(np.concatenate([0.15 * middle, 0.12 * middle[::-1]])))
+    assert not [one for one in advise(open_ring, FILM).findings if one.rule == "warping_ring"]

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from drawn_shapes import oriented, polar
 from inflated import lifted
 from solver_cases import PRESSURE, film, panel
 
@@ -204,3 +205,17 @@ def test_two_panels_start_from_a_balloon_that_lies_aslant(square) -> None:
     seam = square.loops[0]
     np.testing.assert_allclose(again.lower[seam], again.positions[seam], atol=1e-12)
     assert again.volume == pytest.approx(both.volume, rel=1e-3)
+
+
+def test_a_ring_warps_however_it_lies() -> None:
+    """A start along an axis of symmetry of the outline would not leave it: half of the height then."""
+    ellipse = polar(0.15) * [1.0, 0.6]
+    ring = triangulate(Outline(ellipse, (oriented(0.8 * ellipse, False),)), 0.009)
+    heights = []
+    for degrees in (0.0, 45.0):
+        cos, sin = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
+        turned = replace(ring, rest_positions=ring.rest_positions @ np.array([[cos, sin], [-sin, cos]]))
+        both = inflate(turned, library_film("mylar"), 2000.0, model=Model(two_panels=True, twist=0.3))
+        heights.append(np.ptp(both.positions[np.concatenate(ring.loops), 2]) / 0.3)
+    assert heights[0] == pytest.approx(heights[1], rel=0.1)
+    assert min(heights) > 0.07
