@@ -52,8 +52,8 @@ class Worker(QtCore.QThread):
     work   seconds of the processor that it took in its own thread
     title  of the work for the status bar, where it can be stopped; without one it is not shown there
 
-    The thread leaves Qt alone, and the window looks at what it has told: PySide 2 finds the sender of a signal
-    unprotected, and the program may end when that is in another thread than the window's.
+    The thread leaves Qt alone, and the window looks at what it has told: PySide 2 looks up the sender of a
+    signal unprotected, and the program may end when that is in another thread than the window's.
     """
 
     progressed = QtCore.Signal(float, str)

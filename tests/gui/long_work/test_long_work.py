@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Long work: the status bar shows it and stops it, the window answers, the document stays as it was."""
 
+import gc
+import sys
 import threading
 import time
 
@@ -106,3 +108,48 @@ def test_work_runs_beside_the_window_and_its_error_comes_back(doc):
     with pytest.raises(Cancelled):
         hooks.run_blocking("Testing", endless)
     assert not timer.isActive()
+
+
+class Watched:
+    """What a worker is asked: it sees which functions of Qt are called in the worker's thread after it."""
+
+    def __init__(self):
+        self.calls = []
+
+    def solve(self, progress):
+        sys.setprofile(self._watch)
+        return progress(0.5, "half")
+
+    def _watch(self, _frame, event, called):
+        own = type(getattr(called, "__self__", None)).__module__
+        if event == "c_call" and own.startswith(("PySide", "Shiboken")):
+            self.calls.append(called.__name__)
+
+
+def test_a_workers_thread_leaves_qt_alone(doc):
+    """What it tells comes in its order, in the window's thread."""
+    asked, told = Watched(), []
+    worker = Worker(asked, title="Testing")
+    main = threading.main_thread()
+    worker.progressed.connect(lambda *given: told.append((given, threading.current_thread() is main)))
+    worker.ended.connect(lambda: told.append((worker.design, threading.current_thread() is main)))
+    worker.start()
+    hands.wait_until(lambda: len(told) == 2)
+    assert told == [((0.5, "half"), True), (True, True)]
+    assert asked.calls == []
+    assert worker.finished is None, "Qt sends that in the worker's thread"
+    assert gc.isenabled()
+
+
+def test_who_abandons_a_worker_hears_nothing_of_it(doc):
+    told = []
+    worker = Worker(Watched(), title="Testing")
+    for signal in (worker.progressed, worker.ended):
+        signal.connect(lambda *_given: told.append(1))
+    worker.start()
+    assert not gc.isenabled()  # what it finds in another thread may be widgets
+    worker.abandon()
+    hands.wait(0.1)
+    assert told == []
+    assert gc.isenabled()
+    assert shown() is None
