@@ -70,7 +70,7 @@ class Worker(QtCore.QThread):
         self.error: BalloonError | None = None
         self.work = 0.0
         self._stop = False
-        self._told: deque[tuple[str, tuple]] = deque()  # signals and what they carry
+        self._messages: deque[tuple[str, tuple]] = deque()  # signals and what they carry
         self._watch = QtCore.QTimer(self)
         self._watch.timeout.connect(self._look)
         self._title = title
@@ -115,17 +115,17 @@ class Worker(QtCore.QThread):
 
     def show_before(self, state) -> None:
         """What a request has to show before its end; in the worker's thread."""
-        self._told.append(("before", (state,)))
+        self._messages.append(("before", (state,)))
 
     def _report(self, fraction: float, text: str) -> bool:
-        self._told.append(("progressed", (fraction, text)))
+        self._messages.append(("progressed", (fraction, text)))
         return not self._stop
 
     def _look(self) -> None:
         is_over = self.isFinished()  # before the rest is read: nothing is left behind
-        while self._told:
-            signal, given = self._told.popleft()
-            getattr(self, signal).emit(*given)
+        while self._messages:
+            signal, values = self._messages.popleft()
+            getattr(self, signal).emit(*values)
         if is_over and self._end():
             self.ended.emit()
 
@@ -134,7 +134,7 @@ class Worker(QtCore.QThread):
         if not self._watch.isActive():
             return False
         self._watch.stop()
-        self._told.clear()
+        self._messages.clear()
         if self.status is not None:
             self.status.close()
         _sharing.end(self)
