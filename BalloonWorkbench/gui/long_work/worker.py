@@ -53,13 +53,13 @@ class Worker(QtCore.QThread):
     title  of the work for the status bar, where it can be stopped; without one it is not shown there
 
     The thread leaves Qt alone, and the window looks at what it has told: PySide 2 looks up the sender of a
-    signal unprotected, and the program may end when that is in another thread than the window's.
+    signal unprotected, and the program may end when that is in another thread than the window's. So Qt's own
+    `finished`, which comes from there, is nothing to listen to.
     """
 
     progressed = QtCore.Signal(float, str)
     before = QtCore.Signal(object)
     ended = QtCore.Signal()
-    finished = None  # Qt sends it in the worker's thread
 
     def __init__(self, request, parent=None, title: str = ""):
         super().__init__(parent)

@@ -2,9 +2,11 @@
 """Long work: the status bar shows it and stops it, the window answers, the document stays as it was."""
 
 import gc
+import re
 import sys
 import threading
 import time
+from pathlib import Path
 
 import FreeCADGui as Gui
 import hands
@@ -13,7 +15,10 @@ from heartbeat import Heartbeat
 
 from BalloonWorkbench.app.border import hooks, status
 from BalloonWorkbench.core.errors import Cancelled, MeshError
+from BalloonWorkbench.gui.long_work import worker as worker_module
 from BalloonWorkbench.gui.long_work.worker import Worker
+
+OURS = Path(worker_module.__file__).parents[1]
 
 
 def shown():
@@ -137,8 +142,13 @@ def test_a_workers_thread_leaves_qt_alone(doc):
     hands.wait_until(lambda: len(told) == 2)
     assert told == [((0.5, "half"), True), (True, True)]
     assert asked.calls == []
-    assert worker.finished is None, "Qt sends that in the worker's thread"
     assert gc.isenabled()
+
+
+def test_nobody_listens_to_a_workers_thread():
+    lines = [line for path in OURS.rglob("*.py") for line in path.read_text(encoding="utf-8").splitlines()]
+    assert [line for line in lines if "orker.ended.connect" in line]
+    assert not [line for line in lines if re.search(r"orker\.(finished|started)\b", line)]
 
 
 def test_who_abandons_a_worker_hears_nothing_of_it(doc):
