@@ -1,13 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # test.sh STEP...   steps: lint core app gui; engine: the part of core that other versions are tried with;
-# gui: what tests/gui/unsteady.txt lists is tried twice; users: plays users on screens of SCREENS with THEMES, and
-# leaves their pictures in build/users
+# users: plays users on screens of SCREENS with THEMES, and leaves their pictures in build/users
 # Runs every step, also after one has failed. Each leaves build/logs/STEP.log, with SUITE after its name if set.
 set -uo pipefail
 cd "$(dirname "$(realpath "$0")")/.." || exit 1
 logs=build/logs
-unsteady=tests/gui/unsteady.txt
 mkdir -p "$logs"
 scratch=$(mktemp -d)
 trap 'jobs -p | xargs -r kill 2>/dev/null; rm -rf "$scratch"' EXIT
@@ -42,19 +40,7 @@ app() {
 }
 
 gui() {
-    tools/in-window.sh "$scratch/gui" tests/freecad_pytest.py && return
-    # a busy machine can spoil a few tests with a window: those that are known are tried once more, by themselves
-    sleep 1
-    local failed
-    mapfile -t failed < <(grep -aoE '^(FAILED|ERROR) tests/[^ ]+' "$log" | cut -d' ' -f2 | sort -u)
-    [ ${#failed[@]} -gt 0 ] || return 1
-    echo "== $(grep -c '^tests/' "$unsteady") tests are known as unsteady: see $unsteady"
-    if printf '%s\n' "${failed[@]}" | grep -vxF -f <(grep '^tests/' "$unsteady"); then
-        echo "== red at once: the tests above are not among them"
-        return 1
-    fi
-    echo "== once more, by themselves: ${failed[*]}"
-    BALLOON_TESTS="${failed[*]}" tools/in-window.sh "$scratch/gui" tests/freecad_pytest.py
+    tools/in-window.sh "$scratch/gui" tests/freecad_pytest.py
 }
 
 users() {

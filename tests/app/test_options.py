@@ -41,7 +41,8 @@ made = BalloonWorkbench.from_sketch(doc, sketches.rectangle(doc, 120, 80), mode=
 held, told = made.pattern, pattern.values(made.pattern)
 print("held:", held.Sparkle.Value, held.Glow, held.getGroupOfProperty("Sparkle"), told.sparkle, told.glow)
 BalloonWorkbench.change(made, sparkle=5)
-print("held:", round(pattern.values(held).sparkle, 9), "Sparkle" in preferences.items())
+print("held:", round(pattern.values(held).sparkle, 9), "Sparkle" in preferences.items(), flush=True)
+FreeCAD.closeDocument(doc.Name)  # FreeCAD 1.1 crashes when it closes a mesh at its own end
 """
 
 

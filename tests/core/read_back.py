@@ -40,6 +40,13 @@ def run(*command: str | Path, **values: str) -> str:
     return done.stdout + done.stderr
 
 
+def pages_of(file: Path) -> tuple[int, np.ndarray]:
+    """How many pages a PDF has, and width and height of the first [mm], by poppler."""
+    told = run("pdfinfo", file)
+    size = re.search(r"Page size:\s+([\d.]+) x ([\d.]+) pts", told)
+    return int(re.search(r"Pages:\s+(\d+)", told)[1]), POINT * np.array(size.groups(), dtype=float)
+
+
 def wanted(pattern: Pattern, made_for: Machine) -> Lines:
     """The contours in mm with their layer, moved as the drawing is: straight from the pattern's points."""
     roles = [role for role in Role if role in made_for.layers]

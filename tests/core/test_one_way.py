@@ -6,10 +6,12 @@ from __future__ import annotations
 from pathlib import Path
 
 from counting import counted
+from drawn_shapes import NAMED
 
 from BalloonWorkbench.cli import command_line
 from BalloonWorkbench.core.design.size_goal import SizeGoal
 from BalloonWorkbench.core.job import Settings, files, make_balloon
+from BalloonWorkbench.core.pattern import build
 from BalloonWorkbench.core.pattern.make import make_pattern
 from BalloonWorkbench.core.rounded import rounded_outline
 from BalloonWorkbench.core.units import from_mm, to_mm
@@ -37,3 +39,10 @@ def test_a_command_does_everything_once(tmp_path: Path) -> None:
     with counted() as done:
         assert command_line.main(["inflate", str(PICTURE), *options, str(tmp_path)]) == 0
     assert done == ONCE
+
+
+def test_quick_patterns_are_not_counted_however_they_are_asked_for() -> None:
+    with counted() as done:
+        for given, named in (((None, False), {}), ((), {"fair": False}), ((), {}), ((None, True), {})):
+            build.build_pattern(NAMED["disc"], 0.005, *given, **named)
+    assert done == {"pattern": 2}

@@ -63,7 +63,7 @@ def from_sketch(document):
 
 
 def look():
-    seen["start ms"] = startup.milliseconds()
+    seen["rooms"], seen["packages"] = map(sorted, startup.imported())
     hide(*HEAVY)
     from BalloonWorkbench.core.errors import BalloonError
     from BalloonWorkbench.core.solver.native import load

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The workbench is active, each test has its own document, and no dialog may stand in front of the window."""
 
+import importlib
+import pkgutil
 import shutil
 import sys
 from pathlib import Path
@@ -16,6 +18,7 @@ sys.path += [
 import hands
 import sketches
 
+from BalloonWorkbench import app, gui
 from BalloonWorkbench.app.document import create
 from BalloonWorkbench.core import faults, memoize
 from BalloonWorkbench.gui.window import file_dialogs
@@ -139,6 +142,10 @@ def no_dialog():
 
 
 def _warm_up():
+    """Every module is loaded: none takes over what a test has put in another one's place."""
+    for package in (app, gui):
+        for module in pkgutil.walk_packages(package.__path__, f"{package.__name__}."):
+            importlib.import_module(module.name)
     hands.QtWidgets.QApplication.setEffectEnabled(hands.QtCore.Qt.UI_AnimateCombo, False)
 
 

@@ -22,8 +22,6 @@ _USER_INPUT = frozenset(
     )
 )
 
-_LOOK = 200  # ms
-
 
 class _Job:
     """A function of a progress callback, as a worker wants it; its answer may be None."""
@@ -54,10 +52,7 @@ def run_blocking(title: str, job):
     application = QtWidgets.QApplication.instance()
     worker = Worker(_Job(job), title=title)
     loop = QtCore.QEventLoop()
-    worker.finished.connect(loop.quit)
-    watch = QtCore.QTimer()  # a signal that is lost must not leave the window waiting
-    watch.timeout.connect(lambda: loop.quit() if worker.isFinished() else None)
-    watch.start(_LOOK)
+    worker.ended.connect(loop.quit)
     worker.start()
     guard = _Guard()
     application.installEventFilter(guard)
@@ -65,7 +60,6 @@ def run_blocking(title: str, job):
     try:
         (loop.exec if hasattr(loop, "exec") else loop.exec_)()
     finally:
-        watch.stop()
         application.removeEventFilter(guard)
         worker.wait()
     if worker.error is not None:

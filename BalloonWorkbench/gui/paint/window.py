@@ -131,7 +131,7 @@ class PaintWindow(PaintDock):
         """Close for good."""
         self.watch.remove()
         self.leave()
-        self.pictures.wait()
+        self.pictures.stop()
         super().finish()
         if self in _open:
             _open.remove(self)

@@ -86,15 +86,14 @@ def _fetch(wheel) -> None:
         _Fetch(wheel), QtWidgets.QApplication.instance(), title=translate("Fetching the native solver")
     )
     QtWidgets.QApplication.instance().aboutToQuit.connect(_stop)
-    _worker.finished.connect(_fetched)
+    _worker.ended.connect(_fetched)
     _worker.start()
 
 
 def _stop() -> None:
     """FreeCAD ends: a thread that still runs would end it with an error."""
     if _worker is not None:
-        _worker.stop()
-        _worker.wait()
+        _worker.abandon()
 
 
 def _fetched() -> None:

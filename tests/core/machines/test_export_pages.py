@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 import shapely
 from drawn_shapes import NAMED
-from read_back import NEAR, POINT, apart, compare, page_lines, run, wanted
+from read_back import NEAR, apart, compare, page_lines, pages_of, run, wanted
 
 from BalloonWorkbench.core.machines.machine import machine
 from BalloonWorkbench.core.machines.machine_file import drawing_file, machine_file
@@ -24,12 +24,6 @@ SMALL = build_pattern(NAMED["heart"].map(lambda loop: 0.4 * loop), 0.005)
 MARGIN, OVERLAP, STROKE = 12.0, 10.0, 0.25  # mm
 DPI = 1200
 LAYERS = {look.rgb: look.name for look in PAPER.layers.values()}
-
-
-def page_size(file: Path) -> np.ndarray:
-    """Width and height [mm]."""
-    found = re.search(r"Page size:\s+([\d.]+) x ([\d.]+) pts", run("pdfinfo", file))
-    return np.array([float(value) for value in found.groups()]) * POINT
 
 
 def ink(file: Path, page: int, folder: Path) -> np.ndarray:
@@ -58,7 +52,7 @@ def test_the_ink_has_the_real_size(tmp_path: Path) -> None:
     file = tmp_path / "pattern.pdf"
     file.write_bytes(drawing_file(drawing, PAPER))
     size = np.array([drawing.width, drawing.height])
-    assert page_size(file) == pytest.approx(size + 2.0 * MARGIN, abs=0.01)
+    assert pages_of(file)[1] == pytest.approx(size + 2.0 * MARGIN, abs=0.01)
     dark = ink(file, 1, tmp_path) < 240
     # half a stroke beyond the lines, but not below: there the ticks of the control bar end
     for axis, more in ((0, STROKE), (1, 0.5 * STROKE)):
@@ -77,12 +71,11 @@ def test_tiles_glued_together_are_the_pattern(paper: str, tmp_path: Path) -> Non
     drawing = draw(pattern, PAPER)
     file = tmp_path / "tiles.pdf"
     file.write_bytes(drawing_file(drawing, PAPER, paper))
-    size = page_size(file)
+    count, size = pages_of(file)
     assert sorted(size) == pytest.approx(sorted(PAPERS[paper.upper()]), abs=0.05)
     step = size - 2.0 * MARGIN - OVERLAP
     rows = int(np.ceil((drawing.height - OVERLAP) / step[1]))
     glued: dict[str, list[shapely.Geometry]] = {}
-    count = int(re.search(r"Pages:\s+(\d+)", run("pdfinfo", file))[1])
     for page in range(2, count + 1):
         words = run("pdftotext", "-f", str(page), "-l", str(page), file, "-")
         column, row = (int(value) for value in re.search(r"column (\d+), row (\d+)", words).groups())
@@ -104,7 +97,7 @@ def test_crop_marks_are_an_overlap_apart(tmp_path: Path) -> None:
     """Four crosses on each page; the right and the upper ones are the neighbours' left and lower ones."""
     file = tmp_path / "tiles.pdf"
     file.write_bytes(machine_file(PATTERNS["heart"], PAPER, "A4"))
-    size = page_size(file)
+    size = pages_of(file)[1]
     for page in (2, 3):
         found, _ = page_lines(file, page, tmp_path)
         arms = [each for rgb, each in found if rgb == "#000000"]

@@ -15,13 +15,13 @@ import shapely
 from drawn_shapes import NAMED
 from read_back import (
     NEAR,
-    POINT,
     Lines,
     apart,
     compare,
     line,
     once_round,
     page_lines,
+    pages_of,
     run,
     same,
     svg_lines,
@@ -158,7 +158,7 @@ def test_dxf_by_librecad(name: str, tmp_path: Path) -> None:
     page = file.with_suffix(".pdf")
     read, _ = page_lines(page, 1, tmp_path)
     # it stretches the page, and all that is on it, to whole points
-    width = float(re.search(r"Page size:\s+([\d.]+) x", run("pdfinfo", page))[1]) * POINT
+    width = pages_of(page)[1][0]
     read = [(rgb, shapely.transform(each, lambda at: at * round(width) / width)) for rgb, each in read]
     same_together(read, wanted(SMALL, made_for) + bar(made_for.control_bar))
 
@@ -203,10 +203,8 @@ def test_svg_by_librsvg(tmp_path: Path) -> None:
     file = tmp_path / "pattern.svg"
     file.write_bytes(drawing_file(drawing, machine("cricut")).replace(b'stroke-width="', b'stroke-width="0'))
     run("rsvg-convert", "-f", "pdf", "-o", tmp_path / "pattern.pdf", file)
-    size = re.search(r"Page size:\s+([\d.]+) x ([\d.]+) pts", run("pdfinfo", tmp_path / "pattern.pdf"))
-    assert [float(value) * 25.4 / 72.0 for value in size.groups()] == pytest.approx(
-        [drawing.width, drawing.height], abs=0.3
-    )
+    _, size = pages_of(tmp_path / "pattern.pdf")
+    assert size == pytest.approx([drawing.width, drawing.height], abs=0.3)
 
 
 def test_hpgl_by_hp2xx(pattern: Pattern, bytes_of: dict, tmp_path: Path) -> None:

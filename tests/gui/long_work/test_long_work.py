@@ -1,8 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Long work: the status bar shows it and stops it, the window answers, the document stays as it was."""
 
+import gc
+import re
+import sys
 import threading
 import time
+from pathlib import Path
 
 import FreeCADGui as Gui
 import hands
@@ -11,7 +15,10 @@ from heartbeat import Heartbeat
 
 from BalloonWorkbench.app.border import hooks, status
 from BalloonWorkbench.core.errors import Cancelled, MeshError
+from BalloonWorkbench.gui.long_work import worker as worker_module
 from BalloonWorkbench.gui.long_work.worker import Worker
+
+OURS = Path(worker_module.__file__).parents[1]
 
 
 def shown():
@@ -106,3 +113,53 @@ def test_work_runs_beside_the_window_and_its_error_comes_back(doc):
     with pytest.raises(Cancelled):
         hooks.run_blocking("Testing", endless)
     assert not timer.isActive()
+
+
+class Watched:
+    """What a worker is asked: it sees which functions of Qt are called in the worker's thread after it."""
+
+    def __init__(self):
+        self.calls = []
+
+    def solve(self, progress):
+        sys.setprofile(self._watch)
+        return progress(0.5, "half")
+
+    def _watch(self, _frame, event, called):
+        own = type(getattr(called, "__self__", None)).__module__
+        if event == "c_call" and own.startswith(("PySide", "Shiboken")):
+            self.calls.append(called.__name__)
+
+
+def test_a_workers_thread_leaves_qt_alone(doc):
+    """What it tells comes in its order, in the window's thread."""
+    asked, told = Watched(), []
+    worker = Worker(asked, title="Testing")
+    main = threading.main_thread()
+    worker.progressed.connect(lambda *given: told.append((given, threading.current_thread() is main)))
+    worker.ended.connect(lambda: told.append((worker.design, threading.current_thread() is main)))
+    worker.start()
+    hands.wait_until(lambda: len(told) == 2)
+    assert told == [((0.5, "half"), True), (True, True)]
+    assert asked.calls == []
+    assert gc.isenabled()
+
+
+def test_nobody_listens_to_a_workers_thread():
+    lines = [line for path in OURS.rglob("*.py") for line in path.read_text(encoding="utf-8").splitlines()]
+    assert [line for line in lines if "orker.ended.connect" in line]
+    assert not [line for line in lines if re.search(r"orker\.(finished|started)\b", line)]
+
+
+def test_who_abandons_a_worker_hears_nothing_of_it(doc):
+    told = []
+    worker = Worker(Watched(), title="Testing")
+    for signal in (worker.progressed, worker.ended):
+        signal.connect(lambda *_given: told.append(1))
+    worker.start()
+    assert not gc.isenabled()  # what it finds in another thread may be widgets
+    worker.abandon()
+    hands.wait(0.1)
+    assert told == []
+    assert gc.isenabled()
+    assert shown() is None

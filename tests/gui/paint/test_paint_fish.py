@@ -27,6 +27,7 @@ from brush import (
 from heartbeat import Heartbeat
 from pictures import framed, picture
 from pointer import Pointer
+from read_back import pages_of
 
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.drawings.drawing_file import is_painting
@@ -69,7 +70,7 @@ def studied(monkeypatch):
             found.append(worker.work)
         done(live, worker)
 
-    monkeypatch.setattr(LivePreview, "_study_done", listen)
+    monkeypatch.setattr(LivePreview, "_full_design_done", listen)
     return found
 
 
@@ -185,10 +186,9 @@ def print_on_a4(path):
     hands.type_into(hands.find("File"), str(path), confirm=False)
     hands.press("Ok")
     hands.wait_until(hands.panel_is_closed)
-    content = path.read_bytes()
-    assert content.startswith(b"%PDF")
-    assert content.count(b"/MediaBox") >= 2
-    assert b"/MediaBox [ 0 0 595.2756 841.8898 ]" in content or b"841.8898 595.2756" in content
+    count, size = pages_of(path)
+    assert count >= 2
+    assert sorted(size) == pytest.approx([210, 297], abs=0.05)
 
 
 def reopened(doc, path, beat):

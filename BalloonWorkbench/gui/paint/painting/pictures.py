@@ -38,7 +38,7 @@ class Pictures(QtCore.QObject):
             self.message.emit(str(error))
             return
         self._worker = Worker(CutOut(content), self)
-        self._worker.finished.connect(self._cut_out)
+        self._worker.ended.connect(self._cut_out)
         self._worker.start()
 
     def lay_under(self, path: Path) -> None:
@@ -48,10 +48,11 @@ class Pictures(QtCore.QObject):
         except BalloonError as error:
             self.message.emit(str(error))
 
-    def wait(self) -> None:
-        """Let a picture that is being cut out come to its end."""
+    def stop(self) -> None:
+        """Give up a picture that is being cut out."""
         if self._worker is not None:
-            self._worker.wait()
+            self._worker.abandon()
+            self._worker = None
 
     def _cut_out(self) -> None:
         worker, self._worker = self._worker, None

@@ -137,7 +137,7 @@ class LivePreview(QtCore.QObject):
         self._full_design = self._begin(request, self._full_design_done)
         self._full_design.progressed.connect(self._pass_progress)
         self._full_design.before.connect(self._full_design_shown)
-        request.show = self._full_design.before.emit
+        request.show = self._full_design.show_before
         self._full_design.start(QtCore.QThread.LowPriority)
 
     def stop(self) -> None:
@@ -148,7 +148,7 @@ class LivePreview(QtCore.QObject):
         for worker in filter(None, working):
             worker.stop()
         for worker in filter(None, working):
-            worker.wait()
+            worker.abandon()
         self._quick_preview = self._full_design = None
         self._retired.clear()
 
@@ -161,7 +161,7 @@ class LivePreview(QtCore.QObject):
 
     def _begin(self, request, done) -> Worker:
         worker = Worker(request, self)
-        worker.finished.connect(lambda: done(worker))
+        worker.ended.connect(lambda: done(worker))
         return worker
 
     def _begin_quick_preview(self) -> None:

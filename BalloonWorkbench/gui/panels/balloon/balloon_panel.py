@@ -153,9 +153,7 @@ class BalloonPanel(TaskPanel):
         self.watch.remove()
         self.soon.stop()
         if self.worker is not None:
-            self.worker.finished.disconnect()
-            self.worker.stop()
-            self.worker.wait()
+            self.worker.abandon()
             self.worker = None
         self.draft.clear()
         for box in (*self.pages.boxes, self.result):
@@ -234,7 +232,7 @@ class BalloonPanel(TaskPanel):
             return self.settle()
         self.worker = Worker(current, self.result, translate("Inflating"))
         self.worker.progressed.connect(self.result.show_progress)
-        self.worker.finished.connect(self.work_done)
+        self.worker.ended.connect(self.work_done)
         self.result.start()
         self.worker.start()
         if not self.parts.balloon.SolvedFor:

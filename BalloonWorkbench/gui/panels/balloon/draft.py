@@ -53,7 +53,7 @@ class DraftView(QtCore.QObject):
             return  # as drawn it is there as soon; and nobody knows its size yet
         asked = _DraftRequest(request.source.outline, settings.film, settings.pressure)
         self._worker = Worker(asked, self)
-        self._worker.finished.connect(self._show)
+        self._worker.ended.connect(self._show)
         self._worker.start()
 
     def clear(self) -> None:
@@ -65,9 +65,7 @@ class DraftView(QtCore.QObject):
 
     def _stop(self) -> None:
         if self._worker is not None:
-            self._worker.finished.disconnect()
-            self._worker.stop()
-            self._worker.wait()
+            self._worker.abandon()
             self._worker = None
 
     def _gui_document(self):

@@ -19,7 +19,6 @@ from BalloonWorkbench.gui.window.sentences import translated
 from BalloonWorkbench.gui.window.user_units import length_text, lengths_text, pressure_text, volume_text
 
 _METRE = 1000.0  # mm
-_counting: list[Worker] = []  # the window keeps them until they are done, whatever becomes of the panel
 
 
 class MakerRows:
@@ -41,8 +40,7 @@ class MakerRows:
         except BalloonError:
             return
         worker = self._worker = Worker(_Counting(count))
-        _counting.append(worker)
-        worker.finished.connect(partial(self._counted, worker))
+        worker.ended.connect(partial(self._counted, worker))
         worker.start()
 
     def release(self) -> None:
@@ -50,7 +48,6 @@ class MakerRows:
         self._worker = self._form = None
 
     def _counted(self, worker: Worker) -> None:
-        _counting.remove(worker)
         worker.deleteLater()
         fault = worker.fault()
         if worker is not self._worker:

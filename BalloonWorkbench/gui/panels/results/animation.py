@@ -80,9 +80,7 @@ class AnimationPanel(TaskPanel):
         self.timer.stop()
         self.watch.remove()
         if self.worker is not None:
-            self.worker.finished.disconnect()
-            self.worker.stop()
-            self.worker.wait()
+            self.worker.abandon()
             self.worker = None
         if self.player is not None:
             self.player.close()
@@ -100,7 +98,7 @@ class AnimationPanel(TaskPanel):
             return
         self.worker = Worker(request, self.form, translate("Inflating in time"))
         self.worker.progressed.connect(lambda fraction, _text: self.bar.setValue(round(1000 * fraction)))
-        self.worker.finished.connect(self.work_done)
+        self.worker.ended.connect(self.work_done)
         self.worker.start()
 
     def work_done(self) -> None:
