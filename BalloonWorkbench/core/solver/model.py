@@ -12,7 +12,7 @@ from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.geometry.polyline import length, perimeter
 from BalloonWorkbench.core.options.pattern import PatternOptions
-from BalloonWorkbench.core.options.simulation import ModelOptions
+from BalloonWorkbench.core.options.simulation import ELASTIC, ModelOptions
 from BalloonWorkbench.core.panels.assembly import Assembly
 from BalloonWorkbench.core.panels.panel import Panel
 from BalloonWorkbench.core.solver.element.dkt import gradients
@@ -20,6 +20,7 @@ from BalloonWorkbench.core.solver.element.orthotropic import Grain
 from BalloonWorkbench.core.solver.element.seam_band import seam_hinges
 from BalloonWorkbench.core.solver.problem import FilmProblem
 from BalloonWorkbench.core.solver.split_along_welds import SplitFilm, split_assembly
+from BalloonWorkbench.core.solver.weld_strip import with_strip
 from BalloonWorkbench.core.units import number_text
 
 BENDING_FLOOR = ModelOptions.bending_floor
@@ -66,6 +67,7 @@ def problem_of(split: SplitFilm, film: Film, pressure: float, model: Model) -> F
     if assembly.mirror:
         fixed[split.panels[0].sealed, 2] = True
     fixed[:, 3:] = not model.bending
+    fixed[len(fixed) - split.strip :, 2:] = True
     rigidity = 0.0
     if model.bending:
         floor = model.bending_floor * (width / size) ** 3
@@ -81,7 +83,16 @@ def problem_of(split: SplitFilm, film: Film, pressure: float, model: Model) -> F
         tension_field=model.tension_field,
         tied=split.tied,
     )
-    return _with_bands(problem, split, film, pressure) if film.seal_width > 0.0 else problem
+    banded = film.seal_width > 0.0 and model.weld == ELASTIC
+    return _with_bands(problem, split, film, pressure) if banded else problem
+
+
+def split_for(assembly: Assembly, film: Film, model: Model) -> SplitFilm:
+    """What the solver gets of an assembly: split along its welds, with the strip of a weld that crumples."""
+    split = split_assembly(assembly)
+    if model.weld == ELASTIC or not film.seal_width > 0.0:
+        return split
+    return with_strip(split, film.seal_width + BEYOND_WELD)
 
 
 def simulated(body: Panel | Assembly, model: Model) -> Assembly:
