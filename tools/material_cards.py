@@ -25,6 +25,7 @@ _VALUES = (
     ("Thickness", "thickness_m", 1e3, "mm"),
     ("ArealDensity", "areal_density_kg_m2", 1.0, "kg/m^2"),
     ("SealWidth", "seal_width_m", 1e3, "mm"),
+    ("WeldRigidity", None, 1.0, ""),
 )
 
 
@@ -43,6 +44,7 @@ def card(film: dict[str, Any]) -> str:
         "Density": film["areal_density_kg_m2"] / film["thickness_m"],
         "YoungsModulusLeast": least,
         "YoungsModulusMost": most,
+        "WeldRigidity": film["weld_rigidity"]["value"],
     }
     lines = [
         "---",

@@ -31,7 +31,7 @@ from BalloonWorkbench.core.faults import UNFORESEEN, report_fault
 from BalloonWorkbench.core.files.write import check_folder, write_files
 from BalloonWorkbench.core.film.filling import Filling, gas
 from BalloonWorkbench.core.film.film import Film
-from BalloonWorkbench.core.film.library import custom_film, film, with_grain
+from BalloonWorkbench.core.film.library import custom_film, film, with_grain, with_weld
 from BalloonWorkbench.core.job import (
     Balloon,
     Settings,
@@ -299,6 +299,8 @@ def _film(options: argparse.Namespace) -> Film:
         raise InputError("Give either --material, or all of --young, --poisson and --thickness.")
     else:
         plain = custom_film(*own)
+    if options.weld_rigidity is not None:
+        plain = with_weld(plain, options.weld_rigidity)
     if options.young_across is not None:
         return with_grain(plain, options.young_across, options.grain)
     if options.grain:

@@ -129,6 +129,8 @@ def _material(film: Film) -> dict[str, Any]:
         "nu": film.poisson_ratio,
         "thickness_m": film.thickness,
         "areal_density_kg_m2": film.areal_density,
+        "weld_rigidity": film.weld_rigidity,
+        "weld_rigidity_source": film.weld_rigidity_source,
         "grain": None if film.young_modulus_across is None else _grain(film, film.young_modulus_across),
     }
 

@@ -47,7 +47,7 @@ def test_report_holds_what_schema_2_promises(heart: Path) -> None:
     report = json.loads((heart / "report.json").read_text(encoding="utf-8"))
     wanted = {
         "input": "file kind width_mm height_mm holes welds shapes",
-        "material": "name E_Pa nu thickness_m areal_density_kg_m2",
+        "material": "name E_Pa nu thickness_m areal_density_kg_m2 weld_rigidity weld_rigidity_source",
         "mesh": "vertices triangles min_angle_deg",
         "solve": "newton_steps factorisations seconds converged stiffness_k",
         "design": "passes seconds silhouette_error_mm relative_error reached",

@@ -51,6 +51,7 @@ def test_card_has_the_numbers_of_the_film(film: dict[str, Any]) -> None:
         "ArealDensity": film["areal_density_kg_m2"],
         "Density": film["areal_density_kg_m2"] / film["thickness_m"],
         "SealWidth": film["seal_width_m"],
+        "WeldRigidity": film["weld_rigidity"]["value"],
         "UltimateTensileStrength": film["max_stress_Pa"],
     }
     assert {name: in_si(text) for name, text in told.items()} == pytest.approx(expected, rel=1e-9)

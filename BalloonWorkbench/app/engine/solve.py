@@ -14,6 +14,7 @@ from BalloonWorkbench.core import report
 from BalloonWorkbench.core.advice.advise import advise_design
 from BalloonWorkbench.core.advice.as_data import advice_report
 from BalloonWorkbench.core.design.design import Design
+from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.job import Settings, design_outline
 from BalloonWorkbench.core.making.weight import weighing
 from BalloonWorkbench.core.memoize import memoized
@@ -68,6 +69,8 @@ class Request:
             options["volume"] = settings.volume
         if film.young_modulus_across is not None:
             options |= {"across": film.young_modulus_across, "grain": film.grain_angle}
+        if film.weld_rigidity != Film.weld_rigidity:
+            options["weld rigidity"] = film.weld_rigidity
         if settings.goal is not None:
             options |= {
                 f"goal {name}": value for name, value in asdict(settings.goal).items() if value is not None
@@ -76,7 +79,8 @@ class Request:
                 "lightness": settings.filling.lightness(settings.pressure),
                 "weight": film.areal_density,
             }
-        return [f"{name}={value:.9g}" for name, value in options.items()] + self._unusual_pattern()
+        told = {name: value if isinstance(value, str) else f"{value:.9g}" for name, value in options.items()}
+        return [f"{name}={value}" for name, value in told.items()] + self._unusual_pattern()
 
     def _unusual_pattern(self) -> list[str]:
         """What weighs in a pattern that differs from the usual one, where the weight decides the size."""

@@ -133,7 +133,7 @@ def take_joining(obj, joining: str, one_side: bool, laser: bool | None) -> None:
 
 
 #: What a film of the library has beyond the properties that a user may change.
-_OF_KNOWN = ("name", "max_stress", "title", "look", "grain")
+_OF_KNOWN = ("name", "max_stress", "title", "look", "grain", "weld_rigidity_source")
 _OF_KNOWN += ("sealing_side", "joining", "one_side", "some_grades", "laser")
 
 
@@ -144,12 +144,13 @@ def read(obj):
     """
     from dataclasses import replace
 
-    from BalloonWorkbench.core.film.library import custom_film, with_grain
+    from BalloonWorkbench.core.film.library import custom_film, with_grain, with_weld
 
     values = dict(vars(options_from(obj, FilmOptions)))
     elastic = (values.pop(name) or 0.0 for name in ("young_modulus", "poisson_ratio", "thickness"))
     own = custom_film(*elastic, values.pop("areal_density"))
     across, angle = values.pop("young_modulus_across"), values.pop("grain_angle")
+    own = with_weld(own, values.pop("weld_rigidity") or 0.0)
     own = replace(own, **values)
     if obj.Material:
         own = replace(own, title=obj.Material)

@@ -84,7 +84,7 @@ def take(obj, card: Card) -> None:
 
     obj.Film = film.CUSTOM
     numbers = _numbers(card)
-    for name in ("YoungModulus", "PoissonRatio", "Thickness", "SealWidth", "Strength"):
+    for name in ("YoungModulus", "PoissonRatio", "Thickness", "SealWidth", "WeldRigidity", "Strength"):
         if name in numbers:
             setattr(obj, name, numbers[name])
     obj.YoungModulusAcross = numbers.get("YoungModulusAcross", 0.0)
@@ -109,6 +109,7 @@ def _numbers(card: Card) -> dict[str, float]:
         "PoissonRatio": ("PoissonRatio", ""),
         "Thickness": ("Thickness", "mm"),
         "SealWidth": ("SealWidth", "mm"),
+        "WeldRigidity": ("WeldRigidity", ""),
         "ArealDensity": ("ArealDensity", "kg/m^2"),
         "Density": ("Density", "kg/m^3"),
     }

@@ -22,6 +22,8 @@ JOININGS = {
 
 #: The sealing side of a film that does not weld.
 NO_WELD = "none"
+#: The source of a number that nobody has measured, and of one that a user has typed.
+ASSUMED, GIVEN = "assumed", "given by the user"
 
 
 @dataclass(frozen=True)
@@ -44,6 +46,8 @@ class Film:
     joining      how panels are joined, a key of JOININGS; one_side: with one of its sides only
     some_grades  those with a sealing layer can be joined so, plain film cannot
     laser        whether a laser may cut it, None where nobody knows
+    weld_rigidity        how stiff a weld is in its plane, in parts of what both films have when they stay
+           flat over the width of weld and allowance; weld_rigidity_source tells where that is from
 
     Isotropic unless young_modulus_across is given: then young_modulus is that along the grain, which runs at
     grain_angle from the x axis of the drawing, and poisson_ratio the contraction across under tension along.
@@ -70,6 +74,8 @@ class Film:
     one_side: bool = False
     some_grades: bool = False
     laser: bool | None = None
+    weld_rigidity: float = 1.0
+    weld_rigidity_source: str = ASSUMED
 
     @property
     def lies(self) -> float | None:

@@ -12,7 +12,7 @@ from typing import Any
 
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.files.data_file import RESOURCES, UNUSABLE, read_data
-from BalloonWorkbench.core.film.film import JOININGS, LOOKS, Film, Look
+from BalloonWorkbench.core.film.film import ASSUMED, GIVEN, JOININGS, LOOKS, Film, Look
 from BalloonWorkbench.core.options.film import DEFAULT_FILM  # noqa: F401 - it is the name of one of them
 from BalloonWorkbench.core.units import number_text, pressure_text
 
@@ -79,6 +79,16 @@ def with_grain(film: Film, young_across: float, angle: float = 0.0) -> Film:
     return replace(film, young_modulus_across=across, grain_angle=math.fmod(angle, math.tau))
 
 
+def with_weld(film: Film, rigidity: float) -> Film:
+    """The film with another rigidity of its welds, see Film; its own keeps its source.
+
+    Raises InputError for one that no weld has.
+    """
+    if _weld_rigidity(rigidity) == film.weld_rigidity:
+        return film
+    return replace(film, weld_rigidity=rigidity, weld_rigidity_source=GIVEN)
+
+
 @cache
 def _library() -> dict[str, Film]:
     return {path.stem: read_film(path) for path in sorted(FOLDER.glob("*.json"))}
@@ -118,6 +128,7 @@ def _film_of(data: dict[str, Any]) -> Film:
         max_stress=_within(float(data["max_stress_Pa"]), 1e4, 1e11, "strength", "Pa", "100000000"),
         title=str(data["title"]),
         look=_look(**data["look"]),
+        **_weld(**data.get("weld_rigidity", {"value": 1.0, "source": ASSUMED})),
         sealing_side=_sealing_side(data.get("sealing_side")),
         grain=_truth(data, "grain", False),
         joining=_joining(data.get("joining", "")),
@@ -141,6 +152,16 @@ def _look(kind: str, colour: str, opacity: float) -> Look:
     if not re.fullmatch("#[0-9a-f]{6}", colour):
         raise InputError(f'"{colour}" is no colour: give one such as "#cc294d".')
     return Look(kind, colour, _within(opacity, 0.05, 1.0, "opacity", "", "1"))
+
+
+def _weld(value: float, source: str) -> dict[str, Any]:
+    if not (isinstance(source, str) and source.strip()):
+        raise InputError('the weld rigidity lacks its source: write where it is from, or "assumed".')
+    return {"weld_rigidity": _weld_rigidity(float(value)), "weld_rigidity_source": source}
+
+
+def _weld_rigidity(value: float) -> float:
+    return _within(value, 1e-6, 10.0, "weld rigidity", "times that of flat film", "1")
 
 
 def _joining(way: object) -> str:

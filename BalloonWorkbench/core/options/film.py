@@ -42,6 +42,9 @@ class FilmOptions:
     areal_density: float | None = FILM(Kind.NUMBER, None, "Weight of the film in kg per square metre",
         flag="")
     seal_width: float = FILM(Kind.LENGTH, 0.005, "Width of the weld that this film needs", flag="")
+    weld_rigidity: float | None = FILM(Kind.NUMBER, None,
+        "Stiffness of a weld in its plane, in parts of what both films have there when they stay flat",
+        label="Weld rigidity", metavar="R", begins=1.0, most=10.0, step=0.1)
     joining: str = FILM(Kind.CHOICE, "", "How two panels of this film are joined", flag="",
         choices={"": UNKNOWN, "heat": "Heat", "high-frequency": "High frequency", "glue": "Glue",
             "tape": "Tape"})

@@ -9,6 +9,8 @@ from BalloonWorkbench.core.options.option import Kind, Section
 
 INFLATION = Section("Inflation")
 SOLVER, SIMULATION = Section("Inflation", page="Solver"), Section("Simulation", page="Solver")
+#: How a weld bends in its plane.
+ELASTIC, CRUMPLED = "elastic", "crumpled"
 
 
 # fmt: off
@@ -46,6 +48,8 @@ class ModelOptions:
                    step count grows with the mesh and nothing visible changes
     two_panels     both panels are simulated, tied at the seam; False: one, with its rim in the plane of
                    symmetry
+    weld           how it bends in its plane: as an elastic band, or as film that crumples freely; a real one
+                   is between these bounds
     """
 
     tension_field: bool = SIMULATION(Kind.CHOICE, True,
@@ -58,3 +62,6 @@ class ModelOptions:
         typed="Least bending stiffness in p w^3, w the typical width")
     two_panels: bool = SIMULATION(Kind.FLAG, False,
         "Simulate both panels instead of one and its mirror image", label="Both panels")
+    weld: str = SIMULATION(Kind.CHOICE, ELASTIC,
+        "Weld that resists bending in its plane, or film that crumples there freely, the worst for a ring",
+        label="Weld", choices={ELASTIC: "Elastic", CRUMPLED: "Crumpled"})

@@ -17,9 +17,8 @@ from BalloonWorkbench.core.solver.element.dkt import gradients
 from BalloonWorkbench.core.solver.element.kinematics import deformation_gradients, film_volume, green_strains
 from BalloonWorkbench.core.solver.element.membrane import principal_stresses
 from BalloonWorkbench.core.solver.inflation import MIRROR, Inflation, SolveReport
-from BalloonWorkbench.core.solver.model import Model, problem_of, simulated
+from BalloonWorkbench.core.solver.model import Model, problem_of, simulated, split_for
 from BalloonWorkbench.core.solver.problem import Equilibrium, FilmProblem, NewtonSettings
-from BalloonWorkbench.core.solver.split_along_welds import split_assembly
 from BalloonWorkbench.core.solver.start import start_of, vertex_normals
 from BalloonWorkbench.core.types import Floats, Progress, no_progress
 from BalloonWorkbench.core.units import pressure_text
@@ -57,7 +56,7 @@ def inflate(
     whole = Assembly.mirrored(body) if isinstance(body, Panel) else body
     assembly = simulated(whole, model)
     _check(pressure, solver, assembly)
-    split, size = split_assembly(assembly), assembly.size
+    split, size = split_for(assembly, film, model), assembly.size
     problem = problem_of(split, film, pressure, model)
     first = start_of(split, problem, start, model.twist)
     rest = solver.solve(problem, first, settings or NewtonSettings(), progress)

@@ -11,27 +11,21 @@ import numpy as np
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.geometry.polyline import length, perimeter
-from BalloonWorkbench.core.options.simulation import ModelOptions
+from BalloonWorkbench.core.options.pattern import PatternOptions
+from BalloonWorkbench.core.options.simulation import ELASTIC, ModelOptions
 from BalloonWorkbench.core.panels.assembly import Assembly
 from BalloonWorkbench.core.panels.panel import Panel
 from BalloonWorkbench.core.solver.element.dkt import gradients
 from BalloonWorkbench.core.solver.element.orthotropic import Grain
-from BalloonWorkbench.core.solver.element.seam_band import hinge_rigidities, seam_hinges
+from BalloonWorkbench.core.solver.element.seam_band import seam_hinges
 from BalloonWorkbench.core.solver.problem import FilmProblem
 from BalloonWorkbench.core.solver.split_along_welds import SplitFilm, split_assembly
+from BalloonWorkbench.core.solver.weld_strip import with_strip
 from BalloonWorkbench.core.units import number_text
 
 BENDING_FLOOR = ModelOptions.bending_floor
-#: In-plane rigidity of the sealed band, in p w^4. Along the outline it crumples with the film: below the
-#: floor the rim folds at mesh scale; above the ceiling the band itself would wrinkle, which no beam shows.
-SEAM_FLOOR = 1e-6
-SEAM_CEILING = 1e-5
-#: Round a hole, and at a weld inside, the film pulls the band taut, so that it keeps all of its rigidity.
-#: Without it a weld sways and a ring is unstable: a curved tube wants to curve more (Siefert et al., PNAS 116
-#: (2019) 16692), a closed one kinks.
-#: Near twice what a weld of 5 mm with 2 mm of film beside it has round the hole of a letter 300 mm high; a
-#: fifth of it lets the letter O kink.
-HOLE_FLOOR = 1e-2
+#: Film that stays beyond the weld [m], as a pattern usually has it: it stiffens the sealed band, too.
+BEYOND_WELD = PatternOptions.allowance
 #: The continuation begins with a film this soft and grows by this factor.
 SOFTEST = 6.0
 STIFFENING = 5.0
@@ -73,6 +67,7 @@ def problem_of(split: SplitFilm, film: Film, pressure: float, model: Model) -> F
     if assembly.mirror:
         fixed[split.panels[0].sealed, 2] = True
     fixed[:, 3:] = not model.bending
+    fixed[len(fixed) - split.strip :, 2:] = True
     rigidity = 0.0
     if model.bending:
         floor = model.bending_floor * (width / size) ** 3
@@ -88,7 +83,16 @@ def problem_of(split: SplitFilm, film: Film, pressure: float, model: Model) -> F
         tension_field=model.tension_field,
         tied=split.tied,
     )
-    return _with_bands(problem, split, film, pressure) if film.seal_width > 0.0 else problem
+    banded = film.seal_width > 0.0 and model.weld == ELASTIC
+    return _with_bands(problem, split, film, pressure) if banded else problem
+
+
+def split_for(assembly: Assembly, film: Film, model: Model) -> SplitFilm:
+    """What the solver gets of an assembly: split along its welds, with the strip of a weld that crumples."""
+    split = split_assembly(assembly)
+    if model.weld == ELASTIC or not film.seal_width > 0.0:
+        return split
+    return with_strip(split, film.seal_width + BEYOND_WELD)
 
 
 def simulated(body: Panel | Assembly, model: Model) -> Assembly:
@@ -102,16 +106,15 @@ def _with_bands(problem: FilmProblem, split: SplitFilm, film: Film, pressure: fl
     assembly = split.assembly
     if not assembly.mirror and not assembly.is_pair:
         return problem
-    panel, width, size = split.panels[0], typical_width(split.panels), assembly.size
-    band = film.membrane_stiffness * film.seal_width**3 / 12.0  # the half of it that belongs to one panel
-    relative = band / (pressure * width**4)
-    outer, hole = min(max(relative, SEAM_FLOOR), SEAM_CEILING), max(relative, HOLE_FLOOR)
-    welds = panel.welds[::2]  # of the two sides of each one
-    taut = len(panel.loops) - 1 + len(welds)
-    films = 1.0 if assembly.mirror else 2.0
-    rigidities = tuple(films * (rigidity * (width / size) ** 4) for rigidity in (outer, *[hole] * taut))
-    hinges = seam_hinges(panel.loops, welds)
-    return replace(problem, hinges=hinges, hinge_rigidities=hinge_rigidities(panel.loops, rigidities, welds))
+    panel, films = split.panels[0], 1.0 if assembly.mirror else 2.0
+    hinges = seam_hinges(panel.loops, panel.welds[::2])  # of the two sides of each weld
+    rigidity = films * band_rigidity(film) / (pressure * assembly.size**4)
+    return replace(problem, hinges=hinges, hinge_rigidities=np.full(len(hinges), rigidity))
+
+
+def band_rigidity(film: Film) -> float:
+    """In-plane rigidity E I of what one panel has of the sealed band [N m2]; see seam_band.py."""
+    return film.weld_rigidity * film.membrane_stiffness * (film.seal_width + BEYOND_WELD) ** 3 / 12.0
 
 
 def grain_of(film: Film) -> Grain | None:

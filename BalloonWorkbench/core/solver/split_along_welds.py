@@ -88,6 +88,7 @@ class SplitFilm:
     origin          (n,) the vertex of the assembly that each one is
     own             which of them those of the assembly are
     tied            (n,) the first of those whose place a vertex shares; None where each has one of its own
+    strip           how many of them, the last ones, are of a strip outside the seams (weld_strip.py)
     """
 
     assembly: Assembly
@@ -97,6 +98,7 @@ class SplitFilm:
     origin: Ints
     own: Ints
     tied: Ints | None
+    strip: int = 0
 
 
 def split_assembly(assembly: Assembly) -> SplitFilm:

@@ -14,6 +14,7 @@ from BalloonWorkbench.core.solver.inflation import MIRROR, Inflation
 from BalloonWorkbench.core.solver.model import stiffness_levels
 from BalloonWorkbench.core.solver.problem import FilmProblem, Start
 from BalloonWorkbench.core.solver.split_along_welds import SplitFilm
+from BalloonWorkbench.core.solver.weld_strip import started_strip
 from BalloonWorkbench.core.types import Floats
 
 ACCURATE = 1e-3  # a start need not be better
@@ -65,7 +66,8 @@ def _of_half(
 ) -> Start:
     """The upper half (n, 3), and the lower one where both panels are simulated."""
     if split.assembly.mirror:
-        return Start(half, directors, levels)
+        own = Start(half, directors, levels)
+        return started_strip(split, own) if split.strip else own
     assert split.tied is not None
     positions, directors = (np.concatenate([part, part * MIRROR]) for part in (half, directors))
     x, y = (positions - positions.mean(axis=0))[:, :2].T

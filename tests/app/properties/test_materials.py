@@ -32,7 +32,14 @@ def test_our_films_are_cards_of_freecad(balloon):
         balloon.Film = "mylar" if known.name != "mylar" else "pe"
         material.take(balloon, by_name[names[0]])
         taken = film.read(balloon)
-        for value in ("young_modulus", "poisson_ratio", "thickness", "areal_density", "seal_width"):
+        for value in (
+            "young_modulus",
+            "poisson_ratio",
+            "thickness",
+            "areal_density",
+            "seal_width",
+            "weld_rigidity",
+        ):
             assert getattr(taken, value) == pytest.approx(getattr(known, value), rel=1e-9)
         assert taken.max_stress == pytest.approx(known.max_stress, rel=1e-9)
         assert taken.title == names[0]

@@ -16,7 +16,7 @@ from BalloonWorkbench.app.document.fcstd import write_settings
 from BalloonWorkbench.app.engine.export import export_results
 from BalloonWorkbench.app.engine.solve import Request
 from BalloonWorkbench.core.errors import ExportError, InputError
-from BalloonWorkbench.core.film.library import film, with_grain
+from BalloonWorkbench.core.film.library import film, with_grain, with_weld
 from BalloonWorkbench.core.job import Settings
 from BalloonWorkbench.core.solver.model import Model
 
@@ -28,6 +28,7 @@ OPTIONS = {
     "Backend": "Newmark",
     "GrainAngle": 30,
     "YoungModulusAcross": "0.2 GPa",
+    "WeldRigidity": 0.2,
     "TargetVolume": "0.15 l",
 }
 NEW = [*OPTIONS, "Load", "ActivePressure", "MaxStrain", "WrinkledShare", "SlackShare"]
@@ -61,7 +62,9 @@ def points(balloon):
     return np.array([(point.x, point.y, point.z) for point in balloon.Mesh.Points])
 
 
-@pytest.mark.parametrize("name", ["Model", "BendingFloor", "TwoPanels", "GrainAngle", "YoungModulusAcross"])
+@pytest.mark.parametrize(
+    "name", ["Model", "BendingFloor", "TwoPanels", "GrainAngle", "YoungModulusAcross", "WeldRigidity"]
+)
 def test_option_changes_the_mesh(balloon, name):
     before, label = points(balloon), balloon.SolvedFor
     setattr(balloon, name, OPTIONS[name])
@@ -147,6 +150,7 @@ def test_usual_options_leave_the_label_of_older_files(balloon):
         {"volume": 1e-3},
         {"film": with_grain(film("pe"), 1e8)},
         {"film": with_grain(film("pe"), 1e8, 0.1)},
+        {"film": with_weld(film("pe"), 0.5)},
     ]
     keys = {Request(plain.source, replace(plain.settings, **option)).key() for option in options}
     assert len(keys | {plain.key()}) == len(options) + 1
@@ -181,6 +185,7 @@ def test_older_object_gets_the_options_and_keeps_its_choices(doc):
     assert old.Backend == "NumPy"
     assert "Newmark" in old.getEnumerationsOfProperty("Backend")
     assert (old.Load, old.Model, old.Bending, old.TwoPanels) == ("Pressure", "Tension field", True, False)
+    assert old.WeldRigidity == 1.0
     assert old.SchemaVersion == migrate.SCHEMA
 
 
@@ -189,7 +194,7 @@ def test_options_of_a_job_go_into_the_object(doc):
     parts.outline.Source = sketches.rectangle(doc)
     parts.outline.recompute()
     wanted = Settings(
-        film=with_grain(film("pe"), 1e8, 0.5),
+        film=with_grain(with_weld(film("pe"), 0.4), 1e8, 0.5),
         backend="newmark",
         volume=2e-3,
         model=Model(tension_field=False, bending=False, bending_floor=1e-4, two_panels=True),
@@ -198,6 +203,7 @@ def test_options_of_a_job_go_into_the_object(doc):
     found = request(parts.balloon).settings
     assert found.film.young_modulus_across == pytest.approx(1e8)
     assert found.film.grain_angle == pytest.approx(0.5)
+    assert (found.film.weld_rigidity, found.film.weld_rigidity_source) == (0.4, "given by the user")
     assert found.backend == "newmark"
     assert found.volume == pytest.approx(2e-3)
     assert found.model.bending_floor == pytest.approx(1e-4)

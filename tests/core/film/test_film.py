@@ -9,7 +9,15 @@ import pytest
 
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film.film import Film
-from BalloonWorkbench.core.film.library import FOLDER, custom_film, film, films, read_film, with_grain
+from BalloonWorkbench.core.film.library import (
+    FOLDER,
+    custom_film,
+    film,
+    films,
+    read_film,
+    with_grain,
+    with_weld,
+)
 from BalloonWorkbench.core.options.film import DEFAULT_FILM
 
 #: Density of the bulk materials [kg/m3], from general tables: lower and upper end.
@@ -137,6 +145,11 @@ def changed(folder: Path, **changes: object) -> Path:
         ({"look": {"kind": "wood", "colour": "#ffffff", "opacity": 1}}, "look"),
         ({"look": {"kind": "paper", "colour": "white", "opacity": 1}}, "colour"),
         ({"look": {"kind": "paper", "colour": "#ffffff", "opacity": 0}}, "opacity"),
+        ({"weld_rigidity": {"value": 0.0, "source": "assumed"}}, "weld rigidity"),
+        ({"weld_rigidity": {"value": 11, "source": "assumed"}}, "weld rigidity"),
+        ({"weld_rigidity": {"value": 0.5, "source": " "}}, "source"),
+        ({"weld_rigidity": {"value": 0.5}}, "source"),
+        ({"weld_rigidity": 0.5}, "mylar.json"),
         ({"name": "foil"}, "foil"),
     ],
 )
@@ -181,3 +194,26 @@ def test_film_that_gives_energy_is_refused() -> None:
     for across in (33.4e9, 50e9):
         with pytest.raises(InputError, match="turn the grain"):
             with_grain(own, across)
+
+
+def test_rigidity_of_welds_has_a_source(tmp_path: Path) -> None:
+    """In each file of ours; an older file of the user's own without one has the usual number, assumed."""
+    for path in FOLDER.glob("*.json"):
+        said = json.loads(path.read_text(encoding="utf-8"))["weld_rigidity"]
+        known = film(path.stem)
+        assert (known.weld_rigidity, known.weld_rigidity_source) == (said["value"], said["source"])
+    older = read_film(changed(tmp_path, weld_rigidity=None))
+    assert (older.weld_rigidity, older.weld_rigidity_source) == (1.0, "assumed")
+    measured = read_film(changed(tmp_path, weld_rigidity={"value": 0.4, "source": "A strip, bent"}))
+    assert (measured.weld_rigidity, measured.weld_rigidity_source) == (0.4, "A strip, bent")
+
+
+def test_rigidity_of_welds_may_be_given() -> None:
+    """The film's own number keeps its source."""
+    own = film("pe")
+    assert with_weld(own, own.weld_rigidity) == own
+    given = with_weld(own, 0.25)
+    assert (given.weld_rigidity, given.weld_rigidity_source) == (0.25, "given by the user")
+    for value in (0.0, -1.0, 10.1, math.nan):
+        with pytest.raises(InputError, match="weld rigidity"):
+            with_weld(own, value)

@@ -1,13 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The sealed band: two welded films as a narrow beam along the seam that resists bending in its plane.
 
-Two films of thickness t welded over a width s have the in-plane rigidity E I = 2 E t s^3 / 12, of which each
-panel carries half. The band does not resist an even shortening, because it crumples at a scale far below the
-mesh; it keeps the rim from folding in the plane of symmetry. With e the edges before and after a vertex, l
-their rest lengths, R the rotation by the turning angle at rest and b the length of rim that belongs to the
-vertex, its energy is the sum of
+Two films of thickness t welded over a width s, with a rest of film beyond the weld, are a beam of the width
+b of both together: its in-plane rigidity is E I = 2 E t b^3 / 12, of which each panel carries half. That is
+the law along all seams, holes and welds. How much of it is left where a weld crumples is a number of the
+film, `Film.weld_rigidity`: 1 for a weld that stays flat. A ring needs it: a curved tube wants to curve more
+(Siefert et al., PNAS 116 (2019) 16692), and a closed one kinks unless its rim resists.
 
-    E I / (2 b) |e_after / l_after - R e_before / l_before|^2
+The band does not resist an even shortening, because it crumples at a scale far below the mesh. With e the
+edges before and after a vertex, l their rest lengths, R the rotation by the turning angle at rest and a the
+length of rim that belongs to the vertex, its energy is the sum of
+
+    E I / (2 a) |e_after / l_after - R e_before / l_before|^2
 
 which is E I (change of curvature)^2 / 2 per length where the rim keeps its length. It is quadratic in the
 positions, so that edges may shrink to nothing without harm.
@@ -61,11 +65,3 @@ def seam_hinges(seams: Sequence[Ints], welds: Sequence[Ints] = ()) -> Ints:
     loops = [np.column_stack([np.roll(seam, 1), seam, np.roll(seam, -1)]) for seam in seams]
     lines = [np.column_stack([weld[:-2], weld[1:-1], weld[2:]]) for weld in welds]
     return np.concatenate([np.zeros((0, 3)), *loops, *lines]).astype(np.int32)
-
-
-def hinge_rigidities(
-    seams: Sequence[Ints], rigidities: Sequence[float], welds: Sequence[Ints] = ()
-) -> Floats:
-    """The rigidity of its seam or weld for each hinge: (h,)."""
-    counts = [*(len(seam) for seam in seams), *(max(len(weld) - 2, 0) for weld in welds)]
-    return np.repeat(np.array(rigidities, dtype=np.float64), np.array(counts, dtype=int))

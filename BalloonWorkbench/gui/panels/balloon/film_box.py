@@ -36,8 +36,8 @@ class FilmBox(PropertyPage):
     def refresh(self) -> None:
         super().refresh()
         self.card.refresh()
-        if self.obj.Film != CUSTOM:  # the library's films have no grain
-            for name in ("YoungModulusAcross", "GrainAngle"):
+        if self.obj.Film != CUSTOM:  # the library's films have no grain, and welds of their own
+            for name in ("YoungModulusAcross", "GrainAngle", "WeldRigidity"):
                 self.form.show_row(name, False)
 
 

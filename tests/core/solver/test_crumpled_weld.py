@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A weld that crumples freely, resolved as film: the other bound of what a weld does."""
+
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+import pytest
+from solver_cases import PRESSURE, both_backends, film, needs_native, panel
+
+from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.geometry.polyline import perimeter, signed_area
+from BalloonWorkbench.core.panels.assembly import Assembly
+from BalloonWorkbench.core.results.film_state import film_state
+from BalloonWorkbench.core.results.strength import loads
+from BalloonWorkbench.core.solver.inflate import inflate
+from BalloonWorkbench.core.solver.inflation import Inflation
+from BalloonWorkbench.core.solver.model import Model
+from BalloonWorkbench.core.solver.split_along_welds import split_assembly
+from BalloonWorkbench.core.solver.weld_strip import with_strip
+
+CRUMPLED = Model(weld="crumpled")
+WELDED = film(1000, seal_width=0.05)
+
+
+@cache
+def balloon(shape: str, weld: str, backend: str = "native", vertices: int = 700) -> Inflation:
+    return inflate(panel(shape, vertices), WELDED, PRESSURE, model=Model(weld=weld), backend=backend)
+
+
+def roundness(inflation: Inflation, seam: int) -> float:
+    """Of a loop of the seam: 1 for a circle, less for any other (isoperimetric quotient)."""
+    loop = inflation.positions[inflation.panel.loops[seam], :2]
+    return float(4.0 * np.pi * abs(signed_area(loop)) / perimeter(loop) ** 2)
+
+
+@needs_native
+def test_a_ring_kinks_that_an_elastic_weld_keeps_round() -> None:
+    """A closed curved tube is unstable without the rigidity of its weld."""
+    elastic, crumpled = (balloon("ring", weld) for weld in ("elastic", "crumpled"))
+    assert elastic.report.converged
+    assert roundness(elastic, 1) > 0.998
+    assert roundness(crumpled, 1) < 0.99
+    assert crumpled.volume > 1.001 * elastic.volume
+
+
+@needs_native
+def test_a_disc_hardly_feels_it() -> None:
+    """Nothing bends its rim in the plane."""
+    elastic, crumpled = (balloon("disc", weld) for weld in ("elastic", "crumpled"))
+    assert crumpled.volume == pytest.approx(elastic.volume, rel=2e-3)
+    assert roundness(crumpled, 0) == pytest.approx(roundness(elastic, 0), abs=2e-3)
+
+
+@both_backends
+def test_the_balloon_is_that_of_its_panel(backend: str) -> None:
+    """Without the strip: as many vertices and triangles as the panel, its rim in the plane."""
+    found = balloon("square", "crumpled", backend, 250)
+    assert found.report.converged
+    assert len(found.positions) == len(found.directors) == len(found.panel.rest_positions)
+    assert len(found.tensions) == len(found.panel.triangles)
+    assert np.abs(found.positions[found.panel.loops[0], 2]).max() == 0.0
+    assert found.report.model == CRUMPLED
+    assert film_state(found, WELDED).areas.sum() > 0.9
+    assert loads(found, WELDED).weld.value > 0.0
+
+
+@needs_native
+def test_both_solvers_find_the_same() -> None:
+    one, other = (balloon("square", "crumpled", name, 250) for name in ("native", "numpy"))
+    assert other.volume == pytest.approx(one.volume, rel=1e-6)
+    assert other.report.newton_steps == one.report.newton_steps
+
+
+def test_an_earlier_balloon_is_a_start() -> None:
+    cold = balloon("square", "crumpled", "numpy", 250)
+    warm = inflate(cold.panel, WELDED, PRESSURE, model=CRUMPLED, start=cold, backend="numpy")
+    assert warm.report.converged
+    assert warm.report.newton_steps < cold.report.newton_steps
+    assert warm.volume == pytest.approx(cold.volume, rel=1e-3)
+
+
+def test_without_a_weld_there_is_no_strip() -> None:
+    bare = replace(WELDED, seal_width=0.0)
+    one, other = (
+        inflate(panel("disc", 250), bare, PRESSURE, model=Model(weld=weld), backend="numpy")
+        for weld in ("elastic", "crumpled")
+    )
+    assert np.array_equal(one.positions, other.positions)
+
+
+def test_the_strip_follows_the_panel() -> None:
+    """Its vertices come last, the first of them share the places of the rim."""
+    split = split_assembly(Assembly.mirrored(panel("ring", 250)))
+    longer = with_strip(split, 0.05)
+    count, rim = len(split.origin), np.concatenate(panel("ring", 250).loops)
+    assert longer.strip == len(longer.origin) - count == 3 * len(rim)
+    assert np.array_equal(longer.triangles[: len(split.triangles)], split.triangles)
+    assert longer.tied[count : count + len(rim)].tolist() == rim.tolist()
+    assert longer.tied[count + len(rim) :].tolist() == [*range(count + len(rim), len(longer.origin))]
+    assert np.array_equal(longer.own, split.own)
+
+
+@pytest.mark.parametrize("whole", [True, False])
+def test_other_balloons_are_refused(whole: bool) -> None:
+    """Two panels, or any in space: which way out of the seam is the plane?"""
+    square = panel("square", 250)
+    body = Assembly.mirrored(square).in_full() if whole else square
+    with pytest.raises(InputError, match="choose the elastic weld"):
+        inflate(body, WELDED, PRESSURE, model=replace(CRUMPLED, two_panels=not whole))
