@@ -25,7 +25,7 @@ from BalloonWorkbench.core.mesh.triangulate import triangulate
 from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.outline.validity import check
-from BalloonWorkbench.core.pattern.fairing import faired_seam
+from BalloonWorkbench.core.design.fairing import faired_seam
 from BalloonWorkbench.core.solver.inflation import Inflation
 
 _USUAL = PatternOptions()

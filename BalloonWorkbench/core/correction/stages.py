@@ -56,6 +56,7 @@ class Limits:
     stalled: int = 2  # iterates in a row that bring nothing
     enough: float = 5e-4  # mean error, of the breadth, at which nothing more is gained
     good: float = 1e-3  # and at which an iterate that brings nothing is the last one
+    proofs: int = 3  # times that a pattern is blown up anew
     welds: float = NEAR  # mean error of a weld, of the balloon's larger dimension
 
 
@@ -68,6 +69,7 @@ class History:
 
     iterates: int = 0
     meshes: int = 0
+    proofs: int = 0  # times that a pattern was blown up anew
     newton_steps: int = 0  # on the wanted mesh
     stalled: int = 0  # iterates in a row that brought nothing
     error: float = float("inf")  # mean, of the last balloon, of the drawing's larger dimension

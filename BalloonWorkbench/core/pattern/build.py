@@ -23,7 +23,7 @@ from BalloonWorkbench.core.outline.chambers import joined_welds
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.pattern.cuttable import closed_gaps, opened_hole
-from BalloonWorkbench.core.pattern.fairing import faired_seam
+from BalloonWorkbench.core.design.fairing import faired_seam
 from BalloonWorkbench.core.pattern.intake.neck import Neck, place_neck
 from BalloonWorkbench.core.pattern.intake.places import Wish, film_of, intake_of, wishes
 from BalloonWorkbench.core.pattern.intake.rim import Rim

@@ -9,7 +9,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 
 from BalloonWorkbench.app.shapes import part_shapes
-from BalloonWorkbench.core.pattern.fairing import faired
+from BalloonWorkbench.core.design.fairing import faired
 from BalloonWorkbench.core.pattern.intake.rim import Rim
 from BalloonWorkbench.core.units import from_mm, to_mm
 from BalloonWorkbench.gui.qt import QtCore, position

@@ -22,7 +22,7 @@ from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.outline.symmetry import AUTO, Mirror, find_mirror, symmetric
 from BalloonWorkbench.core.pattern.build import build_pattern
-from BalloonWorkbench.core.pattern.fairing import LIMIT
+from BalloonWorkbench.core.design.fairing import LIMIT
 from BalloonWorkbench.core.tracing.picture import read_picture
 
 PICTURES = Path(__file__).parents[3] / "resources" / "examples" / "pictures"

@@ -9,7 +9,7 @@ import shapely
 from drawn_shapes import NAMED, generated, polar
 
 from BalloonWorkbench.core.arcs.fit_arcs import fit_curve
-from BalloonWorkbench.core.pattern.fairing import LIMIT, faired
+from BalloonWorkbench.core.design.fairing import LIMIT, faired
 
 TURN = np.linspace(0.0, 2.0 * np.pi, 700, endpoint=False)
 

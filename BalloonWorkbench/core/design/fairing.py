@@ -13,6 +13,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from BalloonWorkbench.core.arcs.fit_arcs import TOLERANCE, fit_curve
+from BalloonWorkbench.core.geometry.nearest import nearest_places
 from BalloonWorkbench.core.geometry.polyline import extent
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.packages import shapely
@@ -31,6 +32,12 @@ _CHORD = from_mm(0.002)
 def faired_seam(seam: Outline) -> Outline:
     """A seam with its loops faired; welds and spots as they are."""
     return replace(seam, outer=faired(seam.outer), holes=tuple(map(faired, seam.holes)))
+
+
+def faired_points(loop: Floats) -> Floats:
+    """The points of a loop (n, 2) m, each where it comes to lie on the faired one."""
+    line = faired(loop)
+    return loop if line is loop else nearest_places([line], loop)
 
 
 def faired(loop: Floats) -> Floats:
