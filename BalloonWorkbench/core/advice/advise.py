@@ -18,6 +18,7 @@ from BalloonWorkbench.core.advice.warp import PRESSURE
 from BalloonWorkbench.core.checkpoint import checkpoint
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.design.draft import inflate_drawing
+from BalloonWorkbench.core.design.fairing import faired_seam
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.memoize import memoized
 from BalloonWorkbench.core.mesh.sizing import size_for
@@ -25,7 +26,6 @@ from BalloonWorkbench.core.mesh.triangulate import triangulate
 from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.outline.validity import check
-from BalloonWorkbench.core.design.fairing import faired_seam
 from BalloonWorkbench.core.solver.inflation import Inflation
 
 _USUAL = PatternOptions()

@@ -39,7 +39,6 @@ from BalloonWorkbench.core.correction.stages import (
 from BalloonWorkbench.core.correction.step import TIP, Scales, next_seam_map
 from BalloonWorkbench.core.correction.summary import summary
 from BalloonWorkbench.core.correction.symmetric_pattern import MirrorPairs, better_design, mirror_pairs
-from BalloonWorkbench.core.correction.unreachable import StallTracker
 from BalloonWorkbench.core.correction.weld_lines import weld_lines
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.design.fairing import faired_points
@@ -149,7 +148,6 @@ class _Correction:
     stage: Stage
     seam_map: SeamMap  # of the next iterate
     rule: UpdateRule
-    stalls: StallTracker
     last: Iterate | None = None  # from which the next one sets out
     best: Iterate | None = None  # of this stage
     proof: Iterate | None = None  # of the best pattern that was blown up anew
@@ -180,8 +178,10 @@ class _Correction:
     @property
     def _scales(self) -> Scales:
         """On the mesh of this stage."""
-        scales, coarsening = self.scales, self.stage.coarsening
-        return replace(scales, edge=coarsening * scales.edge, smoothing=coarsening * scales.smoothing)
+        edge, smoothing = self.stage.coarsening, self.stage.coarsening * self.stage.smoothing
+        return replace(
+            self.scales, edge=edge * self.scales.edge, smoothing=smoothing * self.scales.smoothing
+        )
 
     def _simulated(self, seam_map: SeamMap, keep_mesh: bool) -> Iterate:
         """The iterate of a seam map in this stage."""
@@ -189,7 +189,6 @@ class _Correction:
             self.simulation,
             edge=self._scales.edge,
             newton=self.stage.newton,
-            unreachable=self.stalls.unreachable,
             progress=_part(self.simulation.progress, self.history.iterates),
         )
         return make_iterate(simulation, seam_map, self.last, keep_mesh)
@@ -208,7 +207,6 @@ class _Correction:
             raise error
         if self.stage.coarsening > 1.0 and self.stage.following is not None:
             self.stage, self.keep_mesh = self.stage.following, False
-            self.stalls = StallTracker(self.seam_map, self.scales.size)
         self.halvings += 1
         earlier = self.drawn if self.last is None else self.last.seam_map
         reach = (2.0 + self.halvings) * self._scales.edge
@@ -222,8 +220,8 @@ class _Correction:
         history.meshes += before is None or current.panel.triangles is not before.panel.triangles
         if self.stage.coarsening == 1.0:
             history.newton_steps += current.inflation.report.newton_steps
-        error = self.stalls.mean_error(current.misfit)
-        least = np.inf if self.best is None else self.stalls.mean_error(self.best.misfit)
+        error = current.misfit.residual.mean
+        least = np.inf if self.best is None else self.best.misfit.residual.mean
         history.stalled = history.stalled + 1 if error > STALLED * least else 0
         if self.best is None or error < least:
             self.best = current
@@ -242,20 +240,20 @@ class _Correction:
         if best is None:
             return True
         anew = self._anew(best.seam_map)
-        error = self.stalls.mean_error(anew.misfit) / self.breadth
+        error = anew.misfit.residual.mean / self.breadth
         history.proofs += 1
         if self.proof is None or anew.misfit.residual.mean < self.proof.misfit.residual.mean:
             self.proof = anew
         if error <= max(SAME * history.best_error, LIMITS.enough) or history.proofs >= LIMITS.proofs:
             return True
-        self.stage = self.stage.at_rest
+        self.stage = AT_REST
         self.best = self.last = anew
         self.rule, history.stalled = self.new_rule(GAIN), 0
         history.error, history.best_error = error * self.breadth / self.scales.size, error
         return False
 
     def _anew(self, seam_map: SeamMap) -> Iterate:
-        """The worse of two balloons of the pattern as it is cut, on meshes of other sizes, from the flat film."""
+        """The worse of two balloons of the pattern as it is cut, on other meshes, from the flat film."""
         cut = replace(seam_map, pattern=tuple(map(faired_points, seam_map.pattern)))
         balloons = []
         for share in PROOF_MESHES[self.history.proofs]:
@@ -263,7 +261,6 @@ class _Correction:
                 self.simulation,
                 edge=share * self.scales.edge,
                 newton=AT_REST.newton,
-                unreachable=self.stalls.unreachable,
                 progress=_part(self.simulation.progress, self.history.iterates),
             )
             balloons.append(make_iterate(simulation, cut))
@@ -273,11 +270,8 @@ class _Correction:
     def _correct(self) -> None:
         """Move the pattern of the last iterate."""
         assert self.last is not None
-        abandoned = self.stalls.abandoned
-        self.seam_map = next_seam_map(self.last, self.rule, self.stalls, self._scales)
+        self.seam_map = next_seam_map(self.last, self.rule, self._scales)
         self.keep_mesh = True
-        if self.stalls.abandoned > abandoned:  # the rest has its chance now
-            self.history.stalled = 0
 
     def _hand_over(self) -> None:
         """Begin the following stage; another mesh has another best, and nothing learnt on the last counts."""
@@ -285,7 +279,6 @@ class _Correction:
         assert following is not None
         if following.coarsening != self.stage.coarsening:
             self.keep_mesh, self.rule = False, self.new_rule(GAIN)
-            self.stalls = StallTracker(self.seam_map, self.scales.size)
         self.stage, self.best, self.history.stalled = following, None, 0
 
 
@@ -310,7 +303,6 @@ def _begun(simulation: Simulation, mesh_size: float | None, method: Method) -> _
         first_stage(bool(target.holes), coarse),
         seam_map,
         method.update_rule(GAIN),
-        StallTracker(seam_map, size),
     )
 
 

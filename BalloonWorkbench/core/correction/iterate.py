@@ -25,7 +25,7 @@ from BalloonWorkbench.core.solver.inflate import inflate
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.solver.model import Model
 from BalloonWorkbench.core.solver.problem import NewtonSettings
-from BalloonWorkbench.core.types import Bools, Progress, no_progress
+from BalloonWorkbench.core.types import Progress, no_progress
 
 
 @dataclass(frozen=True)
@@ -33,7 +33,6 @@ class Simulation:
     """How a pattern is simulated, and what its balloon is compared with.
 
     edge         [m] of the mesh
-    unreachable  for each loop of the seam map its points (n,) that are given up and do not count; () for none
     mirror       of a symmetric pattern
     newton       when the film is at rest; None: as usual
     """
@@ -46,7 +45,6 @@ class Simulation:
     edge: float = 0.0
     mirror: Mirror | None = None
     newton: NewtonSettings | None = None
-    unreachable: tuple[Bools, ...] = ()
     progress: Progress = no_progress
 
 
@@ -92,7 +90,7 @@ def make_iterate(
         progress=simulation.progress,
         settings=simulation.newton,
     )
-    placed = _aligned(seam_map, nodes, inflation, simulation.unreachable)
+    placed = _aligned(seam_map, nodes, inflation)
     visible = silhouette(trimmed(placed))
     return Iterate(seam_map, panel, nodes, placed, visible, misfit(simulation.target, visible))
 
@@ -121,20 +119,12 @@ def _moved(last: Iterate, seam_map: SeamMap) -> Panel | None:
     return move_rim(last.panel, [node.placed_on(loop) for node, loop in loops], welds)
 
 
-def _aligned(
-    seam_map: SeamMap, nodes: tuple[SeamNodes, ...], inflation: Inflation, unreachable: tuple[Bools, ...]
-) -> Inflation:
-    """The balloon moved in its plane of symmetry to where the drawing is, by what is not given up."""
+def _aligned(seam_map: SeamMap, nodes: tuple[SeamNodes, ...], inflation: Inflation) -> Inflation:
+    """The balloon moved in its plane of symmetry to where the drawing is."""
     seams = inflation.panel.loops
     drawn = np.concatenate([node.placed_on(loop) for node, loop in zip(nodes, seam_map.drawing, strict=True)])
     seam = np.concatenate([inflation.positions[loop, :2] for loop in seams])
     weights = np.concatenate([point_weights(inflation.panel.rest_positions[loop]) for loop in seams])
-    if unreachable:
-        sure = [
-            ~ignored[np.rint(node.index).astype(np.int64) % len(ignored)]
-            for node, ignored in zip(nodes, unreachable, strict=True)
-        ]
-        weights = weights * np.concatenate(sure) if np.concatenate(sure).any() else weights
     rotation, shift = alignment(seam, drawn, weights)
     positions, directors = inflation.positions.copy(), inflation.directors.copy()
     positions[:, :2] = positions[:, :2] @ rotation.T + shift

@@ -26,33 +26,28 @@ class Stage:
     """How the balloons of a stage are simulated."""
 
     coarsening: float = 1.0  # of the mesh
+    smoothing: float = 1.0  # of the corrections, in units of the usual one
     newton: NewtonSettings | None = None  # when the film is at rest; None: as usual
     following: Stage | None = None  # takes over when the drawing is near; None: this one goes on to its end
 
-    @property
-    def at_rest(self) -> Stage:
-        """The last stage, on the mesh of this one."""
-        return replace(AT_REST, coarsening=self.coarsening)
-
 
 AT_REST = Stage(newton=NewtonSettings(tolerance=1e-6))
-FINE = Stage()
-FINE_WITH_HOLES = Stage(following=AT_REST)
+BROAD = 2.0  # smoothing far from the drawing: what is short there is no lack of pattern yet
 COARSENING = 1.8
 
 
 def first_stage(holes: bool, coarse: bool) -> Stage:
     """Where the correction of a drawing with or without holes begins; coarse: a coarse mesh saves time."""
-    fine = FINE_WITH_HOLES if holes else FINE
-    return Stage(COARSENING, following=fine) if coarse else fine
+    broad = Stage(smoothing=BROAD, following=AT_REST if holes else Stage())
+    return Stage(COARSENING, BROAD, following=broad) if coarse else broad
 
 
 @dataclass(frozen=True)
 class Limits:
     """When a correction ends."""
 
-    iterates: int = 12
-    newton_steps: int = 180  # on the wanted mesh, about ten times a cold inflation: then the best is shown
+    iterates: int = 24
+    newton_steps: int = 450  # on the wanted mesh, some twenty-five cold inflations: then the best is shown
     stalled: int = 2  # iterates in a row that bring nothing
     enough: float = 5e-4  # mean error, of the breadth, at which nothing more is gained
     good: float = 1e-3  # and at which an iterate that brings nothing is the last one

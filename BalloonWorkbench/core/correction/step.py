@@ -15,7 +15,6 @@ import numpy as np
 from BalloonWorkbench.core.correction.iterate import Iterate
 from BalloonWorkbench.core.correction.mixing import UpdateRule
 from BalloonWorkbench.core.correction.seam_map import SeamMap
-from BalloonWorkbench.core.correction.unreachable import StallTracker
 from BalloonWorkbench.core.design.correspondence import goals
 from BalloonWorkbench.core.design.visible_seam import visible_places
 from BalloonWorkbench.core.geometry.normals import tangents
@@ -41,11 +40,10 @@ class Scales:
     clearance: float  # between facing parts of the pattern
 
 
-def next_seam_map(current: Iterate, rule: UpdateRule, stalls: StallTracker, scales: Scales) -> SeamMap:
+def next_seam_map(current: Iterate, rule: UpdateRule, scales: Scales) -> SeamMap:
     """The seam map of an iterate with its pattern moved by one step of the rule, welds inside included."""
     seam_map, most = current.seam_map, CLAMP * scales.size
-    correction = stalls.reachable_moves(seam_map, _corrections(current, scales), 2.0 * scales.edge)
-    step = rule.step(current, np.concatenate(correction))
+    step = rule.step(current, np.concatenate(_corrections(current, scales)))
     # the whole step becomes smaller: parts cut off singly would bend the pattern where it should turn
     step = step * min(1.0, most / max(float(np.linalg.norm(step, axis=1).max()), 1e-300))
     panel, positions = current.panel, current.inflation.positions[:, :2]

@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 
+from BalloonWorkbench.core.design.fairing import faired_seam
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.geometry.areas import parts
@@ -23,7 +24,6 @@ from BalloonWorkbench.core.outline.chambers import joined_welds
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.pattern.cuttable import closed_gaps, opened_hole
-from BalloonWorkbench.core.design.fairing import faired_seam
 from BalloonWorkbench.core.pattern.intake.neck import Neck, place_neck
 from BalloonWorkbench.core.pattern.intake.places import Wish, film_of, intake_of, wishes
 from BalloonWorkbench.core.pattern.intake.rim import Rim

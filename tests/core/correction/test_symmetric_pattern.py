@@ -15,6 +15,7 @@ from BalloonWorkbench.core.correction.seam_map import SeamMap
 from BalloonWorkbench.core.correction.symmetric_pattern import better_design, mirror_pairs
 from BalloonWorkbench.core.design.compare import residual
 from BalloonWorkbench.core.design.design import Design
+from BalloonWorkbench.core.design.fairing import LIMIT
 from BalloonWorkbench.core.film.library import film
 from BalloonWorkbench.core.geometry.crossings import first_crossing
 from BalloonWorkbench.core.geometry.sampling import resample
@@ -22,7 +23,6 @@ from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.outline.symmetry import AUTO, Mirror, find_mirror, symmetric
 from BalloonWorkbench.core.pattern.build import build_pattern
-from BalloonWorkbench.core.design.fairing import LIMIT
 from BalloonWorkbench.core.tracing.picture import read_picture
 
 PICTURES = Path(__file__).parents[3] / "resources" / "examples" / "pictures"

@@ -19,11 +19,11 @@ from BalloonWorkbench.core.advice.findings import RepairKind
 from BalloonWorkbench.core.advice.gauge import Gauge
 from BalloonWorkbench.core.advice.places import whole
 from BalloonWorkbench.core.advice.subject import Subject
+from BalloonWorkbench.core.design.fairing import faired_seam
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film.library import film
 from BalloonWorkbench.core.options.pattern import FARTHEST, LOW, PatternOptions
 from BalloonWorkbench.core.outline.outline import Outline
-from BalloonWorkbench.core.design.fairing import faired_seam
 from BalloonWorkbench.core.pattern.intake.places import PLACES
 from BalloonWorkbench.core.pattern.make import make_pattern
 from BalloonWorkbench.core.pattern.pattern import Intake
