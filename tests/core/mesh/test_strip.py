@@ -8,7 +8,7 @@ from drawn_shapes import NAMED, TURN, corners_of, hole, polar, star
 from BalloonWorkbench.core.geometry.polyline import signed_area
 from BalloonWorkbench.core.geometry.triangulation import signed_areas
 from BalloonWorkbench.core.mesh.sizing import size_for
-from BalloonWorkbench.core.mesh.strip import LAYERS, Strip, strip_outside
+from BalloonWorkbench.core.mesh.strip import LAYERS, OuterStrip, strip_outside
 from BalloonWorkbench.core.mesh.triangulate import triangulate
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.packages import shapely
@@ -21,7 +21,7 @@ def meshed(outline: Outline, vertices: int = 600) -> Panel:
     return triangulate(outline, size_for(outline, vertices))
 
 
-def area(strip: Strip) -> float:
+def area(strip: OuterStrip) -> float:
     return float(signed_areas(strip.rest_positions, strip.triangles).sum())
 
 
