@@ -136,12 +136,13 @@ def test_same_input_writes_the_same_bytes(square: Path, tmp_path: Path) -> None:
 
 @pytest.fixture(scope="module")
 def pair(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A square beside a smaller one, inflated as they are."""
+    """A square beside a smaller one, inflated as they are, with welds that hardly stiffen them."""
     folder = tmp_path_factory.mktemp("pair")
     small = (0.5 * np.array(SQUARE["outer"]) + [260, 50]).tolist()
     text = {"unit": "mm", "parts": [{"outer": small}, {"outer": SQUARE["outer"]}]}
     (folder / "pair.json").write_text(json.dumps(text))
     words = ["inflate", str(folder / "pair.json"), "--out", str(folder / "out"), "--mesh-size", "10mm"]
+    words += ["--weld-rigidity", "0.001"]
     assert command_line.main(words) == 0
     return folder / "out"
 

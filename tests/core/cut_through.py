@@ -11,6 +11,7 @@ import numpy as np
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.solver.element.dkt import gradients
 from BalloonWorkbench.core.solver.element.kinematics import deformation_gradients, facet_volume, green_strains
+from BalloonWorkbench.core.solver.element.seam_band import SeamBand
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.solver.model import film_problem
 from BalloonWorkbench.core.types import Floats
@@ -32,15 +33,28 @@ def balance(inflation: Inflation, film: Film, angle: float, places: Floats) -> f
 
 
 def balance_of_all(inflation: Inflation, film: Film, angle: float) -> float:
-    """The same for all planes there are: the integral of the tension along the direction over the film,
-    relative to pressure times volume."""
+    """The same for all planes there are: the integral of the tension along the direction over the film, and
+    of what the bent weld carries across them, relative to pressure times volume."""
     ahead = np.array([np.cos(angle), np.sin(angle), 0.0])
     panel = inflation.panel
     shape, areas = gradients(panel.rest_positions[panel.triangles])
     deformation = deformation_gradients(inflation.positions, panel.triangles, shape)
     nominal = _nominal(inflation, film, deformation)
     pull = np.einsum("m,i,mik,mjk,j->", areas, ahead, nominal, deformation, ahead)
+    pull += _of_the_weld(inflation, film, ahead)
     return float(pull) / (inflation.report.pressure * facet_volume(inflation.positions, panel.triangles))
+
+
+def _of_the_weld(inflation: Inflation, film: Film, ahead: Floats) -> float:
+    """The shear across all planes in the sealed band of the upper film [N m]: its forces by their places."""
+    size, pressure = inflation.panel.size, inflation.report.pressure
+    problem = film_problem(inflation.panel, film, pressure, inflation.report.model)
+    if problem.hinges is None or problem.hinge_rigidities is None:
+        return 0.0
+    places = inflation.positions / size
+    band = SeamBand(problem.rest_positions, problem.hinges, problem.hinge_rigidities)
+    forces = band.derivatives(places)[0].reshape(-1, 3, 2) @ ahead[:2]
+    return float((forces * (places[problem.hinges] @ ahead)).sum()) * pressure * size**3
 
 
 def _nominal(inflation: Inflation, film: Film, deformation: Floats) -> Floats:

@@ -149,9 +149,12 @@ def test_what_is_typed_is_what_the_engine_gets() -> None:
     none = typed(read("--intake", "none", "--tie-tab", "--seal-width", "0mm"), PatternOptions)
     assert none == PatternOptions(intake=False, tie_tab=True)
     model = typed(
-        read("--plain-shell", "--no-bending", "--two-panels", "--bending-floor", "1e-5"), ModelOptions
+        read(
+            "--plain-shell", "--no-bending", "--two-panels", "--bending-floor", "1e-5", "--weld", "crumpled"
+        ),
+        ModelOptions,
     )
-    assert model == ModelOptions(False, False, 1e-5, True)
+    assert model == ModelOptions(False, False, 1e-5, True, "crumpled")
 
 
 def naming(path: Path, names: set[str]) -> Iterator[str]:

@@ -79,8 +79,8 @@ class Request:
                 "lightness": settings.filling.lightness(settings.pressure),
                 "weight": film.areal_density,
             }
-        told = {name: value if isinstance(value, str) else f"{value:.9g}" for name, value in options.items()}
-        return [f"{name}={value}" for name, value in told.items()] + self._unusual_pattern()
+        texts = {name: value if isinstance(value, str) else f"{value:.9g}" for name, value in options.items()}
+        return [f"{name}={value}" for name, value in texts.items()] + self._unusual_pattern()
 
     def _unusual_pattern(self) -> list[str]:
         """What weighs in a pattern that differs from the usual one, where the weight decides the size."""

@@ -23,7 +23,7 @@ JOININGS = {
 #: The sealing side of a film that does not weld.
 NO_WELD = "none"
 #: The source of a number that nobody has measured, and of one that a user has typed.
-ASSUMED, GIVEN = "assumed", "given by the user"
+ASSUMED, BY_USER = "assumed", "given by the user"
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,7 @@ from typing import Any
 
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.files.data_file import RESOURCES, UNUSABLE, read_data
-from BalloonWorkbench.core.film.film import ASSUMED, GIVEN, JOININGS, LOOKS, Film, Look
+from BalloonWorkbench.core.film.film import ASSUMED, BY_USER, JOININGS, LOOKS, Film, Look
 from BalloonWorkbench.core.options.film import DEFAULT_FILM  # noqa: F401 - it is the name of one of them
 from BalloonWorkbench.core.units import number_text, pressure_text
 
@@ -86,7 +86,7 @@ def with_weld(film: Film, rigidity: float) -> Film:
     """
     if _weld_rigidity(rigidity) == film.weld_rigidity:
         return film
-    return replace(film, weld_rigidity=rigidity, weld_rigidity_source=GIVEN)
+    return replace(film, weld_rigidity=rigidity, weld_rigidity_source=BY_USER)
 
 
 @cache

@@ -25,7 +25,7 @@ _LEAST_AREA, _NARROW, _NARROWER, _MOST_TRIES = 0.1, 1e-3, 0.8, 100
 
 
 @dataclass(frozen=True)
-class Strip:
+class OuterStrip:
     """Film outside the seams of a panel.
 
     rim             (r,) vertices of the panel's loops in a row
@@ -38,7 +38,7 @@ class Strip:
     triangles: Ints
 
 
-def strip_outside(panel: Panel, width: float) -> Strip:
+def strip_outside(panel: Panel, width: float) -> OuterStrip:
     """The strip of a width [m] outside the outer loop and inside the holes of a panel.
 
     It is narrower where there is less room: in notches, in small holes, between seams that face each other.
@@ -61,7 +61,7 @@ def strip_outside(panel: Panel, width: float) -> Strip:
         if not turned.any():
             break
         reach[np.unique(triangles[turned] % len(rim))] *= _NARROWER
-    return Strip(rim, places(1.0), triangles)
+    return OuterStrip(rim, places(1.0), triangles)
 
 
 def _next_along(panel: Panel) -> Ints:

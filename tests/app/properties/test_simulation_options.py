@@ -29,6 +29,7 @@ OPTIONS = {
     "GrainAngle": 30,
     "YoungModulusAcross": "0.2 GPa",
     "WeldRigidity": 0.2,
+    "Weld": "Crumpled",
     "TargetVolume": "0.15 l",
 }
 NEW = [*OPTIONS, "Load", "ActivePressure", "MaxStrain", "WrinkledShare", "SlackShare"]
@@ -63,7 +64,8 @@ def points(balloon):
 
 
 @pytest.mark.parametrize(
-    "name", ["Model", "BendingFloor", "TwoPanels", "GrainAngle", "YoungModulusAcross", "WeldRigidity"]
+    "name",
+    ["Model", "BendingFloor", "TwoPanels", "GrainAngle", "YoungModulusAcross", "WeldRigidity", "Weld"],
 )
 def test_option_changes_the_mesh(balloon, name):
     before, label = points(balloon), balloon.SolvedFor
@@ -147,6 +149,7 @@ def test_usual_options_leave_the_label_of_older_files(balloon):
         {"model": Model(bending=False)},
         {"model": Model(bending_floor=1e-5)},
         {"model": Model(two_panels=True)},
+        {"model": Model(weld="crumpled")},
         {"volume": 1e-3},
         {"film": with_grain(film("pe"), 1e8)},
         {"film": with_grain(film("pe"), 1e8, 0.1)},
@@ -185,7 +188,7 @@ def test_older_object_gets_the_options_and_keeps_its_choices(doc):
     assert old.Backend == "NumPy"
     assert "Newmark" in old.getEnumerationsOfProperty("Backend")
     assert (old.Load, old.Model, old.Bending, old.TwoPanels) == ("Pressure", "Tension field", True, False)
-    assert old.WeldRigidity == 1.0
+    assert (old.WeldRigidity, old.Weld) == (1.0, "Elastic")
     assert old.SchemaVersion == migrate.SCHEMA
 
 
@@ -197,7 +200,7 @@ def test_options_of_a_job_go_into_the_object(doc):
         film=with_grain(with_weld(film("pe"), 0.4), 1e8, 0.5),
         backend="newmark",
         volume=2e-3,
-        model=Model(tension_field=False, bending=False, bending_floor=1e-4, two_panels=True),
+        model=Model(tension_field=False, bending=False, bending_floor=1e-4, two_panels=True, weld="crumpled"),
     )
     write_settings(parts, wanted)
     found = request(parts.balloon).settings

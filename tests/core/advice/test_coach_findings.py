@@ -3,6 +3,9 @@
 
 from __future__ import annotations
 
+import re
+from dataclasses import replace
+
 import numpy as np
 import pytest
 import shapely
@@ -73,7 +76,7 @@ def test_thickness_map_of_a_tube() -> None:
 
 @pytest.mark.parametrize(
     ("width", "inflated", "severity"),
-    [(0.006, 0.00299, Severity.SERIOUS), (0.012, 0.00740, Severity.WARNING)],
+    [(0.006, 0.00305, Severity.SERIOUS), (0.012, 0.00694, Severity.WARNING)],
 )
 def test_thin_arm(width: float, inflated: float, severity: Severity) -> None:
     """Below one seal of 5 mm serious, below two a warning; as thick as on a mesh of 4000 vertices.
@@ -86,7 +89,9 @@ def test_thin_arm(width: float, inflated: float, severity: Severity) -> None:
     assert arm.measured < 2.0 * width / np.pi
     assert 0.07 < arm.place[0] < 0.18
     assert arm.place[1] == pytest.approx(0.0, abs=0.1 * width)
-    assert f"drawn {1e3 * width:.1f} mm wide" in arm.text or f"drawn {1e3 * width:.0f} mm wide" in arm.text
+    drawn = re.search(r"drawn ([\d.]+) mm wide", arm.text)
+    assert drawn is not None
+    assert float(drawn[1]) == pytest.approx(1e3 * width, rel=0.05)
     rim = np.concatenate(arm.extent)
     assert rim[:, 0].min() > 0.05
     assert rim[:, 0].max() == pytest.approx(0.18 + 0.5 * width, abs=1e-3)
@@ -174,11 +179,11 @@ def test_fitted_arm_is_thicker_than_an_arm_of_film() -> None:
 
 def test_balloon_is_measured_in_its_drawing() -> None:
     """Rules ask the same of a simulation: an arm of 12 mm is 7.6 mm thick, less for the film's stiffness."""
-    design = inflate_outline(with_arm(0.012), FILM, 2000.0, mesh_size=0.006)
+    design = inflate_outline(with_arm(0.012), FILM, 2000.0, mesh_size=0.003)
     advice = advise_design(design, FILM)
     assert advice.inflated
     (arm,) = [finding for finding in advice.findings if finding.rule == "thin_arm"]
-    assert arm.measured == pytest.approx(2.0 * 0.012 / np.pi, rel=0.17)
+    assert arm.measured == pytest.approx(2.0 * 0.012 / np.pi, rel=0.12)
     disc = advise_design(inflate_outline(NAMED["disc"], FILM, 2000.0, mesh_size=0.02), FILM)
     assert disc.relative_volume == pytest.approx(1.0, rel=0.02)
 
@@ -186,7 +191,15 @@ def test_balloon_is_measured_in_its_drawing() -> None:
 def test_size_does_not_matter_where_only_proportions_count() -> None:
     star = Outline(polar(np.where(np.arange(10) % 2 == 0, 0.15, 0.06), TURN[::72]))
     large = star.map(lambda loop: 3.0 * loop)
-    peaks = [[finding.measured for finding in found(outline, "notch")] for outline in (star, large)]
+    film = replace(FILM, weld_rigidity=1e-3)  # a weld of one width stiffens the small one more
+    peaks = [
+        [
+            finding.measured
+            for finding in advise(outline, film, fitted=False).findings
+            if finding.rule == "notch"
+        ]
+        for outline in (star, large)
+    ]
     assert len(peaks[0]) == 5
     assert peaks[0] == pytest.approx(peaks[1], rel=0.03)
 

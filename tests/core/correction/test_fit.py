@@ -66,13 +66,16 @@ def test_pattern_of_a_disc_is_larger_by_the_elliptic_integral(backend: str, film
 
 @SEALED
 def test_pattern_of_a_strip_is_wider_by_half_pi(film: Film) -> None:
-    """Far from its ends a tube of width w, here 20 times as long, needs a strip of width pi/2 w."""
+    """Far from its ends a tube of width w, here 20 times as long, needs a strip of width pi/2 w.
+
+    A weld that hardly bends feels the ends farther, and coarse triangles more.
+    """
     half, width = 0.6, 0.06
     strip = Outline(
         np.array([[-half, -width / 2], [half, -width / 2], [half, width / 2], [-half, width / 2]])
     )
-    design = fit(strip, film, 300.0)
-    middle = design.pattern.outer[np.abs(design.pattern.outer[:, 0]) < 0.5 * half]
+    design = fit(strip, film, 300.0, mesh_size=0.006)
+    middle = design.pattern.outer[np.abs(design.pattern.outer[:, 0]) < 0.1 * half]
     grown = middle[middle[:, 1] > 0, 1].mean() - middle[middle[:, 1] < 0, 1].mean()
     assert grown / width == pytest.approx(np.pi / 2, rel=3e-3)
 
@@ -122,9 +125,7 @@ def test_an_unreachable_drawing_is_marked() -> None:
     for tooth in range(9):
         right = 0.3 - tooth / 30
         comb += [[right - 1 / 60, 0.03], [right - 1 / 30, 0.1]]
-    design = fit(
-        Outline(np.array(comb)), film("kraft-paper"), 500.0, mesh_size=0.012, method=Method(symmetric=False)
-    )
+    design = fit(Outline(np.array(comb)), film("pe"), 2000.0, mesh_size=0.012, method=Method(symmetric=False))
     assert first_crossing(design.pattern.loops) is None
     assert not design.reached
     assert design.residual.mean > 0.01 * 0.3

@@ -262,7 +262,7 @@ def test_weight_is_that_of_the_film_that_is_cut(tmp_path: Path) -> None:
 
 
 def test_the_other_shapes_of_a_drawing_follow_the_largest(tmp_path: Path) -> None:
-    """Two squares, one twice as wide as the other."""
+    """Two squares, one twice as wide as the other; a weld of one width would stiffen the small one more."""
     squares = tmp_path / "squares.json"
     parts = [
         {"outer": [[0, 0], [200, 0], [200, 200], [0, 200]]},
@@ -270,6 +270,7 @@ def test_the_other_shapes_of_a_drawing_follow_the_largest(tmp_path: Path) -> Non
     ]
     squares.write_text(json.dumps({"unit": "mm", "parts": parts}))
     words = ["inflate", str(squares), "--mesh-size", "30mm", "--target-volume", "8"]
+    words += ["--weld-rigidity", "0.001"]
     large, small = report_of(words, tmp_path / "out")["parts"]
     assert large["inflated"]["volume_m3"] == pytest.approx(0.008, rel=TOLERANCE)
     assert small["outline"]["width_mm"] == pytest.approx(0.5 * large["outline"]["width_mm"])

@@ -14,6 +14,7 @@ from BalloonWorkbench.core.results import colour_map
 from BalloonWorkbench.core.results.film_state import film_state, thickness
 from BalloonWorkbench.core.results.result_files import results
 from BalloonWorkbench.core.solver.inflate import inflate
+from BalloonWorkbench.core.solver.problem import NewtonSettings
 
 RADIUS, PRESSURE = 0.15, 2000.0
 
@@ -23,7 +24,7 @@ def disc():
     """A round balloon 0.3 m wide when flat."""
     angle = np.linspace(0.0, 2.0 * np.pi, 120, endpoint=False)
     outline = Outline(RADIUS * np.column_stack([np.cos(angle), np.sin(angle)]))
-    return inflate(triangulate(outline, 0.016), film("mylar"), PRESSURE)
+    return inflate(triangulate(outline, 0.016), film("mylar"), PRESSURE, settings=NewtonSettings(1e-9))
 
 
 def lightness(rgb):

@@ -6,56 +6,72 @@ from functools import cache
 
 import numpy as np
 import pytest
-from solver_cases import PRESSURE, both_backends, film, needs_native, panel
+from drawn_shapes import hole, polar
+from solver_cases import PRESSURE, both_backends, film, needs_native, panel, radii
 
 from BalloonWorkbench.core.errors import InputError
-from BalloonWorkbench.core.geometry.polyline import perimeter, signed_area
+from BalloonWorkbench.core.film.library import films
+from BalloonWorkbench.core.mesh.sizing import size_for
+from BalloonWorkbench.core.mesh.triangulate import triangulate
+from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.panels.assembly import Assembly
 from BalloonWorkbench.core.results.film_state import film_state
 from BalloonWorkbench.core.results.strength import loads
 from BalloonWorkbench.core.solver.inflate import inflate
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.solver.model import Model
+from BalloonWorkbench.core.solver.problem import NewtonSettings
 from BalloonWorkbench.core.solver.split_along_welds import split_assembly
 from BalloonWorkbench.core.solver.weld_strip import with_strip
 
 CRUMPLED = Model(weld="crumpled")
 WELDED = film(1000, seal_width=0.05)
+#: Of 0.3 m, from mylar with a weld of 5 mm, at party pressure.
+DRAWN = {"disc": Outline(polar(0.15)), "ring": Outline(polar(0.15), (hole(0.06, 0.0, 0.0),))}
 
 
 @cache
-def balloon(shape: str, weld: str, backend: str = "native", vertices: int = 700) -> Inflation:
-    return inflate(panel(shape, vertices), WELDED, PRESSURE, model=Model(weld=weld), backend=backend)
+def drawn(shape: str, weld: str) -> Inflation:
+    mesh = triangulate(DRAWN[shape], size_for(DRAWN[shape], 1500))
+    return inflate(mesh, films()["mylar"], 2000.0, model=Model(weld=weld), backend="native")
 
 
-def roundness(inflation: Inflation, seam: int) -> float:
-    """Of a loop of the seam: 1 for a circle, less for any other (isoperimetric quotient)."""
-    loop = inflation.positions[inflation.panel.loops[seam], :2]
-    return float(4.0 * np.pi * abs(signed_area(loop)) / perimeter(loop) ** 2)
+@cache
+def square(backend: str) -> Inflation:
+    exact = NewtonSettings(tolerance=1e-9)
+    return inflate(panel("square", 250), WELDED, PRESSURE, model=CRUMPLED, backend=backend, settings=exact)
+
+
+def out_of_round(inflation: Inflation, seam: int) -> float:
+    """Of the radii of a loop, root mean square, relative."""
+    found = radii(inflation, seam)
+    return float(found.std() / found.mean())
 
 
 @needs_native
 def test_a_ring_kinks_that_an_elastic_weld_keeps_round() -> None:
-    """A closed curved tube is unstable without the rigidity of its weld."""
-    elastic, crumpled = (balloon("ring", weld) for weld in ("elastic", "crumpled"))
+    """A closed curved tube is unstable without the rigidity of its weld: the hole is no circle any more."""
+    elastic, crumpled = (drawn("ring", weld) for weld in ("elastic", "crumpled"))
     assert elastic.report.converged
-    assert roundness(elastic, 1) > 0.998
-    assert roundness(crumpled, 1) < 0.99
-    assert crumpled.volume > 1.001 * elastic.volume
+    assert crumpled.report.converged
+    assert out_of_round(elastic, 1) < 1e-3
+    assert out_of_round(crumpled, 1) > 1e-2
 
 
 @needs_native
-def test_a_disc_hardly_feels_it() -> None:
-    """Nothing bends its rim in the plane."""
-    elastic, crumpled = (balloon("disc", weld) for weld in ("elastic", "crumpled"))
-    assert crumpled.volume == pytest.approx(elastic.volume, rel=2e-3)
-    assert roundness(crumpled, 0) == pytest.approx(roundness(elastic, 0), abs=2e-3)
+def test_a_disc_holds_as_much() -> None:
+    """Its rim scallops where it has to become shorter, which takes no air."""
+    elastic, crumpled = (drawn("disc", weld) for weld in ("elastic", "crumpled"))
+    assert out_of_round(elastic, 0) < 2e-3 < out_of_round(crumpled, 0)
+    assert crumpled.volume == pytest.approx(elastic.volume, rel=3e-3)
+    means = [float(radii(each, 0).mean()) for each in (elastic, crumpled)]
+    assert means[1] == pytest.approx(means[0], rel=0.02)
 
 
 @both_backends
 def test_the_balloon_is_that_of_its_panel(backend: str) -> None:
     """Without the strip: as many vertices and triangles as the panel, its rim in the plane."""
-    found = balloon("square", "crumpled", backend, 250)
+    found = square(backend)
     assert found.report.converged
     assert len(found.positions) == len(found.directors) == len(found.panel.rest_positions)
     assert len(found.tensions) == len(found.panel.triangles)
@@ -67,13 +83,12 @@ def test_the_balloon_is_that_of_its_panel(backend: str) -> None:
 
 @needs_native
 def test_both_solvers_find_the_same() -> None:
-    one, other = (balloon("square", "crumpled", name, 250) for name in ("native", "numpy"))
+    one, other = square("native"), square("numpy")
     assert other.volume == pytest.approx(one.volume, rel=1e-6)
-    assert other.report.newton_steps == one.report.newton_steps
 
 
 def test_an_earlier_balloon_is_a_start() -> None:
-    cold = balloon("square", "crumpled", "numpy", 250)
+    cold = square("numpy")
     warm = inflate(cold.panel, WELDED, PRESSURE, model=CRUMPLED, start=cold, backend="numpy")
     assert warm.report.converged
     assert warm.report.newton_steps < cold.report.newton_steps

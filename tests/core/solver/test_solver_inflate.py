@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """How a simulation behaves: what it refuses, reports, keeps and repeats."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from drawn_shapes import NAMED
@@ -101,10 +103,18 @@ def test_from_very_soft_to_very_stiff(backend: str, k: float) -> None:
 @pytest.mark.parametrize("name", sorted(films()))
 @needs_native
 def test_every_film(name: str) -> None:
-    """A star of 0.3 m at party pressure from each film of the library; the softer one holds more."""
-    result = inflate(drawn("star", 600), films()[name], 2000.0, backend="native")
+    """A star of 0.3 m at party pressure from each film of the library; the softer one holds more.
+
+    Its weld takes up to a tenth: of thick paper it hardly bends in its plane.
+    """
+    bare, result = (
+        inflate(drawn("star", 600), made_of, 2000.0, backend="native")
+        for made_of in (replace(films()[name], seal_width=0.0), films()[name])
+    )
+    assert bare.report.converged
     assert result.report.converged
-    assert 0.00049 < result.volume < 0.00056
+    assert 0.00049 < bare.volume < 0.00056
+    assert 0.9 < result.volume / bare.volume < 1.0
     assert result.report.flexural_rigidity >= films()[name].flexural_rigidity * (1.0 - 1e-12)
 
 
@@ -129,10 +139,11 @@ def test_every_shape(name: str) -> None:
 def test_thin_strip_is_a_tube() -> None:
     """40 mm by 1 m: volume w^2 / pi a length less 0.0595 w^3 at each end, thickness 2 w / pi.
 
-    The thickness is that of the vertices of a polygon with four chords across.
+    The thickness is that of the vertices of a polygon with four chords across. Without a sealed band, which
+    keeps the ends wide.
     """
     strip = panel("strip", 600)
-    result = inflate(strip, film(1000, seal_width=0.005), PRESSURE, backend="native")
+    result = inflate(strip, film(1000), PRESSURE, backend="native")
     assert result.report.converged
     w = 0.04
     assert result.volume == pytest.approx(w**2 / np.pi - 2.0 * 0.0595 * w**3, rel=0.01)

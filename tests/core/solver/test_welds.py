@@ -172,12 +172,11 @@ def test_a_weld_stays_flat_and_takes_volume(welded: Inflation) -> None:
 
 
 def test_a_weld_leaves_the_balloon_symmetric(welded: Inflation) -> None:
-    left, right, below, above = (
-        float(sign * np.max(sign * welded.positions[:, axis]))
-        for axis, sign in ((0, -1), (0, 1), (1, -1), (1, 1))
-    )
-    assert -left == pytest.approx(right, rel=5e-3)
-    assert -below == pytest.approx(above, rel=5e-3)
+    """In its air, whose centre is that of the disc; single vertices of the rim lie in crumples."""
+    corners = welded.positions[welded.panel.triangles]
+    volumes = signed_areas(welded.positions[:, :2], welded.panel.triangles) * corners[:, :, 2].mean(axis=1)
+    centre = volumes @ corners[:, :, :2].mean(axis=1) / volumes.sum()
+    assert np.abs(centre).max() < 5e-4 * 0.15
     upper = welded.positions[:, 1] > 0.0
     heights = [welded.positions[side, 2].max() for side in (upper, ~upper)]
     assert heights[0] == pytest.approx(heights[1], rel=0.01)
