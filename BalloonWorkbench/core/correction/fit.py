@@ -18,8 +18,8 @@ mesh-scale noise in: what is left of v at rest is shorter than the smoothing.
 from __future__ import annotations
 
 import time
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
-from functools import partial
 
 import numpy as np
 
@@ -38,7 +38,7 @@ from BalloonWorkbench.core.correction.stages import (
 )
 from BalloonWorkbench.core.correction.step import TIP, Scales, next_seam_map
 from BalloonWorkbench.core.correction.summary import summary
-from BalloonWorkbench.core.correction.symmetric_pattern import MirrorPairs, better_design, mirror_pairs
+from BalloonWorkbench.core.correction.symmetric_pattern import MirrorPairs, mirror_pairs
 from BalloonWorkbench.core.correction.weld_lines import weld_lines
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.design.fairing import faired_points
@@ -52,6 +52,7 @@ from BalloonWorkbench.core.outline.symmetry import Mirror, exact_mirror, mirrore
 from BalloonWorkbench.core.outline.validity import check
 from BalloonWorkbench.core.panels.panel import Panel
 from BalloonWorkbench.core.solver.model import Model
+from BalloonWorkbench.core.solver.problem import NewtonSettings
 from BalloonWorkbench.core.types import Progress, no_progress
 
 VERTICES = 1500  # of an automatic mesh
@@ -63,8 +64,8 @@ STALLED = 0.9  # an iterate that leaves more than this part of the best error br
 SAME = 1.1  # so much more error at rest is none
 SMOOTHING, UNSEALED = 1.0, 4.0  # mesh sizes; a rim without a sealed band crumples, and no pattern undoes that
 WORTHWHILE = 700.0  # squares of the mesh size in the area, from which a coarser mesh saves time
-#: Meshes of the balloons that a pattern is judged by, in edges of that it was corrected on.
-PROOF_MESHES = ((0.88, 1.15), (0.82, 1.08), (0.94, 1.22))
+#: Two meshes for each proof of a pattern, in mesh sizes of its correction: other ones, and no coarser ones.
+PROOF_MESHES = ((0.94, 0.86), (0.97, 0.83), (0.91, 0.8))
 MOST_HALVINGS = 8  # of a step that leads to a pattern without a mesh
 
 
@@ -72,7 +73,7 @@ MOST_HALVINGS = 8  # of a step that leads to a pattern without a mesh
 class Method:
     """How a pattern is corrected."""
 
-    symmetric: bool = True  # as a symmetric target is, unless the balloon buckles and another comes nearer
+    symmetric: bool = True  # as a symmetric target is
     start: Design | None = None  # of the same drawing at another size: its pattern is where it sets out
     update_rule: RuleOfGain = AndersonMixing  # leads from one iterate to the next
 
@@ -100,12 +101,7 @@ def fit(
         target = mirrored(target, mirror)
     simulation = Simulation(target, film, pressure, backend, model, mirror=mirror, progress=progress)
     best, history = _begun(simulation, mesh_size, method).run()
-    design = summary(target, best, history.iterates, history.meshes, time.perf_counter() - began)
-    if mirror is None or design.reached:
-        return design
-    free = Method(symmetric=False, update_rule=method.update_rule)
-    again = partial(fit, mesh_size=mesh_size, backend=backend, model=model, method=free)
-    return better_design(design, again(target, film, pressure, progress=_later(progress, history.iterates)))
+    return summary(target, best, history.iterates, history.meshes, time.perf_counter() - began)
 
 
 def inflate_outline(
@@ -170,6 +166,8 @@ class _Correction:
             if hands_over(self.stage, self.history):
                 self._hand_over()
         if self.proof is None:
+            self._holds()
+        if self.proof is None:
             raise MeshError(
                 "The pattern becomes too thin for its mesh. Widen the thin parts, or use a finer mesh."
             )
@@ -179,24 +177,17 @@ class _Correction:
     def _scales(self) -> Scales:
         """On the mesh of this stage."""
         edge, smoothing = self.stage.coarsening, self.stage.coarsening * self.stage.smoothing
-        return replace(
-            self.scales, edge=edge * self.scales.edge, smoothing=smoothing * self.scales.smoothing
-        )
+        return replace(self.scales, edge=edge * self.scales.edge, smoothing=smoothing * self.scales.smoothing)
 
-    def _simulated(self, seam_map: SeamMap, keep_mesh: bool) -> Iterate:
-        """The iterate of a seam map in this stage."""
-        simulation = replace(
-            self.simulation,
-            edge=self._scales.edge,
-            newton=self.stage.newton,
-            progress=_part(self.simulation.progress, self.history.iterates),
-        )
-        return make_iterate(simulation, seam_map, self.last, keep_mesh)
+    def _simulation(self, edge: float, newton: NewtonSettings | None) -> Simulation:
+        progress = _part(self.simulation.progress, self.history.iterates)
+        return replace(self.simulation, edge=edge, newton=newton, progress=progress)
 
     def _next_iterate(self) -> Iterate:
         earlier = None if self.last is None else self.last.seam_map
         self.seam_map = self.pairs.symmetrised(self.seam_map, earlier)
-        return self._simulated(self.seam_map, self.keep_mesh)
+        simulation = self._simulation(self._scales.edge, self.stage.newton)
+        return make_iterate(simulation, self.seam_map, self.last, self.keep_mesh)
 
     def _step_back(self, error: MeshError) -> None:
         """Take half of the step back: a part is too thin for the coarse mesh, or the step made it so.
@@ -232,40 +223,39 @@ class _Correction:
         history.weld_error = weld_error(self.best)
 
     def _holds(self) -> bool:
-        """Whether the best pattern keeps what it promises when it is blown up anew, or has no time to change.
+        """Whether the best pattern makes the same balloon when it is blown up anew, or has no time to change.
 
-        Else the correction goes on from the balloon that comes out.
+        Else the correction goes on from what came out.
         """
         history, best = self.history, self.best
         if best is None:
             return True
-        anew = self._anew(best.seam_map)
-        error = anew.misfit.residual.mean / self.breadth
+        anew = self._anew(best)
+        error = anew.misfit.residual.mean
         history.proofs += 1
-        if self.proof is None or anew.misfit.residual.mean < self.proof.misfit.residual.mean:
+        if self.proof is None or error < self.proof.misfit.residual.mean:
             self.proof = anew
-        if error <= max(SAME * history.best_error, LIMITS.enough) or history.proofs >= LIMITS.proofs:
+        same = error / self.breadth <= max(SAME * history.best_error, LIMITS.enough)
+        if same or history.proofs >= len(PROOF_MESHES) or history.iterates >= LIMITS.iterates:
             return True
-        self.stage = AT_REST
-        self.best = self.last = anew
+        self.stage, self.best, self.last = AT_REST, anew, anew
         self.rule, history.stalled = self.new_rule(GAIN), 0
-        history.error, history.best_error = error * self.breadth / self.scales.size, error
+        history.error, history.best_error = error / self.scales.size, error / self.breadth
         return False
 
-    def _anew(self, seam_map: SeamMap) -> Iterate:
-        """The worse of two balloons of the pattern as it is cut, on other meshes, from the flat film."""
-        cut = replace(seam_map, pattern=tuple(map(faired_points, seam_map.pattern)))
+    def _anew(self, best: Iterate) -> Iterate:
+        """The worse of two balloons of the pattern as it is cut, from the flat film on other meshes.
+
+        These are not symmetric, so that a balloon that buckles to one side does.
+        """
+        cut = replace(best.seam_map, pattern=tuple(map(faired_points, best.seam_map.pattern)))
         balloons = []
         for share in PROOF_MESHES[self.history.proofs]:
-            simulation = replace(
-                self.simulation,
-                edge=share * self.scales.edge,
-                newton=AT_REST.newton,
-                progress=_part(self.simulation.progress, self.history.iterates),
-            )
-            balloons.append(make_iterate(simulation, cut))
-        worse = max(balloons, key=lambda balloon: balloon.misfit.residual.mean)
-        return replace(worse, seam_map=seam_map)
+            simulation = self._simulation(share * self.scales.edge, AT_REST.newton)
+            with suppress(MeshError):  # too thin for this one: the other tells
+                balloons.append(make_iterate(replace(simulation, mirror=None), cut))
+        worse = max(balloons or [best], key=lambda balloon: balloon.misfit.residual.mean)
+        return replace(worse, seam_map=best.seam_map)
 
     def _correct(self) -> None:
         """Move the pattern of the last iterate."""
@@ -342,9 +332,3 @@ def _part(progress: Progress, number: int) -> Progress:
         return progress(1.0 - 0.7 ** (number + fraction), f"pass {number + 1}: {text}")
 
     return report
-
-
-def _later(progress: Progress, passes: int) -> Progress:
-    """Progress of a second correction, after so many iterates of the first."""
-    before: float = 1.0 - 0.7**passes
-    return lambda fraction, text: progress(before + (1.0 - before) * fraction, text)

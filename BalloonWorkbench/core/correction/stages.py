@@ -1,20 +1,23 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The stages of the pattern correction, and when each of them is over.
 
-    stage           mesh     Newton    hands over to      when
-    coarse          coarser  as usual  fine               the drawing is near, or an iterate brings nothing
-    fine            wanted   as usual  (at rest, at last) the pattern is good, or nothing more is gained
-    fine, holes     wanted   as usual  at rest            the drawing is near, or an iterate brings nothing
-    at rest         wanted   exact     -                  the pattern is good, or nothing more is gained
+    stage     mesh     smoothing  Newton    hands over to     when
+    coarse    coarser  broad      as usual  broad             the drawing is near, or nothing is gained
+    broad     wanted   broad      as usual  fine, or at rest  the drawing is near, or nothing is gained
+    fine      wanted   usual      as usual  -                 the pattern is good, or nothing more is gained
+    at rest   wanted   usual      exact     -                 the pattern is good, or nothing more is gained
 
-Film may fold one way or another round a hole, so a drawing with holes is corrected with balloons at rest as
-soon as it is near. Without holes only the best balloon is brought to rest, and the correction goes on where
-it then has moved.
+Far from the drawing a short wave in what is missing is a lean or a fold of the film, which another pattern
+has not; followed, it leads astray. Film may fold one way or another round a hole, so a drawing with holes is
+corrected with balloons at rest as soon as it is near.
+
+What comes out is blown up anew, from the flat film and on other meshes. Where that is another balloon than
+the one that led to the pattern, the correction goes on from it.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from BalloonWorkbench.core.solver.problem import NewtonSettings
 
@@ -31,14 +34,15 @@ class Stage:
     following: Stage | None = None  # takes over when the drawing is near; None: this one goes on to its end
 
 
+FINE = Stage()
 AT_REST = Stage(newton=NewtonSettings(tolerance=1e-6))
-BROAD = 2.0  # smoothing far from the drawing: what is short there is no lack of pattern yet
+BROAD = 2.0  # smoothing far from the drawing
 COARSENING = 1.8
 
 
 def first_stage(holes: bool, coarse: bool) -> Stage:
     """Where the correction of a drawing with or without holes begins; coarse: a coarse mesh saves time."""
-    broad = Stage(smoothing=BROAD, following=AT_REST if holes else Stage())
+    broad = Stage(smoothing=BROAD, following=AT_REST if holes else FINE)
     return Stage(COARSENING, BROAD, following=broad) if coarse else broad
 
 
@@ -51,7 +55,6 @@ class Limits:
     stalled: int = 2  # iterates in a row that bring nothing
     enough: float = 5e-4  # mean error, of the breadth, at which nothing more is gained
     good: float = 1e-3  # and at which an iterate that brings nothing is the last one
-    proofs: int = 3  # times that a pattern is blown up anew
     welds: float = NEAR  # mean error of a weld, of the balloon's larger dimension
 
 

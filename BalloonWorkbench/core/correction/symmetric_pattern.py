@@ -13,7 +13,6 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from BalloonWorkbench.core.correction.seam_map import SeamMap
-from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.geometry.crossings import first_crossing
 from BalloonWorkbench.core.geometry.polyline import extent, point_at
 from BalloonWorkbench.core.outline.symmetry import Mirror
@@ -81,17 +80,6 @@ def mirror_pairs(seam_map: SeamMap, mirror: Mirror | None) -> tuple[SeamMap, Mir
             points[number] = points[other] = np.arange(len(image), dtype=np.int32)[::-1]
     pairs = MirrorPairs(mirror, tuple(loops), tuple(points))
     return pairs.symmetrised(SeamMap(tuple(drawing), tuple(pattern))), pairs
-
-
-def better_design(symmetric: Design, free: Design) -> Design:
-    """The better of two designs for a symmetric drawing, with a remark where its pattern is not symmetric."""
-    passes, seconds = symmetric.passes + free.passes, symmetric.seconds + free.seconds
-    if free.residual.mean >= symmetric.residual.mean:
-        return replace(symmetric, passes=passes, seconds=seconds)
-    remark = (
-        "The pattern is not symmetric: the balloon buckles to one side, and this comes nearer to the drawing."
-    )
-    return replace(free, passes=passes, seconds=seconds, warnings=(*free.warnings, remark))
 
 
 def _whole(

@@ -15,8 +15,8 @@ from BalloonWorkbench.core.correction.iterate import Iterate, make_iterate
 from BalloonWorkbench.core.correction.mixing import AndersonMixing
 from BalloonWorkbench.core.correction.stages import (
     AT_REST,
+    BROAD,
     FINE,
-    FINE_WITH_HOLES,
     LIMITS,
     NEAR,
     History,
@@ -37,25 +37,16 @@ def star(mesh_size: float = 0.03, **method: Any) -> Design:
 # Stages
 
 
-@pytest.mark.parametrize(
-    ("holes", "coarse", "meshes", "exact"),
-    [
-        (False, False, [1.0], [False]),
-        (False, True, [1.8, 1.0], [False, False]),
-        (True, False, [1.0, 1.0], [False, True]),
-        (True, True, [1.8, 1.0, 1.0], [False, False, True]),
-    ],
-)
-def test_stages_go_from_coarse_to_fine_to_rest(
-    holes: bool, coarse: bool, meshes: list[float], exact: list[bool]
-) -> None:
+@pytest.mark.parametrize("holes", [False, True])
+@pytest.mark.parametrize("coarse", [False, True])
+def test_stages_go_from_coarse_and_broad_to_fine_and_at_rest(holes: bool, coarse: bool) -> None:
     stage, stages = first_stage(holes, coarse), []
     while stage is not None:
         stages.append(stage)
         stage = stage.following
-    assert [stage.coarsening for stage in stages] == meshes
-    assert [stage.newton is not None for stage in stages] == exact
-    assert stages[-1].at_rest == AT_REST
+    assert [stage.coarsening for stage in stages] == ([1.8] if coarse else []) + [1.0, 1.0]
+    assert [stage.smoothing for stage in stages] == [BROAD] * (len(stages) - 1) + [1.0]
+    assert stages[-1] == (AT_REST if holes else FINE)
 
 
 GOOD = History(iterates=4, newton_steps=30, error=4e-4, best_error=4e-4)
@@ -69,8 +60,8 @@ GOOD = History(iterates=4, newton_steps=30, error=4e-4, best_error=4e-4)
         ({"best_error": 9e-4, "stalled": 1}, True),  # nothing was gained, and it is good
         ({"best_error": 2e-3, "stalled": 2}, False),
         ({"best_error": 2e-3, "stalled": 3}, True),
-        ({"best_error": 2e-3, "iterates": 12}, True),
-        ({"best_error": 2e-3, "newton_steps": 180}, True),
+        ({"best_error": 2e-3, "iterates": LIMITS.iterates}, True),
+        ({"best_error": 2e-3, "newton_steps": LIMITS.newton_steps}, True),
         ({"weld_error": 4e-3}, False),
     ],
 )
@@ -88,7 +79,7 @@ def test_a_coarse_mesh_is_never_good_enough() -> None:
 )
 def test_a_stage_hands_over_when_the_drawing_is_near(error: float, stalled: int, over: bool) -> None:
     history = History(error=error, stalled=stalled)
-    assert hands_over(FINE_WITH_HOLES, history) == over
+    assert hands_over(first_stage(holes=False, coarse=False), history) == over
     assert not hands_over(FINE, history)
 
 

@@ -12,7 +12,7 @@ from drawn_shapes import NAMED, corners_of, hole
 
 from BalloonWorkbench.core.correction.fit import Method, fit
 from BalloonWorkbench.core.correction.seam_map import SeamMap
-from BalloonWorkbench.core.correction.symmetric_pattern import better_design, mirror_pairs
+from BalloonWorkbench.core.correction.symmetric_pattern import mirror_pairs
 from BalloonWorkbench.core.design.compare import residual
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.design.fairing import LIMIT
@@ -85,15 +85,6 @@ def test_pattern_of_another_shape_is_left_alone() -> None:
         for choice in (False, True)
     )
     assert free.pattern.outer.tobytes() == held.pattern.outer.tobytes()
-
-
-def test_where_the_balloon_buckles_the_nearer_pattern_wins_and_says_so() -> None:
-    design = fit(NAMED["disc"], film("mylar"), 2000.0, mesh_size=0.06)
-    off = design.residual
-    better, worse = (replace(design, residual=replace(off, mean=factor * off.mean)) for factor in (0.5, 2.0))
-    assert better_design(design, worse).warnings == design.warnings
-    assert any("not symmetric" in text for text in better_design(design, better).warnings)
-    assert better_design(design, better).residual == better.residual
 
 
 def test_what_is_taken_back_crosses_nothing() -> None:
