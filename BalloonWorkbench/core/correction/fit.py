@@ -179,14 +179,17 @@ class _Correction:
         edge, smoothing = self.stage.coarsening, self.stage.coarsening * self.stage.smoothing
         return replace(self.scales, edge=edge * self.scales.edge, smoothing=smoothing * self.scales.smoothing)
 
-    def _simulation(self, edge: float, newton: NewtonSettings | None) -> Simulation:
-        progress = _part(self.simulation.progress, self.history.iterates)
+    def _simulation(self, edge: float, newton: NewtonSettings | None, text: str) -> Simulation:
+        """That of the next balloon; text: what it is made for."""
+        self.history.balloons += 1
+        progress = _part(self.simulation.progress, self.history.balloons - 1, text)
         return replace(self.simulation, edge=edge, newton=newton, progress=progress)
 
     def _next_iterate(self) -> Iterate:
         earlier = None if self.last is None else self.last.seam_map
         self.seam_map = self.pairs.symmetrised(self.seam_map, earlier)
-        simulation = self._simulation(self._scales.edge, self.stage.newton)
+        text = f"pass {self.history.iterates + 1}: "
+        simulation = self._simulation(self._scales.edge, self.stage.newton, text)
         return make_iterate(simulation, self.seam_map, self.last, self.keep_mesh)
 
     def _step_back(self, error: MeshError) -> None:
@@ -251,7 +254,7 @@ class _Correction:
         cut = replace(best.seam_map, pattern=tuple(map(faired_points, best.seam_map.pattern)))
         balloons = []
         for share in PROOF_MESHES[self.history.proofs]:
-            simulation = self._simulation(share * self.scales.edge, AT_REST.newton)
+            simulation = self._simulation(share * self.scales.edge, AT_REST.newton, "trial of the pattern: ")
             with suppress(MeshError):  # too thin for this one: the other tells
                 balloons.append(make_iterate(replace(simulation, mirror=None), cut))
         worse = max(balloons or [best], key=lambda balloon: balloon.misfit.residual.mean)
@@ -324,11 +327,11 @@ def _meshed(outline: Outline, edge: float) -> Panel:
     return triangulate(outline, 0.125 * edge)
 
 
-def _part(progress: Progress, number: int) -> Progress:
-    """Progress of one iterate within the whole correction, which seldom needs all of them."""
+def _part(progress: Progress, number: int, what: str) -> Progress:
+    """Progress of one balloon within the whole correction, which seldom needs all of them."""
 
     def report(fraction: float, text: str) -> bool:
         # an exception would be lost in the native solver: the answer alone goes through it
-        return progress(1.0 - 0.7 ** (number + fraction), f"pass {number + 1}: {text}")
+        return progress(1.0 - 0.8 ** (number + fraction), f"{what}{text}")
 
     return report

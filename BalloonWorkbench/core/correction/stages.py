@@ -68,6 +68,7 @@ class History:
     iterates: int = 0
     meshes: int = 0
     proofs: int = 0  # times that a pattern was blown up anew
+    balloons: int = 0  # of iterates and proofs
     newton_steps: int = 0  # on the wanted mesh
     stalled: int = 0  # iterates in a row that brought nothing
     error: float = float("inf")  # mean, of the last balloon, of the drawing's larger dimension
