@@ -46,11 +46,13 @@ def visible(kind):
     Not by findChildren of the main window: it would keep the Python shells of widgets that are deleted later.
     Python's collector has to wait: it deletes widgets that Qt has just listed.
     """
+    collecting = gc.isenabled()  # not while a worker runs
     gc.disable()
     try:
         widgets = QtWidgets.QApplication.allWidgets()
     finally:
-        gc.enable()
+        if collecting:
+            gc.enable()
     return [widget for widget in widgets if isinstance(widget, kind) and widget.isVisible()]
 
 

@@ -347,11 +347,13 @@ def contrast(rgb):
 
 def all_of(image):
     """Every fault of the screen as it is."""
+    collecting = gc.isenabled()  # not while a worker runs
     gc.disable()  # see hands.visible
     try:
         return list(_all_of(image, ours()))
     finally:
-        gc.enable()
+        if collecting:
+            gc.enable()
 
 
 def _all_of(image, widgets):
