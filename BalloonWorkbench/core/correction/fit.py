@@ -268,11 +268,13 @@ class _Correction:
 
     def _hand_over(self) -> None:
         """Begin the following stage; another mesh has another best, and nothing learnt on the last counts."""
-        following = self.stage.following
+        stage, following = self.stage, self.stage.following
         assert following is not None
-        if following.coarsening != self.stage.coarsening:
+        if following.coarsening != stage.coarsening:
             self.keep_mesh, self.rule = False, self.new_rule(GAIN)
-        self.stage, self.best, self.history.stalled = following, None, 0
+        if replace(following, smoothing=stage.smoothing, following=following) != stage:
+            self.best = None
+        self.stage, self.history.stalled = following, 0
 
 
 def _begun(simulation: Simulation, mesh_size: float | None, method: Method) -> _Correction:

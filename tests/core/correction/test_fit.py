@@ -120,12 +120,14 @@ def test_coarse_and_fine_meshes_agree() -> None:
 
 
 def test_an_unreachable_drawing_is_marked() -> None:
-    """A pin far sharper than any film can follow still gives a valid pattern and a warning."""
+    """A comb whose slits film closes still gives a valid pattern and a warning."""
     comb = [[0.0, 0.0], [0.3, 0.0], [0.3, 0.1]]
-    for tooth in range(9):
-        right = 0.3 - tooth / 30
-        comb += [[right - 1 / 60, 0.03], [right - 1 / 30, 0.1]]
-    design = fit(Outline(np.array(comb)), film("pe"), 2000.0, mesh_size=0.012, method=Method(symmetric=False))
+    for slit in range(7):
+        middle = 0.3 - 0.3 * (slit + 1) / 8
+        sides = middle + np.array([[0.0005], [-0.0005]])
+        comb += [[sides[0, 0], 0.1], [middle, 0.03], [sides[1, 0], 0.1]]
+    drawing = Outline(np.array([*comb, [0.0, 0.1]]))
+    design = fit(drawing, film("pe"), 2000.0, mesh_size=0.012, method=Method(symmetric=False))
     assert first_crossing(design.pattern.loops) is None
     assert not design.reached
     assert design.residual.mean > 0.01 * 0.3
