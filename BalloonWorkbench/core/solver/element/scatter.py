@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -12,6 +12,29 @@ from BalloonWorkbench.core.types import Floats, Ints
 
 if TYPE_CHECKING:
     from scipy import sparse
+
+
+def rounds(rows: Ints) -> Iterator[Ints]:
+    """All places of rows (e,) in a few groups, in each of which no row is there twice."""
+    order = np.argsort(rows, kind="stable")
+    ascending = rows[order]
+    turn = np.arange(len(rows)) - np.searchsorted(ascending, ascending)
+    for place in range(int(turn.max(initial=-1)) + 1):
+        yield order[turn == place]
+
+
+def times_fields(rows: Ints, columns: Ints, blocks: Floats, fields: Floats) -> Floats:
+    """Blocks (e, a, b), summed in rows and columns (e,) of n, times fields (n, b, k): (n, a, k)."""
+    count = len(fields)
+    pairs, slot = np.unique(rows.astype(np.int64) * count + columns, return_inverse=True)
+    flat = blocks.reshape(len(blocks), -1)
+    merged = np.stack([np.bincount(slot, part, len(pairs)) for part in flat.T], axis=1)
+    merged = merged.reshape(-1, *blocks.shape[1:])
+    row, column = np.divmod(pairs, count)
+    total = np.zeros((count, blocks.shape[1], fields.shape[2]))
+    for here in rounds(row):
+        total[row[here]] += merged[here] @ fields[column[here]]
+    return total
 
 
 class Scatter:
