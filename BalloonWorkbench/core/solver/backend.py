@@ -61,7 +61,7 @@ def available() -> tuple[Backend, ...]:
     if load.problem_with_library() is None:
         from BalloonWorkbench.core.solver.native import c_interface
 
-        working.append(Backend("native", c_interface.solve, c_interface.energies, newton.tangent_solve))
+        working.append(Backend("native", c_interface.solve, c_interface.energies, c_interface.tangent_solve))
     if _scipy_is_there():
         working.append(Backend("numpy", newton.solve, newton.energies, newton.tangent_solve))
     if not working and packages.lacks_ctypes():

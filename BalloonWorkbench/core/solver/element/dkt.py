@@ -28,9 +28,6 @@ from BalloonWorkbench.core.types import Floats
 Numbers = NDArray[Any]
 
 SIDES = ((0, 1), (1, 2), (2, 0))
-# derivatives of the six quadratic shape functions (corners, then sides 01, 12, 20) with respect to the
-# area coordinates (L0, L1, L2), at the middles of the sides, where a quadratic integrand is exact
-_MIDDLES = np.array([[0.5, 0.5, 0.0], [0.0, 0.5, 0.5], [0.5, 0.0, 0.5]])
 
 
 def shape_derivatives(area_coordinates: Floats) -> Floats:
@@ -42,6 +39,12 @@ def shape_derivatives(area_coordinates: Floats) -> Floats:
         derivative[3 + side, i] = 4.0 * area_coordinates[j]
         derivative[3 + side, j] = 4.0 * area_coordinates[i]
     return derivative
+
+
+# derivatives of the six quadratic shape functions (corners, then sides 01, 12, 20) with respect to the
+# area coordinates (L0, L1, L2), at the middles of the sides, where a quadratic integrand is exact
+_MIDDLES = np.array([[0.5, 0.5, 0.0], [0.0, 0.5, 0.5], [0.5, 0.0, 0.5]])
+_AT_MIDDLES = np.stack([shape_derivatives(middle) for middle in _MIDDLES])
 
 
 def gradients(corners: Numbers) -> tuple[Numbers, Numbers]:
@@ -75,15 +78,11 @@ def curvature_operators(corners: Numbers) -> Numbers:
         for corner, sign in ((i, 1.0), (j, -1.0)):
             rotation[:, 3 + side, :, 3 * corner] = sign * slope
             rotation[:, 3 + side, :, 3 * corner + 1 : 3 * corner + 3] = average
-    operators = np.empty((count, 3, 3, 9), dtype=gradient.dtype)
-    for point in range(3):
-        slopes = shape_derivatives(_MIDDLES[point]) @ gradient  # (m, 6, 2)
-        dx = np.einsum("mn,mnkd->mkd", slopes[:, :, 0], rotation)
-        dy = np.einsum("mn,mnkd->mkd", slopes[:, :, 1], rotation)
-        operators[:, point, 0] = dx[:, 0]
-        operators[:, point, 1] = dy[:, 1]
-        operators[:, point, 2] = dy[:, 0] + dx[:, 1]
-    return operators
+    slopes = _AT_MIDDLES @ gradient[:, None]
+    along = np.swapaxes(slopes.reshape(count, 3, 6, 2), 2, 3).reshape(count, 6, 6)
+    changes = (along @ rotation.reshape(count, 6, 18)).reshape(count, 3, 2, 2, 9)  # by x and y, of beta
+    across = changes[:, :, 1, 0] + changes[:, :, 0, 1]
+    return np.stack([changes[:, :, 0, 0], changes[:, :, 1, 1], across], axis=2)
 
 
 def bending_law(poisson_ratio: float) -> Floats:
@@ -108,5 +107,7 @@ def rotation_stiffness(corners: Numbers, poisson_ratio: float) -> Numbers:
 
 def _integrate(operators: Numbers, corners: Numbers, poisson_ratio: float) -> Numbers:
     _, areas = gradients(corners)
-    stiffness = np.einsum("mpik,ij,mpjl->mkl", operators, bending_law(poisson_ratio), operators)
+    moments = bending_law(poisson_ratio) @ operators
+    flat = (len(operators), 9, operators.shape[3])  # three curvatures at three points
+    stiffness = np.swapaxes(operators.reshape(flat), 1, 2) @ moments.reshape(flat)
     return np.asarray(stiffness * (areas / 3.0)[:, None, None])

@@ -87,10 +87,14 @@ def band_rest_derivatives(shell: Shell, positions: Floats) -> Floats:
 
 
 def _changes(vectors: Callable[[Numbers], Numbers], corners: Floats) -> Floats:
-    """Derivatives (e, r, 6) of vectors (e, r) by the places (e, 3, 2) of three corners, by a complex step."""
+    """Derivatives (e, r, 6) of vectors (e, r) by the places (e, 3, 2) of three corners, by a complex step.
+
+    All three corners together change nothing.
+    """
     columns = []
-    for coordinate in range(6):
+    for coordinate in range(4):
         places = corners.astype(np.complex128)
         places.reshape(-1, 6)[:, coordinate] += 1j * _STEP
         columns.append(vectors(places).imag / _STEP)
+    columns += [-columns[0] - columns[2], -columns[1] - columns[3]]
     return np.stack(columns, axis=2)

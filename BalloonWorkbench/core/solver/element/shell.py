@@ -16,6 +16,7 @@ Hessian.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -99,12 +100,16 @@ class Shell:
             self.band = SeamBand(rest_positions, problem.hinges, problem.hinge_rigidities)
 
         self.number, self.count = _numbered(fixed, problem.tied)
-        at_corners = self.number[triangles]  # (m, 3, 5)
+
+    @cached_property
+    def scatter(self) -> Scatter:
+        """From triangles and hinges to the free unknowns."""
+        at_corners = self.number[self.triangles]  # (m, 3, 5)
         moves, turns = at_corners[:, :, :3].reshape(-1, 9), at_corners[:, :, 3:].reshape(-1, 6)
         elements = [np.concatenate([moves, turns], 1)]
         if self.band is not None:
             elements.append(self.number[self.band.hinges][:, :, :2].reshape(-1, 6))
-        self.scatter = Scatter(elements, self.count)
+        return Scatter(elements, self.count)
 
     def energies(self, positions: Floats, directors: Floats) -> Energies:
         """The parts of the energy at positions (n, 3) and directors (n, 3)."""
