@@ -151,8 +151,7 @@ SIMD_INLINE void add_second_rotations(const FourTriangles& film, const Kinematic
             tangent.turns[a][t][a][t] = tangent.turns[a][t][a][t] - sunk;
             for (int c = 0; c < 2; ++c) {
                 for (int i = 0; i < 3; ++i)
-                    tangent.mixed[a][t][c][i] =
-                        tangent.mixed[a][t][c][i] + moment[c] * film.frame[a][t][i];
+                    tangent.mixed[a][t][c][i] = tangent.mixed[a][t][c][i] + moment[c] * film.frame[a][t][i];
             }
         }
     }

@@ -67,7 +67,8 @@ public:
     // The state after a step in the free unknowns, directors put back on the sphere.
     State moved(const State& state, const Frames& frames, const Eigen::VectorXd& step, double length) const;
 
-    // Numbers (vertices, 5, fields) of the unknowns of each vertex, summed in the free ones: a column a field.
+    // Numbers (vertices, 5, fields) of the unknowns of each vertex, summed in the free ones: a column a
+    // field.
     Eigen::MatrixXd gathered(const double* numbers, int fields) const;
 
     // The moves (vertices, 3, fields) of the positions that free unknowns stand for.

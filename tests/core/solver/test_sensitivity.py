@@ -139,6 +139,15 @@ def test_both_solvers_find_the_same_changes(shape: str, two_panels: bool) -> Non
     assert missed(rest.positions, one.changes, other.changes) < 1e-8
 
 
+def test_two_equal_panels_stay_mirror_images() -> None:
+    """The lower one lies with its other side out, and moves as the upper one does."""
+    panel, model = meshed(SHAPES["heart"]), Model(two_panels=True, twist=0.0)
+    rest = inflate(panel, MYLAR, PRESSURE, model=model)
+    changes = position_changes(rest, MYLAR, wave(panel.rest_positions)[:, :, None]).changes
+    assert changes.shape == (len(panel.rest_positions), 3, 1)
+    assert np.abs(changes[panel.sealed, 2]).max() < 1e-4 * np.abs(changes).max()
+
+
 @needs_native
 def test_both_solvers_give_way_alike_where_the_hessian_is_indefinite() -> None:
     """On the way to rest Newton's Hessian takes its place, with tension; and it is said."""
