@@ -8,9 +8,10 @@ import numpy as np
 import pytest
 from drawn_shapes import NAMED
 from scipy.sparse.linalg import spsolve
-from solver_cases import NATIVE, NUMPY, needs_native
+from solver_cases import NATIVE, NUMPY, both_solvers, needs_native
 from test_welds import WELDED
 
+from BalloonWorkbench.core.errors import SolverError
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.film.library import films
 from BalloonWorkbench.core.mesh.sizing import size_for
@@ -20,7 +21,7 @@ from BalloonWorkbench.core.panels.assembly import Assembly
 from BalloonWorkbench.core.panels.panel import Panel
 from BalloonWorkbench.core.solver import model as models
 from BalloonWorkbench.core.solver import sensitivity
-from BalloonWorkbench.core.solver.backend import available
+from BalloonWorkbench.core.solver.backend import Backend, available
 from BalloonWorkbench.core.solver.element.rest_derivatives import force_changes
 from BalloonWorkbench.core.solver.element.shell import Shell, tangent_frames, turned
 from BalloonWorkbench.core.solver.inflate import inflate
@@ -164,3 +165,12 @@ def test_both_solvers_give_way_alike_where_the_hessian_is_indefinite() -> None:
     assert not other.exact
     assert missed(positions, one.changes, other.changes) < 1e-8
     assert not one.changes[panel.sealed, 2].any()  # held
+
+
+@both_solvers
+def test_a_state_that_is_no_balloon_is_refused(solver: Backend) -> None:
+    problem = film_problem(meshed(SHAPES["heart"]), MYLAR, PRESSURE)
+    places = np.full((len(problem.fixed), 3), np.nan)
+    up = np.tile([0.0, 0.0, 1.0], (len(places), 1))
+    with pytest.raises(SolverError, match="not near rest"):
+        solver.tangent_solve(problem, places, up, np.ones((len(places), 5, 1)))

@@ -32,8 +32,11 @@ def times_fields(rows: Ints, columns: Ints, blocks: Floats, fields: Floats) -> F
     merged = merged.reshape(-1, *blocks.shape[1:])
     row, column = np.divmod(pairs, count)
     total = np.zeros((count, blocks.shape[1], fields.shape[2]))
-    for here in rounds(row):
-        total[row[here]] += merged[here] @ fields[column[here]]
+    lengths = np.bincount(row, minlength=count)
+    for length in np.unique(lengths[lengths > 0]).tolist():  # rows with equally many blocks at a time
+        here = np.flatnonzero(lengths[row] == length).reshape(-1, length)
+        wide = np.swapaxes(merged[here], 1, 2).reshape(len(here), blocks.shape[1], -1)
+        total[row[here[:, 0]]] = wide @ fields[column[here]].reshape(len(here), -1, fields.shape[2])
     return total
 
 
