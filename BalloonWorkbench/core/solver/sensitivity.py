@@ -32,7 +32,8 @@ def position_changes(
     """Changes (n, 3, k) m of the positions for fields of small moves (n, 2, k) m of the rest positions.
 
     Each vertex moves in the plane of its own panel. The balloon must be at rest: what is left of its forces
-    counts as none. The changes are free of motions of the whole balloon only as far as the moves are.
+    counts as none. It is free to move and turn as a whole, so rounding adds a little of that to the changes,
+    which says nothing of its shape.
     """
     solver, report = backend_named(backend), inflation.report
     assembly = simulated(inflation.assembly, report.model)
