@@ -27,8 +27,8 @@ from BalloonWorkbench.core.types import Bools, Floats, Ints
 PRESSURE = 100.0  # Pa
 #: For programs in C that use the native solver: the constants that Python declares.
 WITH_CONSTANTS = f"-DCONSTANTS={','.join(map(repr, CONSTANTS.values()))}"
-NATIVE = Backend("native", c_interface.solve, c_interface.energies)
-NUMPY = Backend("numpy", newton.solve, newton.energies)
+NATIVE = Backend("native", c_interface.solve, c_interface.energies, c_interface.tangent_solve)
+NUMPY = Backend("numpy", newton.solve, newton.energies, newton.tangent_solve)
 
 #: Where nothing can be compiled the native solver cannot be tested; anywhere else it has to be there.
 needs_native = pytest.mark.skipif(

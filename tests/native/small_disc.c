@@ -97,6 +97,29 @@ static film_status create(const int32_t* corners, const film_constants* numbers,
                        rigidities, &material, numbers, solver);
 }
 
+/* Two fields of loads at once: a push up at the middle, and none. */
+static void push(film_solver* solver) {
+    static double loads[VERTICES][5][2], moves[VERTICES][3][2];
+    int32_t exact = -1;
+    loads[0][2][0] = 1e-3;
+    check(film_tangent_solve(solver, positions[0], directors[0], 2, loads[0][0], moves[0][0], &exact)
+              == FILM_OK,
+          "tangent");
+    check(exact == 1, "at rest the exact Hessian is definite");
+    check(moves[0][2][0] > 0.0, "the middle goes where it is pushed");
+    for (int v = 0; v < VERTICES; ++v) {
+        check(moves[v][0][1] == 0.0 && moves[v][1][1] == 0.0 && moves[v][2][1] == 0.0, "no load, no move");
+        check(moves[v][2][0] <= moves[0][2][0], "the middle moves most");
+        check(!fixed[v][2] || moves[v][2][0] == 0.0, "rim in its plane");
+    }
+    check(film_tangent_solve(solver, positions[0], directors[0], 0, loads[0][0], moves[0][0], &exact)
+              == FILM_BAD_ARGUMENT,
+          "no field");
+    check(film_tangent_solve(solver, positions[0], directors[0], 2, NULL, moves[0][0], &exact)
+              == FILM_BAD_ARGUMENT,
+          "missing loads");
+}
+
 static void inflate(void) {
     const double levels[] = {6.0, 17.3, 50.0};
     const film_newton settings = {1e-6, 100};
@@ -127,6 +150,7 @@ static void inflate(void) {
             check(positions[v][2] == 0.0, "rim in its plane");
     }
 
+    push(solver);
     const film_newton hurried = {1e-6, 1};
     check(film_solve(solver, positions[0], directors[0], 3, levels, &hurried, NULL, NULL, &result) == FILM_OK,
           "solve without progress");

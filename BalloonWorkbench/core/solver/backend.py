@@ -16,7 +16,14 @@ from BalloonWorkbench.core.errors import InputError, MissingPackageError
 from BalloonWorkbench.core.solver.dynamics import motion
 from BalloonWorkbench.core.solver.equilibrium import newton
 from BalloonWorkbench.core.solver.native import load
-from BalloonWorkbench.core.solver.problem import Energies, Equilibrium, FilmProblem, NewtonSettings, Start
+from BalloonWorkbench.core.solver.problem import (
+    Energies,
+    Equilibrium,
+    FilmProblem,
+    NewtonSettings,
+    Start,
+    TangentSolution,
+)
 from BalloonWorkbench.core.types import Floats, Progress
 
 SOLVERS = ("native", "numpy", "newmark")
@@ -42,6 +49,9 @@ class Backend:
     name: str
     solve: Solve
     energies: Callable[[FilmProblem, Floats, Floats], Energies]
+    tangent_solve: Callable[
+        [FilmProblem, Floats, Floats, Floats], TangentSolution
+    ]  # see newton.tangent_solve
 
 
 @functools.cache
@@ -51,9 +61,9 @@ def available() -> tuple[Backend, ...]:
     if load.problem_with_library() is None:
         from BalloonWorkbench.core.solver.native import c_interface
 
-        working.append(Backend("native", c_interface.solve, c_interface.energies))
+        working.append(Backend("native", c_interface.solve, c_interface.energies, c_interface.tangent_solve))
     if _scipy_is_there():
-        working.append(Backend("numpy", newton.solve, newton.energies))
+        working.append(Backend("numpy", newton.solve, newton.energies, newton.tangent_solve))
     if not working and packages.lacks_ctypes():
         raise MissingPackageError(f"No solver works here: {packages.NO_CTYPES}")
     if not working:
@@ -84,7 +94,7 @@ def backend_named(name: str | Backend | None) -> Backend:
     if name is None:
         return available()[0]
     if name == "newmark" and _scipy_is_there():
-        return Backend("newmark", motion.solve, newton.energies)
+        return Backend("newmark", motion.solve, newton.energies, newton.tangent_solve)
     for backend in available():
         if backend.name == name:
             return backend

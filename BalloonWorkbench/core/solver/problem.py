@@ -107,3 +107,14 @@ class Equilibrium:
     steps: int
     factorisations: int
     converged: bool
+
+
+@dataclass(frozen=True)
+class TangentSolution:
+    """How a film at rest gives way to small loads: the changes (n, 3, k) of its positions.
+
+    exact  with the exact Hessian; else with the one that Newton's method takes, which is definite
+    """
+
+    changes: Floats
+    exact: bool

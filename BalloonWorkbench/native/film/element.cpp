@@ -45,6 +45,7 @@ struct Tangent {
     Vec4 stretch[3][3][3];  // by f[0] twice, f[1] and f[0], f[1] twice
     Vec4 mixed[3][2][2][3]; // corner, turn; by f
     Vec4 turns[3][2][3][2]; // by the turns of two corners
+    Vec4 moment[3][2];      // by the rotations at each corner
 };
 
 SIMD_INLINE void add_membrane(const Kinematics& k, const FilmLaw& law, double stiffness, Tangent& tangent) {
@@ -103,7 +104,7 @@ SIMD_INLINE void add_bending(const FourTriangles& film, const Kinematics& k, con
             slope[t][0] = dot(film.frame[a][t], k.f[0]);
             slope[t][1] = dot(film.frame[a][t], k.f[1]);
         }
-        Vec4 moment[2];
+        Vec4(&moment)[2] = tangent.moment[a];
         for (int c = 0; c < 2; ++c) {
             moment[c] = Vec4{};
             for (int b = 0; b < 3; ++b)
@@ -140,6 +141,22 @@ SIMD_INLINE void add_bending(const FourTriangles& film, const Kinematics& k, con
     }
 }
 
+// What Gauss-Newton leaves out. A rotation is bilinear in f and the director; a director that turns by an
+// angle t sinks by t^2 / 2.
+SIMD_INLINE void add_second_rotations(const FourTriangles& film, const Kinematics& k, Tangent& tangent) {
+    for (int a = 0; a < 3; ++a) {
+        const Vec4(&moment)[2] = tangent.moment[a];
+        const Vec4 sunk = moment[0] * k.rotation[a][0] + moment[1] * k.rotation[a][1];
+        for (int t = 0; t < 2; ++t) {
+            tangent.turns[a][t][a][t] = tangent.turns[a][t][a][t] - sunk;
+            for (int c = 0; c < 2; ++c) {
+                for (int i = 0; i < 3; ++i)
+                    tangent.mixed[a][t][c][i] = tangent.mixed[a][t][c][i] + moment[c] * film.frame[a][t][i];
+            }
+        }
+    }
+}
+
 SIMD_INLINE void derivatives_body(const FourTriangles& film, const FilmLaw& law, const FilmScales& scales,
                                   FourElements& elements) {
     Kinematics k;
@@ -147,6 +164,8 @@ SIMD_INLINE void derivatives_body(const FourTriangles& film, const FilmLaw& law,
     Tangent tangent;
     add_membrane(k, law, scales.membrane_stiffness, tangent);
     add_bending(film, k, scales, tangent);
+    if (scales.exact)
+        add_second_rotations(film, k, tangent);
     for (int i = 0; i < 3; ++i) {
         tangent.stretch[0][i][i] = tangent.stretch[0][i][i] + scales.tension * k.area;
         tangent.stretch[2][i][i] = tangent.stretch[2][i][i] + scales.tension * k.area;

@@ -31,6 +31,7 @@ struct FourElements {
 struct FilmScales {
     double membrane_stiffness, flexural_rigidity, poisson_ratio, pressure;
     double tension = 0.0; // added to the film's own in the Hessian
+    bool exact = false;   // with the second derivatives of the rotations in the Hessian
 };
 
 struct FilmKernels {

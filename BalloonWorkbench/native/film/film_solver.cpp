@@ -12,6 +12,7 @@
 #include <string>
 
 #include "newton.h"
+#include "tangent.h"
 
 struct film_solver {
     film::Shell shell;
@@ -151,5 +152,15 @@ film_status film_solve(film_solver* solver, double* positions, double* directors
             throw;
         }
         give_back();
+    });
+}
+
+film_status film_tangent_solve(film_solver* solver, const double* positions, const double* directors,
+                               int32_t fields, const double* loads, double* moves, int32_t* exact) {
+    if (any_missing({solver, positions, directors, loads, moves, exact}) || fields < 1)
+        return fail(FILM_BAD_ARGUMENT, "an array is missing");
+    return guarded([&] {
+        const film::State state = state_of(positions, directors, solver->shell.vertices());
+        *exact = film::tangent_solve(solver->shell, state, solver->constants, fields, loads, moves) ? 1 : 0;
     });
 }

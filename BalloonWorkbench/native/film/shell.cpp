@@ -300,4 +300,28 @@ State Shell::moved(const State& state, const Frames& frames, const Eigen::Vector
     return next;
 }
 
+Eigen::MatrixXd Shell::gathered(const double* numbers, int fields) const {
+    Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(count(), fields);
+    for (const std::array<int, 5>& number : number_) {
+        for (int k = 0; k < 5; ++k, numbers += fields) {
+            if (number[k] >= 0)
+                columns.row(number[k]) += Eigen::Map<const Eigen::RowVectorXd>(numbers, fields);
+        }
+    }
+    return columns;
+}
+
+void Shell::spread(const Eigen::MatrixXd& columns, double* moves) const {
+    const Eigen::Index fields = columns.cols();
+    for (const std::array<int, 5>& number : number_) {
+        for (int k = 0; k < 3; ++k, moves += fields) {
+            Eigen::Map<Eigen::RowVectorXd> row(moves, fields);
+            if (number[k] >= 0)
+                row = columns.row(number[k]);
+            else
+                row.setZero();
+        }
+    }
+}
+
 } // namespace film

@@ -30,7 +30,7 @@ struct Frames {
     explicit Frames(const Vectors& directors);
 };
 
-// The discrete film: energy, gradient and Hessian (Gauss-Newton in the bending part).
+// The discrete film: energy, gradient and Hessian (Gauss-Newton in the bending part, unless it is exact).
 class Shell {
 public:
     Shell(int vertices, const double* rest_positions, int triangles, const int32_t* triangle_corners,
@@ -45,6 +45,9 @@ public:
 
     // Adds the stiffness of so much tension in all directions to the Hessian.
     void set_tension(double tension) { scales_.tension = tension; }
+
+    // Adds the second derivatives of the rotations to the Hessian, too.
+    void set_exact(bool exact) { scales_.exact = exact; }
 
     Energies energies(const State& state) const;
 
@@ -63,6 +66,13 @@ public:
 
     // The state after a step in the free unknowns, directors put back on the sphere.
     State moved(const State& state, const Frames& frames, const Eigen::VectorXd& step, double length) const;
+
+    // Numbers (vertices, 5, fields) of the unknowns of each vertex, summed in the free ones: a column a
+    // field.
+    Eigen::MatrixXd gathered(const double* numbers, int fields) const;
+
+    // The moves (vertices, 3, fields) of the positions that free unknowns stand for.
+    void spread(const Eigen::MatrixXd& columns, double* moves) const;
 
 private:
     struct Hinge {

@@ -21,7 +21,7 @@
 extern "C" {
 #endif
 
-enum { FILM_ABI_VERSION = 5 };
+enum { FILM_ABI_VERSION = 6 };
 
 typedef enum {
     FILM_OK = 0,
@@ -99,6 +99,12 @@ FILM_API film_status film_energies(film_solver* solver, const double* positions,
 FILM_API film_status film_solve(film_solver* solver, double* positions, double* directors,
                                 int32_t level_count, const double* levels, const film_newton* settings,
                                 film_progress progress, void* user, film_result* result);
+
+// How the film gives way to loads (vertices, 5, fields) on x, y, z of each vertex and the two turns of its
+// director, in the first order: moves (vertices, 3, fields) receives the changes of the positions. exact
+// receives 0 where the exact Hessian is not positive definite, and that of the iteration took its place.
+FILM_API film_status film_tangent_solve(film_solver* solver, const double* positions, const double* directors,
+                                        int32_t fields, const double* loads, double* moves, int32_t* exact);
 
 #ifdef __cplusplus
 }

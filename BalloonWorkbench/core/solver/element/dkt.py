@@ -9,19 +9,25 @@ side (i, j) with unit tangent s and normal n Kirchhoff's hypothesis gives
 
 In the shell the deflection is measured from the triangle's own plane, so w = 0 at the corners and only
 the six rotations remain (see shell.py).
+
+All of it is analytic in the corners, so that complex ones with a small imaginary part give its derivatives
+(Squire and Trapp 1998, "Using complex variables to estimate derivatives of real functions").
 """
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
+from numpy.typing import NDArray
 
 from BalloonWorkbench.core.geometry.vectors import perpendicular
 from BalloonWorkbench.core.types import Floats
 
+#: Real, or complex for the sake of derivatives.
+Numbers = NDArray[Any]
+
 SIDES = ((0, 1), (1, 2), (2, 0))
-# derivatives of the six quadratic shape functions (corners, then sides 01, 12, 20) with respect to the
-# area coordinates (L0, L1, L2), at the middles of the sides, where a quadratic integrand is exact
-_MIDDLES = np.array([[0.5, 0.5, 0.0], [0.0, 0.5, 0.5], [0.5, 0.0, 0.5]])
 
 
 def shape_derivatives(area_coordinates: Floats) -> Floats:
@@ -35,7 +41,13 @@ def shape_derivatives(area_coordinates: Floats) -> Floats:
     return derivative
 
 
-def gradients(corners: Floats) -> tuple[Floats, Floats]:
+# derivatives of the six quadratic shape functions (corners, then sides 01, 12, 20) with respect to the
+# area coordinates (L0, L1, L2), at the middles of the sides, where a quadratic integrand is exact
+_MIDDLES = np.array([[0.5, 0.5, 0.0], [0.0, 0.5, 0.5], [0.5, 0.0, 0.5]])
+_AT_MIDDLES = np.stack([shape_derivatives(middle) for middle in _MIDDLES])
+
+
+def gradients(corners: Numbers) -> tuple[Numbers, Numbers]:
     """Gradients of the area coordinates (m, 3, 2) and the areas (m,) of triangles (m, 3, 2)."""
     edge = np.roll(corners, -2, axis=1) - np.roll(corners, -1, axis=1)  # opposite to each corner
     double_area = edge[:, 1, 0] * edge[:, 2, 1] - edge[:, 1, 1] * edge[:, 2, 0]
@@ -43,7 +55,7 @@ def gradients(corners: Floats) -> tuple[Floats, Floats]:
     return gradient, 0.5 * double_area
 
 
-def curvature_operators(corners: Floats) -> Floats:
+def curvature_operators(corners: Numbers) -> Numbers:
     """Curvatures from (w_i, beta_x_i, beta_y_i): (m, 3 points, 3, 9).
 
     corners (m, 3, 2). The points are the middles of the sides, each with a third of the area; the rows are
@@ -52,13 +64,13 @@ def curvature_operators(corners: Floats) -> Floats:
     count = len(corners)
     gradient, _ = gradients(corners)
     # rotations at the six nodes from the nine unknowns: (m, 6 nodes, 2, 9)
-    rotation = np.zeros((count, 6, 2, 9))
+    rotation = np.zeros((count, 6, 2, 9), dtype=gradient.dtype)
     for corner in range(3):
         rotation[:, corner, 0, 3 * corner + 1] = 1.0
         rotation[:, corner, 1, 3 * corner + 2] = 1.0
     for side, (i, j) in enumerate(SIDES):
         vector = corners[:, j] - corners[:, i]
-        length = np.linalg.norm(vector, axis=1)
+        length = np.sqrt((vector**2).sum(axis=1))
         s = vector / length[:, None]
         n = perpendicular(s)
         average = 0.5 * n[:, :, None] * n[:, None, :] - 0.25 * s[:, :, None] * s[:, None, :]
@@ -66,15 +78,11 @@ def curvature_operators(corners: Floats) -> Floats:
         for corner, sign in ((i, 1.0), (j, -1.0)):
             rotation[:, 3 + side, :, 3 * corner] = sign * slope
             rotation[:, 3 + side, :, 3 * corner + 1 : 3 * corner + 3] = average
-    operators = np.empty((count, 3, 3, 9))
-    for point in range(3):
-        slopes = shape_derivatives(_MIDDLES[point]) @ gradient  # (m, 6, 2)
-        dx = np.einsum("mn,mnkd->mkd", slopes[:, :, 0], rotation)
-        dy = np.einsum("mn,mnkd->mkd", slopes[:, :, 1], rotation)
-        operators[:, point, 0] = dx[:, 0]
-        operators[:, point, 1] = dy[:, 1]
-        operators[:, point, 2] = dy[:, 0] + dx[:, 1]
-    return operators
+    slopes = _AT_MIDDLES @ gradient[:, None]
+    along = np.swapaxes(slopes.reshape(count, 3, 6, 2), 2, 3).reshape(count, 6, 6)
+    changes = (along @ rotation.reshape(count, 6, 18)).reshape(count, 3, 2, 2, 9)  # by x and y, of beta
+    across = changes[:, :, 1, 0] + changes[:, :, 0, 1]
+    return np.stack([changes[:, :, 0, 0], changes[:, :, 1, 1], across], axis=2)
 
 
 def bending_law(poisson_ratio: float) -> Floats:
@@ -91,13 +99,15 @@ def plate_stiffness(corners: Floats, poisson_ratio: float) -> Floats:
     return _integrate(operators, corners, poisson_ratio)
 
 
-def rotation_stiffness(corners: Floats, poisson_ratio: float) -> Floats:
+def rotation_stiffness(corners: Numbers, poisson_ratio: float) -> Numbers:
     """Element stiffness (m, 6, 6) per flexural rigidity in (beta_x, beta_y) of the corners, with w = 0."""
     operators = curvature_operators(corners)[..., [1, 2, 4, 5, 7, 8]]
     return _integrate(operators, corners, poisson_ratio)
 
 
-def _integrate(operators: Floats, corners: Floats, poisson_ratio: float) -> Floats:
+def _integrate(operators: Numbers, corners: Numbers, poisson_ratio: float) -> Numbers:
     _, areas = gradients(corners)
-    stiffness = np.einsum("mpik,ij,mpjl->mkl", operators, bending_law(poisson_ratio), operators)
+    moments = bending_law(poisson_ratio) @ operators
+    flat = (len(operators), 9, operators.shape[3])  # three curvatures at three points
+    stiffness = np.swapaxes(operators.reshape(flat), 1, 2) @ moments.reshape(flat)
     return np.asarray(stiffness * (areas / 3.0)[:, None, None])

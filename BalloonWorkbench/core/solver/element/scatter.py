@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -12,6 +12,32 @@ from BalloonWorkbench.core.types import Floats, Ints
 
 if TYPE_CHECKING:
     from scipy import sparse
+
+
+def rounds(rows: Ints) -> Iterator[Ints]:
+    """All places of rows (e,) in a few groups, in each of which no row is there twice."""
+    order = np.argsort(rows, kind="stable")
+    ascending = rows[order]
+    turn = np.arange(len(rows)) - np.searchsorted(ascending, ascending)
+    for place in range(int(turn.max(initial=-1)) + 1):
+        yield order[turn == place]
+
+
+def times_fields(rows: Ints, columns: Ints, blocks: Floats, fields: Floats) -> Floats:
+    """Blocks (e, a, b), summed in rows and columns (e,) of n, times fields (n, b, k): (n, a, k)."""
+    count = len(fields)
+    pairs, slot = np.unique(rows.astype(np.int64) * count + columns, return_inverse=True)
+    flat = blocks.reshape(len(blocks), -1)
+    merged = np.stack([np.bincount(slot, part, len(pairs)) for part in flat.T], axis=1)
+    merged = merged.reshape(-1, *blocks.shape[1:])
+    row, column = np.divmod(pairs, count)
+    total = np.zeros((count, blocks.shape[1], fields.shape[2]))
+    lengths = np.bincount(row, minlength=count)
+    for length in np.unique(lengths[lengths > 0]).tolist():  # rows with equally many blocks at a time
+        here = np.flatnonzero(lengths[row] == length).reshape(-1, length)
+        wide = np.swapaxes(merged[here], 1, 2).reshape(len(here), blocks.shape[1], -1)
+        total[row[here[:, 0]]] = wide @ fields[column[here]].reshape(len(here), -1, fields.shape[2])
+    return total
 
 
 class Scatter:

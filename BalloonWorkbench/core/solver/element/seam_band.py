@@ -24,7 +24,24 @@ from collections.abc import Sequence
 import numpy as np
 
 from BalloonWorkbench.core.geometry.vectors import cross
+from BalloonWorkbench.core.solver.element.dkt import Numbers
 from BalloonWorkbench.core.types import Floats, Ints
+
+
+def kink_operators(corners: Numbers, rigidities: Floats) -> tuple[Numbers, Numbers]:
+    """The kinks of hinges with these corners (h, 3, 2) from positions, (h, 2, 6), and their stiffnesses (h,).
+
+    Analytic in the corners, as dkt.py is.
+    """
+    previous, middle, following = np.moveaxis(corners, 1, 0)
+    before, after = middle - previous, following - middle
+    length_before, length_after = (np.sqrt((edge**2).sum(axis=1)) for edge in (before, after))
+    cosine = np.einsum("ij,ij->i", before, after) / (length_before * length_after)
+    sine = cross(before, after) / (length_before * length_after)
+    turn = np.array([[cosine, -sine], [sine, cosine]]).transpose(2, 0, 1) / length_before[:, None, None]
+    straight = np.eye(2)[None] / length_after[:, None, None]
+    operator = np.concatenate([turn, -turn - straight, straight], axis=2)
+    return operator, 2.0 * rigidities / (length_before + length_after)
 
 
 class SeamBand:
@@ -35,16 +52,8 @@ class SeamBand:
     """
 
     def __init__(self, rest_positions: Floats, hinges: Ints, rigidities: Floats) -> None:
-        self.hinges = hinges
-        previous, middle, following = (rest_positions[self.hinges[:, corner]] for corner in range(3))
-        before, after = middle - previous, following - middle
-        length_before, length_after = np.linalg.norm(before, axis=1), np.linalg.norm(after, axis=1)
-        cosine = np.einsum("ij,ij->i", before, after) / (length_before * length_after)
-        sine = cross(before, after) / (length_before * length_after)
-        turn = np.array([[cosine, -sine], [sine, cosine]]).transpose(2, 0, 1) / length_before[:, None, None]
-        straight = np.eye(2)[None] / length_after[:, None, None]
-        self._operator = np.concatenate([turn, -turn - straight, straight], axis=2)  # (h, 2, 6)
-        self._stiffness = 2.0 * rigidities / (length_before + length_after)
+        self.hinges, self.rigidities = hinges, rigidities
+        self._operator, self._stiffness = kink_operators(rest_positions[hinges], rigidities)
 
     def _kinks(self, positions: Floats) -> Floats:
         return np.einsum("hij,hj->hi", self._operator, positions[self.hinges][:, :, :2].reshape(-1, 6))

@@ -9,11 +9,14 @@ these six numbers, bilinear in positions and directors, so that it is right at l
 
 W is the tension field (membrane.py), V the volume between the film and the plane z = 0. The Hessian is
 exact but for the second derivatives of beta, whose omission (Gauss-Newton) keeps the bending part positive
-semi-definite. `tension` adds the stiffness of so much tension in all directions to the Hessian.
+semi-definite; `exact` adds them. `tension` adds the stiffness of so much tension in all directions to the
+Hessian.
 """
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -21,7 +24,7 @@ import numpy as np
 from BalloonWorkbench.core.errors import SolverError
 from BalloonWorkbench.core.solver.element import dkt
 from BalloonWorkbench.core.solver.element.kinematics import deformation_gradients, facet_volume, green_strains
-from BalloonWorkbench.core.solver.element.scatter import Scatter
+from BalloonWorkbench.core.solver.element.scatter import Scatter, rounds
 from BalloonWorkbench.core.solver.element.seam_band import SeamBand
 from BalloonWorkbench.core.solver.problem import Energies, FilmProblem
 from BalloonWorkbench.core.types import Bools, Floats, Ints
@@ -44,10 +47,37 @@ def turned(directors: Floats, frames: Floats, turn: Floats) -> Floats:
     return np.asarray(moved / np.linalg.norm(moved, axis=1)[:, None])
 
 
+@dataclass(frozen=True)
+class ElasticElements:
+    """Forces and stiffness of the film of each triangle, without pressure, loads and bands.
+
+    Rows are x, y, z of the three corners, then the two turns of each of their directors.
+    gradient   (m, 3, 2) F
+    membrane   (m, 15) forces of the stretched film, those in the turns 0
+    rotation   (m, 6) beta
+    jacobian   (m, 6, 15) d beta
+    moments    (m, 6) by which the bent film turns the rotations
+    stiffness  (m, 15, 15)
+    """
+
+    gradient: Floats
+    membrane: Floats
+    rotation: Floats
+    jacobian: Floats
+    moments: Floats
+    stiffness: Floats
+
+    @property
+    def force(self) -> Floats:
+        """Of membrane and bending: (m, 15)."""
+        return self.membrane + np.einsum("mik,mi->mk", self.jacobian, self.moments)
+
+
 class Shell:
     """A film problem made ready for evaluation."""
 
     def __init__(self, problem: FilmProblem) -> None:
+        self.problem = problem
         rest_positions, triangles, fixed = problem.rest_positions, problem.triangles, problem.fixed
         corners = rest_positions[triangles]
         self.triangles = triangles
@@ -57,28 +87,33 @@ class Shell:
         self.flexural_rigidity = problem.flexural_rigidity
         self.pressure = problem.pressure
         self.tension = 0.0
+        self.exact = False
         self.loads = np.zeros((len(rest_positions), 3)) if problem.loads is None else problem.loads
-        self._shape, self.areas = dkt.gradients(corners)  # (m, 3, 2), (m,)
+        self.shape, self.areas = dkt.gradients(corners)  # (m, 3, 2), (m,)
         self._rotation_stiffness = dkt.rotation_stiffness(corners, problem.poisson_ratio)
         corner_areas = np.repeat(self.areas / 3.0, 3)
         self.vertex_areas = np.bincount(triangles.ravel(), corner_areas, len(rest_positions))
         if not np.all(self.vertex_areas):
             raise SolverError("The mesh has a vertex without triangles. Mesh the outline anew.")
-        self._band: SeamBand | None = None
+        self.band: SeamBand | None = None
         if problem.hinges is not None and problem.hinge_rigidities is not None:
-            self._band = SeamBand(rest_positions, problem.hinges, problem.hinge_rigidities)
+            self.band = SeamBand(rest_positions, problem.hinges, problem.hinge_rigidities)
 
         self.number, self.count = _numbered(fixed, problem.tied)
-        at_corners = self.number[triangles]  # (m, 3, 5)
+
+    @cached_property
+    def scatter(self) -> Scatter:
+        """From triangles and hinges to the free unknowns."""
+        at_corners = self.number[self.triangles]  # (m, 3, 5)
         moves, turns = at_corners[:, :, :3].reshape(-1, 9), at_corners[:, :, 3:].reshape(-1, 6)
         elements = [np.concatenate([moves, turns], 1)]
-        if self._band is not None:
-            elements.append(self.number[self._band.hinges][:, :, :2].reshape(-1, 6))
-        self.scatter = Scatter(elements, self.count)
+        if self.band is not None:
+            elements.append(self.number[self.band.hinges][:, :, :2].reshape(-1, 6))
+        return Scatter(elements, self.count)
 
     def energies(self, positions: Floats, directors: Floats) -> Energies:
         """The parts of the energy at positions (n, 3) and directors (n, 3)."""
-        gradient = deformation_gradients(positions, self.triangles, self._shape)
+        gradient = deformation_gradients(positions, self.triangles, self.shape)
         membrane = float(self.areas @ self._membrane(green_strains(gradient)).energy)
         rotation = _rotations(gradient, directors[self.triangles])
         bending = float(np.einsum("mi,mij,mj->", rotation, self._rotation_stiffness, rotation))
@@ -87,7 +122,7 @@ class Shell:
             0.5 * self.flexural_rigidity * bending,
             -self.pressure * facet_volume(positions, self.triangles),
             -float(np.einsum("ij,ij->", self.loads, positions)),
-            0.0 if self._band is None else self._band.energy(positions),
+            0.0 if self.band is None else self.band.energy(positions),
         )
 
     def derivatives(
@@ -95,32 +130,8 @@ class Shell:
     ) -> tuple[Floats, sparse.csc_matrix]:
         """Gradient (count,) and Hessian (count, count) in the free unknowns."""
         corners = positions[self.triangles]
-        d = directors[self.triangles]
-        gradient = deformation_gradients(positions, self.triangles, self._shape)
-        membrane = self._membrane(green_strains(gradient))
-        scale = self.membrane_stiffness * self.areas
-
-        strain_operator = _strain_operator(gradient, self._shape)  # (m, 3, 9)
-        force = np.zeros((len(corners), 15))
-        force[:, :9] = np.einsum("mik,mi->mk", strain_operator, membrane.stress * scale[:, None])
-        stiffness = np.zeros((len(corners), 15, 15))
-        weighted = np.matmul(membrane.tangent * scale[:, None, None], strain_operator)
-        stiffness[:, :9, :9] = np.matmul(np.swapaxes(strain_operator, 1, 2), weighted)
-        s11, s22, s12 = (membrane.stress * scale[:, None]).T
-        stress = np.stack([np.stack([s11, s12], 1), np.stack([s12, s22], 1)], 1)
-        stress += (self.tension * self.areas)[:, None, None] * np.eye(2)
-        geometric = self._shape @ stress @ np.swapaxes(self._shape, 1, 2)
-        blocks = stiffness[:, :9, :9].reshape(-1, 3, 3, 3, 3)
-        for axis in range(3):
-            blocks[:, :, axis, :, axis] += geometric
-
-        rotation = _rotations(gradient, d)
-        jacobian = _rotation_operator(gradient, d, self._shape, frames[self.triangles])  # (m, 6, 15)
-        bending = self.flexural_rigidity * self._rotation_stiffness
-        weighted = np.matmul(bending, jacobian)
-        force += np.einsum("mik,mi->mk", weighted, rotation)
-        stiffness += np.matmul(np.swapaxes(jacobian, 1, 2), weighted)
-
+        film = self.elastic(positions, directors, frames)
+        force, stiffness = film.force, film.stiffness
         nodal = self.pressure / 6.0
         for a in range(3):
             b, c = (a + 1) % 3, (a + 2) % 3
@@ -129,21 +140,56 @@ class Shell:
             stiffness[:, 3 * a : 3 * a + 3, 3 * c : 3 * c + 3] -= nodal * _cross_matrix(corners[:, b])
 
         forces, stiffnesses = [force], [stiffness]
-        if self._band is not None:
-            band_force, band_stiffness = self._band.derivatives(positions)
+        if self.band is not None:
+            band_force, band_stiffness = self.band.derivatives(positions)
             forces.append(band_force)
             stiffnesses.append(band_stiffness)
         loads = np.pad(self.loads, ((0, 0), (0, 2)))
         return self.scatter.vector(forces) - self.gathered(loads), self.scatter.matrix(stiffnesses)
 
+    def elastic(self, positions: Floats, directors: Floats, frames: Floats) -> ElasticElements:
+        """Membrane and bending of each triangle."""
+        d, frames = directors[self.triangles], frames[self.triangles]
+        gradient = deformation_gradients(positions, self.triangles, self.shape)
+        membrane = self._membrane(green_strains(gradient))
+        scale = self.membrane_stiffness * self.areas
+
+        strain_operator = _strain_operator(gradient, self.shape)  # (m, 3, 9)
+        force = np.zeros((len(d), 15))
+        force[:, :9] = np.einsum("mik,mi->mk", strain_operator, membrane.stress * scale[:, None])
+        stiffness = np.zeros((len(d), 15, 15))
+        weighted = np.matmul(membrane.tangent * scale[:, None, None], strain_operator)
+        stiffness[:, :9, :9] = np.matmul(np.swapaxes(strain_operator, 1, 2), weighted)
+        s11, s22, s12 = (membrane.stress * scale[:, None]).T
+        stress = np.stack([np.stack([s11, s12], 1), np.stack([s12, s22], 1)], 1)
+        stress += (self.tension * self.areas)[:, None, None] * np.eye(2)
+        geometric = self.shape @ stress @ np.swapaxes(self.shape, 1, 2)
+        blocks = stiffness[:, :9, :9].reshape(-1, 3, 3, 3, 3)
+        for axis in range(3):
+            blocks[:, :, axis, :, axis] += geometric
+
+        rotation = _rotations(gradient, d)
+        jacobian = _rotation_operator(gradient, d, self.shape, frames)  # (m, 6, 15)
+        bending = self.flexural_rigidity * self._rotation_stiffness
+        stiffness += np.matmul(np.swapaxes(jacobian, 1, 2), np.matmul(bending, jacobian))
+        moments = np.einsum("mij,mj->mi", bending, rotation)
+        if self.exact:
+            _add_second_rotations(stiffness, moments, rotation, self.shape, frames)
+        return ElasticElements(gradient, force, rotation, jacobian, moments, stiffness)
+
     def gathered(self, values: Floats) -> Floats:
-        """Values (n, 5) of the unknowns of each vertex, summed in the free unknowns: (count,)."""
+        """Values (n, 5, ...) of the unknowns of each vertex, summed in the free unknowns: (count, ...)."""
         free = self.number >= 0
-        return np.bincount(self.number[free], values[free], self.count).astype(np.float64)
+        numbers, parts = self.number[free], values[free]
+        total = np.zeros((self.count, *values.shape[2:]))
+        for here in rounds(numbers):
+            total[numbers[here]] += parts[here]
+        return total
 
     def spread(self, step: Floats) -> tuple[Floats, Floats]:
-        """Displacements (n, 3) and director turns (n, 2) from a vector of the free unknowns."""
-        full = np.where(self.number >= 0, step[self.number], 0.0)
+        """Displacements (n, 3, ...) and director turns (n, 2, ...) from free unknowns (count, ...)."""
+        full = step[self.number]
+        full[self.number < 0] = 0.0
         return full[:, :3], full[:, 3:]
 
 
@@ -181,6 +227,22 @@ def _rotation_operator(gradient: Floats, corner_directors: Floats, shape: Floats
     for corner in range(3):
         operator[:, corner, :, 9 + 2 * corner : 11 + 2 * corner] = turning[:, corner]
     return operator.reshape(count, 6, 15)
+
+
+def _add_second_rotations(
+    stiffness: Floats, moments: Floats, rotation: Floats, shape: Floats, frames: Floats
+) -> None:
+    """The moments (m, 6) times the second derivatives of the rotations, on stiffness (m, 15, 15).
+
+    beta is bilinear in positions and directors; a director that turns by an angle t sinks by t^2 / 2.
+    """
+    at_corners = moments.reshape(-1, 3, 2)
+    mixed = np.einsum("mik,mak,mijt->majit", at_corners, shape, frames, optimize=True).reshape(-1, 9, 6)
+    stiffness[:, :9, 9:] += mixed
+    stiffness[:, 9:, :9] += np.swapaxes(mixed, 1, 2)
+    sunk = np.einsum("mik,mik->mi", at_corners, rotation.reshape(-1, 3, 2))
+    for turn in range(6):
+        stiffness[:, 9 + turn, 9 + turn] -= sunk[:, turn // 2]
 
 
 def _cross_matrix(vectors: Floats) -> Floats:

@@ -17,7 +17,14 @@ import numpy as np
 from BalloonWorkbench.core.errors import Cancelled, SolverError
 from BalloonWorkbench.core.solver.element.shell import Shell, tangent_frames, turned
 from BalloonWorkbench.core.solver.equilibrium.convergence import Convergence
-from BalloonWorkbench.core.solver.problem import Energies, Equilibrium, FilmProblem, NewtonSettings, Start
+from BalloonWorkbench.core.solver.problem import (
+    Energies,
+    Equilibrium,
+    FilmProblem,
+    NewtonSettings,
+    Start,
+    TangentSolution,
+)
 from BalloonWorkbench.core.types import Floats, Progress, no_progress
 
 if TYPE_CHECKING:
@@ -213,3 +220,27 @@ def _cholesky_like(matrix: csc_matrix) -> SuperLU | None:
 def energies(problem: FilmProblem, positions: Floats, directors: Floats) -> Energies:
     """Parts of the energy of a state."""
     return Shell(problem).energies(positions, directors)
+
+
+def tangent_solve(
+    problem: FilmProblem, positions: Floats, directors: Floats, loads: Floats
+) -> TangentSolution:
+    """How the film gives way to loads (n, 5, k) on the unknowns of its vertices, in the first order.
+
+    The turns that loads act on are those of tangent_frames. Where the exact Hessian is not positive definite,
+    Newton's takes its place, with the least tried tension that makes it so. The shift, which holds what moves
+    as a whole, is that of Newton's method. Raises SolverError when the Hessian is no matrix of numbers.
+    """
+    shell, frames = Shell(problem), tangent_frames(directors)
+    shift = SHIFT * _masses(shell)
+    shell.exact = True
+    _, hessian = shell.derivatives(positions, directors, frames)
+    factor = _cholesky_like(shell.scatter.shifted(hessian, shift))
+    exact = factor is not None
+    if factor is None:
+        shell.exact = False
+        _, factor, _ = _definite_factor(shell, positions, directors, frames, shift)
+    if factor is None:
+        raise SolverError("The balloon is not near rest. Inflate it anew.")
+    moves, _ = shell.spread(factor.solve(shell.gathered(loads)))
+    return TangentSolution(moves, exact)

@@ -16,7 +16,14 @@ from BalloonWorkbench.core.errors import Cancelled, SolverError
 from BalloonWorkbench.core.solver.element import orthotropic
 from BalloonWorkbench.core.solver.equilibrium import convergence, newton
 from BalloonWorkbench.core.solver.native.load import library as loaded_library
-from BalloonWorkbench.core.solver.problem import Energies, Equilibrium, FilmProblem, NewtonSettings, Start
+from BalloonWorkbench.core.solver.problem import (
+    Energies,
+    Equilibrium,
+    FilmProblem,
+    NewtonSettings,
+    Start,
+    TangentSolution,
+)
 from BalloonWorkbench.core.types import Floats, Progress, no_progress
 
 _CANCELLED, _OUT_OF_MEMORY = 3, 4
@@ -174,3 +181,26 @@ def energies(problem: FilmProblem, positions: Floats, directors: Floats) -> Ener
             library, library.film_energies(handle, _pointer(positions), _pointer(directors), _pointer(parts))
         )
     return Energies(*(float(part) for part in parts))
+
+
+def tangent_solve(
+    problem: FilmProblem, positions: Floats, directors: Floats, loads: Floats
+) -> TangentSolution:
+    """How the film gives way to loads (n, 5, k); the same contract as newton.tangent_solve."""
+    library, exact = loaded_library(), ctypes.c_int32()
+    positions = np.ascontiguousarray(positions, dtype=np.float64)
+    directors = np.ascontiguousarray(directors, dtype=np.float64)
+    loads = np.ascontiguousarray(loads, dtype=np.float64)
+    changes = np.empty((len(loads), 3, loads.shape[2]))
+    with _solver(library, problem) as handle:
+        status = library.film_tangent_solve(
+            handle,
+            _pointer(positions),
+            _pointer(directors),
+            ctypes.c_int32(loads.shape[2]),
+            _pointer(loads),
+            _pointer(changes),
+            ctypes.byref(exact),
+        )
+        _check(library, status)
+    return TangentSolution(changes, bool(exact.value))
