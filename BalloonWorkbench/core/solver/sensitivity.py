@@ -12,14 +12,15 @@ from dataclasses import replace
 
 import numpy as np
 
+from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.solver.backend import Backend, backend_named
 from BalloonWorkbench.core.solver.element.rest_derivatives import force_changes
 from BalloonWorkbench.core.solver.element.shell import Shell, tangent_frames
 from BalloonWorkbench.core.solver.inflation import Inflation
-from BalloonWorkbench.core.solver.model import problem_of, simulated
+from BalloonWorkbench.core.solver.model import problem_of, simulated, split_for
 from BalloonWorkbench.core.solver.problem import FilmProblem, NewtonSettings, Start, TangentSolution
-from BalloonWorkbench.core.solver.split_along_welds import SplitFilm, split_assembly
+from BalloonWorkbench.core.solver.split_along_welds import SplitFilm
 from BalloonWorkbench.core.solver.start import vertex_normals
 from BalloonWorkbench.core.types import Floats, no_progress
 
@@ -33,11 +34,16 @@ def position_changes(
 
     Each vertex moves in the plane of its own panel. The balloon must be at rest: what is left of its forces
     counts as none. It is free to move and turn as a whole, so rounding adds a little of that to the changes,
-    which says nothing of its shape.
+    which says nothing of its shape. Raises InputError for a weld that crumples: of the film outside its seams
+    an inflation keeps nothing.
     """
     solver, report = backend_named(backend), inflation.report
     assembly = simulated(inflation.assembly, report.model)
-    split = split_assembly(assembly)
+    split = split_for(assembly, film, report.model)
+    if split.strip:
+        raise InputError(
+            "How a balloon follows its pattern can be worked out for an elastic weld alone: choose that one."
+        )
     problem = problem_of(split, film, report.pressure, report.model)
     positions, directors = _state(inflation, split, problem, solver)
     if len(rest_moves) < assembly.offsets[-1]:  # of one panel, but both are simulated

@@ -11,7 +11,7 @@ from scipy.sparse.linalg import spsolve
 from solver_cases import NATIVE, NUMPY, both_solvers, needs_native
 from test_welds import WELDED
 
-from BalloonWorkbench.core.errors import SolverError
+from BalloonWorkbench.core.errors import InputError, SolverError
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.film.library import films
 from BalloonWorkbench.core.mesh.sizing import size_for
@@ -165,6 +165,15 @@ def test_both_solvers_give_way_alike_where_the_hessian_is_indefinite() -> None:
     assert not other.exact
     assert missed(positions, one.changes, other.changes) < 1e-8
     assert not one.changes[panel.sealed, 2].any()  # held
+
+
+def test_a_weld_that_crumples_is_refused() -> None:
+    """Its film outside the seams pulls at the balloon, too, and where it lies is not known any more."""
+    panel = meshed(SHAPES["heart"])
+    rest = inflate(panel, MYLAR, PRESSURE)
+    crumpled = replace(rest, report=replace(rest.report, model=Model(weld="crumpled")))
+    with pytest.raises(InputError, match="elastic weld"):
+        position_changes(crumpled, MYLAR, np.zeros((len(panel.rest_positions), 2, 1)))
 
 
 @both_solvers
