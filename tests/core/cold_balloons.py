@@ -47,16 +47,12 @@ def cold_balloon(
     return shown, residual(drawing, shown)
 
 
-def worst_balloon(
-    design: Design,
-    film: Film,
-    pressure: float,
-    vertices: Sequence[int] = VERTICES,
-    model: Model | None = None,
+def worse_balloon(
+    design: Design, film: Film, pressure: float, model: Model | None = None
 ) -> tuple[Outline, Residual]:
-    """The worse of the balloons on some meshes."""
+    """The worse of the balloons on the two meshes."""
     balloons = [
-        cold_balloon(design.target, design.pattern, film, pressure, count, model) for count in vertices
+        cold_balloon(design.target, design.pattern, film, pressure, count, model) for count in VERTICES
     ]
     return max(balloons, key=lambda balloon: balloon[1].mean)
 

@@ -6,6 +6,8 @@ Matplotlib brings the first two itself; the others are Debian packages of the va
 
 from __future__ import annotations
 
+from functools import cache
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -15,12 +17,11 @@ from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.packages import shapely
 
 SIGNS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789"
-#: How Matplotlib finds each font.
 FONTS = {
-    "sans bold": {"family": "DejaVu Sans", "weight": "bold"},
-    "serif bold": {"family": "DejaVu Serif", "weight": "bold"},
-    "slab bold": {"family": "Roboto Slab", "weight": "bold"},
-    "script": {"family": "Kaushan Script"},
+    "sans bold": "DejaVuSans-Bold.ttf",
+    "serif bold": "DejaVuSerif-Bold.ttf",
+    "slab bold": "RobotoSlab-Bold.otf",
+    "script": "KaushanScript-Regular.otf",
 }
 _UNITS = 2000.0  # fine steps along the curves
 
@@ -28,13 +29,12 @@ _UNITS = 2000.0  # fine steps along the curves
 def letter_outline(font: str, sign: str, height: float = 0.3) -> Outline:
     """The largest part of a sign with its holes, its larger dimension `height` [m]; dots are left away.
 
-    Raises ValueError where the font is not there.
+    Raises StopIteration where the font is not there.
     """
-    from matplotlib.font_manager import FontProperties, findfont
+    from matplotlib.font_manager import FontProperties
     from matplotlib.textpath import TextPath
 
-    properties = FontProperties(**FONTS[font])
-    findfont(properties, fallback_to_default=False)
+    properties = FontProperties(fname=next(path for path in _font_files() if path.endswith(FONTS[font])))
     loops = TextPath((0.0, 0.0), sign, size=_UNITS, prop=properties).to_polygons(closed_only=True)
     areas = [_largest(shapely().Polygon(loop).buffer(0.0)) for loop in loops]
     body = max(areas, key=lambda area: area.area)
@@ -47,6 +47,19 @@ def letter_outline(font: str, sign: str, height: float = 0.3) -> Outline:
 
     holes = [area for area in areas if area is not body and body.contains(area)]
     return Outline(placed(body, True), tuple(placed(hole, False) for hole in holes))
+
+
+@cache
+def _font_files() -> list[str]:
+    from matplotlib import get_data_path
+    from matplotlib.font_manager import findSystemFonts
+
+    own = Path(get_data_path()) / "fonts" / "ttf"
+    return [
+        *map(str, sorted(own.glob("*.ttf"))),
+        *sorted(findSystemFonts()),
+        *sorted(findSystemFonts(fontext="otf")),
+    ]
 
 
 def _largest(area: Any) -> Any:
