@@ -48,7 +48,7 @@ from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.mesh.triangulate import triangulate
 from BalloonWorkbench.core.outline.outline import Outline
-from BalloonWorkbench.core.outline.symmetry import Mirror, exact_mirror, mirrored
+from BalloonWorkbench.core.outline.symmetry import exact_mirror, mirrored
 from BalloonWorkbench.core.outline.validity import check
 from BalloonWorkbench.core.panels.panel import Panel
 from BalloonWorkbench.core.solver.model import Model
@@ -125,7 +125,7 @@ def inflate_outline(
 
 
 def _even(target: Outline, film: Film) -> bool:
-    """Whether a pattern may keep a drawing's symmetry: a grain aslant and welds need not lie as the outline."""
+    """Whether a pattern may keep a symmetry: a grain aslant and welds need not lie as the outline does."""
     return film.young_modulus_across is None and not target.welds and not target.spots
 
 
