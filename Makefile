@@ -52,6 +52,7 @@ format: setup ## Format Python and C++, repair what can be repaired
 validation bench: export PYTHONPATH := $(CURDIR):$(CURDIR)/tests/core:$(CURDIR)/benchmarks
 
 validation: native ## Compare with every reference solution, write docs/validation.md
+	@tools/install-debian-packages.sh debian-packages-validation.txt
 	@$(PYTHON) benchmarks/validate.py
 
 # BENCH gives other sizes: BENCH="--sizes 500 2000 --evolver-sizes 2000 10000" make bench

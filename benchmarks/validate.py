@@ -8,7 +8,18 @@ import time
 from pathlib import Path
 
 from speed import machine
-from validation import balloons, coach, convergence, correction, panels, plates, strength, trade
+from validation import (
+    accidents,
+    balloons,
+    coach,
+    convergence,
+    correction,
+    panels,
+    plates,
+    strength,
+    trade,
+    welds,
+)
 from validation.report import Section, paragraphs
 
 DOCS = Path(__file__).resolve().parents[1] / "docs"
@@ -34,6 +45,8 @@ def main() -> int:
         convergence.independence,
         strength.strength,
         lambda: correction.correction(DOCS / "images"),
+        welds.welds,
+        accidents.accidents,
         lambda: coach.coach(DOCS / "images"),
     ]
     sections: list[Section] = []

@@ -5,15 +5,17 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import matplotlib as mpl
 import numpy as np
 
 from BalloonWorkbench.core.advice.findings import Advice
-from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.types import Floats
+
+if TYPE_CHECKING:
+    from validation.correction import Corrected
 
 mpl.use("Agg")
 mpl.rcParams.update({"svg.hashsalt": "balloon", "font.family": "DejaVu Sans", "font.size": 9.0})
@@ -66,25 +68,25 @@ def work(curves: dict[str, tuple[Floats, Floats, Floats]], path: Path) -> None:
     _save(figure, path)
 
 
-def designs(named: Sequence[tuple[str, Design]], path: Path) -> None:
-    """Drawing (grey), inflated silhouette (red) and pattern (blue) of some designs, three in a row."""
+def cold_balloons(results: Sequence[Corrected], path: Path) -> None:
+    """Drawing (grey), silhouette of the balloon that is made (red) and pattern (blue), three in a row."""
     from matplotlib import pyplot
 
-    rows = -(-len(named) // 3)
+    rows = -(-len(results) // 3)
     figure, grid = pyplot.subplots(rows, 3, figsize=(9.0, 3.1 * rows), squeeze=False)
     for axes in grid.flat:
         axes.set_axis_off()
         axes.set_aspect("equal")
-    for axes, (title, design) in zip(grid.flat, named):
-        for loop in design.target.loops:
+    for axes, one in zip(grid.flat, results):
+        for loop in one.design.target.loops:
             axes.fill(*loop.T, color="0.85", zorder=0)
-        for hole in design.target.holes:
+        for hole in one.design.target.holes:
             axes.fill(*hole.T, color="white", zorder=0.5)
-        for outline, colour in ((design.pattern, "tab:blue"), (design.silhouette, "tab:red")):
+        for outline, colour in ((one.design.pattern, "tab:blue"), (one.silhouette, "tab:red")):
             for loop in outline.loops:
                 closed = np.vstack([loop, loop[:1]])
                 axes.plot(*closed.T, color=colour, linewidth=0.9)
-        axes.set_title(title, fontsize=8)
+        axes.set_title(f"{one.name}: {100 * one.found:.2f} %", fontsize=8)
     _save(figure, path)
 
 

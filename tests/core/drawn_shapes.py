@@ -60,6 +60,39 @@ def _arc(x: float, y: float, radius: float, first: float, last: float, up: float
     return np.column_stack([x + radius * np.cos(turn), y + (up or radius) * np.sin(turn)]).tolist()
 
 
+def ring(share: float, radius: float = 0.15) -> Outline:
+    """A round ring whose hole is such a share of its width."""
+    return Outline(polar(radius), (hole(share * radius, 0.0, 0.0),) if share else ())
+
+
+def doughnut() -> Outline:
+    """A ring drawn by hand: neither rim is round, and the hole is off the middle."""
+    outer = 0.15 * (1.0 + 0.02 * np.cos(2.0 * TURN + 0.4) + 0.012 * np.cos(3.0 * TURN + 2.0))
+    inner = 0.05 * (1.0 + 0.05 * np.cos(2.0 * TURN + 1.9) + 0.03 * np.cos(5.0 * TURN))
+    return Outline(polar(outer), (hole(inner, 0.006, 0.004),))
+
+
+def snail() -> Outline:
+    """A snail's shell on a long foot, with two feelers."""
+    package = shapely()
+    lines = [
+        ([(0.02, 0.03), (0.26, 0.03), (0.285, 0.075)], 0.024),
+        ([(0.285, 0.075), (0.275, 0.15)], 0.008),
+        ([(0.285, 0.075), (0.315, 0.145)], 0.008),
+    ]
+    parts = [package.LineString(points).buffer(width, quad_segs=16) for points, width in lines]
+    parts.append(package.Point(0.125, 0.115).buffer(0.085, quad_segs=64))
+    area = package.union_all(parts).buffer(0.006).buffer(-0.006)
+    return Outline(oriented(np.asarray(area.exterior.coords)[:-1]))
+
+
+def spiral(turns: float = 1.5) -> Outline:
+    """A strip wound up with as much room between its turns as it is wide."""
+    angle = np.linspace(0.0, 2.0 * np.pi * turns, 400) + 1.5 * np.pi
+    radius = 0.045 + 0.065 * (angle - angle[0]) / (2.0 * np.pi)
+    return strip(np.stack([radius * np.cos(angle), radius * np.sin(angle)], axis=1), 0.0165)
+
+
 #: Middle lines of letters 1.2 high.
 _STROKES: dict[str, list[list[Any]]] = {
     "A": [[(0, 0), (0.45, 1.2), (0.9, 0)], [(0.18, 0.42), (0.72, 0.42)]],

@@ -38,7 +38,7 @@ from BalloonWorkbench.core.correction.stages import (
 )
 from BalloonWorkbench.core.correction.step import TIP, Scales, next_seam_map
 from BalloonWorkbench.core.correction.summary import summary
-from BalloonWorkbench.core.correction.symmetric_pattern import MirrorPairs, mirror_pairs
+from BalloonWorkbench.core.correction.symmetric_pattern import NO_SYMMETRY, PatternSymmetry, pattern_symmetry
 from BalloonWorkbench.core.correction.weld_lines import weld_lines
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.design.fairing import faired_points
@@ -48,7 +48,7 @@ from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.mesh.triangulate import triangulate
 from BalloonWorkbench.core.outline.outline import Outline
-from BalloonWorkbench.core.outline.symmetry import Mirror, exact_mirror, mirrored
+from BalloonWorkbench.core.outline.symmetry import exact_mirror, mirrored
 from BalloonWorkbench.core.outline.validity import check
 from BalloonWorkbench.core.panels.panel import Panel
 from BalloonWorkbench.core.solver.model import Model
@@ -96,7 +96,7 @@ def fit(
     """
     began = time.perf_counter()
     target = check(target)
-    mirror = _mirror(target, film) if method.symmetric else None
+    mirror = exact_mirror(target) if method.symmetric and _even(target, film) else None
     if mirror is not None:
         target = mirrored(target, mirror)
     simulation = Simulation(target, film, pressure, backend, model, mirror=mirror, progress=progress)
@@ -124,10 +124,9 @@ def inflate_outline(
     return summary(pattern, make_iterate(simulation, seam_map), 0, 1, time.perf_counter() - began)
 
 
-def _mirror(target: Outline, film: Film) -> Mirror | None:
-    """The axis that the pattern may keep; a grain aslant and welds need not lie as the outline does."""
-    uneven = film.young_modulus_across is not None or target.welds or target.spots
-    return None if uneven else exact_mirror(target)
+def _even(target: Outline, film: Film) -> bool:
+    """Whether a pattern may keep a symmetry: a grain aslant and welds need not lie as the outline does."""
+    return film.young_modulus_across is None and not target.welds and not target.spots
 
 
 @dataclass
@@ -136,7 +135,7 @@ class _Correction:
 
     simulation: Simulation
     drawn: SeamMap  # whose pattern is the drawing
-    pairs: MirrorPairs
+    symmetry: PatternSymmetry
     scales: Scales  # on the wanted mesh
     breadth: float  # of the drawing: less than its size only for slender shapes [m]
     new_rule: RuleOfGain
@@ -187,7 +186,7 @@ class _Correction:
 
     def _next_iterate(self) -> Iterate:
         earlier = None if self.last is None else self.last.seam_map
-        self.seam_map = self.pairs.symmetrised(self.seam_map, earlier)
+        self.seam_map = self.symmetry.symmetrised(self.seam_map, earlier)
         text = f"pass {self.history.iterates + 1}: "
         simulation = self._simulation(self._scales.edge, self.stage.newton, text)
         return make_iterate(simulation, self.seam_map, self.last, self.keep_mesh)
@@ -282,16 +281,18 @@ def _begun(simulation: Simulation, mesh_size: float | None, method: Method) -> _
     target, film, start = simulation.target, simulation.film, method.start
     size = max(target.size)
     clearance = 2.0 * film.seal_width + CUT_CLEARANCE
-    drawn, pairs = mirror_pairs(SeamMap.identity(target, size / SAMPLES), simulation.mirror)
+    drawn, symmetry = SeamMap.identity(target, size / SAMPLES), NO_SYMMETRY
+    if method.symmetric and _even(target, film):
+        drawn, symmetry = pattern_symmetry(drawn, simulation.mirror)
     known = None if start is None else drawn.resized(start.pattern, size / max(start.target.size))
-    seam_map = pairs.symmetrised(known or _initial(drawn, target, mesh_size, clearance))
+    seam_map = symmetry.symmetrised(known or _initial(drawn, target, mesh_size, clearance))
     fine = mesh_size or size_for(seam_map.outline, VERTICES)
     coarse = known is None and seam_map.outline.area > WORTHWHILE * (fine * fine)
     smoothing = SMOOTHING if film.seal_width > 0.0 else UNSEALED
     return _Correction(
         simulation,
         drawn,
-        pairs,
+        symmetry,
         Scales(size, fine, smoothing * fine, clearance),
         min(size, 2.0 * target.area / size),
         method.update_rule,

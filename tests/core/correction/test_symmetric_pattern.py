@@ -12,13 +12,14 @@ from drawn_shapes import NAMED, corners_of, hole
 
 from BalloonWorkbench.core.correction.fit import Method, fit
 from BalloonWorkbench.core.correction.seam_map import SeamMap
-from BalloonWorkbench.core.correction.symmetric_pattern import mirror_pairs
+from BalloonWorkbench.core.correction.symmetric_pattern import pattern_symmetry
 from BalloonWorkbench.core.design.compare import residual
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.design.fairing import LIMIT
 from BalloonWorkbench.core.film.library import film
 from BalloonWorkbench.core.geometry.crossings import first_crossing
 from BalloonWorkbench.core.geometry.sampling import resample
+from BalloonWorkbench.core.geometry.vectors import rotation
 from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.outline.symmetry import AUTO, Mirror, find_mirror, symmetric
@@ -99,7 +100,7 @@ def test_what_is_taken_back_crosses_nothing() -> None:
 def test_halves_that_would_cross_go_back_together() -> None:
     """A bow tie whose two points are pulled past each other, on one side more than on the other."""
     drawing = corners_of((-0.1, -0.05), (0.1, -0.05), (0.02, 0.0), (0.1, 0.05), (-0.1, 0.05), (-0.02, 0.0))
-    seam_map, pairs = mirror_pairs(SeamMap.identity(drawing, 0.004), find_mirror(drawing))
+    seam_map, pairs = pattern_symmetry(SeamMap.identity(drawing, 0.004), find_mirror(drawing))
     across = seam_map.pattern[0].copy()
     near = np.abs(seam_map.drawing[0][:, 1]) < 0.02
     left, right = near & (across[:, 0] < 0.0), near & (across[:, 0] > 0.0)
@@ -114,3 +115,19 @@ def test_the_coarse_start_of_large_designs_stays_symmetric() -> None:
     """Fine meshes begin on coarse ones; the course is the same."""
     design = fit(NAMED["star"], film("mylar"), 2000.0, mesh_size=0.0075)
     assert away(design.pattern, Mirror(np.zeros(2), 0.5 * np.pi, 0.0)) < 1e-12
+
+
+@pytest.mark.parametrize("count", [2, 5, 12])
+@pytest.mark.parametrize("mirrored", [True, False])
+def test_what_is_the_same_all_round_stays_so(count: int, mirrored: bool) -> None:
+    """Polygons, and wheels of teeth that lean to one side."""
+    angles = 2.0 * np.pi * np.arange(2 * count) / (2 * count) + 0.3
+    lean = 0.0 if mirrored else 0.6 * np.pi / count
+    turned = angles + lean * (np.arange(2 * count) % 2)
+    radius = np.where(np.arange(2 * count) % 2, 0.11, 0.15)
+    drawing = corners_of(*(radius * np.array([np.cos(turned), np.sin(turned)])).T)
+    design = fit(drawing, film("mylar"), 2000.0, mesh_size=0.018)
+    image = design.pattern.map(lambda loop: loop @ rotation(2.0 * np.pi / count))
+    assert residual(design.pattern, image).max < 2e-5 * 0.3
+    free = fit(drawing, film("mylar"), 2000.0, mesh_size=0.018, method=Method(symmetric=False)).pattern
+    assert residual(free, free.map(lambda loop: loop @ rotation(2.0 * np.pi / count))).max > 2e-4 * 0.3
