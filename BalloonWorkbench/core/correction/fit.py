@@ -29,6 +29,7 @@ from BalloonWorkbench.core.correction.mixing import AndersonMixing, RuleOfGain, 
 from BalloonWorkbench.core.correction.seam_map import SeamMap, seam_nodes
 from BalloonWorkbench.core.correction.stages import (
     AT_REST,
+    BROAD,
     LIMITS,
     History,
     Stage,
@@ -76,6 +77,8 @@ class Method:
     symmetric: bool = True  # as a symmetric target is
     start: Design | None = None  # of the same drawing at another size: its pattern is where it sets out
     update_rule: RuleOfGain = AndersonMixing  # leads from one iterate to the next
+    smoothing: float = SMOOTHING  # of the corrections near the drawing, in mesh sizes;
+    broad: float = BROAD  # far from it, in units of that
 
 
 def fit(
@@ -288,7 +291,7 @@ def _begun(simulation: Simulation, mesh_size: float | None, method: Method) -> _
     seam_map = symmetry.symmetrised(known or _initial(drawn, target, mesh_size, clearance))
     fine = mesh_size or size_for(seam_map.outline, VERTICES)
     coarse = known is None and seam_map.outline.area > WORTHWHILE * (fine * fine)
-    smoothing = SMOOTHING if film.seal_width > 0.0 else UNSEALED
+    smoothing = method.smoothing if film.seal_width > 0.0 else UNSEALED
     return _Correction(
         simulation,
         drawn,
@@ -296,7 +299,7 @@ def _begun(simulation: Simulation, mesh_size: float | None, method: Method) -> _
         Scales(size, fine, smoothing * fine, clearance),
         min(size, 2.0 * target.area / size),
         method.update_rule,
-        first_stage(bool(target.holes), coarse),
+        first_stage(bool(target.holes), coarse, method.broad),
         seam_map,
         method.update_rule(GAIN),
     )

@@ -115,22 +115,26 @@ class SeamMap:
 
 
 def _bridged(drawing: Floats, pattern: Floats, zone: float) -> Floats:
-    """The pattern (n, 2) with its displacement from the drawing linear between each tip and `zone` beside it.
+    """The pattern (n, 2) with its displacement from the drawing bridged."""
+    shift = pattern - drawing
+    even = bridged(drawing, shift, zone)
+    return pattern if even is shift else drawing + even
+
+
+def bridged(drawing: Floats, field: Floats, zone: float) -> Floats:
+    """A field (n, d) along the drawing (n, 2), made linear between each tip and `zone` [m] beside it.
 
     In a tip the triangles are wider than the film can bulge: they stay flat, and what they show there is the
-    mesh and not the film. Followed, it would draw the tip out to a needle.
+    mesh and not the film. Followed, it would draw the tip out to a needle. Without tips the field itself.
     """
     along = arc_lengths(drawing)
     tips = _tips(drawing, zone)
     if not len(tips):
-        return pattern
+        return field
     here, around = along[:-1], float(along[-1])
     sure = gaps(here[:, None], here[tips], around).min(axis=1) > zone
     sure[tips] = True
-    shift = (pattern - drawing)[sure]
-    return drawing + np.column_stack(
-        [np.interp(here, here[sure], shift[:, k], period=around) for k in (0, 1)]
-    )
+    return np.column_stack([np.interp(here, here[sure], column, period=around) for column in field[sure].T])
 
 
 def _tips(drawing: Floats, reach: float) -> Ints:

@@ -40,10 +40,10 @@ BROAD = 2.0  # smoothing far from the drawing
 COARSENING = 1.8
 
 
-def first_stage(holes: bool, coarse: bool) -> Stage:
+def first_stage(holes: bool, coarse: bool, smoothing: float = BROAD) -> Stage:
     """Where the correction of a drawing with or without holes begins; coarse: a coarse mesh saves time."""
-    broad = Stage(smoothing=BROAD, following=AT_REST if holes else FINE)
-    return Stage(COARSENING, BROAD, following=broad) if coarse else broad
+    broad = Stage(smoothing=smoothing, following=AT_REST if holes else FINE)
+    return Stage(COARSENING, smoothing, following=broad) if coarse else broad
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,8 @@ from drawn_shapes import NAMED
 from BalloonWorkbench.core.correction import fit as correction
 from BalloonWorkbench.core.correction.fit import MOST_HALVINGS, PROOF_MESHES, Method, fit
 from BalloonWorkbench.core.correction.iterate import Iterate, make_iterate
-from BalloonWorkbench.core.correction.mixing import AndersonMixing
+from BalloonWorkbench.core.correction.mixing import AndersonMixing, UpdateRule
+from BalloonWorkbench.core.correction.seam_map import SeamMap
 from BalloonWorkbench.core.correction.stages import (
     AT_REST,
     BROAD,
@@ -24,6 +25,7 @@ from BalloonWorkbench.core.correction.stages import (
     first_stage,
     hands_over,
 )
+from BalloonWorkbench.core.correction.step import Scales, next_seam_map
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.errors import MeshError
 from BalloonWorkbench.core.film.library import film
@@ -81,6 +83,21 @@ def test_a_stage_hands_over_when_the_drawing_is_near(error: float, stalled: int,
     history = History(error=error, stalled=stalled)
     assert hands_over(first_stage(holes=False, coarse=False), history) == over
     assert not hands_over(FINE, history)
+
+
+@pytest.mark.parametrize("smoothing", [1.0, 2.0])
+def test_a_method_may_smooth_alike_throughout(smoothing: float, monkeypatch: pytest.MonkeyPatch) -> None:
+    """In mesh sizes of the stage, whatever stage that is."""
+    smoothed = []
+
+    def recorded(current: Iterate, rule: UpdateRule, scales: Scales) -> SeamMap:
+        smoothed.append(scales.smoothing / scales.edge)
+        return next_seam_map(current, rule, scales)
+
+    monkeypatch.setattr(correction, "next_seam_map", recorded)
+    star(smoothing=smoothing, broad=1.0)
+    assert len(smoothed) > 1
+    np.testing.assert_allclose(smoothed, smoothing)
 
 
 # The update rule
