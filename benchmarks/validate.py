@@ -14,6 +14,7 @@ from validation import (
     coach,
     convergence,
     correction,
+    methods,
     panels,
     plates,
     strength,
@@ -47,6 +48,7 @@ def main() -> int:
         lambda: correction.correction(DOCS / "images"),
         welds.welds,
         accidents.accidents,
+        methods.methods,
         lambda: coach.coach(DOCS / "images"),
     ]
     sections: list[Section] = []

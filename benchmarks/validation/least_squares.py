@@ -22,7 +22,7 @@ from BalloonWorkbench.core.correction.iterate import Iterate, Simulation, make_i
 from BalloonWorkbench.core.correction.seam_map import SeamMap, bridged
 from BalloonWorkbench.core.correction.stages import AT_REST
 from BalloonWorkbench.core.correction.step import CLAMP, DRIFT, DRIFT_ROUND, OVERHANG, TIP, Scales
-from BalloonWorkbench.core.correction.symmetric_pattern import MirrorPairs, mirror_pairs
+from BalloonWorkbench.core.correction.symmetric_pattern import PatternSymmetry, pattern_symmetry
 from BalloonWorkbench.core.design.correspondence import goals
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.design.visible_seam import visible_places
@@ -54,13 +54,13 @@ def to_the_end(design: Design, film: Film, pressure: float, vertices: int) -> It
     The pattern of a symmetric drawing stays symmetric, but not its mesh: a symmetric one makes a ring oval.
     """
     target, size = design.target, max(design.target.size)
-    drawn, pairs = mirror_pairs(SeamMap.identity(target, size / SAMPLES), exact_mirror(target))
+    drawn, symmetry = pattern_symmetry(SeamMap.identity(target, size / SAMPLES), exact_mirror(target))
     begun = drawn.resized(design.pattern, 1.0)
     assert begun is not None
     edge = size_for(design.pattern, vertices)
     simulation = Simulation(target, film, pressure, None, None, edge, newton=AT_REST.newton)
     scales = Scales(size, edge, edge, 2.0 * film.seal_width + CUT_CLEARANCE)
-    return _Search(simulation, scales, pairs, make_iterate(simulation, begun)).run()
+    return _Search(simulation, scales, symmetry, make_iterate(simulation, begun)).run()
 
 
 @dataclass(frozen=True)
@@ -173,7 +173,7 @@ class _Search:
 
     simulation: Simulation
     scales: Scales
-    pairs: MirrorPairs
+    symmetry: PatternSymmetry
     current: Iterate
     damping: float = FIRST_DAMPING
     added: Floats | float = 0.0  # (2 q,) how much of each spline, since the first balloon
@@ -238,7 +238,7 @@ class _Search:
         before = self.current.seam_map
         fields = _by_loop(field, before.pattern)
         moved = before.moved(fields, TIP * self.scales.edge, self.scales.clearance)
-        even = self.pairs.symmetrised(moved, before)
+        even = self.symmetry.symmetrised(moved, before)
         try:
             return make_iterate(self.simulation, even, self.current, keep_mesh=True)
         except (MeshError, SolverError):
