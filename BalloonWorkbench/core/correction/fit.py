@@ -61,7 +61,8 @@ SAMPLES = 400  # of the drawing and the pattern along the larger dimension
 GAIN = 1.3  # a pattern of a disc must grow by 1.311 for a silhouette that grows by 1
 SHORTER = 0.5  # gain after an iterate that is no better
 STALLED = 0.9  # an iterate that leaves more than this part of the best error brings nothing
-SAME = 1.1  # so much more error at rest is none
+SAME = 1.1  # so much more error of the balloon that was blown up anew is none,
+PROMISED = 6e-4  # nor is an error up to this, of the larger dimension
 SMOOTHING, UNSEALED = 1.0, 4.0  # mesh sizes; a rim without a sealed band crumples, and no pattern undoes that
 WORTHWHILE = 700.0  # squares of the mesh size in the area, from which a coarser mesh saves time
 #: Two meshes for each proof of a pattern, in mesh sizes of its correction: other ones, and no coarser ones.
@@ -237,7 +238,7 @@ class _Correction:
         history.proofs += 1
         if self.proof is None or error < self.proof.misfit.residual.mean:
             self.proof = anew
-        same = error / self.breadth <= max(SAME * history.best_error, LIMITS.enough)
+        same = error <= max(SAME * history.best_error * self.breadth, PROMISED * self.scales.size)
         if same or history.proofs >= len(PROOF_MESHES) or history.iterates >= LIMITS.iterates:
             return True
         self.stage, self.best, self.last = AT_REST, anew, anew
