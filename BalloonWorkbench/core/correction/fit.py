@@ -62,7 +62,8 @@ SAMPLES = 400  # of the drawing and the pattern along the larger dimension
 GAIN = 1.3  # a pattern of a disc must grow by 1.311 for a silhouette that grows by 1
 SHORTER = 0.5  # gain after an iterate that is no better
 STALLED = 0.9  # an iterate that leaves more than this part of the best error brings nothing
-SAME = 1.1  # so much more error at rest is none
+SAME = 1.1  # so much more error of the balloon that was blown up anew is none,
+PROMISED = 6e-4  # nor is an error up to this, of the larger dimension
 SMOOTHING, UNSEALED = 1.0, 4.0  # mesh sizes; a rim without a sealed band crumples, and no pattern undoes that
 WORTHWHILE = 700.0  # squares of the mesh size in the area, from which a coarser mesh saves time
 #: Two meshes for each proof of a pattern, in mesh sizes of its correction: other ones, and no coarser ones.
@@ -173,7 +174,7 @@ class _Correction:
             raise MeshError(
                 "The pattern becomes too thin for its mesh. Widen the thin parts, or use a finer mesh."
             )
-        return self.proof, self.history
+        return self._as_cut(self.proof), self.history
 
     @property
     def _scales(self) -> Scales:
@@ -235,12 +236,12 @@ class _Correction:
         history, best = self.history, self.best
         if best is None:
             return True
-        anew = self._anew(best)
+        anew = self._anew(best.seam_map, best)
         error = anew.misfit.residual.mean
         history.proofs += 1
         if self.proof is None or error < self.proof.misfit.residual.mean:
             self.proof = anew
-        same = error / self.breadth <= max(SAME * history.best_error, LIMITS.enough)
+        same = error <= max(SAME * history.best_error * self.breadth, PROMISED * self.scales.size)
         if same or history.proofs >= len(PROOF_MESHES) or history.iterates >= LIMITS.iterates:
             return True
         self.stage, self.best, self.last = AT_REST, anew, anew
@@ -248,19 +249,26 @@ class _Correction:
         history.error, history.best_error = error / self.scales.size, error / self.breadth
         return False
 
-    def _anew(self, best: Iterate) -> Iterate:
-        """The worse of two balloons of the pattern as it is cut, from the flat film on other meshes.
+    def _anew(self, seam_map: SeamMap, best: Iterate) -> Iterate:
+        """The worse of two balloons of a pattern, from the flat film on other meshes; best where it has none.
 
         These are not symmetric, so that a balloon that buckles to one side does.
         """
-        cut = replace(best.seam_map, pattern=tuple(map(faired_points, best.seam_map.pattern)))
         balloons = []
-        for share in PROOF_MESHES[self.history.proofs]:
+        for share in PROOF_MESHES[min(self.history.proofs, len(PROOF_MESHES) - 1)]:
             simulation = self._simulation(share * self.scales.edge, AT_REST.newton, "trial of the pattern: ")
             with suppress(MeshError):  # too thin for this one: the other tells
-                balloons.append(make_iterate(replace(simulation, mirror=None), cut))
-        worse = max(balloons or [best], key=lambda balloon: balloon.misfit.residual.mean)
-        return replace(worse, seam_map=best.seam_map)
+                balloons.append(make_iterate(replace(simulation, mirror=None), seam_map))
+        return max(balloons or [best], key=lambda balloon: balloon.misfit.residual.mean)
+
+    def _as_cut(self, proof: Iterate) -> Iterate:
+        """The balloon of the pattern as it is cut: the same, unless its seam is scattered and is faired."""
+        drawn = proof.seam_map.pattern
+        cut = tuple(map(faired_points, drawn))
+        if all(new is old for new, old in zip(cut, drawn, strict=True)):
+            return proof
+        made = self._anew(replace(proof.seam_map, pattern=cut), proof)
+        return replace(made, seam_map=proof.seam_map)
 
     def _correct(self) -> None:
         """Move the pattern of the last iterate."""

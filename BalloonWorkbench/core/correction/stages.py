@@ -52,9 +52,9 @@ class Limits:
 
     iterates: int = 24
     newton_steps: int = 450  # on the wanted mesh, some twenty-five cold inflations: then the best is shown
-    stalled: int = 2  # iterates in a row that bring nothing
+    stalled: int = 3  # iterates in a row that bring nothing
     enough: float = 5e-4  # mean error, of the breadth, at which nothing more is gained
-    good: float = 1e-3  # and at which an iterate that brings nothing is the last one
+    good: float = 7e-4  # and at which an iterate that brings nothing is the last one
     welds: float = NEAR  # mean error of a weld, of the balloon's larger dimension
 
 
@@ -82,7 +82,7 @@ def finished(stage: Stage, history: History, limits: Limits = LIMITS) -> bool:
         return True
     if history.stalled > limits.stalled:
         return True
-    enough = limits.good if history.stalled else limits.enough
+    enough = limits.good if history.stalled and stage.following is None else limits.enough
     good = history.best_error <= enough and history.weld_error <= limits.welds
     return good and stage.coarsening == 1.0
 
