@@ -76,6 +76,7 @@ def inflate(
         bending_share=energies.bending / max(-energies.pressure, 1e-300),
         pressure=pressure,
         model=model,
+        banded=problem.hinges is not None,
     )
     count, faces = int(whole.offsets[-1]), sum(len(panel.triangles) for panel in whole.panels)
     volume = film_volume(rest.positions, rest.directors, problem.triangles)
