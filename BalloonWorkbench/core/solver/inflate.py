@@ -25,6 +25,8 @@ from BalloonWorkbench.core.units import pressure_text
 
 __all__ = ["MIRROR", "inflate"]
 
+#: What is free in space warps and turns slowly, and no seam in a plane tells when it stays.
+_IN_SPACE = NewtonSettings(tolerance=1e-7)
 #: Pressures [Pa] with which the numbers of a balloon stay numbers.
 _LEAST, _MOST = 1e-6, 1e8
 
@@ -47,6 +49,7 @@ def inflate(
             (n, 3) [m] of the vertices of an assembly
     backend "native", "numpy" or None for the best one available; "newmark" blows the balloon up in time
     model   what is simulated, for comparisons
+    settings  when it is at rest; None: as usual, and later for what is free in space
 
     A seal_width of 0 leaves seams without the stiffness of a sealed band, which seams in space never have. A
     solve that uses up its steps gives the best state with report.converged False. Raises InputError for a
@@ -59,7 +62,8 @@ def inflate(
     split, size = split_for(assembly, film, model), assembly.size
     problem = problem_of(split, film, pressure, model)
     first = start_of(split, problem, start, model.twist)
-    rest = solver.solve(problem, first, settings or NewtonSettings(), progress)
+    settings = settings or (NewtonSettings() if assembly.mirror else _IN_SPACE)
+    rest = solver.solve(problem, first, settings, progress)
     if not assembly.mirror:
         rest = _laid_over(rest, first.positions)
     if not (assembly.mirror or model.bending):  # nothing has turned the directors
