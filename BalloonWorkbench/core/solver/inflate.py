@@ -49,7 +49,6 @@ def inflate(
             (n, 3) [m] of the vertices of an assembly
     backend "native", "numpy" or None for the best one available; "newmark" blows the balloon up in time
     model   what is simulated, for comparisons
-    settings  when it is at rest; None: as usual, and later for what is free in space
 
     A seal_width of 0 leaves seams without the stiffness of a sealed band, which seams in space never have. A
     solve that uses up its steps gives the best state with report.converged False. Raises InputError for a
@@ -62,8 +61,7 @@ def inflate(
     split, size = split_for(assembly, film, model), assembly.size
     problem = problem_of(split, film, pressure, model)
     first = start_of(split, problem, start, model.twist)
-    settings = settings or (NewtonSettings() if assembly.mirror else _IN_SPACE)
-    rest = solver.solve(problem, first, settings, progress)
+    rest = solver.solve(problem, first, settings or _settings(assembly), progress)
     if not assembly.mirror:
         rest = _laid_over(rest, first.positions)
     if not (assembly.mirror or model.bending):  # nothing has turned the directors
@@ -94,6 +92,11 @@ def inflate(
         report,
         places[count:] if whole is not assembly else None,
     )
+
+
+def _settings(assembly: Assembly) -> NewtonSettings:
+    """When a solve ends as usual: later for what is free in space."""
+    return NewtonSettings() if assembly.mirror else _IN_SPACE
 
 
 def _check(pressure: float, solver: Backend, assembly: Assembly) -> None:

@@ -238,7 +238,7 @@ def test_advice_before_a_design_is_that_of_the_design() -> None:
     designs = []
     for depth in (0.06, 0.08):
         star = Outline(polar(np.where(np.arange(10) % 2 == 0, 0.15, depth), TURN[::72]))
-        designs.append((advise(star, FILM), advise_design(fit(star, FILM, 2000.0, mesh_size=0.018), FILM)))
+        designs.append((advise(star, FILM), advise_design(fit(star, FILM, 2000.0, mesh_size=0.012), FILM)))
     before, after = designs[0]
     assert before.relative_volume == pytest.approx(after.relative_volume, rel=0.05)
     assert before.map.thickness.max() == pytest.approx(after.map.thickness.max(), rel=0.05)
