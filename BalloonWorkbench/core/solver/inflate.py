@@ -62,8 +62,7 @@ def inflate(
     problem = problem_of(split, film, pressure, model)
     first = start_of(split, problem, start, model.twist)
     rest = solver.solve(problem, first, settings or _settings(assembly), progress)
-    if not assembly.mirror:
-        rest = _laid_over(rest, first.positions)
+    rest = rest if assembly.mirror else _laid_over(rest, first.positions)
     if not (assembly.mirror or model.bending):  # nothing has turned the directors
         rest = replace(rest, directors=vertex_normals(rest.positions, problem))
     energies = solver.energies(problem, rest.positions, rest.directors)
