@@ -9,14 +9,18 @@ from BalloonWorkbench.core.advice.findings import ThicknessMap
 from BalloonWorkbench.core.geometry.nearest import locate
 from BalloonWorkbench.core.geometry.polyline import arc_lengths, point_at
 from BalloonWorkbench.core.geometry.triangulation import Located, signed_areas
+from BalloonWorkbench.core.geometry.vectors import direction
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.solver.inflation import Inflation
-from BalloonWorkbench.core.types import Bools, Floats
+from BalloonWorkbench.core.types import Floats
 
 #: V / A^1.5 of two discs of film: 1.2185 a^3 / (pi a^2)^1.5 (Paulsen, Am. Math. Monthly 101 (1994) 953-958).
 DISC = 1.218524 / np.pi**1.5
 _TIGHTEST = 100.0  # times as tight as elsewhere
 STEPS = 33  # along a line across the balloon
+_PLACES = np.arange(200) + 0.5
+#: Places that cover a round of radius 1 evenly: each a golden section of the circle further than the last.
+_ROUND = np.sqrt(_PLACES / len(_PLACES))[:, None] * direction(np.pi * (3.0 - np.sqrt(5.0)) * _PLACES)
 
 
 class Gauge:
@@ -36,7 +40,6 @@ class Gauge:
         rim = panel.loops[0]
         self._cut, self._seen = panel.rest_positions[rim], drawn[rim]
         self._located = Located(drawn, panel.triangles)
-        self._centres = drawn[panel.triangles].mean(axis=1)
         self._areas = signed_areas(panel.rest_positions, panel.triangles)
         self._tension = inflation.tensions[:, 0]
         # where nearly all film is slack, as in a tiny balloon, no place is told as endlessly tight
@@ -67,16 +70,12 @@ class Gauge:
         return point_at(self._seen, arc_lengths(self._cut), locate(self._cut, place[None]))[0]
 
     def peak(self, place: Floats, reach: float) -> float:
-        """Mean tension within `reach` [m] of a place over the balloon's median."""
-        near = _near(self._centres, place, reach)
-        mean = float(self._tension[near] @ self._areas[near] / self._areas[near].sum())
-        return mean / max(self._median, 1e-300)
+        """Mean tension within `reach` [m] of a place over the balloon's median.
 
-
-def _near(centres: Floats, place: Floats, reach: float) -> Bools:
-    """The triangles within reach of a place, the nearest one at least."""
-    away = np.linalg.norm(centres - place, axis=1)
-    return np.asarray(away <= max(reach, float(away.min())))
+        Over the area within reach, whatever the triangles: they may be as large as that.
+        """
+        near = self._located.under(place + reach * _ROUND)
+        return float(self._tension[near].mean()) / max(self._median, 1e-300)
 
 
 def _median(values: Floats, weights: Floats) -> float:

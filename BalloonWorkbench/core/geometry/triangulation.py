@@ -55,18 +55,29 @@ class Located:
 
     def values(self, field: Floats, places: Floats) -> Floats:
         """A field (n, d) at places (k, 2): linear inside, that of the nearest edge for places outside."""
-        interpolants = np.empty((len(places), field.shape[1]))
+        best, weights = self._triangles_at(places)
+        share = np.clip(weights, 0.0, 1.0)
+        share /= share.sum(axis=1, keepdims=True)
+        return np.asarray(np.einsum("ka,kad->kd", share, field[self._triangles[best]]))
+
+    def under(self, places: Floats) -> Ints:
+        """The triangles in which places (k, 2) lie, of those inside; that of the nearest where none is."""
+        best, weights = self._triangles_at(places)
+        depth = weights.min(axis=1)
+        return np.asarray(best[depth >= min(0.0, float(depth.max()))])
+
+    def _triangles_at(self, places: Floats) -> tuple[Ints, Floats]:
+        """Of each place (k, 2) the triangle, and its area coordinates there (k, 3), negative outside."""
+        nearest, weights = np.empty(len(places), dtype=np.int32), np.empty((len(places), 3))
         step = max(1, _CHUNK // max(len(self._triangles), 1))
         for first in range(0, len(places), step):
             some = places[first : first + step]
             share = np.einsum("mab,kmb->kma", self._rows, some[:, None] - self._origin[None])
-            weights = np.concatenate([share, 1.0 - share.sum(axis=2, keepdims=True)], axis=2)
-            best = np.argmax(weights.min(axis=2), axis=1)
-            chosen = np.clip(weights[np.arange(len(some)), best], 0.0, 1.0)
-            chosen /= chosen.sum(axis=1, keepdims=True)
-            corners = field[self._triangles[best]]
-            interpolants[first : first + step] = np.einsum("ka,kad->kd", chosen, corners)
-        return interpolants
+            each = np.concatenate([share, 1.0 - share.sum(axis=2, keepdims=True)], axis=2)
+            best = np.argmax(each.min(axis=2), axis=1)
+            nearest[first : first + step] = best
+            weights[first : first + step] = each[np.arange(len(some)), best]
+        return nearest, weights
 
 
 def interpolated(points: Floats, values: Floats, places: Floats) -> Floats:

@@ -25,6 +25,8 @@ from BalloonWorkbench.core.units import pressure_text
 
 __all__ = ["MIRROR", "inflate"]
 
+#: What is free in space warps and turns slowly, and no seam in a plane tells when it stays.
+_IN_SPACE = NewtonSettings(tolerance=1e-7)
 #: Pressures [Pa] with which the numbers of a balloon stay numbers.
 _LEAST, _MOST = 1e-6, 1e8
 
@@ -59,9 +61,8 @@ def inflate(
     split, size = split_for(assembly, film, model), assembly.size
     problem = problem_of(split, film, pressure, model)
     first = start_of(split, problem, start, model.twist)
-    rest = solver.solve(problem, first, settings or NewtonSettings(), progress)
-    if not assembly.mirror:
-        rest = _laid_over(rest, first.positions)
+    rest = solver.solve(problem, first, settings or _settings(assembly), progress)
+    rest = rest if assembly.mirror else _laid_over(rest, first.positions)
     if not (assembly.mirror or model.bending):  # nothing has turned the directors
         rest = replace(rest, directors=vertex_normals(rest.positions, problem))
     energies = solver.energies(problem, rest.positions, rest.directors)
@@ -76,6 +77,7 @@ def inflate(
         bending_share=energies.bending / max(-energies.pressure, 1e-300),
         pressure=pressure,
         model=model,
+        banded=problem.hinges is not None,
     )
     count, faces = int(whole.offsets[-1]), sum(len(panel.triangles) for panel in whole.panels)
     volume = film_volume(rest.positions, rest.directors, problem.triangles)
@@ -89,6 +91,11 @@ def inflate(
         report,
         places[count:] if whole is not assembly else None,
     )
+
+
+def _settings(assembly: Assembly) -> NewtonSettings:
+    """When a solve ends as usual: later for what is free in space."""
+    return NewtonSettings() if assembly.mirror else _IN_SPACE
 
 
 def _check(pressure: float, solver: Backend, assembly: Assembly) -> None:

@@ -30,6 +30,7 @@ class SolveReport:
     bending_share: float  # energy of bending, relative to the work of the pressure
     pressure: float  # [Pa]
     model: Model
+    banded: bool = False  # the seams carried the stiffness of a sealed band
 
 
 @dataclass(frozen=True)

@@ -90,7 +90,7 @@ class NewtonSettings:
     """When Newton's method stops.
 
     tolerance   converged when a step would lower the energy by less than this part of it, or when two steps
-    in a row left its outline and its volume as they were (convergence.py)
+    in a row left its outline and its volume as they were; less for a stiff film (convergence.py)
     max_steps   over all stiffness levels; the best state is kept when they are used up
     """
 

@@ -16,7 +16,7 @@ import numpy as np
 
 from BalloonWorkbench.core.errors import Cancelled, SolverError
 from BalloonWorkbench.core.solver.element.shell import Shell, tangent_frames, turned
-from BalloonWorkbench.core.solver.equilibrium.convergence import Convergence
+from BalloonWorkbench.core.solver.equilibrium.convergence import Convergence, film_tolerance
 from BalloonWorkbench.core.solver.problem import (
     Energies,
     Equilibrium,
@@ -86,8 +86,8 @@ class _Iteration:
         self._shell = Shell(problem)
         self._shift = SHIFT * _masses(self._shell)
         self._shell.tension = self._needed = 0.0
-        self._settings = settings
-        self._convergence = Convergence(problem.fixed, settings.tolerance)
+        self._exact = film_tolerance(settings.tolerance, problem.membrane_stiffness)
+        self._convergence = Convergence(problem.fixed, self._exact, problem.membrane_stiffness)
         self._positions, self._directors = start.positions, start.directors
         self.steps = self._factorisations = 0
         self.last = self.level_done = False
@@ -96,7 +96,7 @@ class _Iteration:
         """Go on with another membrane stiffness."""
         self._shell.membrane_stiffness = stiffness
         self.last, self.level_done = last, False
-        self._tolerance = self._settings.tolerance if last else LEVEL_TOLERANCE
+        self._tolerance = self._exact if last else LEVEL_TOLERANCE
         self._energy = self._shell.energies(self._positions, self._directors)
         if not np.isfinite(self._energy.total):
             raise SolverError("The simulation has no finite start. Check the outline for degenerate parts.")

@@ -74,6 +74,12 @@ class _Failure:
         return True
 
 
+def _constants(problem: FilmProblem) -> _Constants:
+    """With the decrease that a step may bring at rest for this film, as in convergence.py."""
+    still = CONSTANTS["still_decrement"] / problem.membrane_stiffness
+    return _Constants(**{**CONSTANTS, "still_decrement": still})
+
+
 def _pointer(array: np.ndarray | None) -> ctypes.c_void_p | None:  # type: ignore[type-arg]
     return None if array is None else array.ctypes.data_as(ctypes.c_void_p)
 
@@ -113,7 +119,7 @@ def _solver(library: ctypes.CDLL, problem: FilmProblem) -> Iterator[ctypes.c_voi
             _pointer(hinges),
             _pointer(rigidities),
             ctypes.byref(material),
-            ctypes.byref(_Constants(**CONSTANTS)),
+            ctypes.byref(_constants(problem)),
             ctypes.byref(handle),
         ),
     )
@@ -145,6 +151,7 @@ def solve(
     directors = np.array(start.directors, dtype=np.float64, order="C")
     stiffnesses = np.array(start.levels, dtype=np.float64)
     library, result = loaded_library(), _Result()
+    tolerance = convergence.film_tolerance(settings.tolerance, problem.membrane_stiffness)
     failure = _Failure()
 
     def report(fraction: float, _: object) -> int:
@@ -160,7 +167,7 @@ def solve(
             _pointer(directors),
             ctypes.c_int32(len(stiffnesses)),
             _pointer(stiffnesses),
-            ctypes.byref(_NewtonStruct(settings.tolerance, settings.max_steps)),
+            ctypes.byref(_NewtonStruct(tolerance, settings.max_steps)),
             callback,
             None,
             ctypes.byref(result),

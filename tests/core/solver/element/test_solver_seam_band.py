@@ -2,17 +2,24 @@
 """The sealed band: what bends it costs energy, what crumples it does not."""
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 from drawn_shapes import NAMED
-from solver_cases import PRESSURE, circle, film, panel
+from solver_cases import PRESSURE, circle, film, needs_native, panel
 
+from BalloonWorkbench.core.film.library import film as library_film
+from BalloonWorkbench.core.mesh.sizing import size_for
 from BalloonWorkbench.core.mesh.triangulate import triangulate
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.solver.element.seam_band import SeamBand, seam_hinges
+from BalloonWorkbench.core.solver.inflate import inflate
 from BalloonWorkbench.core.solver.model import Model, film_problem
+from BalloonWorkbench.core.tracing.picture import read_picture
 from BalloonWorkbench.core.types import Floats, Ints
+
+PICTURES = Path(__file__).parents[4] / "resources" / "examples" / "pictures"
 
 
 def lifted(points: Floats) -> Floats:
@@ -123,6 +130,19 @@ def test_one_law_for_rim_and_holes(shape: str, share: float) -> None:
     pair = film_problem(sealed, welded, PRESSURE, Model(two_panels=True))
     assert pair.hinge_rigidities == pytest.approx(2.0 * own, rel=1e-12)
     assert film_problem(sealed, film(100), PRESSURE).hinges is None
+
+
+@pytest.mark.parametrize("name", ["kraft-paper", "tracing-paper"])
+@needs_native
+def test_a_glued_seam_of_paper_takes_little_of_the_air(name: str) -> None:
+    """Less than 1 % of a star of 0.3 m; a weld that stays flat would take 8 %."""
+    star = read_picture(PICTURES / "star.png", 0.3, None)
+    mesh, paper = triangulate(star, size_for(star, 600)), library_film(name)
+    free, glued = (
+        inflate(mesh, replace(paper, weld_rigidity=share), 2000.0).volume
+        for share in (1e-5, paper.weld_rigidity)
+    )
+    assert glued == pytest.approx(free, rel=0.01)
 
 
 def test_the_same_law_at_a_weld_and_a_spot() -> None:

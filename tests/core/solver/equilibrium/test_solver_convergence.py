@@ -17,6 +17,7 @@ from BalloonWorkbench.core.solver.problem import Energies, NewtonSettings
 from BalloonWorkbench.core.types import Floats
 
 TOLERANCE = 1e-5
+STIFFNESS = 20.0  # membrane, E t / (p L)
 COUNT = 40
 TURN = np.linspace(0.0, 2.0 * np.pi, COUNT, endpoint=False)
 RIM = 0.5 * np.stack([np.cos(TURN), np.sin(TURN), np.zeros(COUNT)], axis=1)
@@ -25,7 +26,7 @@ RIM = 0.5 * np.stack([np.cos(TURN), np.sin(TURN), np.zeros(COUNT)], axis=1)
 def criterion(seam: bool = True) -> Convergence:
     fixed = np.zeros((COUNT, 5), dtype=bool)
     fixed[:, 2] = seam
-    return Convergence(fixed, TOLERANCE)
+    return Convergence(fixed, TOLERANCE, STIFFNESS)
 
 
 def energy(volume: float) -> Energies:
