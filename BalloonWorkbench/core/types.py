@@ -22,6 +22,11 @@ def no_progress(fraction: float, text: str) -> bool:
     return True
 
 
+def part_of(progress: Progress, first: float, last: float, what: str = "") -> Progress:
+    """The progress of a part of some work, from a fraction to another; what: put before what is being done."""
+    return lambda fraction, text: progress(first + (last - first) * fraction, f"{what}{text}")
+
+
 Made = TypeVar("Made")
 
 

@@ -1,26 +1,25 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where film cannot follow the drawing."""
+"""Where an outline stays away from another: where film cannot follow the drawing, where a weld creases."""
 
 from __future__ import annotations
 
 import numpy as np
 
 from BalloonWorkbench.core.design.compare import Misfit
-from BalloonWorkbench.core.design.design import UnreachedStretch
+from BalloonWorkbench.core.design.design import FarStretch
 from BalloonWorkbench.core.geometry.polyline import arc_lengths, point_at
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.types import Floats
 
-#: Distance from which a stretch of the drawing counts as unreached, and what may remain at its ends, in parts
-#: of the larger dimension.
+#: Distance from which a stretch counts, and what may remain at its ends, in parts of the larger dimension.
 UNREACHED, NEARLY = 0.01, 0.005
 
 
-def unreached_stretches(drawing: Outline, misfit: Misfit) -> tuple[UnreachedStretch, ...]:
-    """The stretches of the drawing that are not reached, the farthest first."""
-    size = max(drawing.size)
+def far_stretches(outline: Outline, misfit: Misfit) -> tuple[FarStretch, ...]:
+    """The stretches of an outline from which another stays away, the farthest first."""
+    size = max(outline.size)
     stretches = []
-    for number, loop in enumerate(drawing.loops):
+    for number, loop in enumerate(outline.loops):
         mine = misfit.loop == number
         lengths = arc_lengths(loop)
         order = np.argsort(misfit.share[mine], kind="stable")
@@ -30,9 +29,11 @@ def unreached_stretches(drawing: Outline, misfit: Misfit) -> tuple[UnreachedStre
             points = point_at(
                 loop, lengths, np.linspace(first, last, max(2, int(400 * (last - first) / size)))
             )
+            farthest = np.argmax(np.where(inside, away, 0.0))
+            place = point_at(loop, lengths, along[[farthest]])[0]
             stretches.append(
-                UnreachedStretch(
-                    number, first, last, points, float(away[inside].mean()), float(away[inside].max())
+                FarStretch(
+                    number, first, last, points, float(away[inside].mean()), float(away[inside].max()), place
                 )
             )
     return tuple(sorted(stretches, key=lambda stretch: -stretch.max))

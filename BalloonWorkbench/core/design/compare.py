@@ -1,17 +1,19 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The two-way distance between outlines."""
+"""The two-way distance between outlines, and a balloon laid over another to be compared with it."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from BalloonWorkbench.core.design.design import Residual
 from BalloonWorkbench.core.geometry.nearest import nearest_on_loops, way_round
-from BalloonWorkbench.core.geometry.polyline import arc_lengths
+from BalloonWorkbench.core.geometry.polyline import arc_lengths, point_weights
 from BalloonWorkbench.core.geometry.sampling import evenly
+from BalloonWorkbench.core.geometry.vectors import alignment
 from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.types import Floats, Ints
 
 _SAMPLES = 1000  # along the longest loop
@@ -58,3 +60,20 @@ def misfit(drawing: Outline, visible: Outline) -> Misfit:
         np.concatenate([owner, loop]).astype(np.int32),
         np.concatenate([*(np.arange(len(points)) / len(points) for points in here), share]),
     )
+
+
+def laid_over(inflation: Inflation, places: Floats) -> Inflation:
+    """The balloon moved and turned in its plane of symmetry, its seam as near as may be to places (k, 2) [m].
+
+    There is one for each vertex of the panel's loops, in a row.
+    """
+    loops, rest = inflation.panel.loops, inflation.panel.rest_positions
+    seam = inflation.positions[np.concatenate(loops), :2]
+    rotation, shift = alignment(seam, places, np.concatenate([point_weights(rest[loop]) for loop in loops]))
+    positions, directors = inflation.positions.copy(), inflation.directors.copy()
+    positions[:, :2] = positions[:, :2] @ rotation.T + shift
+    directors[:, :2] = directors[:, :2] @ rotation.T
+    lower = inflation.lower
+    if lower is not None:
+        lower = np.column_stack([lower[:, :2] @ rotation.T + shift, lower[:, 2]])
+    return replace(inflation, positions=positions, directors=directors, lower=lower)

@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What becomes of a design whose weld creases: its pattern inflated once more, with a weld that crumples freely.
+
+A real weld lies between that and the elastic one of the design. Both are inflated from the flat film on one
+coarser mesh, so that what differs between them is the weld alone: the mesh hardly matters, but on a fine one
+the crumpling takes ten times as long as the elastic balloon.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from BalloonWorkbench.core.correction.unreachable import far_stretches
+from BalloonWorkbench.core.design.compare import laid_over, misfit
+from BalloonWorkbench.core.design.design import Design, WeldRange
+from BalloonWorkbench.core.design.fairing import faired_seam
+from BalloonWorkbench.core.design.silhouette import silhouette
+from BalloonWorkbench.core.design.visible_seam import trimmed
+from BalloonWorkbench.core.errors import MeshError, SolverError
+from BalloonWorkbench.core.film.film import Film
+from BalloonWorkbench.core.geometry.nearest import locate
+from BalloonWorkbench.core.geometry.polyline import arc_lengths, point_at
+from BalloonWorkbench.core.mesh.sizing import size_for
+from BalloonWorkbench.core.mesh.triangulate import triangulate
+from BalloonWorkbench.core.options.simulation import CRUMPLED, ELASTIC
+from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.panels.panel import Panel
+from BalloonWorkbench.core.solver.inflate import inflate
+from BalloonWorkbench.core.solver.inflation import Inflation
+from BalloonWorkbench.core.types import Floats, Progress, no_progress, part_of
+from BalloonWorkbench.core.units import length_text, place_text
+
+COARSENING = 1.6  # of the mesh of the design
+_ELASTIC_SHARE = 0.2  # of the work
+
+
+def with_weld_range(design: Design, film: Film, progress: Progress = no_progress) -> Design:
+    """The design with what comes out where its weld creases, and a warning where that is seen.
+
+    As it is where the pattern was not corrected, or the weld of its model does not stay elastic. Raises
+    Cancelled when progress returns False.
+    """
+    if not (design.passes and film.seal_width > 0.0 and _is_elastic(design.inflation)):
+        return design
+    try:
+        found = _weld_range(design, film, progress)
+    except (MeshError, SolverError) as error:
+        told = f"How far the outline moves if the weld creases could not be simulated. {error}"
+        return replace(design, warnings=(*design.warnings, told))
+    return replace(design, weld_range=found, warnings=(*design.warnings, *_sentences(found)))
+
+
+def _is_elastic(inflation: Inflation) -> bool:
+    """Two equal panels at rest, simulated as film that crumples but for its weld."""
+    solved = inflation.report
+    model = solved.model
+    wanted = model.weld == ELASTIC and model.tension_field and not model.two_panels
+    return wanted and solved.backend != "newmark"
+
+
+def _weld_range(design: Design, film: Film, progress: Progress) -> WeldRange:
+    seam, solved = faired_seam(design.pattern), design.inflation.report
+    panel = _meshed(seam, len(design.inflation.panel.rest_positions))
+
+    def balloon(weld: str, places: Floats, first: float, last: float) -> Inflation:
+        blown = inflate(
+            panel,
+            film,
+            solved.pressure,
+            backend=solved.backend,
+            model=replace(solved.model, weld=weld),
+            progress=part_of(progress, first, last, "if the weld creases: "),
+        )
+        return laid_over(blown, places)
+
+    elastic = balloon(ELASTIC, _seam_places(design.inflation, panel), 0.0, _ELASTIC_SHARE)
+    rim = elastic.positions[np.concatenate(panel.loops), :2]
+    crumpled = balloon(CRUMPLED, rim, _ELASTIC_SHARE, 1.0)
+    smooth, creased = (silhouette(trimmed(blown)) for blown in (elastic, crumpled))
+    return WeldRange(
+        misfit(design.target, creased).residual,
+        far_stretches(smooth, misfit(smooth, creased)),
+        crumpled.report.converged,
+    )
+
+
+def _meshed(seam: Outline, vertices: int) -> Panel:
+    """The panel, coarser than with so many vertices but where it is too thin for that."""
+    edge = size_for(seam, vertices)
+    try:
+        return triangulate(seam, COARSENING * edge)
+    except MeshError:
+        return triangulate(seam, edge)
+
+
+def _seam_places(inflation: Inflation, panel: Panel) -> Floats:
+    """Where the seam of another panel of the same pattern comes to lie, (k, 2) m, loop by loop."""
+    places = []
+    for mine, its in zip(panel.loops, inflation.panel.loops, strict=True):
+        flat = inflation.panel.rest_positions[its]
+        along = locate(flat, panel.rest_positions[mine])
+        places.append(point_at(inflation.positions[its, :2], arc_lengths(flat), along))
+    return np.concatenate(places)
+
+
+def _sentences(found: WeldRange) -> list[str]:
+    told = []
+    for worst in found.creases[:1]:
+        away, place = length_text(worst.max, 2), place_text(worst.place)
+        told.append(f"If the weld creases, the outline may lie up to {away} away near {place}.")
+    if not found.converged:
+        told.append(
+            "The balloon whose weld creases did not come to rest; what is told of it is its last good state."
+        )
+    return told
