@@ -58,7 +58,7 @@ from BalloonWorkbench.core.rounded import rounded, rounded_outline
 from BalloonWorkbench.core.solver.dynamics.animation import inflate_in_time
 from BalloonWorkbench.core.solver.model import Model
 from BalloonWorkbench.core.tracing.picture import Decode
-from BalloonWorkbench.core.types import Attempt, Progress, insist, no_progress, part_of
+from BalloonWorkbench.core.types import Attempt, Progress, insist, no_progress, part_of, rising
 
 DEFAULT_PRESSURE = InflationOptions.pressure
 _FOUND = 0.8  # of the progress of a design, when its pattern is found
@@ -225,7 +225,8 @@ def design_outline(outline: Outline, settings: Settings, progress: Progress = no
 
     Its seam is on the grid on which documents keep it.
     """
-    settings, ready = rounded(settings), _FOUND if settings.correct else 1.0
+    settings, progress = rounded(settings), rising(progress)
+    ready = _FOUND if settings.correct else 1.0
     design = _designed(rounded_outline(outline), settings, part_of(progress, 0.0, ready))
     design = replace(design, pattern=rounded_outline(design.pattern))
     return with_weld_range(design, settings.film, part_of(progress, ready, 1.0))

@@ -23,13 +23,18 @@ def summary(target: Outline, best: Iterate, passes: int, meshes: int, seconds: f
             "The simulation did not come to rest; the shape shown is its last good state. Try a coarser mesh."
         )
     reached = error.mean <= REACHED * size
-    if passes and not reached:
+    unreached = far_stretches(target, best.misfit) if passes else ()
+    folds = any(stretch.loop for stretch in unreached)
+    if passes and not reached and folds:
+        warnings.append(
+            f"The inflated outline stays {length_text(error.mean)} from the drawing on average: the balloon"
+            " folds across a hole or a spot."
+        )
+    elif passes and not reached:
         warnings.append(
             f"The inflated outline stays {length_text(error.mean)} from the drawing on average:"
             " film cannot follow this shape everywhere. Round off notches and widen thin parts."
         )
-    unreached = far_stretches(target, best.misfit) if passes else ()
-    folds = any(stretch.loop for stretch in unreached)
     warnings += [_sentence(stretch, folds) for stretch in unreached[:MOST_SENTENCES]]
     return Design(
         target,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What becomes of a design whose weld creases: its pattern inflated once more, with a weld that crumples freely.
+"""A design whose weld creases: its pattern inflated once more, with a weld that crumples freely.
 
 A real weld lies between that and the elastic one of the design. Both are inflated from the flat film on one
 coarser mesh, so that what differs between them is the weld alone: the mesh hardly matters, but on a fine one
