@@ -25,10 +25,10 @@ from BalloonWorkbench.core import report
 from BalloonWorkbench.core.advice.advise import advise_design
 from BalloonWorkbench.core.advice.as_data import advice_report
 from BalloonWorkbench.core.correction.fit import Method, fit, inflate_outline
-from BalloonWorkbench.core.correction.weld_range import with_weld_range
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.design.size_goal import START_WIDTH, Buoyancy, SizeGoal, design_to_size
 from BalloonWorkbench.core.design.to_volume import design_to_volume
+from BalloonWorkbench.core.design.weld_range import with_weld_range
 from BalloonWorkbench.core.errors import BalloonError, InputError, MissingPackageError
 from BalloonWorkbench.core.film.filling import Filling
 from BalloonWorkbench.core.film.film import Film
@@ -61,7 +61,7 @@ from BalloonWorkbench.core.tracing.picture import Decode
 from BalloonWorkbench.core.types import Attempt, Progress, insist, no_progress, part_of, rising
 
 DEFAULT_PRESSURE = InflationOptions.pressure
-_FOUND = 0.8  # of the progress of a design, when its pattern is found
+_DESIGNED = 0.8  # of the progress of a design, when its pattern is found
 
 
 @dataclass(frozen=True)
@@ -226,7 +226,7 @@ def design_outline(outline: Outline, settings: Settings, progress: Progress = no
     Its seam is on the grid on which documents keep it.
     """
     settings, progress = rounded(settings), rising(progress)
-    ready = _FOUND if settings.correct else 1.0
+    ready = _DESIGNED if settings.correct else 1.0
     design = _designed(rounded_outline(outline), settings, part_of(progress, 0.0, ready))
     design = replace(design, pattern=rounded_outline(design.pattern))
     return with_weld_range(design, settings.film, part_of(progress, ready, 1.0))

@@ -168,7 +168,7 @@ def _design(design: Design, size: float) -> dict[str, Any]:
         **_off(design.residual, size),
         "reached": design.reached,
         "unreached": [_stretch(stretch) for stretch in design.unreached],
-        "if_weld_creases": None if creased is None else _creased(creased, size),
+        "weld_range": None if creased is None else _creased(creased, size),
     }
 
 
@@ -183,11 +183,11 @@ def _off(error: Residual, size: float) -> dict[str, Any]:
     }
 
 
-def _creased(found: WeldRange, size: float) -> dict[str, Any]:
+def _creased(weld_range: WeldRange, size: float) -> dict[str, Any]:
     return {
-        **_off(found.residual, size),
-        "creases": [_stretch(stretch) for stretch in found.creases],
-        "converged": found.converged,
+        **_off(weld_range.residual, size),
+        "creases": [_stretch(stretch) for stretch in weld_range.creases],
+        "converged": weld_range.converged,
     }
 
 

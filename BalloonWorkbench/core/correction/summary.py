@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from BalloonWorkbench.core.correction.iterate import Iterate
-from BalloonWorkbench.core.correction.unreachable import far_stretches
+from BalloonWorkbench.core.design.compare import far_stretches
 from BalloonWorkbench.core.design.design import Design, FarStretch
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.units import length_text, place_text

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The two-way distance between outlines, and a balloon laid over another to be compared with it."""
+"""The two-way distance between outlines, and where they are far apart; a balloon laid over another."""
 
 from __future__ import annotations
 
@@ -7,9 +7,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from BalloonWorkbench.core.design.design import Residual
+from BalloonWorkbench.core.design.design import FarStretch, Residual
 from BalloonWorkbench.core.geometry.nearest import nearest_on_loops, way_round
-from BalloonWorkbench.core.geometry.polyline import arc_lengths, point_weights
+from BalloonWorkbench.core.geometry.polyline import arc_lengths, point_at, point_weights
 from BalloonWorkbench.core.geometry.sampling import evenly
 from BalloonWorkbench.core.geometry.vectors import alignment
 from BalloonWorkbench.core.outline.outline import Outline
@@ -17,6 +17,8 @@ from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.types import Floats, Ints
 
 _SAMPLES = 1000  # along the longest loop
+#: Distance from which a stretch counts, and what may remain at its ends, in parts of the larger dimension.
+FAR, NEARLY = 0.01, 0.005
 
 
 @dataclass(frozen=True)
@@ -60,6 +62,48 @@ def misfit(drawing: Outline, visible: Outline) -> Misfit:
         np.concatenate([owner, loop]).astype(np.int32),
         np.concatenate([*(np.arange(len(points)) / len(points) for points in here), share]),
     )
+
+
+def far_stretches(outline: Outline, apart: Misfit) -> tuple[FarStretch, ...]:
+    """The stretches of an outline from which another stays away, the farthest first."""
+    size = max(outline.size)
+    stretches = []
+    for number, loop in enumerate(outline.loops):
+        mine = apart.loop == number
+        lengths = arc_lengths(loop)
+        order = np.argsort(apart.share[mine], kind="stable")
+        along, away = apart.share[mine][order] * lengths[-1], apart.distances[mine][order]
+        for first, last in _runs(along, away, float(lengths[-1]), size):
+            inside = np.mod(along - first, lengths[-1]) <= last - first
+            points = point_at(
+                loop, lengths, np.linspace(first, last, max(2, int(400 * (last - first) / size)))
+            )
+            farthest = np.argmax(np.where(inside, away, 0.0))
+            place = point_at(loop, lengths, along[[farthest]])[0]
+            stretches.append(
+                FarStretch(
+                    number, first, last, points, float(away[inside].mean()), float(away[inside].max()), place
+                )
+            )
+    return tuple(sorted(stretches, key=lambda stretch: -stretch.max))
+
+
+def _runs(along: Floats, away: Floats, around: float, size: float) -> list[tuple[float, float]]:
+    """Beginnings and ends of the stretches; those with less than 1 % of the size between them are one."""
+    off = np.flatnonzero(away > NEARLY * size)
+    if not len(off):
+        return []
+    at = along[off]
+    breaks = np.flatnonzero(np.diff(np.append(at, at[0] + around)) > FAR * size)
+    if not len(breaks):
+        return [(0.0, around)]
+    runs = []
+    for begin, end in zip(np.roll(breaks, 1) + 1, breaks, strict=True):
+        chosen = np.arange(begin, end + 1 if begin <= end else end + 1 + len(off)) % len(off)
+        if (away[off[chosen]] > FAR * size).any():
+            first, last = float(at[chosen[0]]), float(at[chosen[-1]])
+            runs.append((first, last if last >= first else last + around))
+    return runs
 
 
 def laid_over(inflation: Inflation, places: Floats) -> Inflation:

@@ -12,8 +12,7 @@ from drawn_shapes import NAMED, generated
 
 from BalloonWorkbench.core.correction.clearance import enforce_clearance
 from BalloonWorkbench.core.correction.fit import Method, fit
-from BalloonWorkbench.core.correction.unreachable import far_stretches
-from BalloonWorkbench.core.design.compare import misfit, residual
+from BalloonWorkbench.core.design.compare import far_stretches, misfit, residual
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.design.initial_pattern import initial_displacements
 from BalloonWorkbench.core.film.library import film

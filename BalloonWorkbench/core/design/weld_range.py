@@ -12,8 +12,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from BalloonWorkbench.core.correction.unreachable import far_stretches
-from BalloonWorkbench.core.design.compare import laid_over, misfit
+from BalloonWorkbench.core.design.compare import far_stretches, laid_over, misfit
 from BalloonWorkbench.core.design.design import Design, WeldRange
 from BalloonWorkbench.core.design.fairing import faired_seam
 from BalloonWorkbench.core.design.silhouette import silhouette
@@ -45,19 +44,19 @@ def with_weld_range(design: Design, film: Film, progress: Progress = no_progress
     if not (design.passes and film.seal_width > 0.0 and _is_elastic(design.inflation)):
         return design
     try:
-        found = _weld_range(design, film, progress)
+        weld_range = _weld_range(design, film, progress)
     except (MeshError, SolverError) as error:
-        told = f"How far the outline moves if the weld creases could not be simulated. {error}"
-        return replace(design, warnings=(*design.warnings, told))
-    return replace(design, weld_range=found, warnings=(*design.warnings, *_sentences(found)))
+        sentence = f"How far the outline moves if the weld creases could not be simulated. {error}"
+        return replace(design, warnings=(*design.warnings, sentence))
+    return replace(design, weld_range=weld_range, warnings=(*design.warnings, *_sentences(weld_range)))
 
 
 def _is_elastic(inflation: Inflation) -> bool:
     """Two equal panels at rest, simulated as film that crumples but for its weld."""
     solved = inflation.report
     model = solved.model
-    wanted = model.weld == ELASTIC and model.tension_field and not model.two_panels
-    return wanted and solved.backend != "newmark"
+    as_usual = model.weld == ELASTIC and model.tension_field and not model.two_panels
+    return as_usual and solved.backend != "newmark"
 
 
 def _weld_range(design: Design, film: Film, progress: Progress) -> WeldRange:
@@ -105,13 +104,13 @@ def _seam_places(inflation: Inflation, panel: Panel) -> Floats:
     return np.concatenate(places)
 
 
-def _sentences(found: WeldRange) -> list[str]:
-    told = []
-    for worst in found.creases[:1]:
+def _sentences(weld_range: WeldRange) -> list[str]:
+    sentences = []
+    for worst in weld_range.creases[:1]:
         away, place = length_text(worst.max, 2), place_text(worst.place)
-        told.append(f"If the weld creases, the outline may lie up to {away} away near {place}.")
-    if not found.converged:
-        told.append(
+        sentences.append(f"If the weld creases, the outline may lie up to {away} away near {place}.")
+    if not weld_range.converged:
+        sentences.append(
             "The balloon whose weld creases did not come to rest; what is told of it is its last good state."
         )
-    return told
+    return sentences
