@@ -29,11 +29,14 @@ from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.panels.panel import Panel
 from BalloonWorkbench.core.solver.inflate import inflate
 from BalloonWorkbench.core.solver.inflation import Inflation
+from BalloonWorkbench.core.solver.problem import NewtonSettings
 from BalloonWorkbench.core.types import Floats, Progress, no_progress, part_of
 from BalloonWorkbench.core.units import length_text, place_text
 
 _COARSENING = 1.6  # of the mesh of the design
-_OF_A_RING = 800  # vertices, so that a ring kinks
+_OF_A_RING = 800  # vertices: on a coarser mesh few rings kink
+#: A ring is nearly at rest before it kinks.
+_AT_REST = NewtonSettings(tolerance=1e-6)
 _ELASTIC_SHARE = 0.2  # of the work
 
 
@@ -72,6 +75,7 @@ def _weld_range(design: Design, film: Film, progress: Progress) -> WeldRange:
             solved.pressure,
             backend=solved.backend,
             model=replace(solved.model, weld=weld),
+            settings=_AT_REST if seam.holes else None,
             progress=part_of(progress, first, last, "if the weld creases: "),
         )
         return laid_over(blown, places)
@@ -89,7 +93,7 @@ def _weld_range(design: Design, film: Film, progress: Progress) -> WeldRange:
 
 def _meshed(seam: Outline, vertices: int) -> Panel:
     """The panel, coarser than with so many vertices but where it is too thin for that."""
-    coarser = max(round(vertices / _COARSENING**2), _OF_A_RING if seam.holes else 0)
+    coarser = _OF_A_RING if seam.holes else round(vertices / _COARSENING**2)
     try:
         return triangulate(seam, size_for(seam, coarser))
     except MeshError:
