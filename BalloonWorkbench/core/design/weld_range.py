@@ -3,8 +3,8 @@
 
 A real weld lies between that and the elastic one of the design. Both are inflated on one coarser mesh, so
 that what differs between them is the weld alone; on the design's own the crumpling takes ten times as long as
-the elastic balloon. The crumpled one sets out from a balloon whose weld has nearly no rigidity, inflated from the
-flat film: straight from there film catches, and a ring kinks on one mesh and does not on another.
+the elastic balloon. The crumpled one sets out from a balloon whose weld has nearly no rigidity, inflated from
+the flat film: straight from there film catches, and a ring kinks on one mesh and does not on another.
 """
 
 from __future__ import annotations
