@@ -60,6 +60,10 @@ PROPERTIES = (
     result("Length", "ResidualMean", "Mean distance between drawing and silhouette"),
     result("Length", "ResidualP95", "Distance that 95 % of the silhouette keep to"),
     result("Length", "ResidualMax", "Largest distance between drawing and silhouette"),
+    result("Length", "CreasedMean", "Mean distance between drawing and silhouette if the weld creases"),
+    result("Length", "CreasedP95", "Distance that 95 % of the silhouette keep to if the weld creases"),
+    result("Length", "CreasedMax", "Largest distance between drawing and silhouette if the weld creases"),
+    result("VectorList", "Creases", "Places of the outline that move if the weld creases, the worst first"),
     result("Bool", "Reached", "The silhouette is within the tolerance of the drawing"),
     result("Bool", "Converged", "The balloon shown has come to rest"),
     result("Integer", "Passes", "Corrections of the pattern"),
@@ -242,9 +246,19 @@ def _show_measures(obj, report) -> None:
     obj.WrinkledShare = inflated["area_shares"]["wrinkled"]
     obj.SlackShare = inflated["area_shares"]["slack"]
     obj.ResidualMean, obj.ResidualP95, obj.ResidualMax = error["mean"], error["p95"], error["max"]
+    _show_creases(obj, design["weld_range"])
     obj.Reached, obj.Converged = bool(design["reached"]), bool(report["solve"]["converged"])
     obj.Passes, obj.NewtonSteps = int(design["passes"]), int(report["solve"]["newton_steps"])
     obj.ActiveBackend = report["backend"]
+
+
+def _show_creases(obj, creased) -> None:
+    """What the report tells of the weld that creases; nothing where that was not simulated."""
+    import FreeCAD as App
+
+    error = creased["silhouette_error_mm"] if creased else {"mean": 0.0, "p95": 0.0, "max": 0.0}
+    obj.CreasedMean, obj.CreasedP95, obj.CreasedMax = error["mean"], error["p95"], error["max"]
+    obj.Creases = [App.Vector(*place["at_mm"]) for place in (creased["creases"] if creased else ())]
 
 
 def _verdict(obj) -> str:

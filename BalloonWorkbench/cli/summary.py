@@ -45,6 +45,12 @@ def _balloon(part: dict[str, Any], report: dict[str, Any], corrected: bool, say:
     if corrected:
         mean, largest = (length_text(from_mm(error[key]), 2) for key in ("mean", "max"))
         lines.append(say(f"Off the drawing: {mean} on average, at most {largest}"))
+    creased = part["design"]["weld_range"]
+    if creased is not None:
+        mean, largest = (
+            length_text(from_mm(creased["silhouette_error_mm"][key]), 2) for key in ("mean", "max")
+        )
+        lines.append(say(f"If the weld creases: {mean} on average, at most {largest}"))
     return lines
 
 

@@ -28,6 +28,7 @@ from BalloonWorkbench.core.correction.fit import Method, fit, inflate_outline
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.design.size_goal import START_WIDTH, Buoyancy, SizeGoal, design_to_size
 from BalloonWorkbench.core.design.to_volume import design_to_volume
+from BalloonWorkbench.core.design.weld_range import with_weld_range
 from BalloonWorkbench.core.errors import BalloonError, InputError, MissingPackageError
 from BalloonWorkbench.core.film.filling import Filling
 from BalloonWorkbench.core.film.film import Film
@@ -57,9 +58,10 @@ from BalloonWorkbench.core.rounded import rounded, rounded_outline
 from BalloonWorkbench.core.solver.dynamics.animation import inflate_in_time
 from BalloonWorkbench.core.solver.model import Model
 from BalloonWorkbench.core.tracing.picture import Decode
-from BalloonWorkbench.core.types import Attempt, Progress, insist, no_progress
+from BalloonWorkbench.core.types import Attempt, Progress, insist, no_progress, part_of, rising
 
 DEFAULT_PRESSURE = InflationOptions.pressure
+_DESIGNED = 0.8  # of the progress of a design, when its pattern is found
 
 
 @dataclass(frozen=True)
@@ -215,9 +217,7 @@ def _share(progress: Progress, number: int, count: int) -> Progress:
     """The progress of one of several balloons within that of all."""
     if count == 1:
         return progress
-    return lambda fraction, text: progress(
-        (number + fraction) / count, f"balloon {number + 1} of {count}, {text}"
-    )
+    return part_of(progress, number / count, (number + 1) / count, f"balloon {number + 1} of {count}, ")
 
 
 def design_outline(outline: Outline, settings: Settings, progress: Progress = no_progress) -> Design:
@@ -225,8 +225,11 @@ def design_outline(outline: Outline, settings: Settings, progress: Progress = no
 
     Its seam is on the grid on which documents keep it.
     """
-    design = _designed(rounded_outline(outline), rounded(settings), progress)
-    return replace(design, pattern=rounded_outline(design.pattern))
+    settings, progress = rounded(settings), rising(progress)
+    ready = _DESIGNED if settings.correct else 1.0
+    design = _designed(rounded_outline(outline), settings, part_of(progress, 0.0, ready))
+    design = replace(design, pattern=rounded_outline(design.pattern))
+    return with_weld_range(design, settings.film, part_of(progress, ready, 1.0))
 
 
 def _designed(outline: Outline, settings: Settings, progress: Progress) -> Design:

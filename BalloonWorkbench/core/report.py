@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from BalloonWorkbench.core.design.design import Design, UnreachedStretch
+from BalloonWorkbench.core.design.design import Design, FarStretch, Residual, WeldRange
 from BalloonWorkbench.core.design.size_goal import Buoyancy, SizeGoal, scaling_of
 from BalloonWorkbench.core.film.filling import Filling
 from BalloonWorkbench.core.film.film import Film
@@ -160,19 +160,34 @@ def _solved(inflation: Inflation) -> dict[str, Any]:
 
 
 def _design(design: Design, size: float) -> dict[str, Any]:
-    error = design.residual
+    creased = design.weld_range
     return {
         "passes": design.passes,
         "meshes": design.meshes,
         "seconds": design.seconds,
+        **_off(design.residual, size),
+        "reached": design.reached,
+        "unreached": [_stretch(stretch) for stretch in design.unreached],
+        "weld_range": None if creased is None else _creased(creased, size),
+    }
+
+
+def _off(error: Residual, size: float) -> dict[str, Any]:
+    return {
         "silhouette_error_mm": {
             "mean": to_mm(error.mean),
             "p95": to_mm(error.p95),
             "max": to_mm(error.max),
         },
         "relative_error": error.mean / size,
-        "reached": design.reached,
-        "unreached": [_stretch(stretch) for stretch in design.unreached],
+    }
+
+
+def _creased(weld_range: WeldRange, size: float) -> dict[str, Any]:
+    return {
+        **_off(weld_range.residual, size),
+        "creases": [_stretch(stretch) for stretch in weld_range.creases],
+        "converged": weld_range.converged,
     }
 
 
@@ -230,12 +245,12 @@ def _grain(film: Film, across: float) -> dict[str, Any]:
     return {"E_across_Pa": across, "angle_deg": float(np.degrees(film.grain_angle))}
 
 
-def _stretch(stretch: UnreachedStretch) -> dict[str, Any]:
+def _stretch(stretch: FarStretch) -> dict[str, Any]:
     return {
         "loop": stretch.loop,
         "start_mm": to_mm(stretch.start),
         "end_mm": to_mm(stretch.end),
-        "at_mm": [to_mm(float(value)) for value in stretch.middle],
+        "at_mm": [to_mm(float(value)) for value in stretch.place],
         "mean_mm": to_mm(stretch.mean),
         "max_mm": to_mm(stretch.max),
     }

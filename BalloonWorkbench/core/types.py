@@ -22,6 +22,23 @@ def no_progress(fraction: float, text: str) -> bool:
     return True
 
 
+def part_of(progress: Progress, first: float, last: float, what: str = "") -> Progress:
+    """The progress of a part of some work, between two fractions; what: put before what is being done."""
+    return lambda fraction, text: progress(first + (last - first) * fraction, f"{what}{text}")
+
+
+def rising(progress: Progress) -> Progress:
+    """The same progress without steps back: what is left of a simulation is only foretold."""
+    most = 0.0
+
+    def report(fraction: float, text: str) -> bool:
+        nonlocal most
+        most = max(most, fraction)
+        return progress(most, text)
+
+    return report
+
+
 Made = TypeVar("Made")
 
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The Balloon object: a closed mesh that follows its values, and survives values that make no sense."""
 
+import json
 from dataclasses import replace
 
 import FreeCAD as App
@@ -59,6 +60,20 @@ def test_balloon_looks_like_the_drawing(parts):
     assert balloon.Converged
 
 
+def test_what_a_creased_weld_does_is_there_and_in_the_report(parts):
+    balloon = parts.balloon
+    creased = json.loads(balloon.Report)["design"]["weld_range"]
+    error = creased["silhouette_error_mm"]
+    shown = [getattr(balloon, name).Value for name in ("CreasedMean", "CreasedP95", "CreasedMax")]
+    assert shown == pytest.approx([error["mean"], error["p95"], error["max"]])
+    assert 0.0 < shown[0] < shown[1] < shown[2] < 0.2 * 120
+    assert shown[2] > balloon.ResidualMax.Value
+    assert [tuple(place)[:2] for place in balloon.Creases] == [
+        pytest.approx(place["at_mm"]) for place in creased["creases"]
+    ]
+    assert balloon.getEditorMode("CreasedMax") == ["ReadOnly"]
+
+
 def test_seam_is_larger_than_the_drawing(parts):
     """Film that does not stretch draws in: the pattern is larger than what is seen."""
     xs = [point.x for point in parts.balloon.SeamPoints]
@@ -74,6 +89,7 @@ def test_inflated_as_drawn_it_is_smaller(parts):
     assert balloon.InflatedWidth.Value < 0.95 * 120
     assert balloon.FilmArea.Value == pytest.approx(2 * 120 * 80, rel=1e-6)
     assert balloon.Passes == 0
+    assert (balloon.CreasedMax.Value, balloon.Creases) == (0, [])
 
 
 def test_sketch_edit_changes_everything(parts):

@@ -19,7 +19,8 @@ def result(parts):
     outline, balloon, pattern = parts
     points = [point for facet in balloon.Mesh.Facets for point in facet.Points]
     lengths = (
-        "InflatedWidth InflatedHeight InflatedThickness Volume FilmArea ResidualMean ResidualMax FloatsFrom"
+        "InflatedWidth InflatedHeight InflatedThickness Volume FilmArea ResidualMean ResidualMax CreasedMax"
+        " FloatsFrom"
     )
     numbers = "MaxTension MaxStrain WrinkledShare SlackShare Weight Lift Passes NewtonSteps SolvedFor"
     return (

@@ -50,13 +50,15 @@ def test_report_holds_what_schema_2_promises(heart: Path) -> None:
         "material": "name E_Pa nu thickness_m areal_density_kg_m2 weld_rigidity weld_rigidity_source",
         "mesh": "vertices triangles min_angle_deg",
         "solve": "newton_steps factorisations seconds converged stiffness_k",
-        "design": "passes seconds silhouette_error_mm relative_error reached",
+        "design": "passes seconds silhouette_error_mm relative_error reached unreached weld_range",
         "inflated": "volume_m3 thickness_mm width_mm height_mm film_area_m2 max_tension_N_per_m",
         "pattern": "width_mm height_mm seam_length_mm intake more_intakes",
     }
     for group, names in wanted.items():
         assert set(report[group]) >= set(names.split()), group
     assert set(report["design"]["silhouette_error_mm"]) == {"mean", "p95", "max"}
+    creased = {"silhouette_error_mm", "relative_error", "creases", "converged"}
+    assert set(report["design"]["weld_range"]) == creased
     intake = {"kind", "how_to_fill", "width_mm", "length_mm", "angle_deg", "at_mm", "along_mm"}
     assert set(report["pattern"]["intake"]) == intake
     assert report["schema"] == 2

@@ -8,6 +8,8 @@ What makes a finding true is measured on the inflated mesh at a place, by means 
     flat_tip      no place as thick as two seals within 7 % of the size
     notch         mean tension within a thirtieth of the size at least 3 times the median
     warping_ring  both panels simulated, started twisted: the seam leaves its plane by 8 % of the size
+    creasing_ring with 3 % of the weld's stiffness the outline moves by 1 % of the size, and at most 0.7
+                  times as far with a weld twice as wide
     flat_shape    V / A^1.5 below 0.4 of the disc's
     hidden_intake necks with less room than the intake part it from more than half of the film
     delicate_intake  within 15 % of the size of the place nothing is 0.3 times as thick as the balloon
@@ -29,6 +31,8 @@ from scipy.spatial import cKDTree
 from BalloonWorkbench.core.advice.advise import advise
 from BalloonWorkbench.core.advice.findings import Advice, Finding
 from BalloonWorkbench.core.correction.fit import fit
+from BalloonWorkbench.core.design.compare import laid_over, residual
+from BalloonWorkbench.core.design.silhouette import silhouette
 from BalloonWorkbench.core.film.library import film
 from BalloonWorkbench.core.geometry.triangulation import signed_areas
 from BalloonWorkbench.core.mesh.sizing import size_for
@@ -125,6 +129,19 @@ class Truth:
         rounder = max(both, key=lambda one: one.volume)
         return float(np.ptp(rounder.positions[rim, 2]) / self.size)
 
+    @cached_property
+    def creased(self) -> tuple[float, float]:
+        """Largest distance to the outline of the balloon, relative to the size, of those whose weld keeps 3 %
+        of its stiffness: one as wide, one twice as wide."""
+        rim = np.concatenate(self.panel.loops)
+        moved = []
+        for times in (1.0, 2.0):
+            film = replace(FILM, seal_width=times * FILM.seal_width, weld_rigidity=0.03 * FILM.weld_rigidity)
+            weak = inflate(self.panel, film, PRESSURE)
+            laid = laid_over(weak, self.balloon.positions[rim, :2])
+            moved.append(residual(silhouette(self.balloon), silhouette(laid)).max / self.size)
+        return moved[0], moved[1]
+
     def relative_volume(self) -> float:
         """V / A^1.5 relative to a disc's."""
         return float(self.balloon.volume / self.areas.sum() ** 1.5 / DISC)
@@ -155,6 +172,7 @@ class Truth:
             "flat_tip": lambda: self.flat_length(where) > 0.07,
             "notch": lambda: self.peak(where) >= 3.0,
             "warping_ring": lambda: self.warp > 0.08,
+            "creasing_ring": lambda: self.creased[0] > 0.01 and self.creased[1] < 0.7 * self.creased[0],
             "flat_shape": lambda: self.relative_volume() < 0.4,
             "hidden_intake": lambda: self.entered() < 0.5,
             "delicate_intake": lambda: self.thickest_near(where) < 0.3,
@@ -216,7 +234,7 @@ def count(case: Flawed, truth: Truth, advice: Advice, scores: dict[str, Score], 
 
 
 def _near(finding: Finding, line: Floats, size: float) -> bool:
-    if finding.rule in ("flat_shape", "hidden_intake", "delicate_intake", "warping_ring"):
+    if finding.rule in ("flat_shape", "hidden_intake", "delicate_intake", "warping_ring", "creasing_ring"):
         return True
     return float(cKDTree(line).query(finding.place)[0]) < size / 15.0
 

@@ -2,8 +2,8 @@
 """Advice on a shape: before its design, or on the balloon that was simulated.
 
 The rules ask a gauge how thick and tight the balloon is where: in one coarse inflation of the first pattern,
-or in the finished balloon; the rules are the same. Whether a balloon with holes stays in its plane shows a
-coarse inflation of both its panels.
+or in the finished balloon; the rules are the same. Whether a balloon with holes stays in its plane, and its
+outline where it was drawn, show coarse inflations of its pattern (rings.py).
 """
 
 from __future__ import annotations
@@ -13,8 +13,8 @@ from collections.abc import Iterator
 from BalloonWorkbench.core.advice import shape_rules, thin_rules
 from BalloonWorkbench.core.advice.findings import Advice, Finding
 from BalloonWorkbench.core.advice.gauge import Gauge
+from BalloonWorkbench.core.advice.rings import PRESSURE
 from BalloonWorkbench.core.advice.subject import Subject
-from BalloonWorkbench.core.advice.warp import PRESSURE
 from BalloonWorkbench.core.checkpoint import checkpoint
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.design.draft import inflate_drawing
@@ -39,6 +39,7 @@ _RULES = (
     shape_rules.sharp_notches,
     thin_rules.tips,
     shape_rules.rings,
+    shape_rules.creases,
     shape_rules.roundness,
     shape_rules.intake,
 )

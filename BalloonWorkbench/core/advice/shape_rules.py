@@ -11,9 +11,9 @@ import numpy as np
 
 from BalloonWorkbench.core.advice.findings import Finding, Repair, RepairKind
 from BalloonWorkbench.core.advice.places import NOTCH_REACH, bodies, notches, whole
+from BalloonWorkbench.core.advice.rings import CREASED, creased_outlines, seam_height
 from BalloonWorkbench.core.advice.rules import rules
 from BalloonWorkbench.core.advice.subject import Subject
-from BalloonWorkbench.core.advice.warp import seam_height
 from BalloonWorkbench.core.geometry.polyline import signed_area
 from BalloonWorkbench.core.geometry.vectors import direction
 from BalloonWorkbench.core.options.pattern import FARTHEST, LOW
@@ -25,6 +25,8 @@ from BalloonWorkbench.core.units import length_text, number_text, percent_text
 #: Tension is averaged over this part of the size round a notch: nearer it grows without end.
 PEAK_REACH = 2.0 * NOTCH_REACH
 _LARGEST_RADIUS = 0.06  # of the size, for rounding
+#: Of how far the outline moves, what may remain with a wider weld for that to be worth it.
+_WORTHWHILE = 0.7
 #: How much of the balloon, of its size, holds the intake.
 _HELD_BY = 0.15
 _ANGLES = np.radians(np.arange(0.0, 360.0, 5.0))
@@ -65,6 +67,31 @@ def rings(subject: Subject) -> Iterator[Finding]:
         (hole,),
         None,
         length=length_text(height, 1),
+    )
+    if finding is not None:
+        yield finding
+
+
+def creases(subject: Subject) -> Iterator[Finding]:
+    """A balloon with holes that moves where its weld creases, and much less with a weld twice as wide."""
+    if not (subject.outline.holes and subject.seal_width > 0.0):
+        return
+    widths = (subject.seal_width, 2.0 * subject.seal_width)
+    present, wider = creased_outlines(subject.gauge.pattern, subject.film, widths)
+    moved, less = present.residual.max, wider.residual.max
+    if less > _WORTHWHILE * moved:
+        return
+    hole = min(subject.outline.holes, key=signed_area)
+    finding = subject.finding(
+        "creasing_ring",
+        moved / subject.size,
+        hole.mean(axis=0),
+        (hole,),
+        None,
+        percent=percent_text(CREASED),
+        length=length_text(moved, 2),
+        wanted=length_text(widths[1], 2),
+        less=length_text(less, 2),
     )
     if finding is not None:
         yield finding

@@ -54,10 +54,14 @@ class Subject:
         """Inner width of the intake [m]."""
         return self.wish.width
 
+    @property
+    def seal_width(self) -> float:
+        """Of the pattern [m]."""
+        return self.film.seal_width if self.options.seal_width is None else self.options.seal_width
+
     @cached_property
     def _places(self) -> Places:
-        seal_width = self.film.seal_width if self.options.seal_width is None else self.options.seal_width
-        return Places(self.seam, seal_width + self.options.allowance)
+        return Places(self.seam, self.seal_width + self.options.allowance)
 
     def intakes(self, wish: Wish) -> list[Floats]:
         """Where in the drawing the intakes sit (2,) [m]; none where the pattern refuses them."""

@@ -3,18 +3,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
 from BalloonWorkbench.core.correction.seam_map import SeamMap, SeamNodes, seam_nodes
 from BalloonWorkbench.core.correction.transfer import transferred
-from BalloonWorkbench.core.design.compare import Misfit, misfit
+from BalloonWorkbench.core.design.compare import Misfit, laid_over, misfit
 from BalloonWorkbench.core.design.silhouette import silhouette
 from BalloonWorkbench.core.design.visible_seam import trimmed
 from BalloonWorkbench.core.film.film import Film
-from BalloonWorkbench.core.geometry.polyline import point_weights
-from BalloonWorkbench.core.geometry.vectors import alignment
 from BalloonWorkbench.core.mesh.halves import triangulate_mirrored
 from BalloonWorkbench.core.mesh.reuse import move_rim
 from BalloonWorkbench.core.mesh.triangulate import triangulate
@@ -121,15 +119,5 @@ def _moved(last: Iterate, seam_map: SeamMap) -> Panel | None:
 
 def _aligned(seam_map: SeamMap, nodes: tuple[SeamNodes, ...], inflation: Inflation) -> Inflation:
     """The balloon moved in its plane of symmetry to where the drawing is."""
-    seams = inflation.panel.loops
-    drawn = np.concatenate([node.placed_on(loop) for node, loop in zip(nodes, seam_map.drawing, strict=True)])
-    seam = np.concatenate([inflation.positions[loop, :2] for loop in seams])
-    weights = np.concatenate([point_weights(inflation.panel.rest_positions[loop]) for loop in seams])
-    rotation, shift = alignment(seam, drawn, weights)
-    positions, directors = inflation.positions.copy(), inflation.directors.copy()
-    positions[:, :2] = positions[:, :2] @ rotation.T + shift
-    directors[:, :2] = directors[:, :2] @ rotation.T
-    lower = inflation.lower
-    if lower is not None:
-        lower = np.column_stack([lower[:, :2] @ rotation.T + shift, lower[:, 2]])
-    return replace(inflation, positions=positions, directors=directors, lower=lower)
+    drawn = [node.placed_on(loop) for node, loop in zip(nodes, seam_map.drawing, strict=True)]
+    return laid_over(inflation, np.concatenate(drawn))

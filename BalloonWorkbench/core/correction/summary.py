@@ -4,8 +4,8 @@
 from __future__ import annotations
 
 from BalloonWorkbench.core.correction.iterate import Iterate
-from BalloonWorkbench.core.correction.unreachable import unreached_stretches
-from BalloonWorkbench.core.design.design import Design, UnreachedStretch
+from BalloonWorkbench.core.design.compare import far_stretches
+from BalloonWorkbench.core.design.design import Design, FarStretch
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.units import length_text, place_text
 
@@ -23,13 +23,19 @@ def summary(target: Outline, best: Iterate, passes: int, meshes: int, seconds: f
             "The simulation did not come to rest; the shape shown is its last good state. Try a coarser mesh."
         )
     reached = error.mean <= REACHED * size
-    if passes and not reached:
+    unreached = far_stretches(target, best.misfit) if passes else ()
+    folds = any(stretch.loop for stretch in unreached)
+    if passes and not reached and folds:
+        warnings.append(
+            f"The inflated outline stays {length_text(error.mean)} from the drawing on average: the balloon"
+            " folds across a hole or a spot."
+        )
+    elif passes and not reached:
         warnings.append(
             f"The inflated outline stays {length_text(error.mean)} from the drawing on average:"
             " film cannot follow this shape everywhere. Round off notches and widen thin parts."
         )
-    unreached = unreached_stretches(target, best.misfit) if passes else ()
-    warnings += [_sentence(stretch) for stretch in unreached[:MOST_SENTENCES]]
+    warnings += [_sentence(stretch, folds) for stretch in unreached[:MOST_SENTENCES]]
     return Design(
         target,
         best.seam_map.outline,
@@ -45,9 +51,16 @@ def summary(target: Outline, best: Iterate, passes: int, meshes: int, seconds: f
     )
 
 
-def _sentence(stretch: UnreachedStretch) -> str:
+def _sentence(stretch: FarStretch, folds: bool) -> str:
+    """About one stretch; folds: a hole or spot is not reached, so that the balloon folds across it."""
+    place, away = place_text(stretch.place), length_text(stretch.max, 3)
+    length = length_text(stretch.end - stretch.start, 3)
+    if folds:
+        return (
+            f"Near {place} the inflated outline stays up to {away} from the drawing, over a length of"
+            f" {length}: the balloon folds across a hole or a spot. Make that larger, or leave it out."
+        )
     return (
-        f"Near {place_text(stretch.middle)} the inflated outline stays up to {length_text(stretch.max, 3)}"
-        f" from the drawing, over a length of {length_text(stretch.end - stretch.start, 3)}: film cannot"
-        " follow it there. Round it off or widen it."
+        f"Near {place} the inflated outline stays up to {away} from the drawing, over a length of"
+        f" {length}: film cannot follow it there. Round it off or widen it."
     )

@@ -1,20 +1,24 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The two-way distance between outlines."""
+"""The two-way distance between outlines, and where they are far apart; a balloon laid over another."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from BalloonWorkbench.core.design.design import Residual
+from BalloonWorkbench.core.design.design import FarStretch, Residual
 from BalloonWorkbench.core.geometry.nearest import nearest_on_loops, way_round
-from BalloonWorkbench.core.geometry.polyline import arc_lengths
+from BalloonWorkbench.core.geometry.polyline import arc_lengths, point_at, point_weights
 from BalloonWorkbench.core.geometry.sampling import evenly
+from BalloonWorkbench.core.geometry.vectors import alignment
 from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.types import Floats, Ints
 
 _SAMPLES = 1000  # along the longest loop
+#: Distance from which a stretch counts, and what may remain at its ends, in parts of the larger dimension.
+FAR, NEARLY = 0.01, 0.005
 
 
 @dataclass(frozen=True)
@@ -58,3 +62,62 @@ def misfit(drawing: Outline, visible: Outline) -> Misfit:
         np.concatenate([owner, loop]).astype(np.int32),
         np.concatenate([*(np.arange(len(points)) / len(points) for points in here), share]),
     )
+
+
+def far_stretches(outline: Outline, apart: Misfit) -> tuple[FarStretch, ...]:
+    """The stretches of an outline from which another stays away, the farthest first."""
+    size = max(outline.size)
+    stretches = []
+    for number, loop in enumerate(outline.loops):
+        mine = apart.loop == number
+        lengths = arc_lengths(loop)
+        order = np.argsort(apart.share[mine], kind="stable")
+        along, away = apart.share[mine][order] * lengths[-1], apart.distances[mine][order]
+        for first, last in _runs(along, away, float(lengths[-1]), size):
+            inside = np.mod(along - first, lengths[-1]) <= last - first
+            points = point_at(
+                loop, lengths, np.linspace(first, last, max(2, int(400 * (last - first) / size)))
+            )
+            farthest = np.argmax(np.where(inside, away, 0.0))
+            place = point_at(loop, lengths, along[[farthest]])[0]
+            stretches.append(
+                FarStretch(
+                    number, first, last, points, float(away[inside].mean()), float(away[inside].max()), place
+                )
+            )
+    return tuple(sorted(stretches, key=lambda stretch: -stretch.max))
+
+
+def _runs(along: Floats, away: Floats, around: float, size: float) -> list[tuple[float, float]]:
+    """Beginnings and ends of the stretches; those with less than 1 % of the size between them are one."""
+    off = np.flatnonzero(away > NEARLY * size)
+    if not len(off):
+        return []
+    at = along[off]
+    breaks = np.flatnonzero(np.diff(np.append(at, at[0] + around)) > FAR * size)
+    if not len(breaks):
+        return [(0.0, around)]
+    runs = []
+    for begin, end in zip(np.roll(breaks, 1) + 1, breaks, strict=True):
+        chosen = np.arange(begin, end + 1 if begin <= end else end + 1 + len(off)) % len(off)
+        if (away[off[chosen]] > FAR * size).any():
+            first, last = float(at[chosen[0]]), float(at[chosen[-1]])
+            runs.append((first, last if last >= first else last + around))
+    return runs
+
+
+def laid_over(inflation: Inflation, places: Floats) -> Inflation:
+    """The balloon moved and turned in its plane of symmetry, its seam as near as may be to places (k, 2) [m].
+
+    There is one for each vertex of the panel's loops, in a row.
+    """
+    loops, rest = inflation.panel.loops, inflation.panel.rest_positions
+    seam = inflation.positions[np.concatenate(loops), :2]
+    rotation, shift = alignment(seam, places, np.concatenate([point_weights(rest[loop]) for loop in loops]))
+    positions, directors = inflation.positions.copy(), inflation.directors.copy()
+    positions[:, :2] = positions[:, :2] @ rotation.T + shift
+    directors[:, :2] = directors[:, :2] @ rotation.T
+    lower = inflation.lower
+    if lower is not None:
+        lower = np.column_stack([lower[:, :2] @ rotation.T + shift, lower[:, 2]])
+    return replace(inflation, positions=positions, directors=directors, lower=lower)

@@ -5,8 +5,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-import numpy as np
-
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.types import Floats
@@ -22,13 +20,14 @@ class Residual:
 
 
 @dataclass(frozen=True)
-class UnreachedStretch:
-    """A stretch of the drawing that the inflated outline does not reach.
+class FarStretch:
+    """A stretch of an outline from which another one stays away.
 
-    loop        number of the drawing's loop: 0 the outer one, then the holes
+    loop        number of the outline's loop: 0 the outer one, then the holes
     start, end  arc lengths along it [m]; end is the larger one and may run past the loop's first point
-    points      (k, 2) the drawing from start to end [m]
-    mean, max   distances between drawing and inflated outline there [m]
+    points      (k, 2) the outline from start to end [m]
+    mean, max   distances between both outlines there [m]
+    place       (2,) m, where they are farthest apart
     """
 
     loop: int
@@ -37,11 +36,21 @@ class UnreachedStretch:
     points: Floats
     mean: float
     max: float
+    place: Floats
 
-    @property
-    def middle(self) -> Floats:
-        """The point (2,) half way along."""
-        return np.asarray(self.points[len(self.points) // 2])
+
+@dataclass(frozen=True)
+class WeldRange:
+    """The balloon of a design whose weld crumples freely: the other bound beside its elastic one.
+
+    residual   distance between the drawing and the silhouette of that balloon
+    creases    where that silhouette stays away from the elastic one's, along the latter, the farthest first
+    converged  that balloon has come to rest; else it is its last good state
+    """
+
+    residual: Residual
+    creases: tuple[FarStretch, ...]
+    converged: bool
 
 
 @dataclass(frozen=True)
@@ -55,6 +64,7 @@ class Design:
     meshes      how often the panel was meshed; in the other passes the mesh was moved
     reached     the silhouette is within the tolerance of the drawing
     unreached   where the silhouette stays away from the drawing, the farthest first
+    weld_range  what comes out where the weld crumples; None where that was not simulated
     warnings    one sentence each, for the user
     """
 
@@ -68,7 +78,8 @@ class Design:
     seconds: float
     reached: bool
     warnings: tuple[str, ...]
-    unreached: tuple[UnreachedStretch, ...] = ()
+    unreached: tuple[FarStretch, ...] = ()
+    weld_range: WeldRange | None = None
 
     def of_drawing(self, outline: Outline) -> Design:
         """The same design for another drawing of the same outline: with what that one's notes say."""

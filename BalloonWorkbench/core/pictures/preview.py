@@ -25,7 +25,7 @@ from BalloonWorkbench.core.units import from_mm, length_text, percent_text, size
 _WIDTH, _HEIGHT, _DPI = 1800, 1000, 100
 _PAPER, _CARD, _EDGE = "#eef0f4", "#ffffff", "#d5d9e1"
 _INK, _SOFT = "#232a36", "#6b7484"
-_DRAWING, _BALLOON, _UNREACHED = "#39424f", "#d81e3f", "#f2b705"
+_DRAWING, _BALLOON, _UNREACHED, _CREASES = "#39424f", "#d81e3f", "#f2b705", "#6a3fc4"
 # Cards in pixels from the lower left: x, y, width, height.
 _MARGIN, _GAP = 26, 20
 _LEFT, _MIDDLE = 480, 540
@@ -154,11 +154,16 @@ def _silhouette(axes: Any, designs: Sequence[Design]) -> None:
         for stretch in design.unreached:
             x, y = frame(to_mm(stretch.points)).T
             axes.plot(x, y, color=_UNREACHED, lw=5.0, alpha=0.8, solid_capstyle="round", zorder=3)
+        for stretch in () if design.weld_range is None else design.weld_range.creases:
+            x, y = frame(to_mm(stretch.points)).T
+            axes.plot(x, y, color=_CREASES, lw=3.0, ls=(0, (0.1, 1.8)), dash_capstyle="round", zorder=4)
     worst = max(designs, key=lambda design: design.residual.mean / max(design.target.size))
     off = worst.residual
     share = off.mean / max(*worst.target.size, 1e-12)
     which = "" if len(designs) == 1 else "worst: "
     marked = "; yellow: missed" if any(design.unreached for design in designs) else ""
+    if any(design.weld_range is not None and design.weld_range.creases for design in designs):
+        marked += "; violet: may crease"
     _caption(
         axes,
         f"{which}{length_text(off.mean, 2)} ({percent_text(share)}) off, {length_text(off.max, 2)} at"

@@ -12,8 +12,7 @@ from drawn_shapes import NAMED, generated
 
 from BalloonWorkbench.core.correction.clearance import enforce_clearance
 from BalloonWorkbench.core.correction.fit import Method, fit
-from BalloonWorkbench.core.correction.unreachable import unreached_stretches
-from BalloonWorkbench.core.design.compare import misfit, residual
+from BalloonWorkbench.core.design.compare import far_stretches, misfit, residual
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.design.initial_pattern import initial_displacements
 from BalloonWorkbench.core.film.library import film
@@ -181,7 +180,7 @@ def slit() -> Design:
 
 def test_what_cannot_be_reached_is_marked(slit: Design) -> None:
     worst = slit.unreached[0]
-    assert abs(worst.middle[0]) < 0.005 and -0.01 < worst.middle[1] < 0.1
+    assert abs(worst.place[0]) < 0.005 and -0.01 < worst.place[1] < 0.1
     assert worst.loop == 0 and worst.end - worst.start > 0.05
     assert worst.max > 0.02 and 0.0 < worst.mean < worst.max
     assert any("film cannot follow it there" in text for text in slit.warnings)
@@ -202,7 +201,7 @@ def test_the_rest_of_the_outline_is_not_distorted(slit: Design) -> None:
 
 def test_a_reached_drawing_has_no_marks() -> None:
     outline = Outline(circle(0.1))
-    assert unreached_stretches(outline, misfit(outline, Outline(circle(0.1005)))) == ()
+    assert far_stretches(outline, misfit(outline, Outline(circle(0.1005)))) == ()
 
 
 def test_a_stretch_over_the_start_of_a_loop_is_one() -> None:
@@ -210,11 +209,11 @@ def test_a_stretch_over_the_start_of_a_loop_is_one() -> None:
     drawing = Outline(circle(0.1))
     angle = np.arctan2(drawing.outer[:, 1], drawing.outer[:, 0])
     bump = 1.0 + 0.1 * np.clip(1.0 - (angle / 0.4) ** 2, 0.0, None)
-    (found,) = unreached_stretches(drawing, misfit(drawing, Outline(drawing.outer * bump[:, None])))
+    (found,) = far_stretches(drawing, misfit(drawing, Outline(drawing.outer * bump[:, None])))
     assert found.max == pytest.approx(0.01, rel=0.01)
     assert found.end > 0.2 * np.pi > found.start
     assert found.end - found.start == pytest.approx(0.075, rel=0.1)
-    np.testing.assert_allclose(found.middle, (0.1, 0.0), atol=2e-3)
+    np.testing.assert_allclose(found.place, (0.1, 0.0), atol=2e-3)
 
 
 def test_the_preview_shows_what_is_not_reached(slit: Design) -> None:

@@ -10,7 +10,9 @@ import pytest
 
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.document import create
+from BalloonWorkbench.gui.panels.balloon import result_box
 from BalloonWorkbench.gui.window import tree_signs
+from BalloonWorkbench.gui.window.user_units import lengths_text
 
 QtCore, QtWidgets = hands.QtCore, hands.QtWidgets
 
@@ -109,6 +111,21 @@ def test_live_balloon_follows_without_apply(made):
     assert made.balloon.Document.UndoNames == ["Edit balloon"]
     made.balloon.Document.undo()
     assert made.balloon.Volume.Value == volume
+
+
+def test_result_tells_what_a_creased_weld_does(made):
+    """Of a corrected pattern alone; an older document has no such number yet."""
+    assert "If the weld creases" not in dict(result_box.measures(made.balloon, made.pattern))
+    open_panel(made.balloon)
+    hands.choose(hands.find("Mode"), "Fit to drawing")
+    hands.wait_until(lambda: made.balloon.CreasedMax.Value > 0)
+    mean, largest = lengths_text(made.balloon.CreasedMean.Value, made.balloon.CreasedMax.Value)
+    hands.wait_until(lambda: f"{mean}, at most {largest}" in _labels())
+    assert "If the weld creases" in _labels()
+
+
+def _labels():
+    return [label.text() for label in hands.visible(hands.QtWidgets.QLabel)]
 
 
 def test_newest_value_wins_while_the_solver_runs(made):

@@ -198,6 +198,7 @@ def measures(balloon, pattern) -> list[tuple[str, str]]:
         (translate("Thickness"), length_text(balloon.InflatedThickness.Value)),
         (translate("Volume"), volume_text(balloon.Volume.Value)),
         (translate("Off the drawing"), translate("{}, at most {}").format(mean, largest)),
+        *_creased(balloon),
         (translate("Pattern"), cut if pattern.Roles else NOTHING),
         (translate("Weight"), _weight(balloon) if balloon.Weight else NOTHING),
         (translate("Film"), _state(balloon)),
@@ -206,6 +207,14 @@ def measures(balloon, pattern) -> list[tuple[str, str]]:
     if balloon.Load == VOLUME:
         rows.append((translate("Pressure"), pressure_text(pascals(balloon.ActivePressure))))
     return rows
+
+
+def _creased(balloon) -> list[tuple[str, str]]:
+    """How far it is off the drawing if the weld creases, where that was simulated."""
+    if not balloon.CreasedMax:
+        return []
+    mean, largest = lengths_text(balloon.CreasedMean.Value, balloon.CreasedMax.Value)
+    return [(translate("If the weld creases"), translate("{}, at most {}").format(mean, largest))]
 
 
 def _weight(balloon) -> str:
