@@ -59,9 +59,9 @@ GOOD = History(iterates=4, newton_steps=30, error=4e-4, best_error=4e-4)
     [
         ({}, True),
         ({"best_error": 6e-4}, False),  # more is gained
-        ({"best_error": 9e-4, "stalled": 1}, True),  # nothing was gained, and it is good
-        ({"best_error": 2e-3, "stalled": 2}, False),
-        ({"best_error": 2e-3, "stalled": 3}, True),
+        ({"best_error": 6e-4, "stalled": 1}, True),  # nothing was gained, and it is good
+        ({"best_error": 2e-3, "stalled": 3}, False),
+        ({"best_error": 2e-3, "stalled": 4}, True),
         ({"best_error": 2e-3, "iterates": LIMITS.iterates}, True),
         ({"best_error": 2e-3, "newton_steps": LIMITS.newton_steps}, True),
         ({"weld_error": 4e-3}, False),
