@@ -84,6 +84,10 @@
         <translation>Abstand, den 95 % der Silhouette einhalten</translation>
     </message>
     <message>
+        <source>Distance that 95 % of the silhouette keep to if the weld creases</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Dots per inch of the files</source>
         <translation>Punkte je Zoll der Dateien</translation>
     </message>
@@ -216,6 +220,10 @@
         <translation>Größter Abstand zwischen Zeichnung und Silhouette</translation>
     </message>
     <message>
+        <source>Largest distance between drawing and silhouette if the weld creases</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Largest membrane tension in N/m</source>
         <translation>Größte Membranspannung in N/m</translation>
     </message>
@@ -262,6 +270,10 @@
     <message>
         <source>Mean distance between drawing and silhouette</source>
         <translation>Mittlerer Abstand zwischen Zeichnung und Silhouette</translation>
+    </message>
+    <message>
+        <source>Mean distance between drawing and silhouette if the weld creases</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Notches to lay both films on each other by, evenly along the cut</source>
@@ -326,6 +338,10 @@
     <message>
         <source>Place of the intake: counter-clockwise along the outer seam from its rightmost point</source>
         <translation>Ort des Füllhalses: gegen den Uhrzeigersinn entlang der äußeren Naht ab ihrem rechten Ende</translation>
+    </message>
+    <message>
+        <source>Places of the outline that move if the weld creases, the worst first</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Poisson's ratio of the film</source>
@@ -402,6 +418,10 @@
     <message>
         <source>Steps of the solver in the last inflation</source>
         <translation>Schritte des Lösers beim letzten Aufblasen</translation>
+    </message>
+    <message>
+        <source>Stiffness of a weld in its plane, in parts of what both films have there when they stay flat</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Tension over the section at which the film tears; 0: not known</source>
@@ -506,6 +526,10 @@
     <message>
         <source>Weight of the film in kg per square metre</source>
         <translation>Gewicht der Folie in kg je Quadratmeter</translation>
+    </message>
+    <message>
+        <source>Weld that resists bending in its plane, or film that crumples there freely, the worst for a ring</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>What decides the size: the outline as it is, a volume to hold or a load to carry</source>
@@ -871,6 +895,10 @@
         <translation>Eine Schweißnaht liegt bei {0} für dieses Netz zu nah an einer anderen oder am Umriss: sie verschieben oder eine kleinere Netzweite benutzen.</translation>
     </message>
     <message>
+        <source>A weld that crumples can be simulated of one panel and its mirror image alone: choose the elastic weld, or one panel and its mirror image.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>A {0} of {1} cannot be made; choose one between 1 mm and 100 m.</source>
         <translation>Eine {0} von {1} ist nicht möglich; eine zwischen 1 mm und 100 m wählen.</translation>
     </message>
@@ -1131,6 +1159,10 @@
         <translation>Cricut Design Space</translation>
     </message>
     <message>
+        <source>Crumpled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Custom</source>
         <translation>Eigene</translation>
     </message>
@@ -1233,6 +1265,10 @@
     <message>
         <source>Edit film</source>
         <translation>Folienbogen bearbeiten</translation>
+    </message>
+    <message>
+        <source>Elastic</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Elastic materials</source>
@@ -1531,12 +1567,32 @@
         <translation>Hochfrequenz</translation>
     </message>
     <message>
+        <source>How a balloon follows its pattern can be worked out for an elastic weld alone: choose that one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far the outline moves if the weld creases could not be simulated. {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>How wide shall it be?</source>
         <translation>Wie breit soll er werden?</translation>
     </message>
     <message>
         <source>Hydrogen</source>
         <translation>Wasserstoff</translation>
+    </message>
+    <message>
+        <source>If the weld creases</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>If the weld creases, the outline may lie up to {0} away near {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>If the weld creases: {0} on average, at most {1}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Inflate as drawn</source>
@@ -1829,6 +1885,10 @@
     <message>
         <source>Near {0} the inflated outline stays up to {1} from the drawing, over a length of {2}: film cannot follow it there. Round it off or widen it.</source>
         <translation>Nahe {0} bleibt der aufgeblasene Umriss bis zu {1} von der Zeichnung entfernt, auf {2} Länge: Die Folie kann ihr dort nicht folgen. Die Stelle runden oder verbreitern.</translation>
+    </message>
+    <message>
+        <source>Near {0} the inflated outline stays up to {1} from the drawing, over a length of {2}: the balloon folds across a hole or a spot. Make that larger, or leave it out.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Neck that chokes the air path</source>
@@ -2335,8 +2395,16 @@
         <translation>Ring</translation>
     </message>
     <message>
+        <source>Ring that kinks where its weld creases</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Ring that warps</source>
         <translation>Ring, der sich verwindet</translation>
+    </message>
+    <message>
+        <source>Round this hole the balloon may kink: with a weld creased to {percent} of its stiffness the outline moves by up to {length}; with one {wanted} wide, creased as much, by {less}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Round this hole the balloon will not lie flat: a closed tube wants to curve more and twists out of its plane, here by about {length}. Open the ring, or seal the hole's area without cutting it out and keep it small.</source>
@@ -2719,8 +2787,16 @@
         <translation>Die Höhe {0} m ist außerhalb des Bereichs: bis 11000 m angeben.</translation>
     </message>
     <message>
+        <source>The balloon is not near rest. Inflate it anew.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The balloon is nowhere {0} wide behind its intake: choose another intake angle or a narrower intake, else air enters slowly.</source>
         <translation>Der Ballon ist hinter seinem Füllhals nirgends {0} breit: eine andere Richtung oder einen schmaleren Hals wählen, sonst strömt Luft langsam ein.</translation>
+    </message>
+    <message>
+        <source>The balloon whose weld creases did not come to rest; what is told of it is its last good state.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The bending floor must be between 0 and 1, not {0}. Usual is {1}.</source>
@@ -2889,6 +2965,10 @@
     <message>
         <source>The inflated outline stays {0} from the drawing on average: film cannot follow this shape everywhere. Round off notches and widen thin parts.</source>
         <translation>Der aufgeblasene Umriss bleibt im Mittel {0} von der Zeichnung entfernt: Die Folie kann dieser Form nicht überall folgen. Kerben runden und dünne Teile verbreitern.</translation>
+    </message>
+    <message>
+        <source>The inflated outline stays {0} from the drawing on average: the balloon folds across a hole or a spot.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The intake file {0} calls itself "{1}": give both the same name.</source>
@@ -3093,10 +3173,6 @@
     <message>
         <source>The pattern is being fitted to the painting ...</source>
         <translation>Das Schnittmuster wird an das Gemalte angepasst ...</translation>
-    </message>
-    <message>
-        <source>The pattern is not symmetric: the balloon buckles to one side, and this comes nearer to the drawing.</source>
-        <translation>Das Schnittmuster ist nicht symmetrisch: Der Ballon beult zu einer Seite aus, und dies kommt der Zeichnung näher.</translation>
     </message>
     <message>
         <source>The pattern measures {0}, the bed of {1} {2}</source>
@@ -3599,6 +3675,10 @@
         <translation>Naht und Schnitt</translation>
     </message>
     <message>
+        <source>Weld rigidity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Weld the lines inside the balloon.</source>
         <translation>Die Linien im Inneren des Ballons schweißen.</translation>
     </message>
@@ -3791,8 +3871,8 @@
         <translation>Rückseite</translation>
     </message>
     <message>
-        <source>balloon {0} of {1}, {2}</source>
-        <translation>Ballon {0} von {1}, {2}</translation>
+        <source>balloon {0} of {1}, </source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>bed_mm is {0}: give [width, height], or null where there is no limit.</source>
@@ -3867,6 +3947,10 @@
         <translation>Gas</translation>
     </message>
     <message>
+        <source>given by the user</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>glued seam</source>
         <translation>geklebte Naht</translation>
     </message>
@@ -3893,6 +3977,10 @@
     <message>
         <source>hydrogen</source>
         <translation>Wasserstoff</translation>
+    </message>
+    <message>
+        <source>if the weld creases: </source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>in the mean {}</source>
@@ -4011,10 +4099,6 @@
         <translation>Umriss</translation>
     </message>
     <message>
-        <source>pass {0}: {1}</source>
-        <translation>Durchgang {0}: {1}</translation>
-    </message>
-    <message>
         <source>place "{0}" is neither {1} nor {2}.</source>
         <translation>place „{0}“ ist weder {1} noch {2}.</translation>
     </message>
@@ -4127,6 +4211,10 @@
         <translation>die Siegelseite {0} ist kein Polymer: zum Beispiel „PE“ angeben, oder „none“.</translation>
     </message>
     <message>
+        <source>the weld rigidity lacks its source: write where it is from, or "assumed".</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>there is no such corner</source>
         <translation>es gibt keine solche Ecke</translation>
     </message>
@@ -4145,6 +4233,14 @@
     <message>
         <source>tight: {}</source>
         <translation>straff: {}</translation>
+    </message>
+    <message>
+        <source>times that of flat film</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>trial of the pattern: </source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>trial {0}, {1}</source>
