@@ -37,6 +37,7 @@ _COARSENING = 1.6  # of the mesh of the design
 _OF_A_RING = 800  # vertices: on a coarser mesh few rings kink
 #: A ring is nearly at rest before it kinks.
 _AT_REST = NewtonSettings(tolerance=1e-6)
+_WARNED = 0.03  # of the larger dimension; every rim scallops where its weld creases, that of a disc by 0.02
 #: Of its rigidity, what a weld keeps that lets a ring kink; one of film sometimes catches before it does.
 _YIELDING = 1e-3
 
@@ -54,7 +55,8 @@ def with_weld_range(design: Design, film: Film, progress: Progress = no_progress
     except (MeshError, SolverError) as error:
         sentence = f"How far the outline moves if the weld creases could not be simulated. {error}"
         return replace(design, warnings=(*design.warnings, sentence))
-    return replace(design, weld_range=weld_range, warnings=(*design.warnings, *_sentences(weld_range)))
+    sentences = _sentences(weld_range, max(design.target.size))
+    return replace(design, weld_range=weld_range, warnings=(*design.warnings, *sentences))
 
 
 def _is_elastic(inflation: Inflation) -> bool:
@@ -112,9 +114,10 @@ def _seam_places(inflation: Inflation, panel: Panel) -> Floats:
     return np.concatenate(places)
 
 
-def _sentences(weld_range: WeldRange) -> list[str]:
+def _sentences(weld_range: WeldRange, size: float) -> list[str]:
     sentences = []
-    for worst in weld_range.creases[:1]:
+    worst = next(iter(weld_range.creases), None)
+    if worst is not None and worst.max > _WARNED * size:
         away, place = length_text(worst.max, 2), place_text(worst.place)
         sentences.append(f"If the weld creases, the outline may lie up to {away} away near {place}.")
     if not weld_range.converged:
