@@ -85,7 +85,7 @@
     </message>
     <message>
         <source>Distance that 95 % of the silhouette keep to if the weld creases</source>
-        <translation type="unfinished"></translation>
+        <translation>Distancia que respeta el 95 % de la silueta si la soldadura se arruga</translation>
     </message>
     <message>
         <source>Dots per inch of the files</source>
@@ -221,7 +221,7 @@
     </message>
     <message>
         <source>Largest distance between drawing and silhouette if the weld creases</source>
-        <translation type="unfinished"></translation>
+        <translation>Mayor distancia entre dibujo y silueta si la soldadura se arruga</translation>
     </message>
     <message>
         <source>Largest membrane tension in N/m</source>
@@ -273,7 +273,7 @@
     </message>
     <message>
         <source>Mean distance between drawing and silhouette if the weld creases</source>
-        <translation type="unfinished"></translation>
+        <translation>Distancia media entre dibujo y silueta si la soldadura se arruga</translation>
     </message>
     <message>
         <source>Notches to lay both films on each other by, evenly along the cut</source>
@@ -341,7 +341,7 @@
     </message>
     <message>
         <source>Places of the outline that move if the weld creases, the worst first</source>
-        <translation type="unfinished"></translation>
+        <translation>Lugares del contorno que se mueven si la soldadura se arruga, el peor primero</translation>
     </message>
     <message>
         <source>Poisson's ratio of the film</source>
@@ -421,7 +421,7 @@
     </message>
     <message>
         <source>Stiffness of a weld in its plane, in parts of what both films have there when they stay flat</source>
-        <translation type="unfinished"></translation>
+        <translation>Rigidez de una soldadura en su plano, en proporción a la que tienen ahí ambas películas cuando quedan planas</translation>
     </message>
     <message>
         <source>Tension over the section at which the film tears; 0: not known</source>
@@ -529,7 +529,7 @@
     </message>
     <message>
         <source>Weld that resists bending in its plane, or film that crumples there freely, the worst for a ring</source>
-        <translation type="unfinished"></translation>
+        <translation>Soldadura que resiste la flexión en su plano, o película que ahí se arruga libremente, lo peor para un anillo</translation>
     </message>
     <message>
         <source>What decides the size: the outline as it is, a volume to hold or a load to carry</source>
@@ -896,7 +896,7 @@
     </message>
     <message>
         <source>A weld that crumples can be simulated of one panel and its mirror image alone: choose the elastic weld, or one panel and its mirror image.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una soldadura que se arruga solo se puede simular con un panel y su imagen especular: elija la soldadura elástica, o un panel y su imagen especular.</translation>
     </message>
     <message>
         <source>A {0} of {1} cannot be made; choose one between 1 mm and 100 m.</source>
@@ -1160,7 +1160,7 @@
     </message>
     <message>
         <source>Crumpled</source>
-        <translation type="unfinished"></translation>
+        <translation>Arrugada</translation>
     </message>
     <message>
         <source>Custom</source>
@@ -1268,7 +1268,7 @@
     </message>
     <message>
         <source>Elastic</source>
-        <translation type="unfinished"></translation>
+        <translation>Elástica</translation>
     </message>
     <message>
         <source>Elastic materials</source>
@@ -1568,11 +1568,11 @@
     </message>
     <message>
         <source>How a balloon follows its pattern can be worked out for an elastic weld alone: choose that one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cómo sigue un globo a su patrón solo se puede calcular para una soldadura elástica: elija esa.</translation>
     </message>
     <message>
         <source>How far the outline moves if the weld creases could not be simulated. {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>No se pudo simular cuánto se mueve el contorno si la soldadura se arruga. {0}</translation>
     </message>
     <message>
         <source>How wide shall it be?</source>
@@ -1584,15 +1584,15 @@
     </message>
     <message>
         <source>If the weld creases</source>
-        <translation type="unfinished"></translation>
+        <translation>Si la soldadura se arruga</translation>
     </message>
     <message>
         <source>If the weld creases, the outline may lie up to {0} away near {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Si la soldadura se arruga, el contorno puede desviarse hasta {0} cerca de {1}.</translation>
     </message>
     <message>
         <source>If the weld creases: {0} on average, at most {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>Si la soldadura se arruga: {0} de media, como mucho {1}</translation>
     </message>
     <message>
         <source>Inflate as drawn</source>
@@ -1888,7 +1888,7 @@
     </message>
     <message>
         <source>Near {0} the inflated outline stays up to {1} from the drawing, over a length of {2}: the balloon folds across a hole or a spot. Make that larger, or leave it out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cerca de {0} el contorno inflado queda hasta a {1} del dibujo, a lo largo de {2}: el globo se pliega a través de un agujero o de un punto de soldadura. Agrándelo o suprímalo.</translation>
     </message>
     <message>
         <source>Neck that chokes the air path</source>
@@ -2396,7 +2396,7 @@
     </message>
     <message>
         <source>Ring that kinks where its weld creases</source>
-        <translation type="unfinished"></translation>
+        <translation>Anillo que se dobla donde se arruga su soldadura</translation>
     </message>
     <message>
         <source>Ring that warps</source>
@@ -2404,7 +2404,7 @@
     </message>
     <message>
         <source>Round this hole the balloon may kink: with a weld creased to {percent} of its stiffness the outline moves by up to {length}; with one {wanted} wide, creased as much, by {less}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alrededor de este agujero el globo puede doblarse: con una soldadura arrugada que solo conserva el {percent} de su rigidez, el contorno se mueve hasta {length}; con una de {wanted} de ancho, igual de arrugada, {less}.</translation>
     </message>
     <message>
         <source>Round this hole the balloon will not lie flat: a closed tube wants to curve more and twists out of its plane, here by about {length}. Open the ring, or seal the hole's area without cutting it out and keep it small.</source>
@@ -2788,7 +2788,7 @@
     </message>
     <message>
         <source>The balloon is not near rest. Inflate it anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>El globo no está cerca del reposo. Ínflelo de nuevo.</translation>
     </message>
     <message>
         <source>The balloon is nowhere {0} wide behind its intake: choose another intake angle or a narrower intake, else air enters slowly.</source>
@@ -2796,7 +2796,7 @@
     </message>
     <message>
         <source>The balloon whose weld creases did not come to rest; what is told of it is its last good state.</source>
-        <translation type="unfinished"></translation>
+        <translation>El globo cuya soldadura se arruga no llegó al reposo; lo que se dice de él vale para su último buen estado.</translation>
     </message>
     <message>
         <source>The bending floor must be between 0 and 1, not {0}. Usual is {1}.</source>
@@ -2968,7 +2968,7 @@
     </message>
     <message>
         <source>The inflated outline stays {0} from the drawing on average: the balloon folds across a hole or a spot.</source>
-        <translation type="unfinished"></translation>
+        <translation>El contorno inflado queda de media a {0} del dibujo: el globo se pliega a través de un agujero o de un punto de soldadura.</translation>
     </message>
     <message>
         <source>The intake file {0} calls itself "{1}": give both the same name.</source>
@@ -3676,7 +3676,7 @@
     </message>
     <message>
         <source>Weld rigidity</source>
-        <translation type="unfinished"></translation>
+        <translation>Rigidez de la soldadura</translation>
     </message>
     <message>
         <source>Weld the lines inside the balloon.</source>
@@ -3872,7 +3872,7 @@
     </message>
     <message>
         <source>balloon {0} of {1}, </source>
-        <translation type="unfinished"></translation>
+        <translation>globo {0} de {1}, </translation>
     </message>
     <message>
         <source>bed_mm is {0}: give [width, height], or null where there is no limit.</source>
@@ -3948,7 +3948,7 @@
     </message>
     <message>
         <source>given by the user</source>
-        <translation type="unfinished"></translation>
+        <translation>indicado por el usuario</translation>
     </message>
     <message>
         <source>glued seam</source>
@@ -3980,7 +3980,7 @@
     </message>
     <message>
         <source>if the weld creases: </source>
-        <translation type="unfinished"></translation>
+        <translation>si la soldadura se arruga: </translation>
     </message>
     <message>
         <source>in the mean {}</source>
@@ -4212,7 +4212,7 @@
     </message>
     <message>
         <source>the weld rigidity lacks its source: write where it is from, or "assumed".</source>
-        <translation type="unfinished"></translation>
+        <translation>falta la fuente de la rigidez de la soldadura: escriba de dónde procede, o «assumed».</translation>
     </message>
     <message>
         <source>there is no such corner</source>
@@ -4236,11 +4236,11 @@
     </message>
     <message>
         <source>times that of flat film</source>
-        <translation type="unfinished"></translation>
+        <translation>veces el de la película plana</translation>
     </message>
     <message>
         <source>trial of the pattern: </source>
-        <translation type="unfinished"></translation>
+        <translation>prueba del patrón: </translation>
     </message>
     <message>
         <source>trial {0}, {1}</source>

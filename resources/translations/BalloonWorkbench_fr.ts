@@ -85,7 +85,7 @@
     </message>
     <message>
         <source>Distance that 95 % of the silhouette keep to if the weld creases</source>
-        <translation type="unfinished"></translation>
+        <translation>Écart que 95 % de la silhouette respectent si la soudure se froisse</translation>
     </message>
     <message>
         <source>Dots per inch of the files</source>
@@ -221,7 +221,7 @@
     </message>
     <message>
         <source>Largest distance between drawing and silhouette if the weld creases</source>
-        <translation type="unfinished"></translation>
+        <translation>Plus grand écart entre dessin et silhouette si la soudure se froisse</translation>
     </message>
     <message>
         <source>Largest membrane tension in N/m</source>
@@ -273,7 +273,7 @@
     </message>
     <message>
         <source>Mean distance between drawing and silhouette if the weld creases</source>
-        <translation type="unfinished"></translation>
+        <translation>Écart moyen entre dessin et silhouette si la soudure se froisse</translation>
     </message>
     <message>
         <source>Notches to lay both films on each other by, evenly along the cut</source>
@@ -341,7 +341,7 @@
     </message>
     <message>
         <source>Places of the outline that move if the weld creases, the worst first</source>
-        <translation type="unfinished"></translation>
+        <translation>Endroits du contour qui se déplacent si la soudure se froisse, le pire d'abord</translation>
     </message>
     <message>
         <source>Poisson's ratio of the film</source>
@@ -421,7 +421,7 @@
     </message>
     <message>
         <source>Stiffness of a weld in its plane, in parts of what both films have there when they stay flat</source>
-        <translation type="unfinished"></translation>
+        <translation>Rigidité d'une soudure dans son plan, en proportion de celle qu'y ont les deux films quand ils restent plats</translation>
     </message>
     <message>
         <source>Tension over the section at which the film tears; 0: not known</source>
@@ -529,7 +529,7 @@
     </message>
     <message>
         <source>Weld that resists bending in its plane, or film that crumples there freely, the worst for a ring</source>
-        <translation type="unfinished"></translation>
+        <translation>Soudure qui résiste à la flexion dans son plan, ou film qui s'y froisse librement, le pire pour un anneau</translation>
     </message>
     <message>
         <source>What decides the size: the outline as it is, a volume to hold or a load to carry</source>
@@ -896,7 +896,7 @@
     </message>
     <message>
         <source>A weld that crumples can be simulated of one panel and its mirror image alone: choose the elastic weld, or one panel and its mirror image.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une soudure qui se froisse ne peut être simulée qu'avec un seul panneau et son image miroir : choisissez la soudure élastique, ou un seul panneau et son image miroir.</translation>
     </message>
     <message>
         <source>A {0} of {1} cannot be made; choose one between 1 mm and 100 m.</source>
@@ -1160,7 +1160,7 @@
     </message>
     <message>
         <source>Crumpled</source>
-        <translation type="unfinished"></translation>
+        <translation>Froissée</translation>
     </message>
     <message>
         <source>Custom</source>
@@ -1268,7 +1268,7 @@
     </message>
     <message>
         <source>Elastic</source>
-        <translation type="unfinished"></translation>
+        <translation>Élastique</translation>
     </message>
     <message>
         <source>Elastic materials</source>
@@ -1568,11 +1568,11 @@
     </message>
     <message>
         <source>How a balloon follows its pattern can be worked out for an elastic weld alone: choose that one.</source>
-        <translation type="unfinished"></translation>
+        <translation>La façon dont un ballon suit son patron ne se calcule que pour une soudure élastique : choisissez celle-ci.</translation>
     </message>
     <message>
         <source>How far the outline moves if the weld creases could not be simulated. {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Le déplacement du contour si la soudure se froisse n'a pas pu être simulé. {0}</translation>
     </message>
     <message>
         <source>How wide shall it be?</source>
@@ -1584,15 +1584,15 @@
     </message>
     <message>
         <source>If the weld creases</source>
-        <translation type="unfinished"></translation>
+        <translation>Si la soudure se froisse</translation>
     </message>
     <message>
         <source>If the weld creases, the outline may lie up to {0} away near {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Si la soudure se froisse, le contour peut s'écarter jusqu'à {0} près de {1}.</translation>
     </message>
     <message>
         <source>If the weld creases: {0} on average, at most {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>Si la soudure se froisse : {0} en moyenne, {1} au plus</translation>
     </message>
     <message>
         <source>Inflate as drawn</source>
@@ -1888,7 +1888,7 @@
     </message>
     <message>
         <source>Near {0} the inflated outline stays up to {1} from the drawing, over a length of {2}: the balloon folds across a hole or a spot. Make that larger, or leave it out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Près de {0}, le contour gonflé reste jusqu'à {1} du dessin, sur {2} : le ballon se plie en travers d'un trou ou d'un point de soudure. Agrandissez ce trou ou ce point, ou supprimez-le.</translation>
     </message>
     <message>
         <source>Neck that chokes the air path</source>
@@ -2396,7 +2396,7 @@
     </message>
     <message>
         <source>Ring that kinks where its weld creases</source>
-        <translation type="unfinished"></translation>
+        <translation>Anneau qui se coude là où sa soudure se froisse</translation>
     </message>
     <message>
         <source>Ring that warps</source>
@@ -2404,7 +2404,7 @@
     </message>
     <message>
         <source>Round this hole the balloon may kink: with a weld creased to {percent} of its stiffness the outline moves by up to {length}; with one {wanted} wide, creased as much, by {less}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Autour de ce trou, le ballon peut se couder : avec une soudure froissée qui ne garde que {percent} de sa rigidité, le contour se déplace jusqu'à {length} ; avec une soudure large de {wanted}, froissée autant, de {less}.</translation>
     </message>
     <message>
         <source>Round this hole the balloon will not lie flat: a closed tube wants to curve more and twists out of its plane, here by about {length}. Open the ring, or seal the hole's area without cutting it out and keep it small.</source>
@@ -2788,7 +2788,7 @@
     </message>
     <message>
         <source>The balloon is not near rest. Inflate it anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le ballon n'est pas près du repos. Gonflez-le de nouveau.</translation>
     </message>
     <message>
         <source>The balloon is nowhere {0} wide behind its intake: choose another intake angle or a narrower intake, else air enters slowly.</source>
@@ -2796,7 +2796,7 @@
     </message>
     <message>
         <source>The balloon whose weld creases did not come to rest; what is told of it is its last good state.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le ballon dont la soudure se froisse n'est pas arrivé au repos ; ce qui en est dit vaut pour son dernier bon état.</translation>
     </message>
     <message>
         <source>The bending floor must be between 0 and 1, not {0}. Usual is {1}.</source>
@@ -2968,7 +2968,7 @@
     </message>
     <message>
         <source>The inflated outline stays {0} from the drawing on average: the balloon folds across a hole or a spot.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le contour gonflé reste en moyenne à {0} du dessin : le ballon se plie en travers d'un trou ou d'un point de soudure.</translation>
     </message>
     <message>
         <source>The intake file {0} calls itself "{1}": give both the same name.</source>
@@ -3676,7 +3676,7 @@
     </message>
     <message>
         <source>Weld rigidity</source>
-        <translation type="unfinished"></translation>
+        <translation>Rigidité de la soudure</translation>
     </message>
     <message>
         <source>Weld the lines inside the balloon.</source>
@@ -3872,7 +3872,7 @@
     </message>
     <message>
         <source>balloon {0} of {1}, </source>
-        <translation type="unfinished"></translation>
+        <translation>ballon {0} sur {1}, </translation>
     </message>
     <message>
         <source>bed_mm is {0}: give [width, height], or null where there is no limit.</source>
@@ -3948,7 +3948,7 @@
     </message>
     <message>
         <source>given by the user</source>
-        <translation type="unfinished"></translation>
+        <translation>donné par l'utilisateur</translation>
     </message>
     <message>
         <source>glued seam</source>
@@ -3980,7 +3980,7 @@
     </message>
     <message>
         <source>if the weld creases: </source>
-        <translation type="unfinished"></translation>
+        <translation>si la soudure se froisse : </translation>
     </message>
     <message>
         <source>in the mean {}</source>
@@ -4212,7 +4212,7 @@
     </message>
     <message>
         <source>the weld rigidity lacks its source: write where it is from, or "assumed".</source>
-        <translation type="unfinished"></translation>
+        <translation>la rigidité de la soudure n'a pas de source : écrivez d'où elle vient, ou « assumed ».</translation>
     </message>
     <message>
         <source>there is no such corner</source>
@@ -4236,11 +4236,11 @@
     </message>
     <message>
         <source>times that of flat film</source>
-        <translation type="unfinished"></translation>
+        <translation>fois celle du film à plat</translation>
     </message>
     <message>
         <source>trial of the pattern: </source>
-        <translation type="unfinished"></translation>
+        <translation>essai du patron : </translation>
     </message>
     <message>
         <source>trial {0}, {1}</source>

@@ -85,7 +85,7 @@
     </message>
     <message>
         <source>Distance that 95 % of the silhouette keep to if the weld creases</source>
-        <translation type="unfinished"></translation>
+        <translation>溶着線にしわが寄った場合にシルエットの 95 % が収まる距離</translation>
     </message>
     <message>
         <source>Dots per inch of the files</source>
@@ -221,7 +221,7 @@
     </message>
     <message>
         <source>Largest distance between drawing and silhouette if the weld creases</source>
-        <translation type="unfinished"></translation>
+        <translation>溶着線にしわが寄った場合の図とシルエットの最大の隔たり</translation>
     </message>
     <message>
         <source>Largest membrane tension in N/m</source>
@@ -273,7 +273,7 @@
     </message>
     <message>
         <source>Mean distance between drawing and silhouette if the weld creases</source>
-        <translation type="unfinished"></translation>
+        <translation>溶着線にしわが寄った場合の図とシルエットの平均の隔たり</translation>
     </message>
     <message>
         <source>Notches to lay both films on each other by, evenly along the cut</source>
@@ -341,7 +341,7 @@
     </message>
     <message>
         <source>Places of the outline that move if the weld creases, the worst first</source>
-        <translation type="unfinished"></translation>
+        <translation>溶着線にしわが寄ると輪郭が動く位置（動きの大きい順）</translation>
     </message>
     <message>
         <source>Poisson's ratio of the film</source>
@@ -421,7 +421,7 @@
     </message>
     <message>
         <source>Stiffness of a weld in its plane, in parts of what both films have there when they stay flat</source>
-        <translation type="unfinished"></translation>
+        <translation>溶着線の面内の剛性（そこで 2 枚のフィルムが平らなままのときの値を 1 とする）</translation>
     </message>
     <message>
         <source>Tension over the section at which the film tears; 0: not known</source>
@@ -529,7 +529,7 @@
     </message>
     <message>
         <source>Weld that resists bending in its plane, or film that crumples there freely, the worst for a ring</source>
-        <translation type="unfinished"></translation>
+        <translation>面内の曲げに抵抗する溶着線、またはそこで自由にしわが寄るフィルム（輪には最も厳しい）</translation>
     </message>
     <message>
         <source>What decides the size: the outline as it is, a volume to hold or a load to carry</source>
@@ -896,7 +896,7 @@
     </message>
     <message>
         <source>A weld that crumples can be simulated of one panel and its mirror image alone: choose the elastic weld, or one panel and its mirror image.</source>
-        <translation type="unfinished"></translation>
+        <translation>しわの寄る溶着線を計算できるのは、1 枚とその鏡像の場合だけです。弾性の溶着線にするか、1 枚とその鏡像にしてください。</translation>
     </message>
     <message>
         <source>A {0} of {1} cannot be made; choose one between 1 mm and 100 m.</source>
@@ -1160,7 +1160,7 @@
     </message>
     <message>
         <source>Crumpled</source>
-        <translation type="unfinished"></translation>
+        <translation>しわ寄り</translation>
     </message>
     <message>
         <source>Custom</source>
@@ -1268,7 +1268,7 @@
     </message>
     <message>
         <source>Elastic</source>
-        <translation type="unfinished"></translation>
+        <translation>弾性</translation>
     </message>
     <message>
         <source>Elastic materials</source>
@@ -1568,11 +1568,11 @@
     </message>
     <message>
         <source>How a balloon follows its pattern can be worked out for an elastic weld alone: choose that one.</source>
-        <translation type="unfinished"></translation>
+        <translation>型紙の変化に風船がどう従うかを計算できるのは、弾性の溶着線だけです。それを選んでください。</translation>
     </message>
     <message>
         <source>How far the outline moves if the weld creases could not be simulated. {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>溶着線にしわが寄った場合に輪郭がどれだけ動くかを計算できませんでした。{0}</translation>
     </message>
     <message>
         <source>How wide shall it be?</source>
@@ -1584,15 +1584,15 @@
     </message>
     <message>
         <source>If the weld creases</source>
-        <translation type="unfinished"></translation>
+        <translation>溶着線にしわが寄る場合</translation>
     </message>
     <message>
         <source>If the weld creases, the outline may lie up to {0} away near {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>溶着線にしわが寄ると、{1} 付近で輪郭が最大 {0} ずれることがあります。</translation>
     </message>
     <message>
         <source>If the weld creases: {0} on average, at most {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>溶着線にしわが寄る場合：平均 {0}、最大 {1}</translation>
     </message>
     <message>
         <source>Inflate as drawn</source>
@@ -1888,7 +1888,7 @@
     </message>
     <message>
         <source>Near {0} the inflated outline stays up to {1} from the drawing, over a length of {2}: the balloon folds across a hole or a spot. Make that larger, or leave it out.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} 付近で、ふくらんだ輪郭が {2} にわたって図から最大 {1} 離れます。風船が穴か溶着した点を横切って折れています。その穴か点を大きくするか、なくしてください。</translation>
     </message>
     <message>
         <source>Neck that chokes the air path</source>
@@ -2396,7 +2396,7 @@
     </message>
     <message>
         <source>Ring that kinks where its weld creases</source>
-        <translation type="unfinished"></translation>
+        <translation>溶着線にしわが寄ると折れ曲がる輪</translation>
     </message>
     <message>
         <source>Ring that warps</source>
@@ -2404,7 +2404,7 @@
     </message>
     <message>
         <source>Round this hole the balloon may kink: with a weld creased to {percent} of its stiffness the outline moves by up to {length}; with one {wanted} wide, creased as much, by {less}.</source>
-        <translation type="unfinished"></translation>
+        <translation>この穴のまわりで風船が折れ曲がることがあります。溶着線がしわで剛性の {percent} しか保たないと、輪郭が最大 {length} 動きます。幅 {wanted} の溶着線なら、同じだけしわが寄っても {less} です。</translation>
     </message>
     <message>
         <source>Round this hole the balloon will not lie flat: a closed tube wants to curve more and twists out of its plane, here by about {length}. Open the ring, or seal the hole's area without cutting it out and keep it small.</source>
@@ -2788,7 +2788,7 @@
     </message>
     <message>
         <source>The balloon is not near rest. Inflate it anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>風船がまだ静止に近づいていません。ふくらませ直してください。</translation>
     </message>
     <message>
         <source>The balloon is nowhere {0} wide behind its intake: choose another intake angle or a narrower intake, else air enters slowly.</source>
@@ -2796,7 +2796,7 @@
     </message>
     <message>
         <source>The balloon whose weld creases did not come to rest; what is told of it is its last good state.</source>
-        <translation type="unfinished"></translation>
+        <translation>溶着線にしわが寄った風船が静止しませんでした。その数値は最後の良い状態のものです。</translation>
     </message>
     <message>
         <source>The bending floor must be between 0 and 1, not {0}. Usual is {1}.</source>
@@ -2968,7 +2968,7 @@
     </message>
     <message>
         <source>The inflated outline stays {0} from the drawing on average: the balloon folds across a hole or a spot.</source>
-        <translation type="unfinished"></translation>
+        <translation>ふくらんだ輪郭は図から平均 {0} 離れます。風船が穴か溶着した点を横切って折れています。</translation>
     </message>
     <message>
         <source>The intake file {0} calls itself "{1}": give both the same name.</source>
@@ -3676,7 +3676,7 @@
     </message>
     <message>
         <source>Weld rigidity</source>
-        <translation type="unfinished"></translation>
+        <translation>溶着線の剛性</translation>
     </message>
     <message>
         <source>Weld the lines inside the balloon.</source>
@@ -3872,7 +3872,7 @@
     </message>
     <message>
         <source>balloon {0} of {1}, </source>
-        <translation type="unfinished"></translation>
+        <translation>風船 {0}/{1}、</translation>
     </message>
     <message>
         <source>bed_mm is {0}: give [width, height], or null where there is no limit.</source>
@@ -3948,7 +3948,7 @@
     </message>
     <message>
         <source>given by the user</source>
-        <translation type="unfinished"></translation>
+        <translation>使用者による指定値</translation>
     </message>
     <message>
         <source>glued seam</source>
@@ -3980,7 +3980,7 @@
     </message>
     <message>
         <source>if the weld creases: </source>
-        <translation type="unfinished"></translation>
+        <translation>溶着線にしわが寄る場合：</translation>
     </message>
     <message>
         <source>in the mean {}</source>
@@ -4212,7 +4212,7 @@
     </message>
     <message>
         <source>the weld rigidity lacks its source: write where it is from, or "assumed".</source>
-        <translation type="unfinished"></translation>
+        <translation>溶着線の剛性に出典がありません。出典を書くか、「assumed」としてください。</translation>
     </message>
     <message>
         <source>there is no such corner</source>
@@ -4236,11 +4236,11 @@
     </message>
     <message>
         <source>times that of flat film</source>
-        <translation type="unfinished"></translation>
+        <translation>倍（平らなフィルムを 1 とする）</translation>
     </message>
     <message>
         <source>trial of the pattern: </source>
-        <translation type="unfinished"></translation>
+        <translation>型紙の試行：</translation>
     </message>
     <message>
         <source>trial {0}, {1}</source>
