@@ -217,7 +217,9 @@ def _share(progress: Progress, number: int, count: int) -> Progress:
     """The progress of one of several balloons within that of all."""
     if count == 1:
         return progress
-    return part_of(progress, number / count, (number + 1) / count, f"balloon {number + 1} of {count}, ")
+    return lambda fraction, text: progress(
+        (number + fraction) / count, f"balloon {number + 1} of {count}, {text}"
+    )
 
 
 def design_outline(outline: Outline, settings: Settings, progress: Progress = no_progress) -> Design:

@@ -22,9 +22,9 @@ def no_progress(fraction: float, text: str) -> bool:
     return True
 
 
-def part_of(progress: Progress, first: float, last: float, what: str = "") -> Progress:
-    """The progress of a part of some work, between two fractions; what: put before what is being done."""
-    return lambda fraction, text: progress(first + (last - first) * fraction, f"{what}{text}")
+def part_of(progress: Progress, first: float, last: float) -> Progress:
+    """The progress of a part of some work, between two fractions."""
+    return lambda fraction, text: progress(first + (last - first) * fraction, text)
 
 
 def rising(progress: Progress) -> Progress:

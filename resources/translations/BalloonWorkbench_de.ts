@@ -3871,8 +3871,8 @@
         <translation>Rückseite</translation>
     </message>
     <message>
-        <source>balloon {0} of {1}, </source>
-        <translation>Ballon {0} von {1}, </translation>
+        <source>balloon {0} of {1}, {2}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>bed_mm is {0}: give [width, height], or null where there is no limit.</source>
@@ -3979,8 +3979,8 @@
         <translation>Wasserstoff</translation>
     </message>
     <message>
-        <source>if the weld creases: </source>
-        <translation>wenn die Naht knittert: </translation>
+        <source>if the weld creases: {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>in the mean {}</source>
@@ -4097,6 +4097,10 @@
     <message>
         <source>outline</source>
         <translation>Umriss</translation>
+    </message>
+    <message>
+        <source>pass {0}: {1}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>place "{0}" is neither {1} nor {2}.</source>
@@ -4239,8 +4243,8 @@
         <translation>mal dem Wert flacher Folie</translation>
     </message>
     <message>
-        <source>trial of the pattern: </source>
-        <translation>Versuch mit dem Schnittmuster: </translation>
+        <source>trial of the pattern: {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>trial {0}, {1}</source>

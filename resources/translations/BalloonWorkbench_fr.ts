@@ -3871,8 +3871,8 @@
         <translation>dos</translation>
     </message>
     <message>
-        <source>balloon {0} of {1}, </source>
-        <translation>ballon {0} sur {1}, </translation>
+        <source>balloon {0} of {1}, {2}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>bed_mm is {0}: give [width, height], or null where there is no limit.</source>
@@ -3979,8 +3979,8 @@
         <translation>hydrogène</translation>
     </message>
     <message>
-        <source>if the weld creases: </source>
-        <translation>si la soudure se froisse : </translation>
+        <source>if the weld creases: {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>in the mean {}</source>
@@ -4097,6 +4097,10 @@
     <message>
         <source>outline</source>
         <translation>contour</translation>
+    </message>
+    <message>
+        <source>pass {0}: {1}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>place "{0}" is neither {1} nor {2}.</source>
@@ -4239,8 +4243,8 @@
         <translation>fois celle du film à plat</translation>
     </message>
     <message>
-        <source>trial of the pattern: </source>
-        <translation>essai du patron : </translation>
+        <source>trial of the pattern: {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>trial {0}, {1}</source>

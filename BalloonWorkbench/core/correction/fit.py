@@ -182,17 +182,16 @@ class _Correction:
         edge, smoothing = self.stage.coarsening, self.stage.coarsening * self.stage.smoothing
         return replace(self.scales, edge=edge * self.scales.edge, smoothing=smoothing * self.scales.smoothing)
 
-    def _simulation(self, edge: float, newton: NewtonSettings | None, text: str) -> Simulation:
-        """That of the next balloon; text: what it is made for."""
+    def _simulation(self, edge: float, newton: NewtonSettings | None, trial: bool = False) -> Simulation:
+        """That of the next balloon, of an iterate or of a trial of the pattern."""
         self.history.balloons += 1
-        progress = _part(self.simulation.progress, self.history.balloons - 1, text)
+        progress = _part(self.simulation.progress, self.history, trial)
         return replace(self.simulation, edge=edge, newton=newton, progress=progress)
 
     def _next_iterate(self) -> Iterate:
         earlier = None if self.last is None else self.last.seam_map
         self.seam_map = self.symmetry.symmetrised(self.seam_map, earlier)
-        text = f"pass {self.history.iterates + 1}: "
-        simulation = self._simulation(self._scales.edge, self.stage.newton, text)
+        simulation = self._simulation(self._scales.edge, self.stage.newton)
         return make_iterate(simulation, self.seam_map, self.last, self.keep_mesh)
 
     def _step_back(self, error: MeshError) -> None:
@@ -256,7 +255,7 @@ class _Correction:
         """
         balloons = []
         for share in PROOF_MESHES[min(self.history.proofs, len(PROOF_MESHES) - 1)]:
-            simulation = self._simulation(share * self.scales.edge, AT_REST.newton, "trial of the pattern: ")
+            simulation = self._simulation(share * self.scales.edge, AT_REST.newton, trial=True)
             with suppress(MeshError):  # too thin for this one: the other tells
                 balloons.append(make_iterate(replace(simulation, mirror=None), seam_map))
         return max(balloons or [best], key=lambda balloon: balloon.misfit.residual.mean)
@@ -341,11 +340,15 @@ def _meshed(outline: Outline, edge: float) -> Panel:
     return triangulate(outline, 0.125 * edge)
 
 
-def _part(progress: Progress, number: int, what: str) -> Progress:
-    """Progress of one balloon within the whole correction, which seldom needs all of them."""
+def _part(progress: Progress, history: History, trial: bool) -> Progress:
+    """Progress of the next balloon within the whole correction, which seldom needs all of them."""
+    before, number = history.balloons - 1, history.iterates + 1
 
     def report(fraction: float, text: str) -> bool:
         # an exception would be lost in the native solver: the answer alone goes through it
-        return progress(1.0 - 0.8 ** (number + fraction), f"{what}{text}")
+        share = 1.0 - 0.8 ** (before + fraction)
+        if trial:
+            return progress(share, f"trial of the pattern: {text}")
+        return progress(share, f"pass {number}: {text}")
 
     return report

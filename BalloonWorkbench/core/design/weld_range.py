@@ -30,7 +30,7 @@ from BalloonWorkbench.core.panels.panel import Panel
 from BalloonWorkbench.core.solver.inflate import inflate
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.solver.problem import NewtonSettings
-from BalloonWorkbench.core.types import Floats, Progress, no_progress, part_of
+from BalloonWorkbench.core.types import Floats, Progress, no_progress
 from BalloonWorkbench.core.units import length_text, place_text
 
 _COARSENING = 1.6  # of the mesh of the design
@@ -80,7 +80,7 @@ def _weld_range(design: Design, film: Film, progress: Progress) -> WeldRange:
             backend=solved.backend,
             model=replace(solved.model, weld=weld),
             settings=_AT_REST if seam.holes else None,
-            progress=part_of(progress, number / 3.0, (number + 1) / 3.0, "if the weld creases: "),
+            progress=lambda share, text: progress((number + share) / 3.0, f"if the weld creases: {text}"),
         )
 
     elastic = laid_over(balloon(film, ELASTIC, 0), _seam_places(design.inflation, panel))

@@ -69,7 +69,7 @@ def test_few_and_many_vertices_give_the_same_pattern(name: str) -> None:
         fit(drawing, film("mylar"), 2000.0, mesh_size=size_for(grown_drawing, count)) for count in (600, 5000)
     )
     # the balloon that is shown is blown up on a somewhat finer mesh than the pattern was found on
-    assert len(few.inflation.panel.rest_positions) < 950
+    assert len(few.inflation.panel.rest_positions) < 1000
     assert len(many.inflation.panel.rest_positions) > 4400
     # where the pattern lies on the table is free
     rotation, shift = alignment(few.pattern.outer, many.pattern.outer, np.ones(len(few.pattern.outer)))
