@@ -3872,7 +3872,7 @@
     </message>
     <message>
         <source>balloon {0} of {1}, {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>globo {0} de {1}, {2}</translation>
     </message>
     <message>
         <source>bed_mm is {0}: give [width, height], or null where there is no limit.</source>
@@ -3980,7 +3980,7 @@
     </message>
     <message>
         <source>if the weld creases: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>si la soldadura se arruga: {0}</translation>
     </message>
     <message>
         <source>in the mean {}</source>
@@ -4100,7 +4100,7 @@
     </message>
     <message>
         <source>pass {0}: {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>pasada {0}: {1}</translation>
     </message>
     <message>
         <source>place "{0}" is neither {1} nor {2}.</source>
@@ -4244,7 +4244,7 @@
     </message>
     <message>
         <source>trial of the pattern: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>prueba del patrón: {0}</translation>
     </message>
     <message>
         <source>trial {0}, {1}</source>

@@ -19,7 +19,7 @@ from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.panels.panel import Panel
 from BalloonWorkbench.core.solver.inflate import inflate
 from BalloonWorkbench.core.solver.inflation import Inflation
-from BalloonWorkbench.core.solver.model import Model
+from BalloonWorkbench.core.solver.model import BEYOND_WELD, Model
 from BalloonWorkbench.core.solver.problem import NewtonSettings
 
 PRESSURE = 2000.0  # Pa; the shape hardly depends on it
@@ -43,16 +43,22 @@ def creased_outlines(pattern: Outline, film: Film, seal_widths: tuple[float, ...
     From where it is with the first of these widths while that stays elastic.
     """
     panel = rough_panel(pattern, _VERTICES)
-    sound = inflate(panel, replace(_plain(film), seal_width=seal_widths[0]), PRESSURE)
+    rigidities = [film.weld_rigidity * _stiffer(film, width) for width in seal_widths]
+    sound = inflate(panel, replace(_plain(film), weld_rigidity=rigidities[0]), PRESSURE)
     outline = silhouette(sound)
     return [
-        misfit(outline, silhouette(_creased(panel, film, seal_width, sound))) for seal_width in seal_widths
+        misfit(outline, silhouette(_creased(panel, film, CREASED * rigidity, sound)))
+        for rigidity in rigidities
     ]
 
 
-def _creased(panel: Panel, film: Film, seal_width: float, sound: Inflation) -> Inflation:
-    rigidity = CREASED * film.weld_rigidity
-    weak = replace(_plain(film), seal_width=seal_width, weld_rigidity=rigidity)
+def _stiffer(film: Film, seal_width: float) -> float:
+    """How many times as stiff in its plane a weld of some width [m] is as the film's (seam_band.py)."""
+    return ((seal_width + BEYOND_WELD) / (film.seal_width + BEYOND_WELD)) ** 3
+
+
+def _creased(panel: Panel, film: Film, rigidity: float, sound: Inflation) -> Inflation:
+    weak = replace(_plain(film), weld_rigidity=rigidity)
     balloon = inflate(panel, weak, PRESSURE, settings=NewtonSettings(max_steps=_STEPS))
     return laid_over(balloon, sound.positions[np.concatenate(panel.loops), :2])
 

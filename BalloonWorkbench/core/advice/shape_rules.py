@@ -74,7 +74,7 @@ def rings(subject: Subject) -> Iterator[Finding]:
 
 def creases(subject: Subject) -> Iterator[Finding]:
     """A balloon with holes that moves where its weld creases, and much less with a weld twice as wide."""
-    if not (subject.outline.holes and subject.seal_width > 0.0):
+    if not (subject.outline.holes and min(subject.seal_width, subject.film.seal_width) > 0.0):
         return
     widths = (subject.seal_width, 2.0 * subject.seal_width)
     present, wider = creased_outlines(subject.gauge.pattern, subject.film, widths)

@@ -3,13 +3,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from BalloonWorkbench.core.correction.seam_map import SeamMap, SeamNodes, seam_nodes
 from BalloonWorkbench.core.correction.transfer import transferred
-from BalloonWorkbench.core.design.compare import Misfit, laid_over, misfit
+from BalloonWorkbench.core.design.compare import Misfit, laid_on, laid_over, misfit
 from BalloonWorkbench.core.design.silhouette import silhouette
 from BalloonWorkbench.core.design.visible_seam import trimmed
 from BalloonWorkbench.core.film.film import Film
@@ -24,6 +24,8 @@ from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.solver.model import Model
 from BalloonWorkbench.core.solver.problem import NewtonSettings
 from BalloonWorkbench.core.types import Progress, no_progress
+
+_SLID = 0.5  # of the distance from the drawing
 
 
 @dataclass(frozen=True)
@@ -89,8 +91,25 @@ def make_iterate(
         settings=simulation.newton,
     )
     placed = _aligned(seam_map, nodes, inflation)
+    return _as_seen(simulation.target, Iterate(seam_map, panel, nodes, *_compared(simulation.target, placed)))
+
+
+def _compared(target: Outline, placed: Inflation) -> tuple[Inflation, Outline, Misfit]:
+    """A balloon, its silhouette and how far that is from the drawing."""
     visible = silhouette(trimmed(placed))
-    return Iterate(seam_map, panel, nodes, placed, visible, misfit(simulation.target, visible))
+    return placed, visible, misfit(target, visible)
+
+
+def _as_seen(target: Outline, iterate: Iterate) -> Iterate:
+    """The iterate with its balloon laid on the drawing by what is seen, where that is much nearer.
+
+    Film that crumples at the rim may slide along it, from one side of a small hole to the other; then the
+    places where the seam should be tell nothing of where the outline is.
+    """
+    seen = _compared(target, laid_on(iterate.inflation, iterate.silhouette, target))
+    if seen[2].residual.mean >= _SLID * iterate.misfit.residual.mean:
+        return iterate
+    return replace(iterate, inflation=seen[0], silhouette=seen[1], misfit=seen[2])
 
 
 def _meshed(pattern: Outline, simulation: Simulation) -> Panel:

@@ -8,15 +8,17 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from BalloonWorkbench.core.design.design import FarStretch, Residual
-from BalloonWorkbench.core.geometry.nearest import nearest_on_loops, way_round
+from BalloonWorkbench.core.geometry.nearest import nearest_on_loops, nearest_places, way_round
+from BalloonWorkbench.core.geometry.normals import left_normals
 from BalloonWorkbench.core.geometry.polyline import arc_lengths, point_at, point_weights
 from BalloonWorkbench.core.geometry.sampling import evenly
-from BalloonWorkbench.core.geometry.vectors import alignment
+from BalloonWorkbench.core.geometry.vectors import alignment, perpendicular, rotation
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.types import Floats, Ints
 
 _SAMPLES = 1000  # along the longest loop
+_FITS = 8  # of a silhouette to the drawing
 #: Distance from which a stretch counts, and what may remain at its ends, in parts of the larger dimension.
 FAR, NEARLY = 0.01, 0.005
 
@@ -113,11 +115,37 @@ def laid_over(inflation: Inflation, places: Floats) -> Inflation:
     """
     loops, rest = inflation.panel.loops, inflation.panel.rest_positions
     seam = inflation.positions[np.concatenate(loops), :2]
-    rotation, shift = alignment(seam, places, np.concatenate([point_weights(rest[loop]) for loop in loops]))
+    weights = np.concatenate([point_weights(rest[loop]) for loop in loops])
+    return moved(inflation, *alignment(seam, places, weights))
+
+
+def laid_on(inflation: Inflation, visible: Outline, drawing: Outline) -> Inflation:
+    """The balloon with a silhouette moved and turned to where that is nearest to the drawing.
+
+    Only what is missing across the silhouette counts, as its film may have slid along it (Chen and Medioni,
+    Object modelling by registration of multiple range images, Image Vision Comput. 10, 1992, 145-155).
+    """
+    spacing = max(float(arc_lengths(loop)[-1]) for loop in visible.loops) / _SAMPLES
+    loops = [evenly(loop, spacing) for loop in visible.loops]
+    points, across = np.concatenate(loops), np.concatenate([left_normals(loop) for loop in loops])
+    matrix, shift = np.eye(2), np.zeros(2)
+    for _ in range(_FITS):
+        here, normals = points @ matrix.T + shift, across @ matrix.T
+        missing = np.einsum("ij,ij->i", nearest_places(drawing.loops, here) - here, normals)
+        centre = here.mean(axis=0)
+        lever = np.einsum("ij,ij->i", perpendicular(here - centre), normals)
+        x, y, angle = np.linalg.lstsq(np.column_stack([normals, lever]), missing, rcond=None)[0]
+        turn = rotation(float(angle)).T
+        matrix, shift = turn @ matrix, turn @ (shift - centre) + centre + np.array([x, y])
+    return moved(inflation, matrix, shift)
+
+
+def moved(inflation: Inflation, turn: Floats, shift: Floats) -> Inflation:
+    """The balloon turned by a matrix (2, 2) and shifted (2,) m in its plane of symmetry."""
     positions, directors = inflation.positions.copy(), inflation.directors.copy()
-    positions[:, :2] = positions[:, :2] @ rotation.T + shift
-    directors[:, :2] = directors[:, :2] @ rotation.T
+    positions[:, :2] = positions[:, :2] @ turn.T + shift
+    directors[:, :2] = directors[:, :2] @ turn.T
     lower = inflation.lower
     if lower is not None:
-        lower = np.column_stack([lower[:, :2] @ rotation.T + shift, lower[:, 2]])
+        lower = np.column_stack([lower[:, :2] @ turn.T + shift, lower[:, 2]])
     return replace(inflation, positions=positions, directors=directors, lower=lower)
