@@ -4244,7 +4244,7 @@
     </message>
     <message>
         <source>trial of the pattern: {0}</source>
-        <translation>Probe des Schnitts: {0}</translation>
+        <translation>Probe des Schnittmusters: {0}</translation>
     </message>
     <message>
         <source>trial {0}, {1}</source>
