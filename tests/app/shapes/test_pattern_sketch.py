@@ -107,7 +107,7 @@ def test_splines_are_the_pattern(pattern):
     pattern.Document.recompute()
     try:
         assert {type(edge.Curve) for edge in pattern.Shape.Edges} == {Part.Line, Part.BSplineCurve}
-        assert len(pattern.Shape.Edges) < 0.5 * arcs
+        assert len(pattern.Shape.Edges) < arcs  # a ring's are full circles, of few arcs
         wanted = [c for role in (Role.CUT, Role.CUT_INNER, Role.SEAL) for c in build(pattern).of(role)]
         for wire, contour in zip(pattern.Shape.Wires, wanted):
             assert wire.isClosed() == contour.closed
