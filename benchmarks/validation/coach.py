@@ -31,6 +31,8 @@ TRUE_WHEN = {
     "flat_tip": "nothing within 7 % of the size is as thick as two seals",
     "notch": "mean tension within 1/30 of the size at least 3 times the median",
     "warping_ring": "both panels simulated: the seam leaves its plane by 8 % of the size",
+    "creasing_ring": "with 3 % of its weld's stiffness the outline moves by 1 % of the size, less than 0.7 of"
+    " that with a weld twice as wide",
     "flat_shape": "V / A^1.5 below 0.4 of a disc's",
     "hidden_intake": "necks with less room than the intake part it from more than half of the film",
 }
