@@ -104,7 +104,7 @@ def test_map_has_a_legend(made, tmp_path, kind):
     image = picture(tmp_path)
     assert hues(legend(image)) >= 8
     assert hues(legend(before)) == 0
-    assert hues(image[:, 200:]) >= 3
+    assert hues(image[:, 200:]) >= 2  # a good fit is far off at few places
     assert made.balloon.ViewObject.DisplayMode == "Colour map"
 
 
