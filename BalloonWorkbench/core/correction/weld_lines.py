@@ -13,11 +13,12 @@ import numpy as np
 
 from BalloonWorkbench.core.geometry.nearest import locate, nearest_on_line
 from BalloonWorkbench.core.geometry.polyline import arc_lengths, extent, line_lengths, point_at, point_on
+from BalloonWorkbench.core.mesh.boundary import AT_RIM
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.types import Floats
 
-#: An end this near to a loop is at it, and this is how far it then stays away, relative to the outline.
-_AT_RIM, _HAIR = 6e-3, 4e-3
+#: How far an end that is at a loop stays away from it, relative to the outline.
+_HAIR = 4e-3
 
 
 @dataclass(frozen=True)
@@ -95,6 +96,6 @@ def weld_lines(target: Outline, loops: tuple[Floats, ...], spacing: float) -> tu
 def _tie(end: Floats, loops: tuple[Floats, ...], size: float) -> int | None:
     for number, loop in enumerate(loops):
         place = point_at(loop, arc_lengths(loop), locate(loop, end[None]))[0]
-        if np.linalg.norm(place - end) < _AT_RIM * size:
+        if np.linalg.norm(place - end) < AT_RIM * size:
             return number
     return None

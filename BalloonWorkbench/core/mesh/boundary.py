@@ -10,8 +10,9 @@ import numpy as np
 
 from BalloonWorkbench.core.errors import MeshError
 from BalloonWorkbench.core.geometry.crossings import first_crossing
+from BalloonWorkbench.core.geometry.nearest import nearest_on_loops
 from BalloonWorkbench.core.geometry.normals import corners
-from BalloonWorkbench.core.geometry.polyline import arc_lengths, line_lengths, point_at, point_on
+from BalloonWorkbench.core.geometry.polyline import arc_lengths, extent, line_lengths, point_at, point_on
 from BalloonWorkbench.core.geometry.vectors import turn
 from BalloonWorkbench.core.mesh.sizing import SizeField
 from BalloonWorkbench.core.types import Floats, Ints
@@ -19,6 +20,8 @@ from BalloonWorkbench.core.units import place_text
 
 #: Turn within about an edge length that makes a corner [rad].
 _CORNER = np.radians(30.0)
+#: An end of a weld that is nearer to a loop is at it: relative to the outline, and in edges.
+AT_RIM, _BESIDE = 6e-3, 0.6
 _NONE: Ints = np.empty(0, dtype=np.int32)
 
 
@@ -63,11 +66,11 @@ def seam_points(
 
 
 def weld_points(welds: tuple[Floats, ...], seams: tuple[Floats, ...], field: SizeField) -> list[Weld]:
-    """Resampled welds. An end nearer to a seam than half an edge becomes that vertex of the seam.
+    """Resampled welds. An end at a seam becomes the nearest vertex of the seam.
 
     Raises MeshError where welds or seams meet at this size.
     """
-    rim = np.concatenate(seams)
+    rim, size = np.concatenate(seams), extent(seams[0])
     taken = np.zeros(len(rim), dtype=bool)
     resampled = []
     for line in welds:
@@ -75,8 +78,9 @@ def weld_points(welds: tuple[Floats, ...], seams: tuple[Floats, ...], field: Siz
         ends = []
         for end in (0, -1):
             away = np.where(taken, np.inf, np.linalg.norm(rim - points[end], axis=1))
-            nearest = int(np.argmin(away))
-            at_rim = away[nearest] < 0.6 * float(field.at(points[end : end + 1 or None])[0])
+            nearest, here = int(np.argmin(away)), points[end : end + 1 or None]
+            reach = max(AT_RIM * size, _BESIDE * float(field.at(here)[0]))
+            at_rim = bool(nearest_on_loops(seams, here).distance[0] < reach)
             taken[nearest] |= at_rim
             ends.append(nearest if at_rim else None)
         resampled.append(Weld(points[ends[0] is not None : len(points) - (ends[1] is not None)], *ends))

@@ -276,3 +276,13 @@ def test_the_mesh_of_a_welded_balloon_is_closed(designed) -> None:
     )
     assert set(counts.tolist()) == {2}
     assert enclosed_volume(positions, triangles) == pytest.approx(designed.inflation.volume, rel=0.02)
+
+
+@pytest.mark.parametrize("size", [0.004, 0.0065, 0.009, 0.0117, 0.014, 0.02])
+@pytest.mark.parametrize("gap", [0.0, 0.0004, 0.0012, 0.0017])
+def test_a_weld_that_reaches_the_rim_does_so_on_every_mesh(size: float, gap: float) -> None:
+    """An end stays a hair away from the rim, so that lines do not cross; film between them would slip."""
+    line = np.array([[gap - 0.15, 0.0], [-0.05, 0.0]])
+    panel = triangulate(replace(DISC, welds=(line,)), size)
+    assert panel.welds[0][0] in panel.loops[0]
+    assert panel.welds[0][-1] not in panel.loops[0]
