@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # pythons.sh [VERSION...]   the engine with other versions of Python (3.10, 3.12), each with packages of its own
+# and as on another processor: linear algebra rounds otherwise there, and no test may hang on that.
 # A Python is looked for on PATH and among those of pyenv; one that is not there is told. 3.11 is that of .venv,
 # matrix.sh has 3.13 and 3.14. Each leaves build/logs/core-VERSION.log.
 set -euo pipefail
@@ -8,6 +9,7 @@ cd "$(dirname "$(realpath "$0")")/.."
 
 list=tools/requirements-pythons.txt
 mapfile -t tests < <(grep -v '^#' tools/engine-tests.txt)
+declare -A processor=([3.10]=Prescott [3.12]=Haswell) # names of OpenBLAS
 versions=("$@")
 [ ${#versions[@]} -gt 0 ] || versions=(3.10 3.12)
 
@@ -37,7 +39,7 @@ for version in "${versions[@]}"; do
         tools/pip-install.sh "$home/bin/python" --requirement "$list"
         echo "$wanted" >"$home/made-from"
     fi
-    "$home/bin/python" -m pytest -q -o cache_dir=build/pytest ${BALLOON_TESTS:-"${tests[@]}"} </dev/null 2>&1 |
+    OPENBLAS_CORETYPE=${processor[$version]:-} "$home/bin/python" -m pytest -q -o cache_dir=build/pytest ${BALLOON_TESTS:-"${tests[@]}"} </dev/null 2>&1 |
         tee "build/logs/core-$version.log" | tail -n 12 || result=1
 done
 exit $result
