@@ -40,13 +40,16 @@ def move_rim(
         shift = moved[seam] - panel.rest_positions[seam]
         moved[free] += harmonic(panel, seam, free, shift)
     result = replace(panel, rest_positions=moved)
-    if flipped(result).any() or (worn(result) & ~worn(panel)).any():
-        return None
-    if (min_angles(result) < _SHARPENING * np.minimum(min_angles(panel), _SHARPEST)).any():
-        return None
-    if delaunay_loss(result) > delaunay_loss(panel) + _DELAUNAY_LOSS:
-        return None
-    return result
+    return result if stays_good(panel, result) else None
+
+
+def stays_good(before: Panel, after: Panel) -> bool:
+    """Whether a panel whose vertices have moved has no triangles turned over, thin or far from Delaunay."""
+    if flipped(after).any() or (worn(after) & ~worn(before)).any():
+        return False
+    if (min_angles(after) < _SHARPENING * np.minimum(min_angles(before), _SHARPEST)).any():
+        return False
+    return delaunay_loss(after) <= delaunay_loss(before) + _DELAUNAY_LOSS
 
 
 def harmonic(panel: Panel, seam: Ints, free: Ints, shift: Floats) -> Floats:

@@ -46,7 +46,7 @@ class Assembly:
     @property
     def size(self) -> float:
         """The larger side of the largest panel [m]."""
-        return max(panel.size for panel in self.panels)
+        return max((panel.size for panel in self.panels), default=0.0)
 
     @cached_property
     def offsets(self) -> Ints:

@@ -25,10 +25,14 @@ class Seam:
     """Vertex i of the first run is sealed to vertex i of the second, which says in what direction they meet.
 
     A part that stays open until the balloon is filled is a seam, too: there the film closes as elsewhere.
+
+    ease  how much longer one side may be than the other, as a part of its length; what rounding leaves is
+          allowed anyway
     """
 
     first: Run
     second: Run
+    ease: float = 0.0
 
     @property
     def runs(self) -> tuple[Run, Run]:

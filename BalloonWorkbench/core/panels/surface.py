@@ -71,11 +71,11 @@ def checked_surface(
         turned, bodies = _orientation(len(panels), seams, senses)
     offsets = np.cumsum([0, *(len(panel.rest_positions) for panel in panels)])
     triangles = outward_triangles([panel.triangles for panel in panels], turned, offsets)
-    by_seams = _first_of_each(int(offsets[-1]), _pairs(seams, offsets))
+    by_seams = first_of_each(int(offsets[-1]), _pairs(seams, offsets))
     glued = by_seams[triangles]
     if seams and np.any(glued == np.roll(glued, 1, axis=1)):
         raise AssemblyError("A seam closes an edge of a triangle to a point. Check which runs it joins.")
-    first = _first_of_each(int(offsets[-1]), _pairs((*seams, *welds), offsets)) if welds else by_seams
+    first = first_of_each(int(offsets[-1]), _pairs((*seams, *welds), offsets)) if welds else by_seams
     return Surface(_side_by_side(panels, turned), triangles, first, by_seams, turned, bodies)
 
 
@@ -121,7 +121,7 @@ def _check_sides(panels: Sequence[Panel], seam: Seam, number: int) -> None:
             f"Seam {number} joins {first} vertices to {second}. Divide both sides into equally many parts."
         )
     one, other = (_lengths_along(panels[run.panel], run) for run in seam.runs)
-    ease = max(RELATIVE_EASE * max(one[-1], other[-1]), EASE)
+    ease = max(max(RELATIVE_EASE, seam.ease) * max(one[-1], other[-1]), EASE)
     if abs(one[-1] - other[-1]) > ease:
         raise AssemblyError(
             f"The sides of seam {number} are {length_text(one[-1])} and {length_text(other[-1])} long."
@@ -234,8 +234,8 @@ def _pairs(seams: Sequence[Seam], offsets: Ints) -> Ints:
     return np.concatenate([np.zeros((0, 2), dtype=np.int64), *pairs])
 
 
-def _first_of_each(count: int, pairs: Ints) -> Ints:
-    """For each of so many vertices the first of those that pairs make one with it: (count,)."""
+def first_of_each(count: int, pairs: Ints) -> Ints:
+    """For each of so many things the first of those that pairs (k, 2) make one with it: (count,)."""
     first = np.arange(count)
     while len(pairs):
         least = np.minimum(first[pairs[:, 0]], first[pairs[:, 1]])
