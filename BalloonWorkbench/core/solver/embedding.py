@@ -37,7 +37,10 @@ def embedding(rest_corners: Floats, triangles: Ints) -> Floats:
 
 
 def _distances(rest_corners: Floats, triangles: Ints, count: int, origins: Ints) -> Floats:
-    """Lengths (n, k) of the shortest ways along edges from all vertices to some (Bellman 1958)."""
+    """Lengths (n, k) of the shortest ways along edges from all vertices to some.
+
+    By SciPy (Dijkstra 1959), which some FreeCADs lack, or slowly and to the same bits (Bellman 1958).
+    """
     ahead = np.roll(triangles, -1, axis=1).ravel()  # each edge of a closed surface once in each direction
     here, lengths = (
         triangles.ravel(),
@@ -46,7 +49,16 @@ def _distances(rest_corners: Floats, triangles: Ints, count: int, origins: Ints)
     order = np.argsort(here, kind="stable")
     ahead, lengths = ahead[order], lengths.ravel()[order, None]
     first = np.searchsorted(here[order], np.arange(count))
-    away = np.full((count, len(origins)), np.inf)
+    try:
+        from scipy.sparse import csgraph, csr_matrix
+    except ImportError:
+        return _relaxed(ahead, lengths, first, origins)
+    ways = csr_matrix((lengths.ravel(), ahead, np.append(first, len(ahead))), shape=(count, count))
+    return np.ascontiguousarray(csgraph.dijkstra(ways.T.tocsr(), indices=origins).T)
+
+
+def _relaxed(ahead: Ints, lengths: Floats, first: Ints, origins: Ints) -> Floats:
+    away = np.full((len(first), len(origins)), np.inf)
     away[origins, np.arange(len(origins))] = 0.0
     while True:
         nearer = np.minimum(away, np.minimum.reduceat(away[ahead] + lengths, first, axis=0))

@@ -9,6 +9,7 @@ import numpy as np
 
 from BalloonWorkbench.core.panels.assembly import Assembly
 from BalloonWorkbench.core.panels.panel import Panel
+from BalloonWorkbench.core.solver.lift import Lift, characteristic_pressure
 from BalloonWorkbench.core.solver.model import Model
 from BalloonWorkbench.core.types import Floats
 
@@ -28,9 +29,10 @@ class SolveReport:
     stiffness_k: float  # E t / (p L), L the larger dimension of the largest panel
     flexural_rigidity: float  # used in the simulation [N m]; the film's own where that is above the floor
     bending_share: float  # energy of bending, relative to the work of the pressure
-    pressure: float  # [Pa]
+    pressure: float  # [Pa]; with lift that at the height of what holds the balloon
     model: Model
     banded: bool = False  # the seams carried the stiffness of a sealed band
+    lift: Lift | None = None  # what makes the pressure grow upwards
 
 
 @dataclass(frozen=True)
@@ -58,3 +60,25 @@ class Inflation:
     def panel(self) -> Panel:
         """The panel that was mirrored; the first one of others."""
         return self.assembly.panels[0]
+
+    @property
+    def foot(self) -> float:
+        """Height [m] at which the pressure is that of the report: of what holds the balloon, else 0."""
+        lift = self.report.lift
+        return 0.0 if lift is None or not len(lift.held) else float(self.positions[lift.held, 2].mean())
+
+    def pressures(self, heights: Floats) -> Floats:
+        """The overpressure [Pa] at heights (k,) [m]."""
+        lift = self.report.lift
+        growth = 0.0 if lift is None else lift.gradient * (heights - self.foot)
+        return np.asarray(self.report.pressure + growth + np.zeros_like(heights))
+
+    @property
+    def largest_pressure(self) -> float:
+        """The overpressure [Pa] where it is largest: at the top where it grows upwards."""
+        return float(self.pressures(self.positions[:, 2]).max())
+
+    @property
+    def characteristic_pressure(self) -> float:
+        """What made the problem dimensionless [Pa]: the pressure, and with lift what it grows by."""
+        return characteristic_pressure(self.report.pressure, self.report.lift, self.assembly.size)

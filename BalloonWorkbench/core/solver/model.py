@@ -52,7 +52,7 @@ def problem_of(split: SplitFilm, film: Film, pressure: float, model: Model) -> F
     """The dimensionless problem of an assembly.
 
     Of a mirrored panel one half: rim and welds are held in z = 0, free in the plane. Others are free in
-    space. Directors are free. Seams carry the stiffness of a sealed band where they lie in one plane at rest.
+    space. Directors are free. Seams carry the stiffness of a sealed band.
     """
     if not 0.0 <= model.bending_floor <= 1.0:
         raise InputError(
@@ -102,14 +102,30 @@ def simulated(body: Panel | Assembly, model: Model) -> Assembly:
 
 
 def _with_bands(problem: FilmProblem, split: SplitFilm, film: Film, pressure: float) -> FilmProblem:
-    """The same with the stiffness of the sealed band along the seams of panels that lie on one another."""
+    """The same with the stiffness of the sealed band along all seams and welds.
+
+    Without bending nothing turns the directors, by which the band in space knows the plane of the film.
+    """
     assembly = split.assembly
     if not assembly.mirror and not assembly.is_pair:
-        return problem
+        return problem if problem.fixed[:, 3:].all() else _with_space_bands(problem, split, film, pressure)
     panel, films = split.panels[0], 1.0 if assembly.mirror else 2.0
     hinges = seam_hinges(panel.loops, panel.welds[::2])  # of the two sides of each weld
     rigidity = films * band_rigidity(film) / (pressure * assembly.size**4)
     return replace(problem, hinges=hinges, hinge_rigidities=np.full(len(hinges), rigidity))
+
+
+def _with_space_bands(problem: FilmProblem, split: SplitFilm, film: Film, pressure: float) -> FilmProblem:
+    """No band runs on where three corners of panels meet, and where it ends there is nothing to bend."""
+    starts = np.cumsum([0, *(len(panel.rest_positions) for panel in split.panels)])
+    hinges = np.concatenate(
+        [seam_hinges(panel.loops, panel.welds) + at for panel, at in zip(split.panels, starts)]
+    ).astype(np.int32)
+    surface = split.assembly.surface
+    at_poles = np.isin(surface.by_seams, surface.poles)[split.origin]
+    hinges = hinges[~at_poles[hinges[:, 1]]]
+    rigidities = np.full(len(hinges), band_rigidity(film) / (pressure * split.assembly.size**4))
+    return replace(problem, hinges=hinges, hinge_rigidities=rigidities, in_space=True)
 
 
 def band_rigidity(film: Film) -> float:

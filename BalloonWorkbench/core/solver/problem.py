@@ -26,9 +26,10 @@ class FilmProblem:
 
     rest_positions (n, 2), triangles (m, 3); fixed (n, 5) True where x, y, z or one of the two turns of the
     director is held; loads (n, 3) or None; hinges (h, 3) of the sealed band, see seam_band.py, with its E I
-    at each of them. A grain makes the film orthotropic; tension_field False makes it a plain shell, which
-    carries compression. tied (n,): the vertex, itself or one before it, whose position a vertex shares; each
-    keeps its own director, so that the film can fold there.
+    at each of them; in_space: they do not stay in one plane, see space_band.py. A grain makes the film
+    orthotropic; tension_field False makes it a plain shell, which carries compression. tied (n,): the vertex,
+    itself or one before it, whose position a vertex shares; each keeps its own director, so that the film can
+    fold there. The pressure at z is pressure + gradient z.
     """
 
     rest_positions: Floats
@@ -44,6 +45,8 @@ class FilmProblem:
     grain: Grain | None = None
     tension_field: bool = True
     tied: Ints | None = None
+    in_space: bool = False
+    gradient: float = 0.0
 
     def membrane(self, strain: Floats) -> MembraneResponse:
         """Response of the film to Green strains (m, 3)."""
@@ -63,7 +66,7 @@ class Energies:
 
     membrane: float
     bending: float
-    pressure: float  # -p V
+    pressure: float  # - the integral of the pressure over the inside
     load: float
     seam: float
 

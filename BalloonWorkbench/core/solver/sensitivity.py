@@ -18,6 +18,7 @@ from BalloonWorkbench.core.solver.backend import Backend, backend_named
 from BalloonWorkbench.core.solver.element.rest_derivatives import force_changes
 from BalloonWorkbench.core.solver.element.shell import Shell, tangent_frames
 from BalloonWorkbench.core.solver.inflation import Inflation
+from BalloonWorkbench.core.solver.lift import with_lift
 from BalloonWorkbench.core.solver.model import problem_of, simulated, split_for
 from BalloonWorkbench.core.solver.problem import FilmProblem, NewtonSettings, Start, TangentSolution
 from BalloonWorkbench.core.solver.split_along_welds import SplitFilm
@@ -44,7 +45,10 @@ def position_changes(
         raise InputError(
             "How a balloon follows its pattern can be worked out for an elastic weld alone: choose that one."
         )
-    problem = problem_of(split, film, report.pressure, report.model)
+    problem = problem_of(split, film, inflation.characteristic_pressure, report.model)
+    if report.lift is not None:
+        places = inflation.positions[split.origin] / split.assembly.size
+        problem = with_lift(problem, split, report.pressure, report.lift, places)
     positions, directors = _state(inflation, split, problem, solver)
     if len(rest_moves) < assembly.offsets[-1]:  # of one panel, but both are simulated
         rest_moves = np.concatenate([rest_moves, rest_moves])

@@ -9,6 +9,7 @@ from typing import TypeVar
 
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film.film import Film
+from BalloonWorkbench.core.panels.assembly import Assembly
 from BalloonWorkbench.core.panels.panel import Panel
 from BalloonWorkbench.core.solver.inflate import inflate
 from BalloonWorkbench.core.solver.inflation import Inflation
@@ -78,7 +79,7 @@ def search_pressure(
 
 
 def inflate_to_volume(
-    panel: Panel,
+    body: Panel | Assembly,
     film: Film,
     volume: float,
     *,
@@ -89,6 +90,6 @@ def inflate_to_volume(
     """The balloon of a volume [m3]; report.pressure is what it needs. Raises what search_pressure does."""
 
     def tried(pressure: float) -> Inflation:
-        return inflate(panel, film, pressure, backend=backend, model=model, progress=progress)
+        return inflate(body, film, pressure, backend=backend, model=model, progress=progress)
 
-    return search_pressure(volume, film.membrane_stiffness / panel.size, tried, lambda trial: trial.volume)
+    return search_pressure(volume, film.membrane_stiffness / body.size, tried, lambda trial: trial.volume)

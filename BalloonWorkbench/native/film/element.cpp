@@ -10,6 +10,10 @@
 namespace film {
 namespace {
 
+SIMD_INLINE Vec4 sum_of_heights(const FourTriangles& film) {
+    return film.position[0][2] + film.position[1][2] + film.position[2][2];
+}
+
 SIMD_INLINE void energies_body(const FourTriangles& film, const FilmLaw& law, double nu,
                                FourEnergies& energies) {
     Kinematics k;
@@ -36,6 +40,7 @@ SIMD_INLINE void energies_body(const FourTriangles& film, const FilmLaw& law, do
     Vec4 normal[3];
     cross(film.position[1], film.position[2], normal);
     energies.volume = dot(film.position[0], normal) * (1.0 / 6.0);
+    energies.moment = 0.25 * energies.volume * sum_of_heights(film);
 }
 
 // The Hessian in F and the turns of the directors, and what the gradient is made of.
@@ -157,6 +162,29 @@ SIMD_INLINE void add_second_rotations(const FourTriangles& film, const Kinematic
     }
 }
 
+// The pressure of a triangle changes with its heights.
+SIMD_INLINE void add_gradient(const FourTriangles& film, double gradient, FourElements& elements) {
+    if (gradient == 0.0)
+        return;
+    Vec4 change[3][3]; // of the volume with each corner, times a quarter of the gradient
+    for (int a = 0; a < 3; ++a) {
+        cross(film.position[(a + 1) % 3], film.position[(a + 2) % 3], change[a]);
+        for (int i = 0; i < 3; ++i)
+            change[a][i] = change[a][i] * (0.25 * gradient / 6.0);
+    }
+    const Vec4 own = dot(film.position[0], change[0]);
+    for (int a = 0; a < 3; ++a)
+        elements.force[a][2] = elements.force[a][2] - own;
+    for (int pair = 0; pair < 6; ++pair) {
+        const int a = FourElements::kPairs[pair][0], b = FourElements::kPairs[pair][1];
+        Vec4(&block)[5][5] = elements.stiffness[pair];
+        for (int i = 0; i < 3; ++i) {
+            block[i][2] = block[i][2] - change[a][i];
+            block[2][i] = block[2][i] - change[b][i];
+        }
+    }
+}
+
 SIMD_INLINE void derivatives_body(const FourTriangles& film, const FilmLaw& law, const FilmScales& scales,
                                   FourElements& elements) {
     Kinematics k;
@@ -171,7 +199,8 @@ SIMD_INLINE void derivatives_body(const FourTriangles& film, const FilmLaw& law,
         tangent.stretch[2][i][i] = tangent.stretch[2][i][i] + scales.tension * k.area;
     }
 
-    const double nodal = scales.pressure / 6.0; // the pressure's energy is - p times the volume
+    // the pressure's energy is - p times the volume
+    const Vec4 nodal = (scales.pressure + 0.25 * scales.gradient * sum_of_heights(film)) / 6.0;
     for (int a = 0; a < 3; ++a) {
         const Vec4(&g)[2] = k.shape[a];
         Vec4 normal[3];
@@ -201,7 +230,7 @@ SIMD_INLINE void derivatives_body(const FourTriangles& film, const FilmLaw& law,
         }
         if (a != b) { // the pressure turns with the film
             const Vec4(&third)[3] = film.position[3 - a - b];
-            const double sign = a - b == 2 ? nodal : -nodal;
+            const Vec4 sign = a - b == 2 ? nodal : -nodal;
             for (int i = 0; i < 3; ++i) {
                 const int j = (i + 1) % 3, l = (i + 2) % 3;
                 block[j][i] = block[j][i] + sign * third[l];
@@ -209,6 +238,7 @@ SIMD_INLINE void derivatives_body(const FourTriangles& film, const FilmLaw& law,
             }
         }
     }
+    add_gradient(film, scales.gradient, elements);
 }
 
 // The same functions compiled for one instruction set.

@@ -17,6 +17,7 @@ struct FourEnergies {
     Vec4 membrane; // per membrane stiffness
     Vec4 bending;  // per flexural rigidity
     Vec4 volume;   // between the film and the plane z = 0
+    Vec4 moment;   // the integral of z over the tetrahedra with the origin
 };
 
 // Gradient and Hessian in x, y, z and the two turns of the director at each corner.
@@ -30,8 +31,9 @@ struct FourElements {
 
 struct FilmScales {
     double membrane_stiffness, flexural_rigidity, poisson_ratio, pressure;
-    double tension = 0.0; // added to the film's own in the Hessian
-    bool exact = false;   // with the second derivatives of the rotations in the Hessian
+    double gradient = 0.0; // of the pressure along z
+    double tension = 0.0;  // added to the film's own in the Hessian
+    bool exact = false;    // with the second derivatives of the rotations in the Hessian
 };
 
 struct FilmKernels {

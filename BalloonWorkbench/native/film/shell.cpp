@@ -59,7 +59,7 @@ Shell::Shell(int vertices, const double* rest_positions, int triangles, const in
              const int32_t* seam_hinges, const double* hinge_rigidities, const film_material& material,
              const film_constants& constants)
     : scales_{material.membrane_stiffness, material.flexural_rigidity, material.poisson_ratio,
-              material.pressure},
+              material.pressure, material.gradient},
       law_(material, constants), kernels_(film_kernels()), triangles_(triangles), number_(vertices) {
     if (loads != nullptr)
         loads_ = Eigen::Map<const Vectors>(loads, vertices, 3);
@@ -79,8 +79,16 @@ Shell::Shell(int vertices, const double* rest_positions, int triangles, const in
     std::stable_sort(triangles_.begin(), triangles_.end(), [](const auto& a, const auto& b) {
         return *std::min_element(a.begin(), a.end()) < *std::min_element(b.begin(), b.end());
     });
-    for (int h = 0; h < hinges; ++h)
-        hinges_.push_back(hinge(seam_hinges + 3 * h, hinge_rigidities[h]));
+    for (int h = 0; h < hinges; ++h) {
+        const int32_t* const vertex = seam_hinges + 3 * h;
+        if (material.in_space != 0)
+            space_hinges_.emplace_back(
+                std::array<int, 3>{vertex[0], vertex[1], vertex[2]},
+                std::array<Eigen::Vector2d, 3>{rest(vertex[0]), rest(vertex[1]), rest(vertex[2])},
+                hinge_rigidities[h]);
+        else
+            hinges_.push_back(hinge(vertex, hinge_rigidities[h]));
+    }
 }
 
 void Shell::number_unknowns(const uint8_t* fixed, const int32_t* tied) {
@@ -115,7 +123,7 @@ Shell::Hinge Shell::hinge(const int32_t* vertices, double rigidity) const {
 
 BlockMatrix Shell::hessian() const {
     std::vector<std::pair<int, int>> joined;
-    joined.reserve(3 * (triangles_.size() + hinges_.size()));
+    joined.reserve(3 * (triangles_.size() + hinges_.size() + space_hinges_.size()));
     const auto join = [&](const std::array<int, 3>& vertex) {
         std::array<int, 6> blocks; // that hold unknowns of these vertices
         int count = 0;
@@ -138,6 +146,8 @@ BlockMatrix Shell::hessian() const {
         join(corners);
     for (const Hinge& hinge : hinges_)
         join(hinge.vertex);
+    for (const SpaceHinge& hinge : space_hinges_)
+        join(hinge.vertices());
     return BlockMatrix(blocks_.block_of_unknown, vertices(), joined);
 }
 
@@ -160,7 +170,7 @@ int Shell::gather(size_t first_triangle, const State& state, FourTriangles& film
 
 Energies Shell::energies(const State& state) const {
     Energies parts;
-    double volume = 0.0;
+    double volume = 0.0, moment = 0.0;
     FourTriangles film;
     FourEnergies four;
     for (size_t first = 0; first < triangles_.size(); first += kLanes) {
@@ -170,17 +180,22 @@ Energies Shell::energies(const State& state) const {
             parts.membrane += four.membrane[lane];
             parts.bending += four.bending[lane];
             volume += four.volume[lane];
+            moment += four.moment[lane];
         }
     }
     parts.membrane *= scales_.membrane_stiffness;
     parts.bending *= scales_.flexural_rigidity;
     parts.pressure = -scales_.pressure * volume;
+    if (scales_.gradient != 0.0)
+        parts.pressure -= scales_.gradient * moment;
     if (loads_.size() != 0)
         parts.load = -loads_.cwiseProduct(state.positions).sum();
     for (const Hinge& hinge : hinges_) {
         const Eigen::Vector2d kink = hinge.kink * flat_positions(hinge.vertex, state.positions);
         parts.seam += 0.5 * hinge.stiffness * kink.squaredNorm();
     }
+    for (const SpaceHinge& hinge : space_hinges_)
+        parts.seam += hinge.energy(state.positions, state.directors);
     return parts;
 }
 
@@ -207,6 +222,8 @@ void Shell::derivatives(const State& state, const Frames& frames, Eigen::VectorX
     }
     for (const Hinge& hinge : hinges_)
         add_band(hinge, state.positions, gradient, hessian);
+    for (const SpaceHinge& hinge : space_hinges_)
+        add_space_band(hinge, state, frames, gradient, hessian);
     for (int vertex = 0; loads_.size() != 0 && vertex < vertices(); ++vertex) {
         for (int k = 0; k < 3; ++k) {
             if (number_[vertex][k] >= 0)
@@ -260,6 +277,31 @@ void Shell::add_band(const Hinge& hinge, const Vectors& positions, Eigen::Vector
             const int column = number_[hinge.vertex[j / 2]][j % 2];
             if (column >= 0)
                 hessian.add(row, column, stiffness(i, j));
+        }
+    }
+}
+
+void Shell::add_space_band(const SpaceHinge& hinge, const State& state, const Frames& frames,
+                           Eigen::VectorXd& gradient, BlockMatrix& hessian) const {
+    const std::array<int, 3>& vertex = hinge.vertices();
+    std::array<int, SpaceHinge::kUnknowns> number;
+    for (int a = 0; a < 3; ++a)
+        std::copy_n(number_[vertex[a]].begin(), 3, number.begin() + 3 * a);
+    std::copy_n(number_[vertex[1]].begin() + 3, 2, number.begin() + 9);
+    Eigen::Matrix<double, 3, 2> frame;
+    frame << frames.first.row(vertex[1]).transpose(), frames.second.row(vertex[1]).transpose();
+    SpaceHinge::Force force;
+    SpaceHinge::Stiffness stiffness;
+    hinge.derivatives(state.positions, state.directors, frame, scales_.exact, force, stiffness);
+    for (int i = 0; i < SpaceHinge::kUnknowns; ++i) {
+        if (number[i] < 0)
+            continue;
+        gradient[number[i]] += force[i];
+        for (int j = 0; j <= i; ++j) {
+            if (number[j] < 0)
+                continue;
+            const bool twice = i != j && number[i] == number[j]; // two vertices share a position
+            hessian.add(number[i], number[j], (twice ? 2.0 : 1.0) * stiffness(i, j));
         }
     }
 }

@@ -7,12 +7,11 @@
 
 #include "cholesky/block_matrix.h"
 #include "element.h"
+#include "space_band.h"
 
 namespace film {
 
 using cholesky::BlockMatrix;
-
-using Vectors = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
 struct State {
     Vectors positions;
@@ -91,12 +90,15 @@ private:
                  BlockMatrix& hessian) const;
     void add_band(const Hinge& hinge, const Vectors& positions, Eigen::VectorXd& gradient,
                   BlockMatrix& hessian) const;
+    void add_space_band(const SpaceHinge& hinge, const State& state, const Frames& frames,
+                        Eigen::VectorXd& gradient, BlockMatrix& hessian) const;
 
     FilmScales scales_;
     FilmLaw law_;
     const FilmKernels& kernels_;
     std::vector<std::array<int, 3>> triangles_; // their corners
     std::vector<Hinge> hinges_;
+    std::vector<SpaceHinge> space_hinges_;
     std::vector<std::array<int, 5>> number_; // of the unknowns of each vertex, -1 where held
     Vectors loads_;                          // none, or one a vertex
     cholesky::Blocks blocks_;

@@ -21,7 +21,7 @@
 extern "C" {
 #endif
 
-enum { FILM_ABI_VERSION = 6 };
+enum { FILM_ABI_VERSION = 7 };
 
 typedef enum {
     FILM_OK = 0,
@@ -35,7 +35,8 @@ typedef struct {
     double membrane_stiffness; // E t / (p L)
     double poisson_ratio;
     double flexural_rigidity; // D / (p L^3)
-    double pressure;          // 1, or 0 for a film under nodal loads only
+    double pressure;          // 1, or 0 for a film under nodal loads only; with a gradient that at z = 0
+    double gradient;          // of the pressure along z, for a closed film
     // with orthotropic set, relative to the modulus along the grain; poisson_ratio is that under tension
     // along it
     double across;         // Young's modulus across the grain
@@ -43,6 +44,7 @@ typedef struct {
     double grain_angle;    // from the x axis [rad]
     int32_t orthotropic;   // 0: isotropic
     int32_t tension_field; // 0: a plain shell, which carries compression
+    int32_t in_space;      // 0: the seams stay in planes z = constant
 } film_material;
 
 // The numbers that steer the iteration, all positive. They are the caller's, so that two solvers can take the

@@ -32,15 +32,15 @@ SHRINKAGE = 0.4
 MANY_NEWTON_STEPS = 6  # in a step of time; the next one is shorter
 
 
-def motion(newmark: Newmark, start: MotionState, pressure: Callable[[float], float]) -> Iterator[MotionState]:
+def motion(newmark: Newmark, start: MotionState, load: Callable[[float], float]) -> Iterator[MotionState]:
     """States of a film after each step in time, without end unless even the shortest step fails.
 
-    pressure gives the pressure at a time.
+    load gives the part of the full pressure at a time.
     """
     state, length = start, FIRST_STEP
     area = float(newmark.masses.sum())
     while length >= SMALLEST_STEP:
-        after = newmark.step(state, length, pressure(state.time + length))
+        after = newmark.step(state, length, load(state.time + length))
         if after is None:
             length *= SHRINKAGE
             continue
@@ -79,7 +79,7 @@ def solve(
     state = newmark.released(flat, normals, 0.0)
     record(state)
     resting = 0
-    for count, after in enumerate(motion(newmark, state, lambda time: ramped(time) * problem.pressure), 1):
+    for count, after in enumerate(motion(newmark, state, ramped), 1):
         length, state = after.time - state.time, after
         record(state)
         fraction = state.time / (state.time + LONG_STEP)
@@ -105,9 +105,31 @@ def ramped(time: float) -> float:
 
 
 def pressed_flat(problem: FilmProblem, positions: Floats, directors: Floats) -> tuple[Floats, Floats]:
-    """The film at rest, lifted by a small part of a start shape's heights, and its directors: (n, 3) each."""
-    flat = positions * (1.0, 1.0, FLATNESS)
+    """The film before it is blown up, and its directors: (n, 3) each.
+
+    A start shape with a small part of its heights. One that is free in space is pressed along the axis in
+    which it is thinnest; one that is held by its lower end from the side, as thin as what holds it. Film that
+    is pressed together wrinkles, so that this stretches nothing.
+    """
+    held = problem.fixed[:, :3].all(axis=1)
+    spans = np.ptp(positions, axis=0)
+    axis = (
+        2
+        if problem.fixed[:, 2].any() and not held.any()
+        else int(np.argmin(spans[:2] if held.any() else spans))
+    )
+    middle, kept = (0.0, 0.0) if not held.any() else _slab(positions[held, axis])
+    away = positions[:, axis] - middle
+    flat, scale = positions.copy(), np.ones_like(positions)
+    flat[:, axis] = middle + FLATNESS * away + (1.0 - FLATNESS) * np.clip(away, -kept, kept)
+    scale[np.abs(away) > kept, axis] = FLATNESS
     if problem.tied is None:  # else both panels lie on each other, as they do in a start shape
         flat[:, :2] = problem.rest_positions
-    normals = directors / (1.0, 1.0, FLATNESS)
+    normals = directors / scale
     return flat, normals / np.linalg.norm(normals, axis=1)[:, None]
+
+
+def _slab(places: Floats) -> tuple[float, float]:
+    """Middle and half the thickness of what lies at places (k,)."""
+    low, high = float(places.min()), float(places.max())
+    return 0.5 * (low + high), 0.5 * (high - low)

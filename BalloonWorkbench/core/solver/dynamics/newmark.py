@@ -64,14 +64,15 @@ class Scheme:
 
 @dataclass(frozen=True)
 class MotionState:
-    """A film in motion; time in units of sqrt(m L / p), the rest as in problem.py.
+    """A film in motion; time in units of sqrt(m L / p), load a part of the full pressure, the rest as in
+    problem.py.
 
     positions, directors, velocities, accelerations (n, 3); newton_steps of the step in time that led here,
     and gain: the energy that the first of them promised.
     """
 
     time: float
-    pressure: float
+    load: float
     positions: Floats
     directors: Floats
     velocities: Floats
@@ -95,13 +96,18 @@ class Newmark:
         self._moving = self.shell.gathered(np.tile([1.0, 1.0, 1.0, 0.0, 0.0], (count, 1)) * self.masses)
         self._turning = self.shell.gathered(np.tile([0.0, 0.0, 0.0, 1.0, 1.0], (count, 1)))
 
-    def released(self, positions: Floats, directors: Floats, pressure: float) -> MotionState:
+    def put(self, load: float) -> None:
+        """Put the film under a part of its full pressure."""
+        self.shell.pressure = load * self.shell.problem.pressure
+        self.shell.gradient = load * self.shell.problem.gradient
+
+    def released(self, positions: Floats, directors: Floats, load: float) -> MotionState:
         """The film (n, 3), (n, 3) let go at time 0, without velocity."""
-        self.shell.pressure = pressure
+        self.put(load)
         gradient, _ = self.shell.derivatives(positions, directors, tangent_frames(directors))
         pull = np.divide(-gradient, self._moving, out=np.zeros_like(gradient), where=self._moving > 0.0)
         accelerations, _ = self.shell.spread(pull)
-        return MotionState(0.0, pressure, positions, directors, np.zeros_like(positions), accelerations)
+        return MotionState(0.0, load, positions, directors, np.zeros_like(positions), accelerations)
 
     def kinetic_energy(self, state: MotionState) -> float:
         """Half of mass times velocity squared."""
@@ -109,11 +115,11 @@ class Newmark:
 
     def potential_energy(self, state: MotionState) -> float:
         """Energy of the film, the pressure and the loads."""
-        self.shell.pressure = state.pressure
+        self.put(state.load)
         return self.shell.energies(state.positions, state.directors).total
 
-    def step(self, state: MotionState, duration: float, pressure: float) -> MotionState | None:
-        """The film after duration under a pressure; None when a shorter step is needed.
+    def step(self, state: MotionState, duration: float, load: float) -> MotionState | None:
+        """The film after duration under a part of its pressure; None when a shorter step is needed.
 
         Raises SolverError when the film has no finite energy.
         """
@@ -121,7 +127,7 @@ class Newmark:
         known_velocities = state.velocities + (1.0 - gamma) * duration * state.accelerations
         increment = _Increment(
             self,
-            pressure,
+            load,
             state.positions + duration * state.velocities + (0.5 - beta) * duration**2 * state.accelerations,
             (1.0 + damping * gamma * duration) / (beta * duration**2),
             damping * known_velocities,
@@ -136,7 +142,7 @@ class Newmark:
         velocities = known_velocities + gamma * duration * accelerations
         return MotionState(
             state.time + duration,
-            pressure,
+            load,
             positions,
             directors,
             velocities,
@@ -206,7 +212,7 @@ class _Increment:
     def __init__(
         self,
         newmark: Newmark,
-        pressure: float,
+        load: float,
         known_positions: Floats,
         inertia: float,
         drag: Floats,
@@ -217,7 +223,7 @@ class _Increment:
         self.inertia = inertia
         self.director_drag = director_drag
         self._shell = newmark.shell
-        self._shell.pressure = pressure
+        newmark.put(load)
         self._masses = newmark.masses
         self._drag = drag
         self._directors = directors

@@ -31,6 +31,13 @@ def facet_volume(positions: Floats, triangles: Ints) -> float:
     return float(np.einsum("ij,ij->", a, np.cross(b, c))) / 6.0
 
 
+def first_moment(positions: Floats, triangles: Ints) -> float:
+    """The integral of z over the inside of closed facets."""
+    a, b, c = np.moveaxis(positions[triangles], 1, 0)
+    heights = a[:, 2] + b[:, 2] + c[:, 2]  # of each facet with the origin a tetrahedron
+    return float(np.einsum("ij,ij,i->", a, np.cross(b, c), heights)) / 24.0
+
+
 def sag_volume(positions: Floats, directors: Floats, triangles: Ints) -> float:
     """Volume between the facets and the curved film above them.
 

@@ -25,6 +25,7 @@ from BalloonWorkbench.core.solver.element.dkt import Numbers, rotation_stiffness
 from BalloonWorkbench.core.solver.element.scatter import times_fields
 from BalloonWorkbench.core.solver.element.seam_band import kink_operators
 from BalloonWorkbench.core.solver.element.shell import Shell
+from BalloonWorkbench.core.solver.element.space_band import SpaceBand
 from BalloonWorkbench.core.types import Floats
 
 _STEP = 1e-30  # its square is nothing beside 1
@@ -41,6 +42,9 @@ def force_changes(
     elements = [(shell.triangles, film_rest_derivatives(shell, positions, directors, frames))]
     if shell.band is not None:
         elements.append((shell.band.hinges, band_rest_derivatives(shell, positions)))
+    if shell.space_band is not None:
+        bent = space_band_rest_derivatives(shell.space_band, shell, positions, directors, frames)
+        elements.append((shell.space_band.hinges, bent))
     rows, columns, blocks = [], [], []
     for corners, changes in elements:  # (e, 3 corners, 5, 3 corners, 2)
         rows.append(np.repeat(corners, 3, axis=1).ravel())
@@ -83,6 +87,20 @@ def band_rest_derivatives(shell: Shell, positions: Floats) -> Floats:
 
     changes = np.zeros((len(flat), 3, 5, 3, 2))
     changes[:, :, :2] = _changes(force, shell.problem.rest_positions[band.hinges]).reshape(-1, 3, 2, 3, 2)
+    return changes
+
+
+def space_band_rest_derivatives(
+    band: SpaceBand, shell: Shell, positions: Floats, directors: Floats, frames: Floats
+) -> Floats:
+    """The same of a band in space, whose director at the middle vertex turns, too."""
+    rows = _changes(
+        lambda places: band.rest_forces(places, positions, directors, frames),
+        shell.problem.rest_positions[band.hinges],
+    )
+    changes = np.zeros((len(rows), 3, 5, 3, 2))
+    changes[:, :, :3] = rows[:, :9].reshape(-1, 3, 3, 3, 2)
+    changes[:, 1, 3:] = rows[:, 9:].reshape(-1, 2, 3, 2)
     return changes
 
 

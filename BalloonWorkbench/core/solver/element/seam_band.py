@@ -14,7 +14,8 @@ length of rim that belongs to the vertex, its energy is the sum of
     E I / (2 a) |e_after / l_after - R e_before / l_before|^2
 
 which is E I (change of curvature)^2 / 2 per length where the rim keeps its length. It is quadratic in the
-positions, so that edges may shrink to nothing without harm.
+positions, so that edges may shrink to nothing without harm. It is for seams that stay in one plane, as those
+of two equal panels do; space_band.py has the others.
 """
 
 from __future__ import annotations
@@ -33,15 +34,21 @@ def kink_operators(corners: Numbers, rigidities: Floats) -> tuple[Numbers, Numbe
 
     Analytic in the corners, as dkt.py is.
     """
+    cosine, sine, length_before, length_after = rest_turns(corners)
+    turn = np.array([[cosine, -sine], [sine, cosine]]).transpose(2, 0, 1) / length_before[:, None, None]
+    straight = np.eye(2)[None] / length_after[:, None, None]
+    operator = np.concatenate([turn, -turn - straight, straight], axis=2)
+    return operator, 2.0 * rigidities / (length_before + length_after)
+
+
+def rest_turns(corners: Numbers) -> tuple[Numbers, Numbers, Numbers, Numbers]:
+    """Of hinges with these corners (h, 3, 2): cosine and sine of the turning angle, lengths of both edges."""
     previous, middle, following = np.moveaxis(corners, 1, 0)
     before, after = middle - previous, following - middle
     length_before, length_after = (np.sqrt((edge**2).sum(axis=1)) for edge in (before, after))
     cosine = np.einsum("ij,ij->i", before, after) / (length_before * length_after)
     sine = cross(before, after) / (length_before * length_after)
-    turn = np.array([[cosine, -sine], [sine, cosine]]).transpose(2, 0, 1) / length_before[:, None, None]
-    straight = np.eye(2)[None] / length_after[:, None, None]
-    operator = np.concatenate([turn, -turn - straight, straight], axis=2)
-    return operator, 2.0 * rigidities / (length_before + length_after)
+    return cosine, sine, length_before, length_after
 
 
 class SeamBand:

@@ -5,9 +5,10 @@ Unknowns are the positions x_i and a unit director d_i at each vertex. With F = 
 the rotations at its corner i are beta_i = (d_i . F e_X, d_i . F e_Y); the bending energy is the DKT energy of
 these six numbers, bilinear in positions and directors, so that it is right at large rotations.
 
-    energy = sum A W(E) + sum beta^T K beta / 2 + energy of the sealed band - p V(x) - loads . x
+    energy = sum A W(E) + sum beta^T K beta / 2 + energy of the sealed band - p V(x) - g M(x) - loads . x
 
-W is the tension field (membrane.py), V the volume between the film and the plane z = 0. The Hessian is
+W is the tension field (membrane.py), V the volume between the film and the plane z = 0, and M, for a pressure
+that grows with z by g, the integral of z over the inside of a closed film. The Hessian is
 exact but for the second derivatives of beta, whose omission (Gauss-Newton) keeps the bending part positive
 semi-definite; `exact` adds them. `tension` adds the stiffness of so much tension in all directions to the
 Hessian.
@@ -23,9 +24,15 @@ import numpy as np
 
 from BalloonWorkbench.core.errors import SolverError
 from BalloonWorkbench.core.solver.element import dkt
-from BalloonWorkbench.core.solver.element.kinematics import deformation_gradients, facet_volume, green_strains
+from BalloonWorkbench.core.solver.element.kinematics import (
+    deformation_gradients,
+    facet_volume,
+    first_moment,
+    green_strains,
+)
 from BalloonWorkbench.core.solver.element.scatter import Scatter, rounds
 from BalloonWorkbench.core.solver.element.seam_band import SeamBand
+from BalloonWorkbench.core.solver.element.space_band import SpaceBand
 from BalloonWorkbench.core.solver.problem import Energies, FilmProblem
 from BalloonWorkbench.core.types import Bools, Floats, Ints
 
@@ -85,7 +92,7 @@ class Shell:
         self.membrane_stiffness = problem.membrane_stiffness
         self._membrane = problem.membrane
         self.flexural_rigidity = problem.flexural_rigidity
-        self.pressure = problem.pressure
+        self.pressure, self.gradient = problem.pressure, problem.gradient
         self.tension = 0.0
         self.exact = False
         self.loads = np.zeros((len(rest_positions), 3)) if problem.loads is None else problem.loads
@@ -96,9 +103,12 @@ class Shell:
         if not np.all(self.vertex_areas):
             raise SolverError("The mesh has a vertex without triangles. Mesh the outline anew.")
         self.band: SeamBand | None = None
+        self.space_band: SpaceBand | None = None
         if problem.hinges is not None and problem.hinge_rigidities is not None:
-            self.band = SeamBand(rest_positions, problem.hinges, problem.hinge_rigidities)
-
+            if problem.in_space:
+                self.space_band = SpaceBand(rest_positions, problem.hinges, problem.hinge_rigidities)
+            else:
+                self.band = SeamBand(rest_positions, problem.hinges, problem.hinge_rigidities)
         self.number, self.count = _numbered(fixed, problem.tied)
 
     @cached_property
@@ -109,6 +119,10 @@ class Shell:
         elements = [np.concatenate([moves, turns], 1)]
         if self.band is not None:
             elements.append(self.number[self.band.hinges][:, :, :2].reshape(-1, 6))
+        if self.space_band is not None:
+            hinges = self.space_band.hinges
+            places = self.number[hinges][:, :, :3].reshape(-1, 9)
+            elements.append(np.concatenate([places, self.number[hinges[:, 1], 3:]], 1))
         return Scatter(elements, self.count)
 
     def energies(self, positions: Floats, directors: Floats) -> Energies:
@@ -120,10 +134,16 @@ class Shell:
         return Energies(
             self.membrane_stiffness * membrane,
             0.5 * self.flexural_rigidity * bending,
-            -self.pressure * facet_volume(positions, self.triangles),
+            -self.pressure * facet_volume(positions, self.triangles)
+            - (self.gradient * first_moment(positions, self.triangles) if self.gradient else 0.0),
             -float(np.einsum("ij,ij->", self.loads, positions)),
-            0.0 if self.band is None else self.band.energy(positions),
+            self._seam_energy(positions, directors),
         )
+
+    def _seam_energy(self, positions: Floats, directors: Floats) -> float:
+        if self.space_band is not None:
+            return self.space_band.energy(positions, directors)
+        return 0.0 if self.band is None else self.band.energy(positions)
 
     def derivatives(
         self, positions: Floats, directors: Floats, frames: Floats
@@ -132,16 +152,25 @@ class Shell:
         corners = positions[self.triangles]
         film = self.elastic(positions, directors, frames)
         force, stiffness = film.force, film.stiffness
-        nodal = self.pressure / 6.0
+        nodal = (self.pressure + 0.25 * self.gradient * corners[:, :, 2].sum(axis=1)) / 6.0
         for a in range(3):
             b, c = (a + 1) % 3, (a + 2) % 3
-            force[:, 3 * a : 3 * a + 3] -= nodal * np.cross(corners[:, b], corners[:, c])
-            stiffness[:, 3 * a : 3 * a + 3, 3 * b : 3 * b + 3] += nodal * _cross_matrix(corners[:, c])
-            stiffness[:, 3 * a : 3 * a + 3, 3 * c : 3 * c + 3] -= nodal * _cross_matrix(corners[:, b])
+            force[:, 3 * a : 3 * a + 3] -= nodal[:, None] * np.cross(corners[:, b], corners[:, c])
+            turning = nodal[:, None, None] * _cross_matrix(corners[:, c])
+            stiffness[:, 3 * a : 3 * a + 3, 3 * b : 3 * b + 3] += turning
+            stiffness[:, 3 * b : 3 * b + 3, 3 * a : 3 * a + 3] -= turning
+        if self.gradient:
+            _add_gradient(force, stiffness, corners, 0.25 * self.gradient)
 
         forces, stiffnesses = [force], [stiffness]
         if self.band is not None:
             band_force, band_stiffness = self.band.derivatives(positions)
+            forces.append(band_force)
+            stiffnesses.append(band_stiffness)
+        if self.space_band is not None:
+            band_force, band_stiffness = self.space_band.derivatives(
+                positions, directors, frames, exact=self.exact
+            )
             forces.append(band_force)
             stiffnesses.append(band_stiffness)
         loads = np.pad(self.loads, ((0, 0), (0, 2)))
@@ -243,6 +272,15 @@ def _add_second_rotations(
     sunk = np.einsum("mik,mik->mi", at_corners, rotation.reshape(-1, 3, 2))
     for turn in range(6):
         stiffness[:, 9 + turn, 9 + turn] -= sunk[:, turn // 2]
+
+
+def _add_gradient(force: Floats, stiffness: Floats, corners: Floats, quarter: float) -> None:
+    """What a quarter of the pressure's gradient adds: the pressure of a triangle changes with its heights."""
+    normals = np.cross(np.roll(corners, -1, axis=1), np.roll(corners, -2, axis=1)) / 6.0  # dV / dx (m, 3, 3)
+    force[:, 2:9:3] -= quarter * np.einsum("mi,mi->m", corners[:, 0], normals[:, 0])[:, None]
+    changes = quarter * normals.reshape(-1, 9, 1)
+    stiffness[:, :9, 2:9:3] -= changes
+    stiffness[:, 2:9:3, :9] -= np.swapaxes(changes, 1, 2)
 
 
 def _cross_matrix(vectors: Floats) -> Floats:

@@ -39,8 +39,8 @@ CONSTANTS: dict[str, float] = {
 class _Material(ctypes.Structure):
     _fields_ = [
         *((name, ctypes.c_double) for name in ("membrane_stiffness", "poisson_ratio", "flexural_rigidity")),
-        *((name, ctypes.c_double) for name in ("pressure", "across", "shear", "grain_angle")),
-        *((name, ctypes.c_int32) for name in ("orthotropic", "tension_field")),
+        *((name, ctypes.c_double) for name in ("pressure", "gradient", "across", "shear", "grain_angle")),
+        *((name, ctypes.c_int32) for name in ("orthotropic", "tension_field", "in_space")),
     ]
 
 
@@ -100,9 +100,11 @@ def _solver(library: ctypes.CDLL, problem: FilmProblem) -> Iterator[ctypes.c_voi
         problem.poisson_ratio,
         problem.flexural_rigidity,
         problem.pressure,
+        problem.gradient,
         *((1.0, 1.0, 0.0) if grain is None else (grain.across, grain.shear, grain.angle)),
         int(grain is not None),
         int(problem.tension_field),
+        int(problem.in_space),
     )
     handle = ctypes.c_void_p()
     _check(

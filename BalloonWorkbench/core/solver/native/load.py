@@ -21,7 +21,7 @@ from BalloonWorkbench.core.solver.native.library import (
 if TYPE_CHECKING:
     import ctypes
 
-ABI_VERSION = 6
+ABI_VERSION = 7
 _FOLDER = FOLDER
 
 

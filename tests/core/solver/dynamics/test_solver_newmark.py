@@ -46,7 +46,7 @@ def moved(newmark: Newmark, state: MotionState, duration: float, steps: int) -> 
     """The states of even steps, the first one included."""
     states = [state]
     for _ in range(steps):
-        after = newmark.step(states[-1], duration / steps, state.pressure)
+        after = newmark.step(states[-1], duration / steps, state.load)
         assert after is not None
         states.append(after)
     return states
