@@ -10,6 +10,9 @@ from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.units import length_text, place_text
 
 REACHED = 1e-2
+NOT_AT_REST = (
+    "The simulation did not come to rest; the shape shown is its last good state. Try a coarser mesh."
+)
 MOST_SENTENCES = 3  # about single stretches that are not reached
 
 
@@ -19,9 +22,7 @@ def summary(target: Outline, best: Iterate, passes: int, meshes: int, seconds: f
     error = best.misfit.residual
     warnings = []
     if not best.inflation.report.converged:
-        warnings.append(
-            "The simulation did not come to rest; the shape shown is its last good state. Try a coarser mesh."
-        )
+        warnings.append(NOT_AT_REST)
     reached = error.mean <= REACHED * size
     unreached = far_stretches(target, best.misfit) if passes else ()
     folds = any(stretch.loop for stretch in unreached)
@@ -35,7 +36,7 @@ def summary(target: Outline, best: Iterate, passes: int, meshes: int, seconds: f
             f"The inflated outline stays {length_text(error.mean)} from the drawing on average:"
             " film cannot follow this shape everywhere. Round off notches and widen thin parts."
         )
-    warnings += [_sentence(stretch, folds) for stretch in unreached[:MOST_SENTENCES]]
+    warnings += [far_sentence(stretch, folds) for stretch in unreached[:MOST_SENTENCES]]
     return Design(
         target,
         best.seam_map.outline,
@@ -51,7 +52,7 @@ def summary(target: Outline, best: Iterate, passes: int, meshes: int, seconds: f
     )
 
 
-def _sentence(stretch: FarStretch, folds: bool) -> str:
+def far_sentence(stretch: FarStretch, folds: bool) -> str:
     """About one stretch; folds: a hole or spot is not reached, so that the balloon folds across it."""
     place, away = place_text(stretch.place), length_text(stretch.max, 3)
     length = length_text(stretch.end - stretch.start, 3)

@@ -23,17 +23,25 @@ def silhouette(inflation: Inflation) -> Outline:
 
     What lies in the shadow lies below film that faces up, so the shadow is where the rim of that film winds
     round at least once: a few hundred edges instead of all triangles. Mirrored halves cast the same shadow,
-    so the upper one is enough. Slivers between folds of the rim are no holes.
+    so the upper one is enough; other panels cast one together. Slivers between folds of the rim are no holes.
     """
     package = shapely()
-    halves = [inflation.positions] if inflation.lower is None else [inflation.positions, inflation.lower]
-    shadow = package.union_all([_shadow(half, inflation.panel.triangles) for half in halves])
+    shadow = package.union_all([_shadow(*film) for film in _films(inflation)])
     bodies = parts(shadow)
     if not bodies:
         raise SolverError("The film folds up and nothing of it is seen from above: make the shape thicker.")
     holes = sorted((loop_of(ring) for ring in bodies[0].interiors), key=signed_area, reverse=True)
     count = len(inflation.panel.loops) - 1
     return Outline(loop_of(bodies[0].exterior), tuple(hole[::-1] for hole in holes[:count]))
+
+
+def _films(inflation: Inflation) -> list[tuple[Floats, Ints]]:
+    """Positions (n, 3) and triangles (m, 3) of what casts a shadow: either half, or all panels, glued."""
+    panel, assembly = inflation.panel, inflation.assembly
+    if len(assembly.panels) > 1:
+        return [(inflation.positions, assembly.surface.first[assembly.surface.triangles])]
+    halves = [inflation.positions] if inflation.lower is None else [inflation.positions, inflation.lower]
+    return [(half, panel.triangles) for half in halves]
 
 
 def _shadow(positions: Floats, triangles: Ints) -> Any:

@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import Protocol
+from typing import Protocol, TypeVar
 
 from BalloonWorkbench.core.design.design import Design
 from BalloonWorkbench.core.errors import InputError
@@ -25,6 +25,7 @@ TOLERANCE = 5e-3  # of the goal
 SURE = 1e-3  # of what the gas carries: a lift is a difference and cannot be met better
 MOST_DESIGNS = 4
 SMALLEST, LARGEST = 0.01, 20.0  # larger dimension of a drawing [m]
+Sized = TypeVar("Sized")
 _GRID = 1.02  # sizes at which a lift is looked at before its root is narrowed down
 
 
@@ -132,24 +133,52 @@ def design_to_size(
     corrected  the work corrects the pattern; else the outline is the pattern
     Raises InputError for goals that make no sense or need a balloon beyond LARGEST.
     """
+
+    def make(scale: float, start: Design | None, progress: Progress) -> Design:
+        return work(_scaled(outline, scale), start=start, progress=progress)
+
+    known = foretold(outline, corrected)
+    tried, remarks = tried_sizes(
+        make, lambda design: scaling_of(design, buoyancy), known, goal, buoyancy, progress=progress
+    )
+    return replace(
+        tried[-1],
+        passes=sum(design.passes for design in tried),
+        meshes=sum(design.meshes for design in tried),
+        seconds=sum(design.seconds for design in tried),
+        warnings=(*tried[-1].warnings, *remarks),
+    )
+
+
+def tried_sizes(
+    make: Callable[[float, Sized | None, Progress], Sized],
+    scaling: Callable[[Sized], Scaling],
+    known: Scaling,
+    goal: SizeGoal,
+    buoyancy: Buoyancy,
+    *,
+    progress: Progress = no_progress,
+) -> tuple[list[Sized], tuple[str, ...]]:
+    """The designs at several sizes, of which the last one meets the goal, and remarks where it does not.
+
+    make     designs at a scale, from the design at another one
+    scaling  how a design scales; known: how the first one is expected to, at scale 1
+    Raises InputError for goals that make no sense or need a balloon beyond LARGEST.
+    """
     _check(goal, buoyancy)
-    known, scale, design = foretold(outline, corrected), 1.0, None
-    passes = meshes = 0
-    seconds = 0.0
+    tried: list[Sized] = []
+    scale = 1.0
     for trial in range(MOST_DESIGNS):
         scale *= _step(known, goal, buoyancy)
-        design = work(_scaled(outline, scale), start=design, progress=_part(progress, trial))
-        passes, meshes, seconds = passes + design.passes, meshes + design.meshes, seconds + design.seconds
-        before, known = known, scaling_of(design, buoyancy)
+        tried.append(make(scale, tried[-1] if tried else None, _part(progress, trial)))
+        before, known = known, scaling(tried[-1])
         if _miss(known, goal, buoyancy) <= TOLERANCE:
             break
         ratio = math.log(known.size / before.size)
         if trial and abs(ratio) > 1e-3:
             exponent = math.log(known.volume / before.volume) / ratio
             known = replace(known, exponent=min(max(exponent, 2.5), 3.5))
-    assert design is not None
-    design = replace(design, passes=passes, meshes=meshes, seconds=seconds)
-    return replace(design, warnings=(*design.warnings, *_remarks(known, goal, buoyancy)))
+    return tried, _remarks(known, goal, buoyancy)
 
 
 def _scaled(outline: Outline, scale: float) -> Outline:

@@ -13,7 +13,6 @@ import numpy as np
 import pytest
 from drawn_shapes import NAMED
 
-from BalloonWorkbench.core import report
 from BalloonWorkbench.core.correction.fit import fit, inflate_outline
 from BalloonWorkbench.core.design import weld_range
 from BalloonWorkbench.core.design.compare import far_stretches, laid_over, misfit, residual
@@ -29,6 +28,7 @@ from BalloonWorkbench.core.mesh.triangulate import triangulate
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.pattern.build import build_pattern
 from BalloonWorkbench.core.pictures.preview import preview_png
+from BalloonWorkbench.core.reports import report
 from BalloonWorkbench.core.solver.inflate import inflate
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.solver.model import Model

@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a balloon of many panels is made for: a profile, an outline between two faces, or a bag."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from BalloonWorkbench.core.bags.bag import Bag
+from BalloonWorkbench.core.bodies.profile import Profile
+from BalloonWorkbench.core.bodies.read_profile import read_profile
+from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.geometry.polyline import extent
+from BalloonWorkbench.core.options.body import BodyOptions
+from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.readers.vector import read_bytes, vector_kind
+
+Source = Profile | Outline | Bag
+
+#: What a JSON file of panels, or of a profile, has instead of the loops of an outline.
+PANELS = "panels"
+_MOST_BYTES = 8 << 20
+_KEYS = (PANELS, "profile", "natural_shape")
+
+
+def form_of(path: str | Path) -> str | None:
+    """PANELS or another of the words by which a JSON file of many panels is known; None for any other file.
+
+    One that cannot be read is left to the readers, which say why.
+    """
+    path = Path(path)
+    try:
+        with path.open("rb") as file:
+            if vector_kind(path, file.read(4096)) != "json":
+                return None
+        data = read_bytes(path)
+        named = [key for key in _KEYS if f'"{key}"'.encode() in data]
+        if not named or len(data) > _MOST_BYTES:  # most outlines are not unpacked twice
+            return named[0] if named else None
+        text = json.loads(data)
+    except (OSError, ValueError, RecursionError, InputError):
+        return None
+    return next((key for key in _KEYS if isinstance(text, dict) and key in text), None)
+
+
+def profile_of_size(
+    path: str | Path, body: BodyOptions, width: float | None = None, height: float | None = None
+) -> Profile:
+    """The profile in a file, as wide or high as the body shall be [m]; inside both where both are given."""
+    profile = read_profile(path, body.lower_cap, body.upper_cap)
+    if profile is None:
+        raise InputError(
+            f"'{Path(path).name}' has no profile: give half the outline of the body as an SVG, a DXF or JSON."
+        )
+    own = np.array([2.0 * profile.points[:, 0].max(), np.ptp(profile.points[:, 1])])
+    scales = [asked / size for asked, size in zip((width, height), own) if asked is not None]
+    if not all(np.isfinite(scale) and scale > 0.0 for scale in scales):
+        raise InputError("The width and the height must be more than 0.")
+    return replace(profile, points=profile.points * min(scales, default=1.0))
+
+
+def size_of(source: Source) -> float:
+    """The larger dimension of what is wanted [m]: of the drawing, of the body, of the largest panel."""
+    if isinstance(source, Outline):
+        return max(source.size)
+    if isinstance(source, Profile):
+        return float(max(2.0 * source.points[:, 0].max(), np.ptp(source.points[:, 1])))
+    return max(extent(panel.outer) for panel in source.panels)
+
+
+def scaled(source: Source, scale: float) -> Source:
+    """The source made larger about the origin."""
+    if isinstance(source, Outline):
+        return source.map(lambda loop: loop * scale)
+    if isinstance(source, Profile):
+        return replace(source, points=source.points * scale)
+    panels = [
+        replace(panel, outer=panel.outer * scale, holes=tuple(hole * scale for hole in panel.holes))
+        for panel in source.panels
+    ]
+    return replace(source, panels=tuple(panels))
