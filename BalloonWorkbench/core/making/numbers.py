@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -53,9 +53,9 @@ class Floating:
 class Numbers:
     """What one balloon takes.
 
-    film_area     of both panels with welds, allowance and neck [m2]
-    roll          width and length [m] of film for both panels, laid side by side; None where it is too narrow
-    seam_length   of the weld round one balloon [m]
+    film_area     of all panels with welds, allowance and neck [m2]
+    roll          width and length [m] of film for all panels, laid side by side; None where it is too narrow
+    seam_length   of the welds of one balloon [m]
     inner, border weight of the film inside the seams, and of weld, allowance and neck [kg]
     valve         weight of the intake's own pieces [kg]
     volume        [m3]
@@ -119,7 +119,7 @@ def maker_numbers(
     seen: dict[str, Floating] = {}
     for each in chosen:
         if each.gas.name not in seen:
-            seen[each.gas.name] = _floating(each, inflation, film, seam.area, grown, valve, width, data)
+            seen[each.gas.name] = floating_in(each, inflation, film, seam.area, grown, valve, width, data)
     return Numbers(
         2.0 * pattern.film_area,
         film_on_roll(pattern, film, data.roll_width),
@@ -135,7 +135,7 @@ def maker_numbers(
     )
 
 
-def _floating(
+def floating_in(
     filling: Filling,
     inflation: Inflation,
     film: Film,
@@ -145,6 +145,7 @@ def _floating(
     width: float,
     data: Making,
 ) -> Floating:
+    """A balloon with one filling; inner, border: half its film inside and outside the seams [m2]."""
     pressure = inflation.report.pressure
     buoyancy = Buoyancy(filling.lightness(pressure), film.areal_density, lambda seam: inner + border, valve)
     scaling = Scaling(width, inflation.volume, inner, border)
@@ -168,12 +169,20 @@ def film_on_roll(pattern: Pattern, film: Film, width: float) -> tuple[float, flo
 
     None where the roll is too narrow.
     """
-    pieces, stock = [Piece(pattern, 1, 1, film.lies)], Stock(width)
+    return pieces_on_roll([Piece(pattern, 1, 1, film.lies)], width)
+
+
+def pieces_on_roll(pieces: Sequence[Piece], width: float) -> tuple[float, float] | None:
+    """The same for any pieces."""
+    stock = Stock(width)
     try:
         check(pieces, stock)
     except InputError:
         return None
-    (places,) = in_rows(pieces, stock, [(0, False), (0, True)])
+    units = [
+        (k, back) for k, each in enumerate(pieces) for back in [False] * each.count + [True] * each.backs
+    ]
+    (places,) = in_rows(pieces, stock, units)
     return width, layout_of(stock, pieces, places).length
 
 
@@ -212,6 +221,7 @@ def numbers_report(numbers: Numbers) -> dict[str, Any]:
             "weld_tension_N_per_m": safe.weld_load.value,
             "weld_limit_N_per_m": safe.weld_limit,
             "margin": safe.margin,
+            "pressure_Pa": safe.pressure,
             "safe_pressure_Pa": safe.safe_pressure,
             "weakest": safe.weakest,
             "weakest_at_mm": None if safe.place is None else to_mm(safe.place).tolist(),

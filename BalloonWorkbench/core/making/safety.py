@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.making.trade_figures import making
@@ -22,7 +22,8 @@ _NEAR = 0.01
 class Safety:
     """What holds a balloon together.
 
-    film_load, weld_load    the largest of the film and at the weld, at `pressure` [Pa]
+    film_load, weld_load    the largest of the film and at the weld, at `pressure` [Pa], which is that at the
+                            top where it grows upwards
     film_limit, weld_limit  what they bear [N/m], None where that is not known
     margin                  strength over load that is asked for
     safe_pressure           at which that margin is left [Pa], None where no strength is known
@@ -76,7 +77,18 @@ def safety_with(
         ):
             break
         model = inflation.report.model
-        inflation = inflate(inflation.panel, film, estimate.safe_pressure, start=inflation, model=model)
+        less = estimate.safe_pressure / estimate.pressure
+        lift = inflation.report.lift and replace(
+            inflation.report.lift, gradient=less * inflation.report.lift.gradient
+        )
+        inflation = inflate(
+            inflation.assembly,
+            film,
+            less * inflation.report.pressure,
+            start=inflation,
+            model=model,
+            lift=lift,
+        )
         estimate = _in_proportion(inflation, film, weld_limit, margin)
     return Safety(
         own.film_load,
@@ -94,7 +106,7 @@ def safety_with(
 def _in_proportion(inflation: Inflation, film: Film, weld_limit: float | None, margin: float) -> Safety:
     loads, at_rest = settled_loads(inflation, film)
     film_limit = None if film.max_stress is None else film.max_stress * film.thickness
-    pressure = inflation.report.pressure
+    pressure = inflation.largest_pressure
     safe, weakest = _safe_pressure(loads, film_limit, weld_limit, margin, pressure)
     return Safety(loads.film, loads.weld, film_limit, weld_limit, pressure, margin, safe, weakest, at_rest)
 

@@ -46,7 +46,7 @@ _NOTHING = 1e-9  # a scale needs an end
 class ColourMap:
     """Values on the film.
 
-    shares   (2 m, 3) places on the scale, 0 to 1, of the three corners of each triangle of both panels
+    shares   (m, 3) places on the scale, 0 to 1, of the three corners of each triangle of all panels
     top      value at the end of the scale, in `unit`; its begin is 0
     largest  the largest value, which may lie beyond the end of the scale
     place    (3,) mm, where that is; None where no spot stands out
@@ -94,6 +94,11 @@ def colours(shares: Floats) -> NDArray[np.uint8]:
     stops = np.array([[int(stop[k : k + 2], 16) for k in (1, 3, 5)] for stop in SCALE], dtype=np.float64)
     at = np.linspace(0.0, 1.0, len(stops))
     return np.stack([np.rint(np.interp(shares, at, stops[:, k])) for k in range(3)], axis=-1).astype(np.uint8)
+
+
+def kinds_of(inflation: Inflation) -> tuple[str, ...]:
+    """What can be shown: of many panels neither their distance nor that of a silhouette from a drawing."""
+    return KINDS if inflation.assembly.mirror else tuple(k for k in KINDS if k not in (THICKNESS, RESIDUAL))
 
 
 def film_map(results: Results, kind: str) -> ColourMap:

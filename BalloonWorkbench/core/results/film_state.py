@@ -58,7 +58,9 @@ def film_state(inflation: Inflation, film: Film) -> FilmState:
     A plain shell is said to be wrinkled or slack where it is compressed instead.
     """
     surface = inflation.assembly.surface
-    problem = film_problem(inflation.assembly, film, inflation.report.pressure, inflation.report.model)
+    problem = film_problem(
+        inflation.assembly, film, inflation.characteristic_pressure, inflation.report.model
+    )
     shape, areas = gradients(surface.rest_positions[surface.triangles])
     deformation = deformation_gradients(inflation.positions, surface.triangles, shape)
     strains = green_strains(deformation)

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What the simulation found in every triangle and vertex, as a file for ParaView or for NumPy.
 
-Both panels: the vertices and triangles of the upper one, then those of the lower one in the same order, so
-that the seam's vertices are there twice.
+Of two equal panels the vertices and triangles of the upper one, then those of the lower one in the same
+order; else of all panels in their order. So the vertices of a seam are there twice.
 
 | of each vertex | |
 |---|---|
-| flat_mm | where it lies in the flat panel |
-| thickness_mm | of the balloon there |
+| flat_mm | where it lies in the flat panel; many panels lie side by side |
+| thickness_mm | of a balloon of two equal panels there |
 
 | of each triangle | |
 |---|---|
@@ -16,6 +16,7 @@ that the seam's vertices are there twice.
 | strain, strain_least | larger and smaller principal Green strain |
 | state | 0 slack, 1 wrinkled, 2 taut |
 | wrinkle_intensity | part of the width that the wrinkles hide |
+| panel | number of its panel, where there are many, from 0 |
 """
 
 from __future__ import annotations
@@ -54,6 +55,8 @@ class Results:
 
 def results(inflation: Inflation, film: Film) -> Results:
     """Results of a balloon made of this film."""
+    if not inflation.assembly.mirror:
+        return _of_panels(inflation, film)
     panel = inflation.panel
     count = len(inflation.positions)
     upper = _of_triangles(inflation, film)
@@ -72,6 +75,20 @@ def results(inflation: Inflation, film: Film) -> Results:
             "thickness_mm": to_mm(np.tile(thickness(inflation), 2)),
         },
         {name: np.concatenate([values, lower[name]]) for name, values in upper.items()},
+    )
+
+
+def _of_panels(inflation: Inflation, film: Film) -> Results:
+    assembly = inflation.assembly
+    rest = assembly.surface.rest_positions
+    number = np.repeat(
+        np.arange(len(assembly.panels), dtype=np.int32), [len(panel.triangles) for panel in assembly.panels]
+    )
+    return Results(
+        to_mm(inflation.positions),
+        assembly.surface.triangles,
+        {"flat_mm": to_mm(np.column_stack([rest, np.zeros(len(rest))]))},
+        {**_of_triangles(inflation, film), "panel": number},
     )
 
 

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from BalloonWorkbench.core.mesh.quality import locked
+from BalloonWorkbench.core.panels.surface import Surface
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.solver.split_along_welds import split_along_welds
 from BalloonWorkbench.core.types import Floats, Ints
@@ -22,8 +23,10 @@ def balloon_mesh(inflation: Inflation) -> tuple[Floats, Ints]:
 
     Every edge belongs to two triangles. At a weld inside, the balloons on its two sides have vertices of
     their own in the same places. Triangles with all vertices on the seam (at sharp tips) lie flat in both
-    halves, enclose nothing and are left out.
+    halves, enclose nothing and are left out. Other panels are joined at all their seams.
     """
+    if not inflation.assembly.mirror:
+        return _joined(inflation.positions, inflation.assembly.surface)
     panel, origin = split_along_welds(inflation.panel)
     upper = panel.triangles[~locked(panel)]
     sealed = panel.sealed
@@ -38,6 +41,11 @@ def balloon_mesh(inflation: Inflation) -> tuple[Floats, Ints]:
         positions[sealed, 2] = 0.0
     triangles = np.concatenate([upper, mirror[upper][:, ::-1]])
     used, renumbered = np.unique(triangles, return_inverse=True)
+    return positions[used], renumbered.reshape(-1, 3).astype(np.int32)
+
+
+def _joined(positions: Floats, surface: Surface) -> tuple[Floats, Ints]:
+    used, renumbered = np.unique(surface.by_seams[surface.triangles], return_inverse=True)
     return positions[used], renumbered.reshape(-1, 3).astype(np.int32)
 
 

@@ -9,7 +9,7 @@ over a round piece. They are forces per width of flat film, as tensile tests giv
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -17,6 +17,7 @@ from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.geometry.polyline import edge_lengths
 from BalloonWorkbench.core.panels.panel import Panel
+from BalloonWorkbench.core.results.single_panels import single_panels
 from BalloonWorkbench.core.solver.element.dkt import gradients, rotation_stiffness
 from BalloonWorkbench.core.solver.element.kinematics import deformation_gradients, green_strains
 from BalloonWorkbench.core.solver.inflate import inflate
@@ -89,13 +90,14 @@ def settled_loads(inflation: Inflation, film: Film) -> tuple[Loads, bool]:
         before = now
         try:
             inflation = inflate(
-                inflation.panel,
+                inflation.assembly,
                 film,
                 inflation.report.pressure,
                 start=inflation,
                 backend=backend,
                 settings=NewtonSettings(tolerance),
                 model=inflation.report.model,
+                lift=inflation.report.lift,
             )
         except BalloonError:  # a document is looked at where nothing can be solved
             break
@@ -110,13 +112,11 @@ def loads(inflation: Inflation, film: Film) -> Loads:
 
     The film bears at least what it hands on to the weld.
     """
-    sides = [inflation]
-    if inflation.lower is not None:  # as the upper one of the balloon turned over
-        sides.append(replace(inflation, positions=inflation.lower * MIRROR))
     each = []
-    for number, side in enumerate(sides):
+    for number, side in enumerate(single_panels(inflation)):
+        over = number > 0 and inflation.lower is not None  # as the upper one of the balloon turned over
         for load in (_film_load(side, film), _weld_load(side, film)):
-            each.append(Load(load.value, load.place * MIRROR) if number else load)
+            each.append(Load(load.value, load.place * MIRROR) if over else load)
     weld = max(each[1::2], key=lambda load: load.value)
     return Loads(max([*each[::2], weld], key=lambda load: load.value), weld)
 
@@ -124,7 +124,7 @@ def loads(inflation: Inflation, film: Film) -> Loads:
 def _stress(inflation: Inflation, film: Film) -> tuple[Floats, Floats]:
     """Deformation gradients (m, 3, 2) and second Piola-Kirchhoff tensions (m, 2, 2) [N/m]."""
     panel = inflation.panel
-    problem = film_problem(panel, film, inflation.report.pressure, inflation.report.model)
+    problem = film_problem(panel, film, inflation.characteristic_pressure, inflation.report.model)
     shape, _ = gradients(panel.rest_positions[panel.triangles])
     deformation = deformation_gradients(inflation.positions, panel.triangles, shape)
     xx, yy, xy = film.membrane_stiffness * problem.membrane(green_strains(deformation)).stress.T
@@ -171,7 +171,8 @@ def seam_forces(inflation: Inflation, film: Film) -> list[tuple[Ints, Floats, Fl
 def _pressures(inflation: Inflation) -> Floats:
     """Forces (m, 1, 3) [N] of the pressure at each corner of the triangles of the upper film."""
     a, b, c = np.moveaxis(inflation.positions[inflation.panel.triangles], 1, 0)
-    return np.asarray(inflation.report.pressure / 6.0 * np.cross(b - a, c - a))[:, None]
+    pressures = inflation.pressures((a + b + c)[:, 2] / 3.0)
+    return np.asarray(pressures[:, None] / 6.0 * np.cross(b - a, c - a))[:, None]
 
 
 def _weld_load(inflation: Inflation, film: Film) -> Load:
