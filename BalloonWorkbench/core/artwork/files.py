@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import struct
 import zlib
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import partial
 from typing import Any
 
@@ -24,12 +24,14 @@ _LINE = 0.25  # mm
 
 def artwork_files(front: Sheet, back: Sheet) -> tuple[dict[str, bytes], tuple[str, ...]]:
     """Contents of the files of both sides by name, and why one was left out: a package that is missing."""
-    files = {
-        "artwork-front.png": png_bytes(front.pixels, front.dpi),
-        "artwork-back.png": png_bytes(back.pixels, back.dpi),
-    }
+    return sheet_files({"artwork-front": front, "artwork-back": back})
+
+
+def sheet_files(sheets: Mapping[str, Sheet]) -> tuple[dict[str, bytes], tuple[str, ...]]:
+    """The same of any sheets, by the names of their pictures."""
+    files = {f"{name}.png": png_bytes(sheet.pixels, sheet.dpi) for name, sheet in sheets.items()}
     try:
-        return files | {"artwork.pdf": artwork_pdf((front, back))}, ()
+        return files | {"artwork.pdf": artwork_pdf(tuple(sheets.values()))}, ()
     except MissingPackageError as error:
         return files, (f"artwork.pdf was left out. {error}",)
 

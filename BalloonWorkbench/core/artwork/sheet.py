@@ -79,19 +79,7 @@ def artwork_sheets(prints: Sequence[Print], pattern: Pattern, dpi: float = DPI) 
     The back is mirrored: printed side up, it is cut from the mirrored pattern and laid on the front with its
     printed side down. InputError for a resolution that makes no sense.
     """
-    if not _LEAST_DPI <= dpi <= _MOST_DPI:
-        raise InputError(
-            f"{number_text(dpi)} dots per inch cannot be printed well: give {number_text(_LEAST_DPI)} to"
-            f" {number_text(_MOST_DPI)}."
-        )
-    width, height = (int(np.ceil((size + 2.0 * _BORDER) * dpi / INCH)) for size in pattern.size)
-    if width * height > _MOST_PIXELS:
-        raise InputError(
-            f"At {number_text(dpi)} dots per inch the sheet would have {width} x {height} pixels: give a"
-            " lower"
-            " resolution."
-        )
-    frame = _SheetFrame(pattern.bounds[0] - _BORDER, INCH / dpi, width, height)
+    frame = _frame(pattern, dpi)
     marks = pattern.of(Role.REGISTRATION)
     faces = _side(frame, marks, [(one, front(one.inflation), one.picture) for one in prints])
     if all(one.behind is None and one.inflation.lower is None for one in prints):
@@ -106,6 +94,18 @@ def artwork_sheets(prints: Sequence[Print], pattern: Pattern, dpi: float = DPI) 
         Sheet(faces, dpi, pattern, low),
         Sheet(behind[:, ::-1], dpi, back_of(pattern), np.array([-right, low[1]])),
     )
+
+
+def one_sheet(
+    prints: Sequence[Print], films: Sequence[VisibleFilm], pattern: Pattern, dpi: float = DPI
+) -> Sheet:
+    """The sheet of panels that are seen from outside, each with its film where it is in its picture.
+
+    pattern  as in `artwork_sheets`. InputError for a resolution that makes no sense.
+    """
+    frame = _frame(pattern, dpi)
+    parts = [(one, film, one.picture) for one, film in zip(prints, films, strict=True)]
+    return Sheet(_side(frame, pattern.of(Role.REGISTRATION), parts), dpi, pattern, frame.low)
 
 
 @dataclass(frozen=True)
@@ -130,6 +130,23 @@ class _SheetFrame:
 
     def y(self, rows: Ints) -> Floats:
         return np.asarray(self.low[1] + (self.height - rows - 0.5) * self.pixel)
+
+
+def _frame(pattern: Pattern, dpi: float) -> _SheetFrame:
+    """The pixels of a sheet. InputError for a resolution that makes no sense."""
+    if not _LEAST_DPI <= dpi <= _MOST_DPI:
+        raise InputError(
+            f"{number_text(dpi)} dots per inch cannot be printed well: give {number_text(_LEAST_DPI)} to"
+            f" {number_text(_MOST_DPI)}."
+        )
+    width, height = (int(np.ceil((size + 2.0 * _BORDER) * dpi / INCH)) for size in pattern.size)
+    if width * height > _MOST_PIXELS:
+        raise InputError(
+            f"At {number_text(dpi)} dots per inch the sheet would have {width} x {height} pixels: give a"
+            " lower"
+            " resolution."
+        )
+    return _SheetFrame(pattern.bounds[0] - _BORDER, INCH / dpi, width, height)
 
 
 def _side(

@@ -6,6 +6,7 @@ from __future__ import annotations
 from functools import cache
 from typing import Any
 
+from BalloonWorkbench.core.bag_pattern.bag_patterns import BagPatterns
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.files.data_file import RESOURCES, UNUSABLE, read_data
 from BalloonWorkbench.core.film.film import Film
@@ -18,8 +19,18 @@ from BalloonWorkbench.core.units import length_text, number_text, pressure_text
 FILE = RESOURCES / "assembly" / "steps.json"
 
 
-def steps(pattern: Pattern, film: Film, numbers: Numbers, say: Say = in_english) -> list[str]:
-    """What to do, a few sentences each, in order. InputError when the data file is broken."""
+def steps(
+    pattern: Pattern,
+    film: Film,
+    numbers: Numbers,
+    say: Say = in_english,
+    *,
+    panels: BagPatterns | None = None,
+) -> list[str]:
+    """What to do, a few sentences each, in order. InputError when the data file is broken.
+
+    panels  of a balloon of many; None for two equal ones
+    """
     kinds = [intake_kind(intake.kind) for intake in pattern.intakes]
     safe = numbers.safety.safe_pressure
     is_so = {
@@ -31,6 +42,9 @@ def steps(pattern: Pattern, film: Film, numbers: Numbers, say: Say = in_english)
         "front_hole": any(hole.front for hole in pattern.of(Role.CUT_INNER)),
         "welds": bool(pattern.of(Role.WELD)),
         "neck": any(kind.place == RIM for kind in kinds),
+        "many": panels is not None,
+        "tabs": panels is not None and any(seam.tabs for seam in panels.seams),
+        "caps": panels is not None and panels.caps > 0,
         "safe": None if safe is None else safe >= numbers.safety.pressure,
     }
     words = {

@@ -12,25 +12,22 @@ from __future__ import annotations
 
 from typing import Any
 
-import numpy as np
-
 from BalloonWorkbench.core.design.fairing import faired_seam
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film.film import Film
-from BalloonWorkbench.core.geometry.areas import parts
 from BalloonWorkbench.core.geometry.polyline import length
 from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.outline.chambers import joined_welds
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.packages import shapely
-from BalloonWorkbench.core.pattern.cuttable import closed_gaps, opened_hole
+from BalloonWorkbench.core.pattern.edges import hole_edges, outer_edges
 from BalloonWorkbench.core.pattern.intake.neck import Neck, place_neck
 from BalloonWorkbench.core.pattern.intake.places import Wish, film_of, intake_of, wishes
 from BalloonWorkbench.core.pattern.intake.rim import Rim
 from BalloonWorkbench.core.pattern.intake.valve import closed_channel
 from BalloonWorkbench.core.pattern.pattern import Contour, Pattern, Role
-from BalloonWorkbench.core.pattern.shapes import SHORTEST, closed_loop, offset, open_line, polygon, relieved
-from BalloonWorkbench.core.units import length_text, place_text
+from BalloonWorkbench.core.pattern.shapes import closed_loop, open_line, polygon
+from BalloonWorkbench.core.units import length_text
 
 
 def build_pattern(
@@ -58,12 +55,12 @@ def build_pattern(
     if options.intake:
         necks = _necks(seam, film_of(seam), intake_of(options), seal_width, allowance)
         whole = shapely().unary_union([whole, *(neck.area for neck in necks if neck.area is not None)])
-        warnings += _remarks(necks, _between_welds(whole, holes, seam, seal_width), seal_width)
+        warnings += intake_remarks(necks, _between_welds(whole, holes, seam, seal_width), seal_width)
     contours = [*_welds_inside(seam, seal_width), *(line for neck in necks for line in neck.lines)]
     for hole in holes:
-        contours += _inner(hole, seal_width, seal_width + allowance, options.corner_radius, warnings)
+        contours += hole_edges(hole, seal_width, seal_width + allowance, options.corner_radius, warnings)
     mouths = [neck.beyond for neck in necks if neck.beyond is not None]
-    contours += _outer(whole, mouths, seal_width, allowance, options.corner_radius)
+    contours += outer_edges(whole, mouths, seal_width, allowance, options.corner_radius)
     welds = [contour for contour in contours if contour.role is Role.SEAL]
     intakes = [neck.intake for neck in necks]
     return Pattern(
@@ -86,31 +83,11 @@ def _welds_inside(seam: Outline, seal_width: float) -> list[Contour]:
     ]
 
 
-def _remarks(necks: list[Neck], free: Any, seal_width: float) -> list[str]:
+def intake_remarks(necks: list[Neck], free: Any, seal_width: float) -> list[str]:
     """What is to be said of the intakes, in the free film."""
     closed = [closed_channel(neck.intake, free, seal_width) for neck in necks]
     narrow = [_advice(neck) for neck in necks if neck.way is not None]
     return [*narrow, *(text for text in closed if text is not None)]
-
-
-def _outer(
-    whole: Any, mouths: list[Any], seal_width: float, allowance: float, corner_radius: float
-) -> list[Contour]:
-    """Weld and cut round the balloon. Where the weld closes a bay of the outline, the rest of the bay is cut
-    out like a hole.
-    """
-    sealed = _largest(offset(whole, 0.5 * seal_width))
-    # from the weld, also round its tips
-    cut = _largest(offset(sealed, seal_width + allowance - 0.5 * seal_width))
-    cut = relieved(closed_gaps(cut), sealed.boundary, 0.5 * seal_width, corner_radius)
-    bays = ((Role.SEAL, sealed.interiors), (Role.CUT_INNER, cut.interiors))
-    inner = [
-        Contour(role, closed_loop(ring, False), True) for role, rings in bays for ring in _sizeable(rings)
-    ]
-    seals = _outer_seal(sealed, mouths)
-    for mouth in mouths:
-        cut = _largest(cut.difference(mouth))
-    return [*inner, *seals, Contour(Role.CUT, closed_loop(cut.exterior, True), True)]
 
 
 def default_pattern(seam: Outline, film: Film, intake: bool = True) -> Pattern:
@@ -161,54 +138,3 @@ def _advice(neck: Neck) -> str:
         " intake is"
         f" {width} wide: put it where the balloon is wider, else air enters slowly."
     )
-
-
-def _inner(
-    hole: Any, seal_width: float, margin: float, corner_radius: float, warnings: list[str]
-) -> list[Contour]:
-    """Weld and cut of a hole, as far as it has room for them."""
-    welds = parts(offset(hole, -0.5 * seal_width))
-    walls = shapely().union_all([weld.exterior for weld in welds])
-    wells = [well for piece in parts(offset(hole, -margin)) for well in opened_hole(piece)]
-    cuts = [relieved(well, walls, 0.5 * seal_width, corner_radius) for well in wells]
-    middle = np.asarray(hole.centroid.coords[0])
-    radius = float(shapely().maximum_inscribed_circle(hole).length)
-    if not welds:
-        # The nearest line that is still inside the hole; the weld then reaches into the balloon a little.
-        welds = parts(offset(hole, -0.5 * radius))
-        warnings.append(
-            f"The hole at {place_text(middle)} is too small for a {length_text(seal_width)} seal, and its"
-            " weld"
-            f" reaches {length_text(0.5 * (seal_width - radius))} into the balloon: make the hole at least"
-            f" {length_text(2.0 * margin)} wide, or the seal narrower."
-        )
-    elif not cuts:
-        warnings.append(
-            f"The hole at {place_text(middle)} is welded but not cut out: for that, make it wider than two"
-            f" seals with their allowances, {length_text(2.0 * margin)}."
-        )
-    return [
-        Contour(role, closed_loop(piece.exterior, False), True)
-        for role, pieces in ((Role.SEAL, welds), (Role.CUT_INNER, cuts))
-        for piece in pieces
-        if _sizeable([piece.exterior])
-    ]
-
-
-def _outer_seal(sealed: Any, mouths: list[Any]) -> list[Contour]:
-    """The weld round the balloon, open at the mouths of its necks."""
-    if not mouths:
-        return [Contour(Role.SEAL, closed_loop(sealed.exterior, True), True)]
-    package = shapely()
-    line = package.line_merge(sealed.exterior.difference(package.union_all(mouths)))
-    pieces = sorted(package.get_parts(line), key=lambda piece: -piece.length)[: len(mouths)]
-    return [Contour(Role.SEAL, open_line(piece), False) for piece in pieces]
-
-
-def _largest(area: Any) -> Any:
-    return parts(area)[0]
-
-
-def _sizeable(rings: Any) -> list[Any]:
-    """Rings that are more than a rounding error."""
-    return [ring for ring in rings if shapely().Polygon(ring).area > SHORTEST * ring.length]

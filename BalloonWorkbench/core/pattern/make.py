@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.film.library import films
@@ -16,6 +18,11 @@ from BalloonWorkbench.core.pattern.marks import with_notches, with_tie_tab
 from BalloonWorkbench.core.pattern.pattern import Pattern
 from BalloonWorkbench.core.pattern.sheet import on_sheet
 
+_ONE_SEAM = (
+    "Two equal panels have one seam: what is said of the seam or edge of the opening has no effect. Say the"
+    " direction of the intake, or its place along the seam."
+)
+
 
 @memoized(most=8)
 def make_pattern(seam: Outline, seal_width: float, options: PatternOptions) -> Pattern:
@@ -27,7 +34,10 @@ def make_pattern(seam: Outline, seal_width: float, options: PatternOptions) -> P
     if options.tie_tab:
         pattern = with_tie_tab(pattern, options.tie_tab_angle)
     pattern = with_label(pattern, options.label, options.label_height)
-    return with_notches(pattern, options.notches, options.notch_depth)
+    pattern = with_notches(pattern, options.notches, options.notch_depth)
+    if options.intake and (options.opening or options.opening_share is not None):
+        return replace(pattern, warnings=(*pattern.warnings, _ONE_SEAM))
+    return pattern
 
 
 def sheet_of(pattern: Pattern, options: PatternOptions) -> Pattern:

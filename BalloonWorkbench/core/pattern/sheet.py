@@ -37,7 +37,7 @@ def on_sheet(pattern: Pattern, mirror: bool, copies: int) -> Pattern:
         raise InputError(f"There can be 1 to {MOST_COPIES} copies, not {copies}.")
     front = [contour for contour in pattern.contours if contour.front]
     both = mirror or bool(front)
-    pieces = _pieces(pattern)
+    pieces = intake_pieces(pattern)
     made = _with_pieces(pattern, [piece for piece in pieces if not piece[0].stock])
     if both:
         made = _beside(made, _mirrored(pattern))
@@ -45,14 +45,14 @@ def on_sheet(pattern: Pattern, mirror: bool, copies: int) -> Pattern:
         remark = "Both panels are on the sheet: only the front one gets the hole of the nozzle. Cut it once."
         made = replace(made, warnings=(*made.warnings, remark))
     if copies > 1:
-        made = _repeated(made, copies)
+        made = repeated(made, copies)
     if any(piece[0].stock for piece in pieces):
-        made = replace(made, warnings=(*made.warnings, *_of_other_film(pattern)))
+        made = replace(made, warnings=(*made.warnings, *of_other_film(pattern)))
     others = [piece for piece in pieces if piece[0].stock] * copies
     return _beside(made, _in_rows(pattern, others)) if others else made
 
 
-def _repeated(pattern: Pattern, copies: int) -> Pattern:
+def repeated(pattern: Pattern, copies: int) -> Pattern:
     """So many of it in rows; the first one stays in its place."""
     shifts = in_rows([pattern.bounds] * copies)
     contours = [contour for shift in shifts for contour in pattern.moved(shift - shifts[0]).contours]
@@ -73,7 +73,7 @@ def _with_pieces(pattern: Pattern, pieces: Sequence[list[Contour]]) -> Pattern:
     return replace(pattern, contours=(*laid, *pattern.contours))
 
 
-def _of_other_film(pattern: Pattern) -> list[str]:
+def of_other_film(pattern: Pattern) -> list[str]:
     """What to say about pieces that are not cut from the balloon's film."""
     kinds = {intake.kind: intake_kind(intake.kind) for intake in pattern.intakes}
     return [
@@ -96,7 +96,7 @@ def _in_rows(pattern: Pattern, pieces: Sequence[list[Contour]]) -> Pattern:
     return replace(pattern, contours=tuple(laid), intake=None, more_intakes=(), seam_length=0.0)
 
 
-def _pieces(pattern: Pattern) -> list[list[Contour]]:
+def intake_pieces(pattern: Pattern) -> list[list[Contour]]:
     """The lines of each piece that the pattern's intakes need beside the panels."""
     pieces = []
     for intake in pattern.intakes:

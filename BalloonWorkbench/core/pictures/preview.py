@@ -3,14 +3,12 @@
 
 from __future__ import annotations
 
-import io
 from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
 from BalloonWorkbench.core.design.design import Design
-from BalloonWorkbench.core.errors import MissingPackageError
 from BalloonWorkbench.core.geometry.polyline import bounds, ring
 from BalloonWorkbench.core.machines.layers import LAYERS
 from BalloonWorkbench.core.machines.machine import ANY, FOLDER, read_machine
@@ -18,13 +16,23 @@ from BalloonWorkbench.core.machines.toolpaths import Path, draw
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.pattern.layout import on_one_sheet
 from BalloonWorkbench.core.pattern.pattern import Pattern, Role
+from BalloonWorkbench.core.pictures.cards import (
+    CARD,
+    HEIGHT,
+    SOFT,
+    WIDTH,
+    CardFrame,
+    box_inside,
+    caption,
+    card,
+    cards_png,
+    dimension,
+    scale_bar,
+)
 from BalloonWorkbench.core.pictures.render import balloon_picture
 from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import from_mm, length_text, percent_text, size_text, to_mm, volume_text
 
-_WIDTH, _HEIGHT, _DPI = 1800, 1000, 100
-_PAPER, _CARD, _EDGE = "#eef0f4", "#ffffff", "#d5d9e1"
-_INK, _SOFT = "#232a36", "#6b7484"
 _DRAWING, _BALLOON, _UNREACHED, _CREASES = "#39424f", "#d81e3f", "#f2b705", "#6a3fc4"
 # Cards in pixels from the lower left: x, y, width, height.
 _MARGIN, _GAP = 26, 20
@@ -48,64 +56,22 @@ def preview_png(designs: Sequence[Design], patterns: Sequence[Pattern], seam: st
     seam  what the film's seam is called
     MissingPackageError without matplotlib.
     """
-    try:
-        from matplotlib import style
-        from matplotlib.backends.backend_agg import FigureCanvasAgg
-        from matplotlib.figure import Figure
-    except ImportError as error:
-        raise MissingPackageError(
-            "The preview picture needs matplotlib: install it with pip install matplotlib."
-        ) from error
-    with style.context("default"):  # not as the user's other diagrams
-        figure = Figure(figsize=(_WIDTH / _DPI, _HEIGHT / _DPI), dpi=_DPI, facecolor=_PAPER)
-        canvas = FigureCanvasAgg(figure)
-        half = (_HEIGHT - 2 * _MARGIN - _GAP) // 2
-        tall = _HEIGHT - 2 * _MARGIN
+
+    def draw_cards(figure: Any) -> None:
+        half = (HEIGHT - 2 * _MARGIN - _GAP) // 2
+        tall = HEIGHT - 2 * _MARGIN
         second = _MARGIN + _LEFT + _GAP
         third = second + _MIDDLE + _GAP
-        _drawing(_card(figure, _MARGIN, _MARGIN + half + _GAP, _LEFT, half, "Drawing"), designs)
-        _silhouette(_card(figure, _MARGIN, _MARGIN, _LEFT, half, "Inflated over the drawing"), designs)
-        _pattern(_card(figure, second, _MARGIN, _MIDDLE, tall, "Pattern, cut two"), patterns, seam)
+        _drawing(card(figure, _MARGIN, _MARGIN + half + _GAP, _LEFT, half, "Drawing"), designs)
+        _silhouette(card(figure, _MARGIN, _MARGIN, _LEFT, half, "Inflated over the drawing"), designs)
+        _pattern(card(figure, second, _MARGIN, _MIDDLE, tall, "Pattern, cut two"), patterns, seam)
         title = "Balloon" if len(designs) == 1 else f"{len(designs)} balloons"
-        _balloon(_card(figure, third, _MARGIN, _WIDTH - _MARGIN - third, tall, title), designs, patterns)
-        stream = io.BytesIO()
-        canvas.print_png(stream, metadata={"Software": None})
-    return stream.getvalue()
+        _balloon(card(figure, third, _MARGIN, WIDTH - _MARGIN - third, tall, title), designs, patterns)
+
+    return cards_png(draw_cards)
 
 
-def _card(figure: Any, x: int, y: int, width: int, height: int, title: str) -> Any:
-    """Axes that fill a card with the title on it; one unit is one pixel."""
-    from matplotlib.patches import FancyBboxPatch
-
-    axes = figure.add_axes((x / _WIDTH, y / _HEIGHT, width / _WIDTH, height / _HEIGHT))
-    axes.set_xlim(0, width)
-    axes.set_ylim(0, height)
-    axes.axis("off")
-    card = FancyBboxPatch(
-        (7, 7), width - 14, height - 14, boxstyle="round,pad=6,rounding_size=14", fc=_CARD, ec=_EDGE, lw=1.0
-    )
-    axes.add_patch(card)
-    axes.text(24, height - 36, title, color=_INK, fontsize=14, fontweight="bold", va="center")
-    return axes
-
-
-def _caption(axes: Any, text: str, color: str = _SOFT) -> None:
-    axes.text(24, 30, text, color=color, fontsize=11, va="center")
-
-
-class _Frame:
-    """Millimetres to pixels: a box of the drawing fitted into a box of the card."""
-
-    def __init__(self, low: Floats, high: Floats, box: tuple[float, float, float, float]) -> None:
-        left, bottom, right, top = box
-        self.scale = float(min((right - left) / (high[0] - low[0]), (top - bottom) / (high[1] - low[1])))
-        self.shift = np.array([0.5 * (left + right), 0.5 * (bottom + top)]) - 0.5 * self.scale * (low + high)
-
-    def __call__(self, points: Floats) -> Floats:
-        return points * self.scale + self.shift
-
-
-def _area(axes: Any, outline: Outline, frame: _Frame, **style: Any) -> None:
+def _area(axes: Any, outline: Outline, frame: CardFrame, **style: Any) -> None:
     """An outline with its holes as one filled shape."""
     from matplotlib.patches import PathPatch
     from matplotlib.path import Path
@@ -118,18 +84,12 @@ def _area(axes: Any, outline: Outline, frame: _Frame, **style: Any) -> None:
     axes.add_patch(PathPatch(Path(points, codes), joinstyle="round", **style))
 
 
-def _common_frame(axes: Any, designs: Sequence[Design]) -> _Frame:
+def _common_frame(axes: Any, designs: Sequence[Design]) -> CardFrame:
     """The same scale for the drawing and for what is laid over it."""
     points = to_mm(
         np.concatenate([part.outer for design in designs for part in (design.target, design.silhouette)])
     )
-    return _Frame(*bounds(points), _box(axes, 34, 62, 34, 66))
-
-
-def _box(
-    axes: Any, left: float, bottom: float, right: float, top: float
-) -> tuple[float, float, float, float]:
-    return left, bottom, axes.get_xlim()[1] - right, axes.get_ylim()[1] - top
+    return CardFrame(*bounds(points), box_inside(axes, 34, 62, 34, 66))
 
 
 def _drawing(axes: Any, designs: Sequence[Design]) -> None:
@@ -137,12 +97,12 @@ def _drawing(axes: Any, designs: Sequence[Design]) -> None:
     for design in designs:
         _area(axes, design.target, frame, fc=_DRAWING, ec="none")
         for weld in design.target.welds:
-            axes.plot(*frame(to_mm(weld)).T, color=_CARD, lw=1.4, solid_capstyle="round")
+            axes.plot(*frame(to_mm(weld)).T, color=CARD, lw=1.4, solid_capstyle="round")
     width, height = np.ptp(np.concatenate([design.target.outer for design in designs]), axis=0)
     holes = sum(len(design.target.holes) for design in designs)
     shapes = "" if len(designs) == 1 else f", {len(designs)} shapes"
     inside = "" if not holes else ", 1 hole" if holes == 1 else f", {holes} holes"
-    _caption(axes, f"{size_text(width, height)}{shapes}{inside}")
+    caption(axes, f"{size_text(width, height)}{shapes}{inside}")
 
 
 def _silhouette(axes: Any, designs: Sequence[Design]) -> None:
@@ -164,11 +124,11 @@ def _silhouette(axes: Any, designs: Sequence[Design]) -> None:
     marked = "; yellow: missed" if any(design.unreached for design in designs) else ""
     if any(design.weld_range is not None and design.weld_range.creases for design in designs):
         marked += "; violet: may crease"
-    _caption(
+    caption(
         axes,
         f"{which}{length_text(off.mean, 2)} ({percent_text(share)}) off, {length_text(off.max, 2)} at"
         f" most{marked}",
-        _SOFT if all(design.reached for design in designs) else "#b3541e",
+        SOFT if all(design.reached for design in designs) else "#b3541e",
     )
 
 
@@ -176,12 +136,12 @@ def _pattern(axes: Any, patterns: Sequence[Pattern], seam: str) -> None:
     names = {**_NAMES, Role.SEAL: seam, Role.WELD: f"{seam} inside"}
     pattern = on_one_sheet(patterns)
     sheet = draw(pattern, read_machine(FOLDER / f"{ANY['svg']}.json"))
-    frame = _Frame(np.zeros(2), np.array([sheet.width, sheet.height]), _box(axes, 74, 150, 40, 84))
+    frame = CardFrame(np.zeros(2), np.array([sheet.width, sheet.height]), box_inside(axes, 74, 150, 40, 84))
     rings = {role: [_drawn(path, frame) for path in sheet.of(role)] for role in (Role.CUT, Role.CUT_INNER)}
     # A shape may lie in the hole of another: the larger ones first.
     for points, color in sorted(
         [(points, "#fbeef0") for points in rings[Role.CUT]]
-        + [(points, _CARD) for points in rings[Role.CUT_INNER]],
+        + [(points, CARD) for points in rings[Role.CUT_INNER]],
         key=lambda item: -float(np.ptp(item[0], axis=0).prod()),
     ):
         axes.fill(*points.T, color=color)
@@ -191,66 +151,29 @@ def _pattern(axes: Any, patterns: Sequence[Pattern], seam: str) -> None:
         style: dict[str, Any] = {"lw": 1.0, "ls": (0, (5, 2))} if welded else {"lw": thick}
         axes.plot(*_drawn(path, frame).T, color=LAYERS[path.role].rgb, solid_joinstyle="round", **style)
     low, high = frame(np.zeros(2)), frame(np.array([sheet.width, sheet.height]))
-    _dimension(axes, (low[0], low[1] - 26), (high[0], low[1] - 26), length_text(from_mm(sheet.width)))
-    _dimension(
+    dimension(axes, (low[0], low[1] - 26), (high[0], low[1] - 26), length_text(from_mm(sheet.width)))
+    dimension(
         axes, (low[0] - 26, low[1]), (low[0] - 26, high[1]), length_text(from_mm(sheet.height)), rotation=90
     )
-    _scale_bar(axes, frame.scale)
+    scale_bar(axes, frame.scale)
     left, height = 24, 62
     for number, role in enumerate(reversed(pattern.roles)):
         if number and number % _IN_A_ROW == 0:  # beside the scale bar there is room for so many
             left, height = 24, height + 24
         axes.plot([left, left + 24], [height, height], color=LAYERS[role].rgb, lw=2.0)
-        axes.text(left + 32, height, names[role], color=_SOFT, fontsize=11, va="center")
+        axes.text(left + 32, height, names[role], color=SOFT, fontsize=11, va="center")
         left += 60 + 8 * len(names[role])
     widths = [part.intake.width for part in patterns if part.intake is not None]
     neck = f"intake {length_text(max(widths), 3)} wide inside" if widths else "no intake"
-    _caption(
+    caption(
         axes,
         f"{seam} {length_text(pattern.seal_width, 3)} wide, {length_text(pattern.seam_length)} long, {neck}",
     )
 
 
-def _drawn(path: Path, frame: _Frame) -> Floats:
+def _drawn(path: Path, frame: CardFrame) -> Floats:
     """Points (n, 2) of a path on the card, a closed one with its first point repeated."""
     return frame(ring(path.curve.joints, path.curve.closed))
-
-
-def _dimension(
-    axes: Any, start: tuple[float, float], end: tuple[float, float], text: str, rotation: float = 0.0
-) -> None:
-    axes.annotate(
-        "",
-        xy=end,
-        xytext=start,
-        arrowprops={"arrowstyle": "<|-|>", "color": _SOFT, "lw": 0.8, "shrinkA": 0, "shrinkB": 0},
-    )
-    middle = 0.5 * (np.array(start) + np.array(end))
-    axes.text(
-        *middle, text, color=_INK, fontsize=11, ha="center", va="center", rotation=rotation,
-        bbox={"fc": _CARD, "ec": "none", "pad": 2.0},
-    )  # fmt: skip
-
-
-def _scale_bar(axes: Any, scale: float) -> None:
-    """100 mm where that fits, else the nearest power of ten."""
-    length = 100.0
-    while length * scale > 240.0:
-        length /= 10.0
-    while length * scale < 24.0:
-        length *= 10.0
-    right, y = axes.get_xlim()[1] - 30, 62
-    left = right - length * scale
-    axes.plot([left, left, left, right, right, right], [y - 6, y + 6, y, y, y - 6, y + 6], color=_INK, lw=1.4)
-    axes.text(
-        0.5 * (left + right),
-        y + 16,
-        length_text(from_mm(length)),
-        color=_INK,
-        fontsize=10,
-        ha="center",
-        va="center",
-    )
 
 
 def _balloon(axes: Any, designs: Sequence[Design], patterns: Sequence[Pattern]) -> None:
@@ -264,4 +187,4 @@ def _balloon(axes: Any, designs: Sequence[Design], patterns: Sequence[Pattern]) 
     positions = np.concatenate([inflation.positions for inflation in inflations])
     across, up, _ = np.ptp(positions, axis=0)
     size = size_text(across, up, 2.0 * float(positions[:, 2].max()))
-    _caption(axes, f"{size}, {volume_text(sum(inflation.volume for inflation in inflations))}")
+    caption(axes, f"{size}, {volume_text(sum(inflation.volume for inflation in inflations))}")

@@ -23,6 +23,8 @@ _OVERSAMPLING = 2
 #: Of film that has no colour of its own, and how much darker a weld is.
 FILM_COLOUR = "#db1f38"
 _WELD = 0.9
+#: Positions (n, 3) m, triangles (m, 3), unit normals (n, 3) and colours (n, 3) of vertices.
+Coloured = tuple[Floats, Ints, Floats, Floats]
 
 
 def balloon_picture(
@@ -32,8 +34,13 @@ def balloon_picture(
 
     colour  of the film, written like #ff0000
     """
+    return surface_picture(_surface(inflations, seal_width, rgb(colour)), width, height)
+
+
+def surface_picture(surface: Coloured, width: int, height: int) -> Floats:
+    """RGBA (height, width, 4) of a surface over its soft shadow; y is up, z to the eye."""
     size = np.array([width, height]) * _OVERSAMPLING
-    positions, triangles, normals, colours = _surface(inflations, seal_width, _rgb(colour))
+    positions, triangles, normals, colours = surface
     middle = 0.5 * (positions.min(axis=0) + positions.max(axis=0))
     reach = float(np.linalg.norm(np.ptp(positions, axis=0)))
     turn = _rotation()
@@ -68,21 +75,20 @@ def balloon_picture(
     return _reduced(image)
 
 
-def _rgb(colour: str) -> Floats:
+def rgb(colour: str) -> Floats:
+    """Red, green and blue (3,) from 0 to 1 of a colour written like #ff0000."""
     return np.array([int(colour[place : place + 2], 16) / 255.0 for place in (1, 3, 5)])
 
 
-def _surface(
-    inflations: Sequence[Inflation], seal_width: float, film: Floats
-) -> tuple[Floats, Ints, Floats, Floats]:
+def _surface(inflations: Sequence[Inflation], seal_width: float, film: Floats) -> Coloured:
     """Positions, triangles, vertex normals and colours of both halves and of the weld around them."""
     mirror = np.array([1.0, 1.0, -1.0])
-    parts: list[tuple[Floats, Ints, Floats, Floats]] = []
+    parts: list[Coloured] = []
     start = 0
     for inflation in inflations:
         panel, origin = split_along_welds(inflation.panel)
         upper, top = panel.triangles, inflation.positions[origin]
-        up, count = _vertex_normals(top, upper), len(top)
+        up, count = normals_of(top, upper), len(top)
         parts.append((top, upper + start, up, film))
         parts.append((top * mirror, upper[:, ::-1] + start + count, up * mirror, film))
         start += 2 * count
@@ -117,7 +123,8 @@ def _weld(rim: Floats, width: float, start: int, side: float) -> tuple[Floats, I
     return points, (quads + start).astype(np.int32), np.tile([0.0, 0.0, side], (2 * len(rim), 1))
 
 
-def _vertex_normals(positions: Floats, triangles: Ints) -> Floats:
+def normals_of(positions: Floats, triangles: Ints) -> Floats:
+    """Unit normals (n, 3) of the vertices of a surface."""
     a, b, c = (positions[triangles[:, k]] for k in range(3))
     weighted = np.cross(b - a, c - a)
     normals: Floats = np.stack(

@@ -92,6 +92,35 @@ def _fitting(
             f"There is no room for a flange of {length_text(flange)} there: choose another place or a smaller"
             " one."
         )
+    return _fitting_at(chamber, rim, wish, (at, middle, turn), flange, sizes)
+
+
+def fitting_in_middle(film: Any, rim: Rim, wish: Wish, seal_width: float, allowance: float) -> Neck:
+    """A nozzle where a film, an area of shapely, has most room; arguments and errors as of `place_neck`."""
+    sizes = {"W": wish.width, "S": seal_width, "A": allowance}
+    flange = wish.length if wish.length is not None else wish.kind.default_length(sizes)
+    if flange is None or not 1e-5 <= wish.width < flange < np.inf:
+        raise InputError("The nozzle's flange must be wider than its bore.")
+    circle = shapely().maximum_inscribed_circle(film)
+    middle = np.asarray(circle.coords[0])
+    if 2.0 * float(circle.length) < flange + 2.0 * _BESIDE_FLANGE + seal_width:
+        raise InputError(
+            f"There is no room for a flange of {length_text(flange)} in its middle: choose another panel or a"
+            " smaller one."
+        )
+    return _fitting_at(film, rim, wish, (middle, middle, 0.0), flange, sizes)
+
+
+def _fitting_at(
+    chamber: Any,
+    rim: Rim,
+    wish: Wish,
+    place: tuple[Floats, Floats, float],
+    flange: float,
+    sizes: dict[str, float],
+) -> Neck:
+    """A nozzle at a place: what it belongs to on the rim, its middle (2,), its direction [rad]."""
+    at, middle, turn = place
     intake = Intake(middle, turn, wish.width, flange, rim.nearest(at), wish.kind.name)
     lines = tuple(replace(line, front=True) for line in _lines(wish, middle, turn, {**sizes, "L": flange}))
     return Neck(intake, None, None, _narrow_way(chamber, middle, wish.width), lines)

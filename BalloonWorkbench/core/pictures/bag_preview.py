@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""One picture of a balloon of many panels, and of its flat panels: both edges of a seam in one colour."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from BalloonWorkbench.core.bag_design.bag_design import BagDesign
+from BalloonWorkbench.core.bag_pattern.bag_patterns import BagPatterns
+from BalloonWorkbench.core.bag_pattern.seams import side_lines
+from BalloonWorkbench.core.geometry.polyline import bounds
+from BalloonWorkbench.core.machines.layers import LAYERS
+from BalloonWorkbench.core.pattern.pattern import Role
+from BalloonWorkbench.core.pictures.bag_picture import bag_picture, seam_colour, upright
+from BalloonWorkbench.core.pictures.cards import (
+    CARD,
+    HEIGHT,
+    WIDTH,
+    CardFrame,
+    box_inside,
+    caption,
+    card,
+    cards_png,
+    dimension,
+    scale_bar,
+)
+from BalloonWorkbench.core.pictures.render import FILM_COLOUR
+from BalloonWorkbench.core.units import from_mm, length_text, percent_text, size_text, to_mm, volume_text
+
+_MARGIN, _GAP, _FLAT = 26, 20, 1000
+_FILM = "#fbeef0"
+#: Lines that are drawn beside the seams' own.
+_SHOWN = (Role.CUT, Role.CUT_INNER, Role.SEAL, Role.ENGRAVE, Role.NOTCH)
+
+#: Gives the colour of a seam by its number, from 1.
+SeamColour = Callable[[int], str]
+
+
+def bag_preview_png(
+    design: BagDesign, patterns: BagPatterns, seam_colour: SeamColour = seam_colour, colour: str = FILM_COLOUR
+) -> bytes:
+    """A PNG of 1800 x 1000 pixels; same bytes for same input. MissingPackageError without matplotlib."""
+
+    def draw_cards(figure: Any) -> None:
+        tall = HEIGHT - 2 * _MARGIN
+        left = WIDTH - 2 * _MARGIN - _GAP - _FLAT
+        _balloon(card(figure, _MARGIN, _MARGIN, left, tall, "Balloon"), design, seam_colour, colour)
+        count = len(patterns.patterns)
+        title = "1 panel" if count == 1 else f"{count} panels"
+        _panels(
+            card(figure, _MARGIN + left + _GAP, _MARGIN, _FLAT, tall, title), design, patterns, seam_colour
+        )
+
+    return cards_png(draw_cards)
+
+
+def _balloon(axes: Any, design: BagDesign, seam_colour: SeamColour, colour: str) -> None:
+    width, height = axes.get_xlim()[1], axes.get_ylim()[1]
+    box = (14, 56, width - 14, height - 64)
+    colours = {number: seam_colour(number) for number in range(1, len(design.bag.seams) + 1)}
+    image = bag_picture(design, int(box[2] - box[0]), int(box[3] - box[1]), colour, seams=colours)
+    axes.imshow(image, extent=(box[0], box[2], box[1], box[3]), interpolation="nearest", zorder=2)
+    axes.set_xlim(0, width)
+    axes.set_ylim(0, height)
+    size = size_text(*np.ptp(upright(design), axis=0).tolist())
+    text = f"{size}, {volume_text(design.inflation.volume)}"
+    off = design.residual
+    caption(axes, text if off is None else f"{text}, {percent_text(off.mean / design.size)} off")
+
+
+def _panels(axes: Any, design: BagDesign, patterns: BagPatterns, seam_colour: SeamColour) -> None:
+    laid = (*patterns.patterns, *patterns.pieces)
+    points = to_mm(np.concatenate([contour.points for pattern in laid for contour in pattern.contours]))
+    low, high = bounds(points)
+    frame = CardFrame(low, high, box_inside(axes, 74, 130, 40, 84))
+    for pattern in laid:
+        for contour in sorted(pattern.contours, key=lambda each: each.role is not Role.CUT):
+            line = frame(to_mm(contour.line))
+            if contour.role in (Role.CUT, Role.CUT_INNER):
+                axes.fill(*line.T, color=_FILM if contour.role is Role.CUT else CARD, lw=0.0)
+            if contour.role in _SHOWN:
+                style = {"ls": (0, (5, 2)), "alpha": 0.5} if contour.role is Role.SEAL else {}
+                axes.plot(*line.T, color=LAYERS[contour.role].rgb, lw=0.7, solid_joinstyle="round", **style)
+    shifts = dict(zip(patterns.panels, patterns.shifts, strict=True))
+    for mark, seam in zip(patterns.seams, design.bag.seams, strict=True):
+        for panel, side in zip(mark.panels, side_lines(design.bag, seam)):
+            if panel in shifts and mark.made:
+                line = frame(to_mm(side + shifts[panel]))
+                axes.plot(*line.T, color=seam_colour(mark.number), lw=2.6, solid_capstyle="butt", zorder=4)
+    start, end = frame(low), frame(high)
+    across, up = (length_text(from_mm(float(size))) for size in high - low)
+    dimension(axes, (start[0], start[1] - 26), (end[0], start[1] - 26), across)
+    dimension(axes, (start[0] - 26, start[1]), (start[0] - 26, end[1]), up, rotation=90)
+    scale_bar(axes, frame.scale)
+    count = sum(mark.made for mark in patterns.seams)
+    turned = sum(mark.made and not mark.flat for mark in patterns.seams)
+    text = f"{count} seams, {length_text(patterns.seam_length)} in all"
+    caption(axes, f"{text}; {turned} do not lie flat" if turned else text)
