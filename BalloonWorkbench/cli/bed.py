@@ -5,7 +5,9 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Callable, Sequence
+from typing import TypeVar
 
+from BalloonWorkbench.core.bag_job import FinishedBags
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.job import Balloon
 from BalloonWorkbench.core.machines.bed import SCALE, fits, scale_to_fit
@@ -15,6 +17,7 @@ from BalloonWorkbench.core.pattern.pattern import Pattern
 from BalloonWorkbench.core.units import length_text
 
 Size = tuple[float | None, float | None]
+Made = TypeVar("Made", bound=Balloon | FinishedBags)
 
 
 def machines_of(options: argparse.Namespace) -> list[Machine]:
@@ -31,14 +34,14 @@ def machines_of(options: argparse.Namespace) -> list[Machine]:
 
 
 def scaled_to_fit(
-    first: Balloon, machines: Sequence[Machine], size: Size, design: Callable[[Size], Balloon]
-) -> tuple[Balloon, Size, list[str]]:
+    first: Made, machines: Sequence[Machine], size: Size, design: Callable[[Size], Made]
+) -> tuple[Made, Size, list[str]]:
     """A balloon that fits the beds, the size of its drawing, and a line for the user where it is smaller.
 
     size, design  width and height that were asked for, and what makes a balloon of others
     """
     if size == (None, None):
-        size = first.drawing.size[0], None
+        size = first.width, None
     balloon, used = first, size
 
     def make(scale: float) -> Pattern:
@@ -51,11 +54,11 @@ def scaled_to_fit(
     scale = scale_to_fit(first.sheet, machines, make)
     if scale == 1.0:
         return first, size, []
-    before, after = (length_text(each.drawing.size[0]) for each in (first, balloon))
+    before, after = (length_text(each.width) for each in (first, balloon))
     return balloon, used, [f"Scaled to fit: the drawing is {after} wide instead of {before}."]
 
 
-def ways_on(balloon: Balloon, machines: Sequence[Machine]) -> list[str]:
+def ways_on(balloon: Balloon | FinishedBags, machines: Sequence[Machine]) -> list[str]:
     """A line for the user about patterns that a bed is too small for."""
     sheet = balloon.sheet
     if all(fits(sheet.of_stock(stock), each) for stock in sheet.stocks for each in machines):

@@ -14,11 +14,12 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from BalloonWorkbench.cli import bed, console, making
+from BalloonWorkbench.cli import bed, console, making, many_panels
 from BalloonWorkbench.cli import document as cli_document
 from BalloonWorkbench.cli.home import home
 from BalloonWorkbench.cli.options import FETCH, language_of, parser, typed
-from BalloonWorkbench.cli.summary import summary
+from BalloonWorkbench.cli.summary import bag_summary, summary
+from BalloonWorkbench.core.bag_job import FinishedBags, bag_makers, has_many_panels, make_bags
 from BalloonWorkbench.core.design.size_goal import SizeGoal
 from BalloonWorkbench.core.errors import (
     BalloonError,
@@ -45,6 +46,7 @@ from BalloonWorkbench.core.language.speech import speech
 from BalloonWorkbench.core.machines.bed import SCALE
 from BalloonWorkbench.core.machines.machine import Machine, left_out
 from BalloonWorkbench.core.machines.machine_file import checked_files, machines_for
+from BalloonWorkbench.core.options.body import BandOptions, BodyOptions
 from BalloonWorkbench.core.options.drawing import FillingOptions, ReadingOptions
 from BalloonWorkbench.core.options.film import DEFAULT_FILM
 from BalloonWorkbench.core.options.pattern import PatternOptions
@@ -115,14 +117,17 @@ class _Run:
         for name in (options.input, options.artwork, options.artwork_back, *options.machine):
             _refuse_streams(name)
         # a mistake shows before the work
+        many = has_many_panels(settings, options.input)
+        if many:
+            many_panels.check(options)
         chosen, doubts = machines_for(settings.film, bed.machines_of(options))
         make = making.checked(options, _decode(), self.say)
         check_folder(options.out)
         line = console.StatusLine(sys.stderr)
         progress = self._progress(line)
 
-        def design(size: bed.Size) -> Balloon:
-            return make_balloon(
+        def design(size: bed.Size) -> Balloon | FinishedBags:
+            return (make_bags if many else make_balloon)(
                 options.input,
                 settings,
                 width=size[0],
@@ -140,7 +145,7 @@ class _Run:
                     balloon, chosen, (width, height), design
                 )
             if settings.goal is not None:
-                width = balloon.drawing.size[0]
+                width = balloon.width
             with cli_document.document(options.input, settings, balloon.designs, width, height) as document:
                 contents, lines = self._contents(balloon, chosen, options, make, progress)
                 made = document and self._attempt(cli_document.NAME, document.content)
@@ -148,11 +153,9 @@ class _Run:
                 contents[cli_document.NAME] = made
         finally:
             line.clear()
-        report = balloon.report and self._attempt(
-            "report.json", lambda: report_bytes(balloon, self._left_out)
-        )
-        if report:
-            contents["report.json"] = report
+        if balloon.report:
+            report = self._attempt("report.json", lambda: report_bytes(balloon.report, self._left_out))
+            contents |= {} if report is None else {"report.json": report}
         if not contents:
             raise self._fault or ExportError("\n".join(["No file could be made.", *self._left_out]))
         write_files(options.out, contents, self._written)
@@ -162,7 +165,7 @@ class _Run:
 
     def _contents(
         self,
-        balloon: Balloon,
+        balloon: Balloon | FinishedBags,
         chosen: Sequence[Machine],
         options: argparse.Namespace,
         make: Callable[..., Any],
@@ -171,16 +174,15 @@ class _Run:
         """Contents of the files that can be made, by name, and lines for the user."""
         progress(1.0, "writing files")
         contents: dict[str, bytes] = {}
-        pattern_makers = self._attempt("The file of the pattern", lambda: makers(balloon, options.results))
+        pattern_makers = self._attempt("The file of the pattern", lambda: _makers(balloon, options.results))
         for name, maker in (pattern_makers or {}).items():
             content = self._attempt(name, maker)
             if content is not None:
                 contents[name] = content
         if options.frames is not None:
-            contents |= (
-                self._attempt("inflation.pvd", lambda: inflation_files(balloon, options.frames, progress))
-                or {}
-            )
+            blown, film = [design.inflation for design in balloon.designs], balloon.settings.film
+            blow_up = partial(inflation_files, blown, film, options.frames, progress)
+            contents |= self._attempt("inflation.pvd", blow_up) or {}
         lines = [f"{self.say(each.title)}: {self.say(each.note)}" for each in chosen]
         asked = [(each.file_name, [each], None) for each in chosen]
         if options.tiled is not None:
@@ -243,10 +245,11 @@ class _Run:
         """Show a line; the exit code."""
         return 0 if console.show(f"{self.say(text)}\n") is None else console.UNSHOWN
 
-    def _print_summary(self, balloon: Balloon, lines: Sequence[str]) -> int:
+    def _print_summary(self, balloon: Balloon | FinishedBags, lines: Sequence[str]) -> int:
         """Tell what was found and written; the exit code."""
         say, settings = self.say, balloon.settings
-        output = summary(balloon.report, settings.film, settings.correct, say)
+        many = isinstance(balloon, FinishedBags)
+        output = (bag_summary if many else summary)(balloon.report, settings.film, settings.correct, say)
         slow = native_wheel.slow_notes() if settings.backend is None else []
         output += [say(f"Note: {say(note)}") for note in (*self._left_out, *slow)]
         output += [*lines, *(say(f"Wrote {path}") for path in self._paths)]
@@ -258,6 +261,10 @@ class _Run:
             self.complain(f"The summary cannot be shown ({problem.strerror}); {self.outcome()}.")
             return console.UNSHOWN
         return 0
+
+
+def _makers(balloon: Balloon | FinishedBags, results: str | None) -> dict[str, Callable[[], bytes]]:
+    return bag_makers(balloon, results) if isinstance(balloon, FinishedBags) else makers(balloon, results)
 
 
 def _refuse_streams(name: str | None) -> None:
@@ -279,6 +286,8 @@ def _settings(options: argparse.Namespace) -> Settings:
         goal=_goal(options),
         filling=Filling(**{**vars(filling), "gas": gas(filling.gas)}),
         pattern=typed(options, PatternOptions),
+        body=typed(options, BodyOptions),
+        side_band=typed(options, BandOptions),
     )
 
 

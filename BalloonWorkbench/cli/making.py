@@ -9,12 +9,13 @@ from pathlib import Path
 from typing import Any
 
 from BalloonWorkbench.cli.console import readable
+from BalloonWorkbench.core.bag_job import FinishedBags
 from BalloonWorkbench.core.errors import ExportError, InputError
 from BalloonWorkbench.core.job import Balloon
 from BalloonWorkbench.core.machines.machine import ANY, Machine, machines
 from BalloonWorkbench.core.machines.machine_file import checked_files
 from BalloonWorkbench.core.nesting.layout import GrainRule, Stock
-from BalloonWorkbench.core.products import Artwork, assembly_files, nested, print_files
+from BalloonWorkbench.core.products import Artwork, assembly_files, bag_print, nested, print_files
 from BalloonWorkbench.core.tracing.picture_file import decode, picture_size
 from BalloonWorkbench.core.types import Attempt, Progress, Say
 from BalloonWorkbench.core.units import (
@@ -37,7 +38,7 @@ def checked(
     stock = None if options.nest is None else _stock(options)
 
     def make(
-        balloon: Balloon, chosen: Sequence[Machine], progress: Progress, attempt: Attempt
+        balloon: Balloon | FinishedBags, chosen: Sequence[Machine], progress: Progress, attempt: Attempt
     ) -> tuple[dict[str, bytes], list[str]]:
         """Contents of the files by name, and lines for the user; each option is an attempt of its own."""
         asked = list(chosen) or [machines()[name] for name in ANY.values()]
@@ -67,8 +68,10 @@ def checked(
 
 
 def _print(
-    balloon: Balloon, artwork: Artwork, asked: Sequence[Machine], oversize: str, say: Say
+    balloon: Balloon | FinishedBags, artwork: Artwork, asked: Sequence[Machine], oversize: str, say: Say
 ) -> tuple[dict[str, bytes], list[str]]:
+    if isinstance(balloon, FinishedBags):
+        return _print_bags(balloon, artwork, asked, oversize, say)
     files, remarks, front, back = print_files(balloon, artwork)
     contents = dict(files)
     lines = [say(f"Note: {remark}") for remark in remarks]
@@ -79,6 +82,17 @@ def _print(
     width, height = front.size
     lines.append(say(f"Print {size_text(width, height)} at {number_text(front.dpi)} dpi, front and back"))
     return contents, lines
+
+
+def _print_bags(
+    bags: FinishedBags, artwork: Artwork, asked: Sequence[Machine], oversize: str, say: Say
+) -> tuple[dict[str, bytes], list[str]]:
+    files, remarks, sheet = bag_print(bags, artwork)
+    made, doubts = checked_files(sheet.pattern, asked, oversize=oversize)
+    lines = [*(say(f"Note: {remark}") for remark in remarks), *(say(f"Check: {doubt}") for doubt in doubts)]
+    width, height = sheet.size
+    lines.append(say(f"Print {size_text(width, height)} at {number_text(sheet.dpi)} dpi, all panels"))
+    return files | {f"print-{name}": content for name, content in made.items()}, lines
 
 
 def _artwork(options: argparse.Namespace, reader: Callable[[Path], Any]) -> Artwork | None:
@@ -101,7 +115,7 @@ def _stock(options: argparse.Namespace) -> Stock:
 
 
 def _nest(
-    balloon: Balloon,
+    balloon: Balloon | FinishedBags,
     stock: Stock,
     count: int,
     machines: Sequence[Machine],

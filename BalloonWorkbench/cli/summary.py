@@ -30,7 +30,7 @@ def summary(report: dict[str, Any], film: Film, corrected: bool, say: Say) -> li
     lines = []
     for part in report.get("parts", ()):
         lines += _balloon(part, report, corrected, say)
-        lines += _making(part["maker"], film, part["pressure_Pa"], say)
+        lines += _making(part["maker"], film, say)
     lines += [say(f"Note: {warning}") for warning in report.get("warnings", ())]
     return lines + [_advice(finding, say) for part in report.get("parts", ()) for finding in part["advice"]]
 
@@ -54,8 +54,43 @@ def _balloon(part: dict[str, Any], report: dict[str, Any], corrected: bool, say:
     return lines
 
 
-def _making(maker: dict[str, Any], film: Film, pressure: float, say: Say) -> list[str]:
-    """What it takes, whether it floats, and how much pressure [Pa] it bears."""
+def bag_summary(report: dict[str, Any], film: Film, corrected: bool, say: Say) -> list[str]:
+    """The same about balloons of many panels."""
+    lines = []
+    for part in report.get("parts", ()):
+        lines += _bag(part, report, corrected, say)
+        if part["maker"] is not None:
+            lines += _making(part["maker"], film, say)
+    warnings = report.get("warnings", ())
+    lines += [say(f"Note: {warning}") for warning in warnings]
+    advice = [finding for part in report.get("parts", ()) for finding in part["advice"]]
+    return lines + [_advice(finding, say) for finding in advice if finding["text"] not in warnings]
+
+
+def _bag(part: dict[str, Any], report: dict[str, Any], corrected: bool, say: Say) -> list[str]:
+    """How large it is, how well it was met, and of how many panels it is."""
+    inflated, design = part["inflated"], part["design"]
+    size = size_text(*(from_mm(inflated[key]) for key in ("width_mm", "height_mm", "thickness_mm")))
+    lines = [say(f"Balloon: {size}, {volume_text(inflated['volume_m3'])}, solver {report['backend']}")]
+    if report["load"]["kind"] == "volume":
+        lines.append(say(f"Pressure: {pressure_text(part['pressure_Pa'])}"))
+    if corrected and design["error_mm"] is not None:
+        mean, largest = (length_text(from_mm(design["error_mm"][key]), 2) for key in ("mean", "max"))
+        whose = "profile" if part["target"]["kind"] == "profile" else "drawing"
+        lines.append(say(f"Off the {whose}: {mean} on average, at most {largest}"))
+    if design["apart_mm"] > 0.0:
+        apart = length_text(from_mm(design["apart_mm"]), 2)
+        lines.append(say(f"Seams and middles of gores: {apart} apart at most"))
+    cut = [panel for panel in part["panels"] if panel["cut"]]
+    kinds = sum(panel["same_as"] is None for panel in cut)
+    lines.append(say(f"Panels: {len(cut)}, of different shapes: {kinds}"))
+    made = [seam for seam in part["seams"] if seam["made"]]
+    turned = sum(not seam["flat"] for seam in made)
+    return [*lines, say(f"Seams: {len(made)}, where an edge must turn: {turned}")]
+
+
+def _making(maker: dict[str, Any], film: Film, say: Say) -> list[str]:
+    """What it takes, whether it floats, and how much pressure it bears."""
     needed = area_text(maker["film_area_m2"])
     if maker["roll_length_mm"] is None:
         needed = say(f"{needed}; wider than the usual roll")
@@ -68,13 +103,13 @@ def _making(maker: dict[str, Any], film: Film, pressure: float, say: Say) -> lis
         say(f"Film needed: {needed}"),
         say(f"Seam length: {seam}"),
         say(f"Will it float? {maker['will_it_float']}"),
-        *_strength(maker["strength"], film.seam, pressure, say),
+        *_strength(maker["strength"], film.seam, say),
     ]
 
 
-def _strength(strong: dict[str, Any], seam: str, pressure: float, say: Say) -> list[str]:
+def _strength(strong: dict[str, Any], seam: str, say: Say) -> list[str]:
     """Nothing where no strength is known."""
-    safe = strong["safe_pressure_Pa"]
+    safe, pressure = strong["safe_pressure_Pa"], strong["pressure_Pa"]
     if safe is None:
         return []
     weakest = seam if strong["weakest"] == WELD else strong["weakest"]

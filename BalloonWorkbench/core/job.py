@@ -21,7 +21,6 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from BalloonWorkbench.core import report
 from BalloonWorkbench.core.advice.advise import advise_design
 from BalloonWorkbench.core.advice.as_data import advice_report
 from BalloonWorkbench.core.correction.fit import Method, fit, inflate_outline
@@ -37,6 +36,7 @@ from BalloonWorkbench.core.machines.machine import ANY, machines
 from BalloonWorkbench.core.machines.machine_file import file_of_stock, machine_file
 from BalloonWorkbench.core.making.numbers import Numbers, maker_numbers, numbers_report
 from BalloonWorkbench.core.making.weight import film_and_valve
+from BalloonWorkbench.core.options.body import BandOptions, BodyOptions
 from BalloonWorkbench.core.options.drawing import ReadingOptions
 from BalloonWorkbench.core.options.film import DEFAULT_FILM
 from BalloonWorkbench.core.options.option import unusual
@@ -52,10 +52,12 @@ from BalloonWorkbench.core.pattern.make import make_pattern, pieces_remarks, she
 from BalloonWorkbench.core.pattern.pattern import Pattern
 from BalloonWorkbench.core.pictures.preview import preview_png
 from BalloonWorkbench.core.readers.read import read_drawing
+from BalloonWorkbench.core.reports import report
 from BalloonWorkbench.core.results.result_files import frame_files, results_bytes
 from BalloonWorkbench.core.results.stl import stl_bytes
 from BalloonWorkbench.core.rounded import rounded, rounded_outline
 from BalloonWorkbench.core.solver.dynamics.animation import inflate_in_time
+from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.solver.model import Model
 from BalloonWorkbench.core.tracing.picture import Decode
 from BalloonWorkbench.core.types import Attempt, Progress, insist, no_progress, part_of, rising
@@ -69,7 +71,7 @@ class Settings(ReadingOptions, InflationOptions):
     """How a balloon is made: how its drawing is read, to what it is inflated, and
 
     film: of what; model: what is simulated; goal: what the size has to give; filling: what lifts;
-    pattern: how the pattern is made.
+    pattern: how the pattern is made; body: of a profile; side_band: between front and back of an outline.
     """
 
     film: Film = field(default_factory=lambda: film(DEFAULT_FILM))
@@ -77,6 +79,8 @@ class Settings(ReadingOptions, InflationOptions):
     goal: SizeGoal | None = None
     filling: Filling = field(default_factory=Filling)
     pattern: PatternOptions = field(default_factory=PatternOptions)
+    body: BodyOptions = field(default_factory=BodyOptions)
+    side_band: BandOptions = field(default_factory=BandOptions)
 
     @property
     def intake(self) -> bool:
@@ -121,6 +125,11 @@ class Balloon:
         return [part.pattern for part in self.parts]
 
     @property
+    def width(self) -> float:
+        """Of the drawing [m]."""
+        return self.drawing.size[0]
+
+    @property
     def sheet(self) -> Pattern:
         """All that is cut: the patterns with their pieces, second panels and copies as they are wanted."""
         return on_one_sheet([sheet_of(pattern, self.settings.pattern) for pattern in self.patterns])
@@ -147,18 +156,17 @@ def make_balloon(
     remarks = pieces_remarks(settings.pattern, settings.film)
     if settings.goal is not None and width is None and height is None:
         width = START_WIDTH
-    drawing, kind = read_drawing(path, width, height, decode, settings.drawn_as)
-    drawing = scale_to(evened(drawing, settings.symmetry, drawn=kind == "picture"), width, height)
+    drawing, kind = read_shapes(path, settings, width, height, decode)
     drawing = replace(drawing, parts=tuple(linked(part, settings.passage) for part in drawing.parts))
     count = len(drawing.parts)
-    designs = [design_outline(drawing.largest, settings, _share(progress, 0, count))]
+    designs = [design_outline(drawing.largest, settings, share_of(progress, 0, count))]
     if settings.goal is not None:
         scale = max(designs[0].target.size) / max(drawing.largest.size)
         drawing = drawing.map(lambda loop: loop * scale)
     alike = replace(settings, goal=None)
     outlines = [drawing.largest]
     for number, outline in enumerate(drawing.parts[1:], start=1):
-        shared = _share(progress, number, count)
+        shared = share_of(progress, number, count)
         design = attempt(f"Balloon {number + 1}", partial(design_outline, outline, alike, shared))
         if design is not None:
             designs.append(design)
@@ -173,6 +181,18 @@ def make_balloon(
     balloon = Balloon(drawing, settings, tuple(made), {})
     report_data = attempt("report.json", partial(_report, balloon, Path(path).name, kind))
     return replace(balloon, report=report_data or {})
+
+
+def read_shapes(
+    path: str | Path,
+    settings: Settings,
+    width: float | None = None,
+    height: float | None = None,
+    decode: Decode | None = None,
+) -> tuple[Drawing, str]:
+    """The shapes in a drawing file as the settings say how to read it, and what the file is."""
+    drawing, kind = read_drawing(path, width, height, decode, settings.drawn_as)
+    return scale_to(evened(drawing, settings.symmetry, drawn=kind == "picture"), width, height), kind
 
 
 def _report(balloon: Balloon, file: str, kind: str) -> dict[str, Any]:
@@ -213,7 +233,7 @@ def _numbers(design: Design, pattern: Pattern, settings: Settings) -> Numbers:
     )
 
 
-def _share(progress: Progress, number: int, count: int) -> Progress:
+def share_of(progress: Progress, number: int, count: int) -> Progress:
     """The progress of one of several balloons within that of all."""
     if count == 1:
         return progress
@@ -288,7 +308,7 @@ def files(balloon: Balloon, results: str | None = None) -> dict[str, bytes]:
             contents[name] = make()
         except MissingPackageError as error:
             left_out.append(left_out_text(name, error))
-    return contents | {"report.json": report_bytes(balloon, left_out)}
+    return contents | {"report.json": report_bytes(balloon.report, left_out)}
 
 
 def makers(balloon: Balloon, results: str | None = None) -> dict[str, Callable[[], bytes]]:
@@ -296,21 +316,27 @@ def makers(balloon: Balloon, results: str | None = None) -> dict[str, Callable[[
 
     results: as in `files`. They raise MissingPackageError.
     """
-    film, sheet, known = balloon.settings.film, balloon.sheet, machines()
+    film = balloon.settings.film
     named: dict[str, Callable[[], bytes]] = {
-        **{
-            file_of_stock(f"pattern.{kind}", stock): partial(machine_file, sheet.of_stock(stock), known[name])
-            for kind, name in ANY.items()
-            for stock in sheet.stocks
-        },
+        **sheet_makers(balloon.sheet),
         "balloon.stl": lambda: stl_bytes([design.inflation for design in balloon.designs]),
         "preview.png": lambda: preview_png(balloon.designs, balloon.patterns, film.seam),
     }
     if results is not None:
         for number, design in enumerate(balloon.designs):
-            name = f"{_numbered('results', number)}.{results}"
+            name = f"{numbered('results', number)}.{results}"
             named[name] = partial(results_bytes, design.inflation, film, results)
     return named
+
+
+def sheet_makers(sheet: Pattern) -> dict[str, Callable[[], bytes]]:
+    """What makes the files of all that is cut, for any machine, by name."""
+    known = machines()
+    return {
+        file_of_stock(f"pattern.{kind}", stock): partial(machine_file, sheet.of_stock(stock), known[name])
+        for kind, name in ANY.items()
+        for stock in sheet.stocks
+    }
 
 
 def left_out_text(name: str, why: BalloonError | str) -> str:
@@ -318,35 +344,38 @@ def left_out_text(name: str, why: BalloonError | str) -> str:
     return f"{name} was left out. {why}"
 
 
-def report_bytes(balloon: Balloon, left_out: Sequence[str] = ()) -> bytes:
+def report_bytes(report: dict[str, Any], left_out: Sequence[str] = ()) -> bytes:
     """The content of report.json, with warnings about what was left out."""
-    data = balloon.report | {"warnings": [*balloon.report["warnings"], *left_out]}
+    data = report | {"warnings": [*report["warnings"], *left_out]}
     text = json.dumps(data, indent=2, ensure_ascii=False, allow_nan=False)
     # letters that are none, as in names of files from other systems, as JSON writes them
     return (text + "\n").encode(errors="backslashreplace")
 
 
-def inflation_files(balloon: Balloon, frames: int, progress: Progress = no_progress) -> dict[str, bytes]:
+def inflation_files(
+    inflations: Sequence[Inflation], film: Film, frames: int, progress: Progress = no_progress
+) -> dict[str, bytes]:
     """Contents of the files that show so many frames of each balloon's inflation in time, by name.
 
     Raises what inflate_in_time raises.
     """
-    film = balloon.settings.film
     contents: dict[str, bytes] = {}
-    for number, design in enumerate(balloon.designs):
-        panel, solved = design.inflation.panel, design.inflation.report
+    for number, inflation in enumerate(inflations):
+        solved = inflation.report
         blown, strip = inflate_in_time(
-            panel,
+            inflation.assembly,
             film,
             solved.pressure,
             frames=frames,
             model=solved.model,
-            progress=_share(progress, number, len(balloon.parts)),
+            start=inflation.positions,
+            lift=solved.lift,
+            progress=share_of(progress, number, len(inflations)),
         )
-        contents |= frame_files(blown, strip, film, _numbered("inflation", number))
+        contents |= frame_files(blown, strip, film, numbered("inflation", number))
     return contents
 
 
-def _numbered(name: str, number: int) -> str:
+def numbered(name: str, number: int) -> str:
     """The name of a file about one of several shapes; the largest, number 0, has the plain one."""
     return name if number == 0 else f"{name}-{number + 1}"

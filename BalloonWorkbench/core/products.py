@@ -13,17 +13,27 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from BalloonWorkbench.core.artwork.files import artwork_files
+from BalloonWorkbench.core.artwork.carry import VisibleFilm
+from BalloonWorkbench.core.artwork.files import artwork_files, sheet_files
 from BalloonWorkbench.core.artwork.marks import BLEED, bordered, marked
-from BalloonWorkbench.core.artwork.picture import Pixels, covering, mirrored, of_drawing
-from BalloonWorkbench.core.artwork.sheet import DPI, Print, Sheet, artwork_sheets
+from BalloonWorkbench.core.artwork.picture import Picture, Pixels, covering, mirrored, of_drawing
+from BalloonWorkbench.core.artwork.sheet import DPI, Print, Sheet, artwork_sheets, one_sheet
+from BalloonWorkbench.core.artwork.wrap import faces_away, wrapped
+from BalloonWorkbench.core.assembly_sheet.bag_pages import BagSubject, bag_assembly_pdf
 from BalloonWorkbench.core.assembly_sheet.page import SheetSubject, assembly_pdf
+from BalloonWorkbench.core.bag_design.bag_design import BagDesign
+from BalloonWorkbench.core.bag_job import BagPart, FinishedBags
+from BalloonWorkbench.core.bag_pattern.bag_patterns import BagPatterns
 from BalloonWorkbench.core.design.design import Design
+from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.geometry.polyline import bounds, signed_area
-from BalloonWorkbench.core.job import Balloon
+from BalloonWorkbench.core.job import Balloon, Part
+from BalloonWorkbench.core.making.bag_numbers import bag_pieces
+from BalloonWorkbench.core.making.numbers import Numbers
 from BalloonWorkbench.core.nesting.layout import Layout, Piece, Stock
 from BalloonWorkbench.core.nesting.nest import nest
-from BalloonWorkbench.core.pattern.layout import beside
+from BalloonWorkbench.core.outline.outline import Outline
+from BalloonWorkbench.core.pattern.layout import beside, in_rows
 from BalloonWorkbench.core.pattern.make import sheet_of
 from BalloonWorkbench.core.pattern.pattern import Pattern, Role
 from BalloonWorkbench.core.pattern.placement import split
@@ -85,6 +95,73 @@ def print_files(balloon: Balloon, artwork: Artwork) -> tuple[dict[str, bytes], t
     return (*artwork_files(front, back), front, back)
 
 
+def bag_print(bags: FinishedBags, artwork: Artwork) -> tuple[dict[str, bytes], tuple[str, ...], Sheet]:
+    """Contents of the files to print by name, remarks, and the sheet, whose pattern is what is cut.
+
+    The picture is wrapped round each balloon, see artwork/wrap.py; that of the back is on what faces away.
+    Raises what one_sheet raises.
+    """
+    own, whole = panels_to_print(bags.parts, artwork.bleed)
+    laid = iter(own)
+    prints, films = [], []
+    for part in bags.parts:
+        for film, picture in pictures_on(bags, artwork, part.design, part.patterns.panels):
+            pattern, shift = next(laid)
+            prints.append(Print(part.design.inflation, pattern, shift, picture))
+            films.append(film)
+    sheet = one_sheet(prints, films, whole, artwork.dpi)
+    return (*sheet_files({"artwork": sheet}), sheet)
+
+
+def pictures_on(
+    bags: FinishedBags, artwork: Artwork, design: BagDesign, panels: Sequence[int]
+) -> list[tuple[VisibleFilm, Picture]]:
+    """Of each of the panels of a balloon, by its number in the bag, where its film is in which picture."""
+    seen, low, size = wrapped(design, panels)
+    front, behind = _pictures(bags, artwork, low, size)
+    away = faces_away(design, panels)
+    return [(film, behind if back else front) for film, back in zip(seen, away, strict=True)]
+
+
+def panels_to_print(parts: Sequence[BagPart], bleed: float) -> tuple[list[tuple[Pattern, Floats]], Pattern]:
+    """The panels of balloons side by side with the border of their print, each with its shift (2,) m, and all
+    of them as one pattern with marks.
+    """
+    own = [bordered(pattern, bleed) for part in parts for pattern in _flat(part.patterns)]
+    shifts = in_rows([pattern.bounds for pattern in own])
+    laid = [(pattern.moved(shift), shift) for pattern, shift in zip(own, shifts, strict=True)]
+    whole = replace(
+        laid[0][0],
+        contours=tuple(contour for pattern, _ in laid for contour in pattern.contours),
+        intake=None,
+        seam_length=sum(part.patterns.seam_length for part in parts),
+    )
+    return laid, marked(whole)
+
+
+def _pictures(bags: FinishedBags, artwork: Artwork, low: Floats, size: Floats) -> tuple[Picture, Picture]:
+    """The picture of what faces the viewer and of what faces away; low, size (2,) m: box of the balloon.
+
+    Those of a drawing lie where it has its shapes.
+    """
+    outlines = [source.outer for source in bags.sources if isinstance(source, Outline)]
+    if outlines:
+        low, high = bounds(np.concatenate(outlines))
+        size = high - low
+    traced = artwork.traced and bool(outlines)
+    front = (
+        of_drawing(artwork.front, low, size, artwork.drawn_as)
+        if traced
+        else covering(artwork.front, low, size)
+    )
+    return front, front if artwork.back is None else mirrored(covering(artwork.back, low, size))
+
+
+def _flat(patterns: BagPatterns) -> list[Pattern]:
+    """The patterns of panels in the panels' own frames."""
+    return [pattern.moved(-shift) for pattern, shift in zip(patterns.patterns, patterns.shifts, strict=True)]
+
+
 def pieces_of(panel: Pattern, one_balloon: Pattern, copies: int, grain: float | None) -> list[Piece]:
     """The pieces of balloons: panels and their mirror images, and what else is cut for each balloon.
 
@@ -111,36 +188,50 @@ def by_stock(pieces: Sequence[Piece]) -> dict[str, list[Piece]]:
 
 
 def nested(
-    balloon: Balloon, stock: Stock, copies: int, progress: Progress = no_progress
+    balloon: Balloon | FinishedBags, stock: Stock, copies: int, progress: Progress = no_progress
 ) -> dict[str, tuple[tuple[Layout, ...], list[Piece], tuple[str, ...]]]:
     """For each film, the balloon's first: layouts of so many balloons, their pieces, and remarks.
 
     Raises what `nest` raises.
     """
-    options = replace(balloon.settings.pattern, mirror=True, copies=1)
-    pieces = [
-        piece
-        for pattern in balloon.patterns
-        for piece in pieces_of(pattern, sheet_of(pattern, options), copies, balloon.settings.film.lies)
-    ]
     laid = {}
-    for name, parted in by_stock(pieces).items():
+    for name, parted in by_stock(_all_pieces(balloon, copies)).items():
         layouts, remarks = nest(parted, stock, progress)
         laid[name] = layouts, parted, remarks
     return laid
 
 
-def assembly_files(balloon: Balloon, title: str, paper: str, say: Say) -> Mapping[str, bytes]:
-    """Contents of the assembly sheets by name, one for each shape whose numbers are known.
+def _all_pieces(balloon: Balloon | FinishedBags, copies: int) -> list[Piece]:
+    """All that is cut for so many of each balloon."""
+    grain = balloon.settings.film.lies
+    if isinstance(balloon, FinishedBags):
+        return [piece for part in balloon.parts for piece in bag_pieces(part.patterns, copies, grain)]
+    options = replace(balloon.settings.pattern, mirror=True, copies=1)
+    return [
+        piece
+        for pattern in balloon.patterns
+        for piece in pieces_of(pattern, sheet_of(pattern, options), copies, grain)
+    ]
+
+
+def assembly_files(balloon: Balloon | FinishedBags, title: str, paper: str, say: Say) -> Mapping[str, bytes]:
+    """Contents of the assembly sheets by name, one for each balloon whose numbers are known.
 
     Raises what assembly_pdf raises.
     """
-    count = len(balloon.parts)
+    parts: Sequence[Part | BagPart] = balloon.parts
     files = {}
-    for number, part in enumerate(balloon.parts, 1):
-        if part.numbers is None:
-            continue
-        name = title if count == 1 else f"{title} {number}"
-        subject = SheetSubject(name, balloon.settings.film, part.design.inflation, part.pattern, part.numbers)
-        files["assembly.pdf" if number == 1 else f"assembly-{number}.pdf"] = assembly_pdf(subject, paper, say)
+    for number, part in enumerate(parts, 1):
+        if part.numbers is not None:
+            name = title if len(parts) == 1 else f"{title} {number}"
+            file = "assembly.pdf" if number == 1 else f"assembly-{number}.pdf"
+            files[file] = _assembly(part, part.numbers, name, balloon.settings.film, paper, say)
     return files
+
+
+def _assembly(part: Part | BagPart, numbers: Numbers, name: str, film: Film, paper: str, say: Say) -> bytes:
+    """The assembly sheet of one balloon."""
+    if isinstance(part, BagPart):
+        return bag_assembly_pdf(BagSubject(name, film, part.design, part.patterns, numbers), paper, say)
+    subject = SheetSubject(name, film, part.design.inflation, part.pattern, numbers)
+    return assembly_pdf(subject, paper, say)

@@ -150,10 +150,11 @@ def _unit(size: float, units: _Units) -> tuple[float, str]:
 
 
 def place_text(point: NDArray[np.float64]) -> str:
-    """A point (2,) m for people."""
+    """A point (2,) or (3,) m for people."""
     scale, unit = _unit(max(float(np.abs(point).max()), MILLIMETRE), _LENGTHS)
-    x, y = (number_text(round(float(value) / scale, 1 if scale == MILLIMETRE else 2), 4) for value in point)
-    return f"({x}, {y}) {unit}"
+    digits = 1 if scale == MILLIMETRE else 2
+    values = ", ".join(number_text(round(float(value) / scale, digits), 4) for value in point)
+    return f"({values}) {unit}"
 
 
 def parse_length(text: str | float) -> float:

@@ -12,8 +12,9 @@ from typing import Any, NoReturn
 import pytest
 
 from BalloonWorkbench.cli import command_line, document, making
-from BalloonWorkbench.core import job, report
+from BalloonWorkbench.core import job
 from BalloonWorkbench.core.artwork.files import png_bytes
+from BalloonWorkbench.core.reports import report
 
 CORE = {"pattern.dxf", "pattern.svg", "balloon.stl", "preview.png", "report.json"}
 ALL = CORE | {"results.npz", "pattern-hpgl-plotter.plt", "assembly.pdf"}

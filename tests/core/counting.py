@@ -13,9 +13,10 @@ from typing import Any
 
 import pytest
 
-from BalloonWorkbench.core import job, report
+from BalloonWorkbench.core import job
 from BalloonWorkbench.core.correction import fit
 from BalloonWorkbench.core.pattern import build
+from BalloonWorkbench.core.reports import report
 from BalloonWorkbench.core.tracing import picture
 
 _USERS = [job]  # loaded before anything is watched: they keep what they import

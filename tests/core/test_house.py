@@ -38,8 +38,9 @@ QT = {"PySide", "PySide2", "PySide6", "PyQt5", "PyQt6", "shiboken2", "shiboken6"
 
 #: The rooms of the core in the order of the data; a room uses only those before it.
 ROOMS = ["geometry", "files", "options", "pages", "language", "arcs", "outline", "tracing", "readers", "film"]
-ROOMS += ["panels", "mesh", "solver", "design", "correction", "results", "pattern", "nesting", "making"]
-ROOMS += ["machines", "pictures", "artwork", "assembly_sheet", "advice"]
+ROOMS += ["panels", "mesh", "bags", "bodies", "solver", "design", "correction", "bag_design", "results"]
+ROOMS += ["pattern", "bag_pattern", "nesting", "making"]
+ROOMS += ["machines", "pictures", "artwork", "assembly_sheet", "advice", "reports"]
 
 OPTIONAL = ["cv2", "scipy", "ezdxf", "shapely", "pythoncdt", "matplotlib", "PIL"]
 OPTIONAL += ["spyrrow"]
@@ -137,7 +138,7 @@ def test_what_has_a_better_way_is_not_called(name: str) -> None:
 @pytest.mark.parametrize("room", ROOMS)
 def test_rooms_of_the_core_follow_the_data(room: str) -> None:
     later = ROOMS[ROOMS.index(room) + 1 :]
-    outside = (*later, "job", "report")
+    outside = (*later, "job", "bag_job")
     assert not broken(layer("core", room), *(f"BalloonWorkbench.core.{name}" for name in outside))
 
 

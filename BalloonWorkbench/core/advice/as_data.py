@@ -36,12 +36,12 @@ def finding_data(finding: Finding) -> dict[str, Any]:
 
 def finding_from(data: dict[str, Any]) -> Finding:
     """The finding again, without what it was measured by."""
-    x, y = from_mm(np.array(data["at_mm"], dtype=np.float64))
+    at = from_mm(np.array(data["at_mm"], dtype=np.float64))
     return Finding(
         str(data["rule"]),
         Severity(data["severity"]),
         str(data["text"]),
-        (float(x), float(y)),
+        tuple(at.tolist()),
         tuple(_from_points(line) for line in data["extent_mm"]),
         np.nan,
         np.nan,

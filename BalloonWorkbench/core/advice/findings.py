@@ -55,8 +55,8 @@ class Repair:
 class Finding:
     """One piece of advice.
 
-    rule      its name in resources/advice/rules.json
-    place     (x, y) m, in the drawing
+    rule      its name in resources/advice/rules.json; of many panels that in bag_advice.py
+    place     (x, y) m, in the drawing; of many panels (x, y, z) m, on the balloon
     extent    stretches (k, 2) m of the outline, or lines across the shape, that it is about
     measured  what was found on the balloon, and `limit` what it was compared with, in the rule's own unit
     """
@@ -64,7 +64,7 @@ class Finding:
     rule: str
     severity: Severity
     text: str
-    place: tuple[float, float]
+    place: tuple[float, ...]
     extent: tuple[Floats, ...]
     measured: float
     limit: float

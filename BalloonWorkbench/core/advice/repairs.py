@@ -43,10 +43,9 @@ def scaled(repair: Repair, factor: float) -> Repair:
 
 def finding_scaled(finding: Finding, factor: float) -> Finding:
     """The same finding, in place and repair, on an outline that was scaled about the origin."""
-    x, y = finding.place
     return replace(
         finding,
-        place=(factor * x, factor * y),
+        place=tuple(factor * value for value in finding.place),
         extent=tuple(line * factor for line in finding.extent),
         repair=None if finding.repair is None else scaled(finding.repair, factor),
     )

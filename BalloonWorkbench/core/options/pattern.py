@@ -54,6 +54,13 @@ class PatternOptions:
     intake_along: float | None = INTAKE(Kind.LENGTH, None,
         "Place of the intake: counter-clockwise along the outer seam from its rightmost point",
         label="Along the seam", step=5.0, rivals="place")
+    opening: str = INTAKE(Kind.TEXT, "",
+        "Where a balloon of many panels is filled: the number of a seam, or a panel and the point at which an"
+        " edge begins, such as top.2; a panel alone has a nozzle in its middle", label="Seam or edge",
+        metavar="SEAM", needs="Intake")
+    opening_share: float | None = INTAKE(Kind.NUMBER, None,
+        "How far along that seam, from 0 to 1 of its length; 0 takes its middle, or that of the edge",
+        label="How far along it", most=1.0, step=0.05, needs="Intake")
     notches: int = MARKS(Kind.COUNT, 0, "Notches to lay both films on each other by, evenly along the cut",
         label="Notches", most=MOST_NOTCHES, weighs=False)
     notch_depth: float = MARKS(Kind.LENGTH, 0.0015, "Length of a notch; at most the allowance",

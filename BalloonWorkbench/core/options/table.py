@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from BalloonWorkbench.core.options.body import BandOptions, BodyOptions
 from BalloonWorkbench.core.options.drawing import FillingOptions, GoalOptions, ReadingOptions, SizeOptions
 from BalloonWorkbench.core.options.film import FilmOptions, MaterialOptions
 from BalloonWorkbench.core.options.making import (
@@ -21,6 +22,8 @@ DECLARED: tuple[type, ...] = (
     SizeOptions,
     ReadingOptions,
     GoalOptions,
+    BodyOptions,
+    BandOptions,
     FillingOptions,
     MaterialOptions,
     FilmOptions,

@@ -225,7 +225,7 @@ def test_command_line_and_preview_say_nothing_against_the_film(
 ) -> None:
     one, data = about(name)
     numbers = numbers_report(one.numbers)
-    line = "\n".join(summary._making(numbers, one.film, 2000.0, in_english))
+    line = "\n".join(summary._making(numbers, one.film, in_english))
     assert not contradictions(line, {**data, "laser": None}), line
     assert (one.film.seam in line) == (numbers["strength"]["weakest"] == WELD)
     said: list[str] = []

@@ -21,7 +21,7 @@ from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.pattern.intake.kinds import intake_kind
 from BalloonWorkbench.core.pattern.pattern import Intake, Pattern
 from BalloonWorkbench.core.results.film_state import film_state, thickness
-from BalloonWorkbench.core.solver.inflation import Inflation
+from BalloonWorkbench.core.solver.inflation import Inflation, SolveReport
 from BalloonWorkbench.core.units import to_grams, to_mm
 
 SCHEMA = 2
@@ -91,17 +91,16 @@ def build(
     decided the size, None for the drawing's own; valve: what its intake weighs besides the panels [kg].
     Without a pattern nothing is said of it and of what the balloon lifts.
     """
-    load = {"kind": "pressure" if volume is None else "volume", "target_volume_m3": volume}
     return {
         "schema": SCHEMA,
         "input": _input(source),
-        "material": _material(film),
+        "material": material_data(film),
         "pressure_Pa": design.inflation.report.pressure,
-        "load": load,
+        "load": load_data(volume),
         **_solved(design.inflation),
         "design": _design(design, max(source.outline.size)),
         "inflated": _inflated(design, film),
-        "goal": None if goal is None else _goal(goal),
+        "goal": None if goal is None else goal_data(goal),
         **({} if pattern is None else _cut(design, film, pattern, filling or Filling(), valve)),
         "warnings": [*design.warnings, *(() if pattern is None else pattern.warnings)],
     }
@@ -122,7 +121,8 @@ def _size(size: tuple[float, float]) -> dict[str, Any]:
     return {"width_mm": to_mm(size[0]), "height_mm": to_mm(size[1])}
 
 
-def _material(film: Film) -> dict[str, Any]:
+def material_data(film: Film) -> dict[str, Any]:
+    """What the film is."""
     return {
         "name": film.name,
         "E_Pa": film.young_modulus,
@@ -145,17 +145,27 @@ def _solved(inflation: Inflation) -> dict[str, Any]:
             "triangles": len(panel.triangles),
             "min_angle_deg": float(np.degrees(min_angles(panel).min())),
         },
-        "solve": {
-            "integrator": "Newmark in time" if solve.backend == "newmark" else "quasi-static Newton",
-            "options": unusual(solve.model),
-            "newton_steps": solve.newton_steps,
-            "factorisations": solve.factorisations,
-            "seconds": solve.seconds,
-            "converged": solve.converged,
-            "stiffness_k": solve.stiffness_k,
-            "flexural_rigidity_N_m": solve.flexural_rigidity,
-            "bending_share": solve.bending_share,
-        },
+        "solve": solve_data(solve),
+    }
+
+
+def load_data(volume: float | None) -> dict[str, Any]:
+    """What was asked for: a pressure, or a volume [m3] instead."""
+    return {"kind": "pressure" if volume is None else "volume", "target_volume_m3": volume}
+
+
+def solve_data(solve: SolveReport) -> dict[str, Any]:
+    """How the balloon was simulated."""
+    return {
+        "integrator": "Newmark in time" if solve.backend == "newmark" else "quasi-static Newton",
+        "options": unusual(solve.model),
+        "newton_steps": solve.newton_steps,
+        "factorisations": solve.factorisations,
+        "seconds": solve.seconds,
+        "converged": solve.converged,
+        "stiffness_k": solve.stiffness_k,
+        "flexural_rigidity_N_m": solve.flexural_rigidity,
+        "bending_share": solve.bending_share,
     }
 
 
@@ -205,7 +215,8 @@ def _inflated(design: Design, film: Film) -> dict[str, Any]:
     }
 
 
-def _pattern(pattern: Pattern) -> dict[str, Any]:
+def pattern_data(pattern: Pattern) -> dict[str, Any]:
+    """How large it is, how long its seams are, where it is filled."""
     return {
         **_size(pattern.size),
         "seam_length_mm": to_mm(pattern.seam_length),
@@ -214,13 +225,14 @@ def _pattern(pattern: Pattern) -> dict[str, Any]:
     }
 
 
-def _goal(goal: SizeGoal) -> dict[str, Any]:
+def goal_data(goal: SizeGoal) -> dict[str, Any]:
+    """What decided the size."""
     return {"volume_m3": goal.volume, "lift_g": None if goal.lift is None else to_grams(goal.lift)}
 
 
 def _cut(design: Design, film: Film, pattern: Pattern, filling: Filling, valve: float) -> dict[str, Any]:
     """What there is to tell about a pattern, and what the balloon made from it lifts."""
-    return {"lift": _lift(design, film, pattern, filling, valve), "pattern": _pattern(pattern)}
+    return {"lift": _lift(design, film, pattern, filling, valve), "pattern": pattern_data(pattern)}
 
 
 def _lift(design: Design, film: Film, pattern: Pattern, filling: Filling, valve: float) -> dict[str, Any]:
