@@ -66,6 +66,26 @@ def from_sketch(doc, source, elements=(), **options) -> Parts:
 
 
 @_bordered
+def from_profile(doc, source=None, elements=(), **options) -> Parts:
+    """A new balloon of gores from a profile: a sketch or wire, or an SVG, DXF or JSON file; None makes the
+    natural shape, whose gores are `gore_length` long.
+
+    Raises BalloonError when no balloon comes out; the document is then as before.
+    """
+    return _done[-1] if _done else create.balloon_from_profile(doc, source, elements, values=options)
+
+
+@_bordered
+def from_panels(doc, source, seams=(), **options) -> Parts:
+    """A new balloon of flat panels: a JSON file, the name of a ready body such as "Box", or a list of
+    sketches and pairs (object, ["Face1", "Face2"]); seams are texts such as "Sketch.Edge1=Sketch001.Edge3".
+
+    Raises BalloonError when no balloon comes out; the document is then as before.
+    """
+    return _done[-1] if _done else create.balloon_from_panels(doc, source, seams, values=options)
+
+
+@_bordered
 def parts(obj) -> Parts:
     """The balloon that an object or its group belongs to; InputError for other objects."""
     balloon_parts = parts_of(obj)

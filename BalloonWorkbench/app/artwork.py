@@ -11,6 +11,8 @@ from BalloonWorkbench.app.document import arrange
 from BalloonWorkbench.app.document.kinds import is_artwork, leader
 from BalloonWorkbench.app.document.proxy import DocumentProxy
 from BalloonWorkbench.app.drawings.drawing_file import File, file_of, pixels_of, read_drawing
+from BalloonWorkbench.app.engine import panel_prints
+from BalloonWorkbench.app.engine.bag_result import has_many_panels
 from BalloonWorkbench.app.properties.property_table import Property, properties_of, result, results
 from BalloonWorkbench.core.errors import ExportError, InputError
 from BalloonWorkbench.core.memoize import memoized
@@ -47,7 +49,10 @@ class ArtworkProxy(DocumentProxy):
         if status.waits_for(obj, obj.Pattern, bool(obj.Roles), "Choose the pattern to print on."):
             return
         with status.reported(obj, bool(obj.Roles)):
-            _pictures(obj)
+            if has_many_panels(obj.Pattern.Balloon):
+                panel_prints.chosen(obj)
+            else:
+                _pictures(obj)
             with results(obj) as output:
                 show(output, self.cut_pattern(obj))
             status.set_status(obj, status.READY)
@@ -57,6 +62,8 @@ class ArtworkProxy(DocumentProxy):
         """What a cutter gets for the side that is shown: the panel, the print's border and the marks."""
         from BalloonWorkbench.core.pattern.placement import back_of
 
+        if has_many_panels(obj.Pattern.Balloon):
+            return panel_prints.pattern(obj)
         front = _marked(obj)
         return back_of(front) if obj.Side == BACK else front
 
@@ -91,8 +98,19 @@ def of_balloon(balloon_obj):
     return None
 
 
+def on_panels(balloon_obj):
+    """What an artwork prints on each panel of a balloon of many, see `panel_prints.on_film`; None where there
+    is none.
+    """
+    obj = of_balloon(balloon_obj)
+    if obj is None or not status.is_ready(obj) or not has_many_panels(balloon_obj):
+        return None
+    return panel_prints.on_film(obj)
+
+
 def on_balloon(balloon_obj):
-    """What an artwork prints on front and back of a balloon, as paintings; None where there is none.
+    """What an artwork prints on front and back of a balloon of two panels, as paintings; None where there is
+    none.
 
     The back's is as it is seen through the front.
     """
@@ -100,7 +118,7 @@ def on_balloon(balloon_obj):
     from BalloonWorkbench.core.units import to_mm
 
     obj = of_balloon(balloon_obj)
-    if obj is None or not status.is_ready(obj):
+    if obj is None or not status.is_ready(obj) or has_many_panels(balloon_obj):
         return None
     front, behind = _pictures(obj)
     return tuple(
@@ -111,7 +129,8 @@ def on_balloon(balloon_obj):
 def sheets(obj, dpi: float | None = None):
     """Front and back, ready to print, in the object's resolution or another one.
 
-    Raises ExportError when the object is not up to date, else what the core's artwork raises.
+    Of many panels both are the same. Raises ExportError when the object is not up to date, else what the
+    core's artwork raises.
     """
     return _printing(obj, obj.Resolution if dpi is None else dpi)()
 
@@ -123,6 +142,8 @@ def _printing(obj, dpi: float):
 
     if not status.is_ready(obj):
         raise ExportError(f"{obj.Label} is not up to date. {status.problem(obj)} Repair that and recompute.")
+    if has_many_panels(obj.Pattern.Balloon):
+        return partial(panel_prints.printed, *panel_prints.chosen(obj), dpi)
     import numpy as np
 
     from BalloonWorkbench.app.pattern import build
@@ -145,21 +166,22 @@ def write(obj, folder, machine_names=("any-dxf", "any-svg")) -> list[Path]:
     import FreeCAD as App
 
     from BalloonWorkbench.app.border import hooks
-    from BalloonWorkbench.core.artwork.files import artwork_files
+    from BalloonWorkbench.core.artwork.files import sheet_files
     from BalloonWorkbench.core.files.write import write_files
     from BalloonWorkbench.core.machines.machine import machine
     from BalloonWorkbench.core.machines.machine_file import checked_files
 
-    printing = _printing(obj, obj.Resolution)
-
+    printing, many = _printing(obj, obj.Resolution), has_many_panels(obj.Pattern.Balloon)
     doubts: list[str] = []
 
     def made(_progress) -> dict[str, bytes]:
-        front, back = printing()
-        contents, _ = artwork_files(front, back)
-        for side, sheet in (("front", front), ("back", back)):
+        sides = dict(zip(("artwork-front", "artwork-back"), printing()))
+        if many:
+            sides = {"artwork": sides["artwork-front"]}
+        contents, _ = sheet_files(sides)
+        for side, sheet in sides.items():
             cut, remarks = checked_files(sheet.pattern, [machine(name) for name in machine_names])
-            contents |= {f"print-{side}-{name}": content for name, content in cut.items()}
+            contents |= {f"{side.replace('artwork', 'print')}-{name}": each for name, each in cut.items()}
             doubts.extend(remarks)
         return contents
 

@@ -4,11 +4,13 @@
 from __future__ import annotations
 
 from BalloonWorkbench.app.border import status
+from BalloonWorkbench.app.document.kinds import is_bag, is_gored_body, is_outline
 from BalloonWorkbench.app.document.proxy import DocumentProxy
-from BalloonWorkbench.app.engine import film_result
+from BalloonWorkbench.app.engine import bag_result, film_result
 from BalloonWorkbench.app.properties import film, size_goal
 from BalloonWorkbench.app.properties.property_table import (
     Property,
+    is_complete,
     options_from,
     properties_of,
     result,
@@ -16,6 +18,7 @@ from BalloonWorkbench.app.properties.property_table import (
     show_in_editor,
     with_switches,
 )
+from BalloonWorkbench.core.options.body import BandOptions
 from BalloonWorkbench.core.options.simulation import InflationOptions, ModelOptions
 
 FIT = "Fit to drawing"
@@ -33,7 +36,7 @@ SWITCHES = {
 }
 
 PROPERTIES = (
-    Property("Link", "Outline", "Inflation", "The outline of the drawing"),
+    Property("Link", "Outline", "Inflation", "What it is to be: an outline, a body of gores or a bag"),
     *film.PROPERTIES,
     Property(
         "Bool",
@@ -46,12 +49,13 @@ PROPERTIES = (
     ),
     *with_switches(properties_of(InflationOptions), SWITCHES),
     *properties_of(ModelOptions),
+    *properties_of(BandOptions),
     *size_goal.PROPERTIES,
     result("Length", "InflatedWidth", "Width of the inflated balloon"),
     result("Length", "InflatedHeight", "Height of the inflated balloon"),
     result("Length", "InflatedThickness", "Thickness of the inflated balloon"),
     result("Volume", "Volume", "Volume of the inflated balloon"),
-    result("Area", "FilmArea", "Area of film inside the welds, both panels"),
+    result("Area", "FilmArea", "Area of film inside the welds, all panels"),
     result("Pressure", "ActivePressure", "Pressure in the inflated balloon"),
     result("Float", "MaxTension", "Largest membrane tension in N/m"),
     result("Float", "MaxStrain", "Largest strain of the film"),
@@ -79,6 +83,7 @@ PROPERTIES = (
     ),
     Property("StringList", "Advice", "Result", "What would make the balloon better", result=True),
     *film_result.PROPERTIES,
+    *bag_result.PROPERTIES,
     result("StringList", "Warnings", "Remarks made during the design"),
     result("String", "Status", "Up to date, or what is wrong"),
     result("String", "Report", "The whole report as JSON", hidden=True),
@@ -100,12 +105,14 @@ class BalloonProxy(DocumentProxy):
         film.set_choices(obj)
         follow_load(obj)
         size_goal.follow(obj)
+        follow_band(obj)
 
     def opened(self, obj):
         film.complete(obj)
         film.protect(obj)
         follow_load(obj)
         size_goal.follow(obj)
+        follow_band(obj)
 
     def onChanged(self, obj, name):
         from BalloonWorkbench.app.host import is_replaying
@@ -117,6 +124,8 @@ class BalloonProxy(DocumentProxy):
             if edited and obj.Load == VOLUME and not obj.TargetVolume:
                 obj.TargetVolume = obj.Volume
             follow_load(obj)
+        if name in ("Outline", "Band", "BodyThickness") and is_complete(obj, PROPERTIES):
+            follow_band(obj)
         if name in size_goal.DECIDING and "SolvedFor" in obj.PropertiesList:
             if edited and name == "SizeGoal":
                 size_goal.begin(obj)
@@ -165,58 +174,109 @@ def follow_load(obj) -> None:
     )
 
 
+def follow_band(obj) -> None:
+    """Offer a side band where there is an outline, which it goes along."""
+    drawn = obj.Outline is None or is_outline(obj.Outline)
+    mode, piece = "edit" if drawn else "hide", drawn and bool(obj.Band or obj.BodyThickness)
+    show_in_editor(obj, Band=mode, BodyThickness=mode, BandPiece="edit" if piece else "hide")
+
+
+def asks_for_many_panels(obj) -> bool:
+    """The object's values ask for a body of gores, a bag or a side band; else for two equal panels."""
+    return not is_outline(obj.Outline) or bool(obj.Band or obj.BodyThickness)
+
+
 def request(obj):
     """What the object's values ask of the engine; InputError when they make no sense."""
+    from BalloonWorkbench.app.engine.solve import Request
+    from BalloonWorkbench.app.shapes import part_shapes
+    from BalloonWorkbench.core.reports.report import Source
+
+    source, settings = obj.Outline, _settings(obj)
+    if asks_for_many_panels(obj):
+        return _bag_request(source, settings)
+    return Request(Source(_drawing_name(source), source.Kind, part_shapes.stored(source, "Loop")), settings)
+
+
+def _bag_request(source, settings):
+    """The request for many panels of what a balloon is to be."""
+    from BalloonWorkbench.app import bag, gored_body
+    from BalloonWorkbench.app.engine.bag_solve import BagRequest
+    from BalloonWorkbench.app.shapes import part_shapes
+
+    if is_gored_body(source):
+        return BagRequest(gored_body.profile(source), source.Label, source.Kind, settings)
+    if is_bag(source):
+        return BagRequest(bag.bag(source), source.Label, source.Kind, settings)
+    return BagRequest(part_shapes.stored(source, "Loop"), _drawing_name(source), source.Kind, settings)
+
+
+def _drawing_name(outline) -> str:
+    """What a drawing is called: its sketch, or its file."""
     import os
 
-    from BalloonWorkbench.app.engine.solve import Request
+    return outline.Source[0].Label if outline.Source else os.path.basename(outline.Drawing)
+
+
+def _settings(obj):
+    """The object's values, and those of what it is to be, as the engine's settings."""
     from BalloonWorkbench.app.properties.quantities import cubic_metres
-    from BalloonWorkbench.app.shapes import part_shapes
     from BalloonWorkbench.core.job import Settings
-    from BalloonWorkbench.core.report import Source
+    from BalloonWorkbench.core.options.body import BodyOptions
     from BalloonWorkbench.core.solver.model import Model
 
-    drawing = obj.Outline
+    many = asks_for_many_panels(obj)
+    body = options_from(obj.Outline, BodyOptions) if is_gored_body(obj.Outline) else BodyOptions()
     volume = cubic_metres(obj.TargetVolume) if obj.Load == VOLUME else None
-    name = drawing.Source[0].Label if drawing.Source else os.path.basename(drawing.Drawing)
-    return Request(
-        Source(name, drawing.Kind, part_shapes.stored(drawing, "Loop")),
-        Settings(
-            **vars(options_from(obj, InflationOptions, volume=volume)),
-            film=film.read(obj),
-            goal=size_goal.goal(obj),
-            filling=size_goal.filling(obj),
-            pattern=size_goal.pattern_options(obj),
-            model=Model(**vars(options_from(obj, ModelOptions))),
-        ),
+    return Settings(
+        **vars(options_from(obj, InflationOptions, volume=volume)),
+        film=film.read(obj),
+        goal=size_goal.goal(obj),
+        filling=size_goal.filling(obj),
+        pattern=size_goal.pattern_options(obj),
+        model=Model(**vars(options_from(obj, ModelOptions))),
+        body=body,
+        side_band=options_from(obj, BandOptions) if many and is_outline(obj.Outline) else BandOptions(),
     )
 
 
 def show(obj, current, design, report: dict | None = None) -> None:
     """Write a design into the object; the next recompute finds it and does not solve again.
 
-    report  the result of `describe` where it is known
+    report  what the request says of the design where it is known
     """
     import json
 
-    from BalloonWorkbench.app.engine.solve import describe
-    from BalloonWorkbench.app.host import mesh_from_arrays
     from BalloonWorkbench.app.shapes import part_shapes
-    from BalloonWorkbench.core.results.stl import balloon_mesh
-    from BalloonWorkbench.core.units import to_mm
 
-    report = report or describe(current, design)
+    many = asks_for_many_panels(obj)
+    report = report or current.describe(design)
+    if many:
+        design = bag_result.beside_panels(design)
     with results(obj) as output:
-        positions, triangles = balloon_mesh(design.inflation)
-        output.Mesh = mesh_from_arrays(to_mm(positions), triangles)
-        part_shapes.store(output, "Seam", design.pattern)
+        _show_mesh(output, design.inflation)
         _show_measures(output, report)
         output.Warnings = list(design.warnings)
         output.Advice = [f"{finding['severity']}: {finding['text']}" for finding in report["advice"]]
         output.Puffiness = report["puffiness"]
         output.Report = json.dumps(report, ensure_ascii=False)
-        film_result.store(output, design.inflation, current.settings.film, _values(obj))
+        if many:
+            bag_result.store(output, design, current.settings.film, _values(obj))
+        else:
+            part_shapes.store(output, "Seam", design.pattern)
+            film_result.store(output, design.inflation, current.settings.film, _values(obj))
+            bag_result.clear(output)
         output.SolvedFor = current.key()
+
+
+def _show_mesh(obj, inflation) -> None:
+    """The closed mesh of the balloon."""
+    from BalloonWorkbench.app.host import mesh_from_arrays
+    from BalloonWorkbench.core.results.stl import balloon_mesh
+    from BalloonWorkbench.core.units import to_mm
+
+    positions, triangles = balloon_mesh(inflation)
+    obj.Mesh = mesh_from_arrays(to_mm(positions), triangles)
 
 
 def _values(obj) -> dict:

@@ -148,7 +148,9 @@ def _by_film(obj) -> dict:
     from dataclasses import replace
 
     from BalloonWorkbench.app import pattern
+    from BalloonWorkbench.app.engine.bag_result import has_many_panels
     from BalloonWorkbench.app.properties import film
+    from BalloonWorkbench.core.making.bag_numbers import bag_pieces
     from BalloonWorkbench.core.pattern.make import sheet_of
     from BalloonWorkbench.core.products import by_stock, pieces_of
 
@@ -156,6 +158,9 @@ def _by_film(obj) -> dict:
         raise InputError(f"{obj.Balloons} balloons cannot be laid out: give 1 or more.")
     pieces = []
     for each in obj.Patterns:
+        if has_many_panels(each.Balloon):
+            pieces += bag_pieces(pattern.bag_patterns(each), obj.Balloons, film.read(each.Balloon).lies)
+            continue
         panel = pattern.build(each)
         whole = sheet_of(panel, replace(pattern.values(each), mirror=True, copies=1))
         pieces += pieces_of(panel, whole, obj.Balloons, film.read(each.Balloon).lies)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The group of a balloon: Outline, Balloon and Pattern, or those of all shapes of a drawing."""
+"""The group of a balloon: what it is made from, Balloon and Pattern, or those of all shapes of a drawing."""
 
 from __future__ import annotations
 
@@ -22,8 +22,10 @@ class GroupProxy(Stateless):
         hooks.attach_view(obj)
 
 
+#: What a balloon is made from.
+OUTLINE, GORED_BODY, BAG = "Outline", "GoredBody", "Bag"
 #: What its members are called: their labels are theirs.
-MEMBERS = ("Outline", "Balloon", "Pattern")
+MEMBERS = (OUTLINE, "Balloon", "Pattern")
 
 
 def make_group(doc):
@@ -39,7 +41,7 @@ def make_group(doc):
 def name_group(group, label: str) -> None:
     """Call a group by what its balloon is made from: the first one "Fish", the next one "Fish 2"."""
     taken = {obj.Label for obj in group.Document.Objects if obj != group}
-    label = f"{label} drawing" if label in MEMBERS else label
+    label = f"{label} drawing" if label in (*MEMBERS, GORED_BODY, BAG) else label
     name, number = label, 1
     while name in taken:
         number += 1

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.document import arrange
-from BalloonWorkbench.app.document.kinds import leader
+from BalloonWorkbench.app.document.kinds import is_outline, leader
 from BalloonWorkbench.app.document.proxy import DocumentProxy
 from BalloonWorkbench.app.engine import repairs
 from BalloonWorkbench.app.properties.property_table import (
@@ -134,9 +134,11 @@ def has_drawing(obj) -> bool:
 
 
 def shape_count(obj) -> int:
-    """How many shapes the drawing of an outline has; 0 where it cannot be read."""
+    """How many shapes the drawing of an outline has; 0 where it cannot be read, and of what is no outline."""
     from BalloonWorkbench.core.errors import BalloonError
 
+    if not is_outline(obj):
+        return 0
     try:
         return len(read_all(obj)[0].parts) if has_drawing(obj) else 0
     except BalloonError:

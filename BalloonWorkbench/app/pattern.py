@@ -6,10 +6,13 @@ from __future__ import annotations
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.document import arrange
 from BalloonWorkbench.app.document.proxy import DocumentProxy
+from BalloonWorkbench.app.engine import bag_sheet
+from BalloonWorkbench.app.engine.bag_result import has_many_panels
 from BalloonWorkbench.app.host import is_replaying
 from BalloonWorkbench.app.properties.property_table import (
     Property,
     follow_needs,
+    is_complete,
     options_from,
     properties_of,
     result,
@@ -64,6 +67,9 @@ PROPERTIES = (
         needs="Arcs",
     ),
     result("String", "HowToFill", "How the intake is made and used"),
+    result("StringList", "Pieces", "Panels that are cut, each with what is equal to it"),
+    result("StringList", "Seams", "Seams by the number on both edges, with their lengths"),
+    result("StringList", "Order", "The seams in the order of the work"),
     result("Length", "SeamLength", "Length of the weld"),
     result("Length", "PatternWidth", "Width of the piece of film"),
     result("Length", "PatternHeight", "Height of the piece of film"),
@@ -72,6 +78,8 @@ PROPERTIES = (
     result("String", "Status", "Up to date, or what is wrong"),
     *arrange.PROPERTIES,
 )
+#: What balloons of many panels alone have.
+_OF_MANY = ("Opening", "OpeningShare")
 #: What decides which of the others have an effect.
 _DECIDING = {"IntakeAuto", "IntakeBy", "TieTabAuto"} | {item.needs for item in PROPERTIES}
 
@@ -87,7 +95,7 @@ class PatternProxy(DocumentProxy):
         self.follow_intake(obj)
 
     def onChanged(self, obj, name):
-        if not all(item.name in obj.PropertiesList for item in PROPERTIES):
+        if not is_complete(obj, PROPERTIES):
             return
         if name in _DECIDING:
             self.follow_intake(obj)
@@ -109,6 +117,7 @@ class PatternProxy(DocumentProxy):
             IntakeAngle=_mode(obj, DIRECTION),
             IntakeAlong=_mode(obj, PLACE),
             TieTabAngle="edit" if obj.TieTab and not obj.TieTabAuto else "hide",
+            **dict.fromkeys(_OF_MANY, "edit" if obj.Intake and _is_of_many(obj) else "hide"),
         )
 
     def compute(self, obj):
@@ -118,16 +127,24 @@ class PatternProxy(DocumentProxy):
         if status.waits_for(obj, obj.Balloon, has_result, "Choose the balloon that it belongs to."):
             return
         with status.reported(obj, has_result):
-            request, arcs = _request(obj), obj.Arcs
-            curves = hooks.run_blocking(f"Drawing {obj.Label}", lambda progress: draw(*request, arcs))
+            drawing = _drawing(obj)
+            curves = hooks.run_blocking(f"Drawing {obj.Label}", lambda progress: drawing())
             with results(obj) as output:
                 pattern_shape.show(output, sheet(obj), curves, kind_of(obj).note if obj.Intake else "")
+                bag_sheet.show(output, bag_patterns(obj) if has_many_panels(obj.Balloon) else None)
+            self.follow_intake(obj)  # there may be more panels now
             status.set_status(obj, status.READY)
         obj.positionBySupport()
 
     def cut_pattern(self, obj):
         """All that is cut: the panel with the pieces of its intake, the second panel, copies."""
         return sheet(obj)
+
+
+def _is_of_many(obj) -> bool:
+    """The balloon has many panels, or something is said that only they have."""
+    many = bool(getattr(obj.Balloon, "FlatPanels", ""))
+    return many or any(getattr(obj, name) for name in _OF_MANY)
 
 
 def _is_edited(obj, name: str) -> bool:
@@ -201,6 +218,8 @@ def set_values(obj, options: PatternOptions) -> None:
 def build(obj):
     """The pattern of one panel in full precision, from the balloon's seam and the object's own values.
 
+    Of many panels it is that of all.
+
     Raises InputError where the film of the intake's pieces does not weld to the balloon's.
     """
     from dataclasses import replace
@@ -208,6 +227,8 @@ def build(obj):
     from BalloonWorkbench.app.properties import film
     from BalloonWorkbench.core.pattern.make import make_pattern, pieces_remarks
 
+    if has_many_panels(obj.Balloon):
+        return bag_patterns(obj).sheet
     remarks = pieces_remarks(values(obj), film.read(obj.Balloon))
     pattern = make_pattern(*_request(obj))
     return replace(pattern, warnings=(*pattern.warnings, *remarks))
@@ -217,7 +238,31 @@ def sheet(obj):
     """All that is cut: the panel with the pieces of its intake, the second panel, copies."""
     from BalloonWorkbench.core.pattern.make import sheet_of
 
-    return sheet_of(build(obj), values(obj))
+    return build(obj) if has_many_panels(obj.Balloon) else sheet_of(build(obj), values(obj))
+
+
+def bag_patterns(obj):
+    """What is cut for a balloon of many panels, the core's BagPatterns."""
+    from BalloonWorkbench.core.bag_pattern import make
+
+    return make.bag_patterns(*_bag_request(obj))
+
+
+def _bag_request(obj) -> tuple:
+    """Flat panels, film and values: all that the patterns of many panels are made from."""
+    from BalloonWorkbench.app.properties import film
+    from BalloonWorkbench.app.shapes.bag_shapes import bag_from
+
+    return bag_from(obj.Balloon.FlatPanels), film.read(obj.Balloon), values(obj)
+
+
+def _drawing(obj):
+    """A function that gives what is drawn of an object's pattern and does not touch the document."""
+    from functools import partial
+
+    if has_many_panels(obj.Balloon):
+        return partial(bag_sheet.draw, *_bag_request(obj), obj.Arcs)
+    return partial(draw, *_request(obj), obj.Arcs)
 
 
 def _request(obj) -> tuple:

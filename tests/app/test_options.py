@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from BalloonWorkbench.app import artwork, balloon, film_sheet, outline, pattern
+from BalloonWorkbench.app import artwork, balloon, film_sheet, gored_body, outline, pattern
 from BalloonWorkbench.app.document import create
 from BalloonWorkbench.app.properties import film, preferences, values
 from BalloonWorkbench.app.properties.property_table import engine_value, shown_value
@@ -16,7 +16,7 @@ from BalloonWorkbench.core.options.table import options
 ROOT = Path(__file__).parents[2]
 HELD = {
     item.option.text: item
-    for module in (outline, balloon, pattern, artwork, film_sheet)
+    for module in (outline, gored_body, balloon, pattern, artwork, film_sheet)
     for item in module.PROPERTIES
     if item.option is not None
 }
@@ -60,6 +60,7 @@ def test_a_new_object_begins_with_what_is_declared(doc, text):
     item = HELD[text]
     parts = create.make(doc)
     made = [*parts, artwork.make(parts.pattern), film_sheet.make(doc, [parts.pattern])]
+    made.append(create.make(doc, source="GoredBody").outline)
     (obj,) = [obj for obj in made if text in map(obj.getDocumentationOfProperty, obj.PropertiesList)]
     assert obj.getTypeIdOfProperty(item.name) == f"App::Property{item.type}"
     assert obj.getGroupOfProperty(item.name) == item.option.group
@@ -85,12 +86,14 @@ def test_preferences_are_those_that_are_declared():
     }
 
 
-def test_macros_know_every_option_of_a_balloon():
-    known = values.places()
-    held = [item for module in (outline, balloon, pattern) for item in module.PROPERTIES if item.option]
-    assert held
-    for item in held:
-        assert {item.option.api_name, f"film_{item.option.api_name}"} & set(known), item.name
+def test_macros_know_every_option_of_a_balloon(doc):
+    body = create.make(doc, source="GoredBody").outline
+    for source, first in ((None, outline), (body, gored_body)):
+        known = values.places(source)
+        held = [item for module in (first, balloon, pattern) for item in module.PROPERTIES if item.option]
+        assert held
+        for item in held:
+            assert {item.option.api_name, f"film_{item.option.api_name}"} & set(known), item.name
 
 
 def test_an_entry_is_a_property_and_a_value_of_macros(tmp_path):

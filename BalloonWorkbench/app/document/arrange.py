@@ -19,8 +19,8 @@ from BalloonWorkbench.app.document.kinds import (
     is_artwork,
     is_film_sheet,
     is_ours,
-    is_outline,
     is_pattern,
+    is_source,
     leader,
 )
 from BalloonWorkbench.app.properties.property_table import Property
@@ -166,7 +166,7 @@ def _units(doc) -> list[_Unit]:
     for obj in filter(is_ours, doc.Objects):
         if "PlacedAt" not in obj.PropertiesList or not (status.is_ready(obj) and _has_shape(obj)):
             continue
-        if is_outline(obj):
+        if is_source(obj):
             outlines.append(obj)
         elif is_pattern(obj):
             patterns.append(obj)
@@ -211,7 +211,7 @@ def _state(obj) -> str:
 
 def _follows_sketch(obj) -> bool:
     """It lies on a sketch, or as far from it as it was put aside."""
-    return "KeepAspect" in obj.PropertiesList and bool(leader(obj).Source)
+    return FROM_SKETCH.name in obj.PropertiesList and bool(leader(obj).Source)
 
 
 def _is_same(a: App.Placement, b: App.Placement) -> bool:

@@ -7,32 +7,45 @@ import os
 from contextlib import ExitStack
 
 from BalloonWorkbench.app import balloon, pattern
+from BalloonWorkbench.app.bag import BagProxy, set_file, set_panels
 from BalloonWorkbench.app.balloon import BalloonProxy
 from BalloonWorkbench.app.border import hooks, status
 from BalloonWorkbench.app.document import arrange
 from BalloonWorkbench.app.document.parts import Parts, companions
-from BalloonWorkbench.app.group import MEMBERS, make_group, name_group
+from BalloonWorkbench.app.gored_body import NATURAL_SHAPE, GoredBodyProxy, set_profile
+from BalloonWorkbench.app.group import BAG, GORED_BODY, MEMBERS, OUTLINE, make_group, name_group
 from BalloonWorkbench.app.outline import OutlineProxy, set_drawing, shape_count
 from BalloonWorkbench.app.pattern import PatternProxy
-from BalloonWorkbench.app.properties import film
+from BalloonWorkbench.app.properties import film, ready_bodies
 from BalloonWorkbench.app.properties.property_table import write_options
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.options.simulation import InflationOptions
 from BalloonWorkbench.core.units import number_text
 
+#: What a balloon may be made from: the kind of the document object and its behaviour, by its name.
+SOURCES = {
+    OUTLINE: ("Part::Part2DObjectPython", OutlineProxy),
+    GORED_BODY: ("Part::FeaturePython", GoredBodyProxy),
+    BAG: ("Part::Part2DObjectPython", BagProxy),
+}
 
-def make(doc, label: str = "Film balloon") -> Parts:
-    """The three objects, linked and in a group of their own, still without a drawing; nothing is computed."""
-    parts = _make_in(make_group(doc))
+
+def make(doc, label: str = "Film balloon", source: str = OUTLINE) -> Parts:
+    """The three objects, linked and in a group of their own, still without a drawing; nothing is computed.
+
+    source  what it is made from, of SOURCES
+    """
+    parts = _make_in(make_group(doc), source)
     name_group(parts.balloon.getParentGroup(), label)
     return parts
 
 
-def _make_in(group) -> Parts:
+def _make_in(group, source: str = OUTLINE) -> Parts:
     doc = group.Document
-    kinds = "Part::Part2DObjectPython", "Mesh::FeaturePython", "Part::Part2DObjectPython"
-    parts = Parts(*(doc.addObject(kind, name) for kind, name in zip(kinds, MEMBERS, strict=True)))
-    for obj, proxy in zip(parts, (OutlineProxy, BalloonProxy, PatternProxy), strict=True):
+    kind, behaviour = SOURCES[source]
+    kinds, names = (kind, "Mesh::FeaturePython", "Part::Part2DObjectPython"), (source, *MEMBERS[1:])
+    parts = Parts(*(doc.addObject(kind, name) for kind, name in zip(kinds, names, strict=True)))
+    for obj, proxy in zip(parts, (behaviour, BalloonProxy, PatternProxy), strict=True):
         proxy(obj)
         hooks.attach_view(obj)
         group.addObject(obj)
@@ -57,7 +70,7 @@ def balloon_from_picture(doc, path, width=None, height=None, **options) -> Parts
     sizes = [_size(name, value) for name, value in (("width", width), ("height", height))]
     if not os.path.isfile(path):
         raise InputError(f"There is no file {path}: check the name and the folder.")
-    parts = make(doc, os.path.splitext(os.path.basename(path))[0])
+    parts = make(doc, _title(path))
     with ExitStack() as unless_finished:
         unless_finished.callback(discard, parts)
         set_drawing(parts.outline, path)
@@ -115,6 +128,64 @@ def balloon_from_sketch(doc, sketch, elements=(), **options) -> Parts:
         _finish(parts, options)
         unless_finished.pop_all()
     return parts
+
+
+def balloon_from_profile(doc, source, elements=(), **options) -> Parts:
+    """A balloon of gores from a profile: a sketch or wire, the path of a file, or None for the natural shape.
+
+    elements  names of parts of a sketch or wire; none means the whole
+
+    Options and errors as for `balloon_from_picture`.
+    """
+    is_file = isinstance(source, (str, os.PathLike))
+    label = "Natural shape" if source is None else _title(source) if is_file else f"{source.Label} body"
+    if is_file and not os.path.isfile(source):
+        raise InputError(f"There is no file {source}: check the name and the folder.")
+    parts = make(doc, label, GORED_BODY)
+    with ExitStack() as unless_finished:
+        unless_finished.callback(discard, parts)
+        if source is None:
+            parts.outline.ProfileFrom = NATURAL_SHAPE
+        elif is_file:
+            set_profile(parts.outline, source)
+        else:
+            parts.outline.Source = (source, list(elements))
+        _finish(parts, options)
+        unless_finished.pop_all()
+    return parts
+
+
+def balloon_from_panels(doc, source, seams=(), **options) -> Parts:
+    """A balloon of flat panels as they are.
+
+    source  the path of a JSON file, the name of a ready body, or a list of sketches, wires and pairs of an
+            object and the names of its flat faces
+    seams   of sketches and faces: which edges are joined, as texts "Sketch.Edge1=Sketch001.Edge3"
+
+    Options and errors as for `balloon_from_picture`.
+    """
+    is_text = isinstance(source, (str, os.PathLike))
+    ready = ready_bodies.called(source) if isinstance(source, str) else None
+    if is_text and not ready and not os.path.isfile(source):
+        raise InputError(f"There is no file {source}, and no such ready body: check the name and the folder.")
+    parts = make(doc, ready if ready else _title(source) if is_text else "Bag of panels", BAG)
+    with ExitStack() as unless_finished:
+        unless_finished.callback(discard, parts)
+        if ready:
+            parts.outline.Ready = ready
+        elif is_text:
+            set_file(parts.outline, source)
+        else:
+            set_panels(parts.outline, source)
+            parts.outline.Seams = list(seams)
+        _finish(parts, options)
+        unless_finished.pop_all()
+    return parts
+
+
+def _title(path) -> str:
+    """What a file is called, without its ending."""
+    return os.path.splitext(os.path.basename(path))[0]
 
 
 def configure(

@@ -54,6 +54,23 @@ EXAMPLES = (
         QT_TRANSLATE_NOOP("BalloonWorkbench", "Ring"),
         QT_TRANSLATE_NOOP("BalloonWorkbench", "Two circles: change their diameters in the sketch"),
     ),
+    Example(
+        "airship",
+        QT_TRANSLATE_NOOP("BalloonWorkbench", "Airship"),
+        QT_TRANSLATE_NOOP(
+            "BalloonWorkbench", "Six gores from half an outline in a sketch: change their number"
+        ),
+    ),
+    Example(
+        "banded-letter",
+        QT_TRANSLATE_NOOP("BalloonWorkbench", "Letter with a side band"),
+        QT_TRANSLATE_NOOP("BalloonWorkbench", "Front, back and a band between them: change its width"),
+    ),
+    Example(
+        "pouch",
+        QT_TRANSLATE_NOOP("BalloonWorkbench", "Pouch"),
+        QT_TRANSLATE_NOOP("BalloonWorkbench", "Panels with gussets, whose sizes come from a spreadsheet"),
+    ),
 )
 
 

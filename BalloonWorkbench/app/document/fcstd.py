@@ -9,11 +9,19 @@ from pathlib import Path
 import FreeCAD as App
 
 from BalloonWorkbench.app import balloon, pattern
+from BalloonWorkbench.app.bag import set_file
+from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.document import create
+from BalloonWorkbench.app.document.kinds import is_bag, is_gored_body
+from BalloonWorkbench.app.gored_body import set_profile
+from BalloonWorkbench.app.group import BAG, GORED_BODY, OUTLINE
 from BalloonWorkbench.app.outline import in_letters, set_drawing
 from BalloonWorkbench.app.properties import film, size_goal
 from BalloonWorkbench.app.properties.property_table import write_options
+from BalloonWorkbench.core.bags.bag import Bag
+from BalloonWorkbench.core.bodies.profile import Profile
 from BalloonWorkbench.core.files.write import write_files
+from BalloonWorkbench.core.options.body import BandOptions, BodyOptions
 from BalloonWorkbench.core.options.drawing import ReadingOptions
 from BalloonWorkbench.core.options.simulation import InflationOptions, ModelOptions
 from BalloonWorkbench.core.units import to_mm
@@ -43,15 +51,18 @@ def fcstd_bytes(drawing, settings, designs, *, label: str = "balloon", width=Non
     """
     doc = App.newDocument("Balloon", hidden=True, temp=True)
     try:
-        parts = create.make(doc, Path(in_letters(drawing)).stem)
-        set_drawing(parts.outline, drawing)
-        parts.outline.Width = 0.0 if width is None else to_mm(width)
-        parts.outline.Height = 0.0 if height is None else to_mm(height)
+        parts = create.make(doc, Path(in_letters(drawing)).stem, _source_of(designs))
+        if is_bag(parts.outline):
+            set_file(parts.outline, drawing)
+        else:
+            (set_profile if is_gored_body(parts.outline) else set_drawing)(parts.outline, drawing)
+            parts.outline.Width = 0.0 if width is None else to_mm(width)
+            parts.outline.Height = 0.0 if height is None else to_mm(height)
         write_settings(parts, settings)
         everyone = [parts, *create.add_companions(parts)]
         for each, design in zip(everyone, designs):
             each.outline.recompute()
-            if each.outline.LoopCounts:
+            if status.is_ready(each.outline):
                 balloon.show(each.balloon, balloon.request(each.balloon), design)
         create.compute(*everyone)
         with tempfile.TemporaryDirectory() as folder:
@@ -62,6 +73,12 @@ def fcstd_bytes(drawing, settings, designs, *, label: str = "balloon", width=Non
         App.closeDocument(doc.Name)
 
 
+def _source_of(designs) -> str:
+    """What the balloons are made from: outlines, a body of gores or a bag."""
+    source = getattr(designs[0], "source", None)
+    return GORED_BODY if isinstance(source, Profile) else BAG if isinstance(source, Bag) else OUTLINE
+
+
 def write_settings(parts, settings) -> None:
     """Give the objects of a balloon what the engine's settings say; nothing is computed."""
     film.choose(parts.balloon, settings.film)
@@ -69,6 +86,10 @@ def write_settings(parts, settings) -> None:
     if settings.volume is not None:
         parts.balloon.Load = balloon.VOLUME
     write_options(parts.balloon, settings.model, ModelOptions)
-    write_options(parts.outline, settings, ReadingOptions)
+    if is_gored_body(parts.outline):
+        write_options(parts.outline, settings.body, BodyOptions)
+    elif not is_bag(parts.outline):
+        write_options(parts.outline, settings, ReadingOptions)
+        write_options(parts.balloon, settings.side_band, BandOptions)
     pattern.set_values(parts.pattern, settings.pattern)
     size_goal.set_filling(parts.balloon, settings.filling)

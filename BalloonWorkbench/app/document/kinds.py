@@ -4,7 +4,8 @@ stand below the proxies."""
 
 from __future__ import annotations
 
-_KINDS = ("OutlineProxy", "BalloonProxy", "PatternProxy", "ArtworkProxy", "FilmSheetProxy")
+_SOURCES = ("OutlineProxy", "GoredBodyProxy", "BagProxy")
+_KINDS = (*_SOURCES, "BalloonProxy", "PatternProxy", "ArtworkProxy", "FilmSheetProxy")
 
 
 def _kind(obj) -> str:
@@ -19,6 +20,21 @@ def is_ours(obj) -> bool:
 def is_outline(obj) -> bool:
     """Whether a document object is an outline."""
     return _kind(obj) == "OutlineProxy"
+
+
+def is_gored_body(obj) -> bool:
+    """Whether a document object is a body of gores."""
+    return _kind(obj) == "GoredBodyProxy"
+
+
+def is_bag(obj) -> bool:
+    """Whether a document object is a bag: panels and their seams."""
+    return _kind(obj) == "BagProxy"
+
+
+def is_source(obj) -> bool:
+    """Whether a document object says what a balloon is to be: an outline, a body of gores or a bag."""
+    return _kind(obj) in _SOURCES
 
 
 def is_balloon(obj) -> bool:
@@ -41,6 +57,9 @@ def is_film_sheet(obj) -> bool:
     return _kind(obj) == "FilmSheetProxy"
 
 
-def leader(outline):
-    """The outline that has the drawing: the object itself, or the one whose drawing it shares."""
-    return outline.Leader or outline
+def leader(source):
+    """The outline that has the drawing: the object itself, or the one whose drawing it shares.
+
+    Bodies of gores and bags share nothing.
+    """
+    return getattr(source, "Leader", None) or source

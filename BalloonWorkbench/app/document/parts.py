@@ -5,11 +5,11 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from BalloonWorkbench.app.document.kinds import is_balloon, is_outline, is_pattern
+from BalloonWorkbench.app.document.kinds import is_balloon, is_pattern, is_source, leader
 
 
 class Parts(NamedTuple):
-    """The three objects of one balloon."""
+    """The three objects of one balloon; outline: what it is to be, which may be a body of gores or a bag."""
 
     outline: object
     balloon: object
@@ -31,7 +31,7 @@ def parts_of(obj) -> Parts | None:
     if is_balloon(obj):
         users = [user for user in obj.InList if is_pattern(user) and user.Balloon == obj]
         return parts_of(users[0]) if users else None
-    if is_outline(obj):
+    if is_source(obj):
         users = [user for user in obj.InList if is_balloon(user) and user.Outline == obj]
         return parts_of(users[0]) if users else None
     return None
@@ -40,5 +40,5 @@ def parts_of(obj) -> Parts | None:
 def companions(parts: Parts) -> list[Parts]:
     """The other balloons of the same drawing, by the number of their shape."""
     made = filter(None, map(parts_of, filter(is_pattern, parts.balloon.getParentGroup().Group)))
-    others = [each for each in made if each.outline.Leader == parts.outline]
+    others = [each for each in made if leader(each.outline) == parts.outline != each.outline]
     return sorted(others, key=lambda other: other.outline.Part)

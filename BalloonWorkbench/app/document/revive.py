@@ -16,6 +16,8 @@ from BalloonWorkbench.app.border.guard import Guarded
 #: By a property that no other kind has: module and class.
 _KINDS = {
     "KeepAspect": ("outline", "OutlineProxy"),
+    "UpperCap": ("gored_body", "GoredBodyProxy"),
+    "SeamLengths": ("bag", "BagProxy"),
     "SolvedFor": ("balloon", "BalloonProxy"),
     "IntakeKind": ("pattern", "PatternProxy"),
     "Bleed": ("artwork", "ArtworkProxy"),

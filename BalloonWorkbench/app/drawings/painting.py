@@ -101,7 +101,7 @@ def solve(
     shape, before what there is to tell about them.
     Raises BalloonError when there is none, Cancelled when progress says stop.
     """
-    from BalloonWorkbench.core.report import Source
+    from BalloonWorkbench.core.reports.report import Source
 
     settings = _as_stored(settings)
     drawing, kind = read_drawing(

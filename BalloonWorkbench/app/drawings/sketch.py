@@ -25,7 +25,7 @@ def drawing_of(source, elements: tuple[str, ...] = ()) -> tuple[Drawing, App.Pla
 
     Raises OutlineError when the shape is empty, not flat, open, or crosses itself.
     """
-    shape = _shape(source, elements)
+    shape = shape_of(source, elements)
     size = shape.BoundBox.DiagonalLength if shape.Edges else 0.0
     if size <= _NO_SIZE:
         raise OutlineError(f"{source.Label} is empty: draw a closed line in it.")
@@ -34,16 +34,16 @@ def drawing_of(source, elements: tuple[str, ...] = ()) -> tuple[Drawing, App.Pla
     budget = Budget()
     lines = []
     for edge in shape.Edges:
-        lines.append(_polyline(edge, size))
+        lines.append(polyline(edge, size))
         budget.spend_points(len(lines[-1]))
-    frame = _frame(shape, np.concatenate(lines), size, source.Label)
+    frame = frame_of(shape, np.concatenate(lines), size, source.Label)
     back = np.array(frame.inverse().Matrix.A).reshape(4, 4)
     flat = [from_mm(line @ back[:2, :3].T + back[:2, 3]) for line in lines]
     drawing = checked(drawing_from(flat, open_are_welds=True, budget=budget), budget)
     return drawing, source.getGlobalPlacement() * frame
 
 
-def _shape(source, elements: tuple[str, ...]):
+def shape_of(source, elements: tuple[str, ...]):
     """The shape in the source's own coordinates."""
     import Part
 
@@ -55,12 +55,29 @@ def _shape(source, elements: tuple[str, ...]):
     return shape
 
 
-def _polyline(edge, size: float) -> np.ndarray:
-    """Points (n, 3) along an edge."""
-    return np.array([tuple(point) for point in edge.discretize(Deflection=_DEFLECTION * size)])
+def polyline(edge, size: float, deflection: float = _DEFLECTION) -> np.ndarray:
+    """Points (n, 3) along an edge; deflection: from it, relative to the size."""
+    return np.array([tuple(point) for point in edge.discretize(Deflection=deflection * size)])
 
 
-def _frame(shape, points: np.ndarray, size: float, label: str) -> App.Placement:
+def joined(lines: list[np.ndarray]) -> np.ndarray:
+    """Lines (n, d) that follow each other as one, each turned so that it begins where the last one ends."""
+    lines = list(lines)
+    if len(lines) > 1 and _gap(lines[0][-1], lines[1]) > _gap(lines[0][0], lines[1]):
+        lines[0] = lines[0][::-1]
+    for k in range(1, len(lines)):
+        here = lines[k - 1][-1]
+        if np.linalg.norm(lines[k][0] - here) > np.linalg.norm(lines[k][-1] - here):
+            lines[k] = lines[k][::-1]
+    return np.concatenate([lines[0], *(line[1:] for line in lines[1:])])
+
+
+def _gap(point: np.ndarray, line: np.ndarray) -> float:
+    """How far a point is from the nearer end of a line."""
+    return float(min(np.linalg.norm(line[end] - point) for end in (0, -1)))
+
+
+def frame_of(shape, points: np.ndarray, size: float, label: str) -> App.Placement:
     """The plane of the points: parallel to xy where they allow it, else turned the shortest way."""
     if np.ptp(points[:, 2]) <= _FLAT * size:
         facing_down = len(shape.Faces) == 1 and shape.Faces[0].normalAt(0, 0).z < 0

@@ -5,7 +5,9 @@ from __future__ import annotations
 
 import json
 
+from BalloonWorkbench.app.balloon import asks_for_many_panels, request
 from BalloonWorkbench.app.border import status
+from BalloonWorkbench.core.errors import InputError
 
 #: What is said of the intake, which may change without the balloon.
 _OF_INTAKE = ("hidden_intake", "delicate_intake")
@@ -15,18 +17,38 @@ def findings(parts) -> list:
     """The core's findings about a balloon, the worst first.
 
     Those of its simulation where that is up to date, else those predicted from its outline. Raises
-    BalloonError where the outline is of no use.
+    BalloonError where the outline is of no use. Of many panels they are measured on the balloon only.
     """
     from BalloonWorkbench.app.pattern import values
 
     outline, balloon, pattern = parts
     if not status.is_ready(outline):
         return []
+    if asks_for_many_panels(balloon):
+        return _of_many(parts)
     if not (status.is_ready(balloon) and is_solved(balloon)):
         return predicted(parts)
     merged = [finding for finding in stored(balloon) if finding.rule not in _OF_INTAKE]
     merged += _of_intake(balloon, values(pattern))
     return sorted(merged, key=lambda finding: -finding.severity.rank)
+
+
+def _of_many(parts) -> list:
+    """The findings about a balloon of many panels, with places on it."""
+    from BalloonWorkbench.app.engine import bag_result
+    from BalloonWorkbench.app.engine.maker import safety_of
+    from BalloonWorkbench.app.pattern import bag_patterns
+    from BalloonWorkbench.core.advice.many_panels.bag_advice import bag_advice, design_findings
+    from BalloonWorkbench.core.options.body import ACCURACY
+
+    balloon = parts.balloon
+    if not (status.is_ready(balloon) and is_solved(balloon)):
+        raise InputError("Advice on many panels is measured on the balloon: inflate it first.")
+    accuracy = request(balloon).settings.body.accuracy or ACCURACY
+    design, film = bag_result.stored(balloon)
+    if not status.is_ready(parts.pattern):
+        return design_findings(design, accuracy)
+    return bag_advice(design, bag_patterns(parts.pattern), film, safety_of(balloon), accuracy)
 
 
 def _of_intake(balloon, options) -> list:
@@ -42,7 +64,6 @@ def _of_intake(balloon, options) -> list:
 
 def is_solved(balloon) -> bool:
     """The result belongs to the present values."""
-    from BalloonWorkbench.app.balloon import request
 
     return bool(balloon.Report) and balloon.SolvedFor == request(balloon).key()
 
@@ -72,11 +93,15 @@ def predicted(parts) -> list:
 
 
 def advice_before(parts):
-    """The core's advice from the outline alone, with the map of the thickness to be expected."""
-    from BalloonWorkbench.app.balloon import request
+    """The core's advice from the outline alone, with the map of the thickness to be expected.
+
+    Raises InputError for many panels.
+    """
     from BalloonWorkbench.app.pattern import values
     from BalloonWorkbench.core.advice.advise import advise
 
+    if asks_for_many_panels(parts.balloon):
+        raise InputError("There is advice about two equal panels only: of many, the warnings tell.")
     asked = request(parts.balloon)
     settings = asked.settings
     return advise(asked.source.outline, settings.film, fitted=settings.correct, options=values(parts.pattern))

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from BalloonWorkbench.app.document.kinds import leader
+from BalloonWorkbench.app.document.kinds import is_outline, leader
 from BalloonWorkbench.app.engine.cut_sheet import patterns_in, sheet
 from BalloonWorkbench.core.errors import ExportError
 
@@ -20,6 +20,8 @@ def hindrance(pattern_obj) -> str:
     if getattr(pattern_obj, "Patterns", None):
         return "A layout is as large as its film: give the film the size of the bed there."
     outline = leader(patterns[0].Balloon.Outline)
+    if not is_outline(outline):
+        return f"The size comes from {outline.Label}: make it smaller there, or of more and narrower panels."
     if outline.Source:
         return f"The size comes from {outline.Source[0].Label}: make it smaller there."
     driven = dict(outline.ExpressionEngine)

@@ -28,6 +28,19 @@ PROPERTIES = (
     result(
         "VectorList", "LowerFilmPoints", "Vertices of the lower film where both were simulated", hidden=True
     ),
+    result(
+        "IntegerList",
+        "PanelSizes",
+        "Of many panels, for each: number of vertices, of triangles and of loops",
+        hidden=True,
+    ),
+    result(
+        "IntegerList",
+        "SeamRuns",
+        "Of many panels, for each seam: both panels, number of vertices, then those of either side",
+        hidden=True,
+    ),
+    result("FloatList", "SeamEase", "Of many panels, how much longer one side of a seam may be", hidden=True),
     result("String", "SolvedWith", "Film, model and solver of the result", hidden=True),
 )
 
@@ -36,18 +49,24 @@ def store(obj, inflation, film, values: dict) -> None:
     """Write a result into the object; values: those of its own properties, by name, that led to it."""
     import numpy as np
 
-    panel = inflation.panel
-    lines = (*panel.loops, *panel.welds)
+    assembly = inflation.assembly
+    panels = assembly.panels
+    loops = [loop for panel in panels for loop in panel.loops]
+    lines = (*loops, *inflation.panel.welds)
     lower = inflation.lower if inflation.lower is not None else np.empty((0, 3))
-    flat = np.column_stack([panel.rest_positions, np.zeros(len(panel.rest_positions))])
+    rest = np.concatenate([panel.rest_positions for panel in panels])
+    flat = np.column_stack([rest, np.zeros(len(rest))])
     obj.PanelPoints, obj.FilmPoints, obj.LowerFilmPoints = map(_vectors, (flat, inflation.positions, lower))
-    obj.PanelTriangles = panel.triangles.ravel().tolist()
+    obj.PanelTriangles = np.concatenate([panel.triangles for panel in panels]).ravel().tolist()
     obj.PanelLines = [vertex for line in lines for vertex in line.tolist()]
-    obj.PanelLineCounts = [len(panel.loops), *map(len, lines)]
+    obj.PanelLineCounts = [len(loops), *map(len, lines)]
+    obj.PanelSizes = [] if assembly.mirror else _sizes(panels)
+    obj.SeamRuns = [] if assembly.mirror else _runs(assembly.seams)
+    obj.SeamEase = [] if assembly.mirror else [seam.ease for seam in assembly.seams]
     obj.SolvedWith = json.dumps(
         {
             "film": asdict(film),
-            "report": asdict(inflation.report),
+            "report": _report_data(inflation.report),
             "volume": inflation.volume,
             "values": values,
         }
@@ -65,38 +84,99 @@ def stored(obj):
 
     from BalloonWorkbench.core.errors import InputError
     from BalloonWorkbench.core.film.film import Film, Look
-    from BalloonWorkbench.core.panels.assembly import Assembly
-    from BalloonWorkbench.core.panels.panel import Panel
     from BalloonWorkbench.core.results.film_state import film_state
     from BalloonWorkbench.core.solver.inflation import Inflation, SolveReport
+    from BalloonWorkbench.core.solver.lift import Lift
     from BalloonWorkbench.core.solver.model import Model
     from BalloonWorkbench.core.solver.start import vertex_normals
 
     if not is_known(obj):
         raise InputError(f"{obj.Label} has no result yet: recompute it.")
     data = json.loads(obj.SolvedWith)
-    seams, *counts = obj.PanelLineCounts
-    lines = np.split(np.array(obj.PanelLines, dtype=np.int32), np.cumsum(counts)[:-1])
-    panel = Panel(
-        _metres(obj.PanelPoints)[:, :2],
-        np.array(obj.PanelTriangles, dtype=np.int32).reshape(-1, 3),
-        tuple(lines[:seams]),
-        tuple(lines[seams:]),
-    )
-    report = data["report"]
+    assembly = _assembly(obj)
     positions = _metres(obj.FilmPoints)
+    report = data["report"]
+    lift = report.get("lift")
+    solved = {
+        **report,
+        "model": Model(**report["model"]),
+        **({} if lift is None else {"lift": Lift(lift["gradient"], np.array(lift["held"], dtype=np.int32))}),
+    }
     inflation = Inflation(
-        Assembly.mirrored(panel),
+        assembly,
         positions,
-        vertex_normals(positions, panel),
-        np.zeros((len(panel.triangles), 2)),
+        np.concatenate(
+            [
+                vertex_normals(own, panel)
+                for own, panel in zip(np.split(positions, assembly.offsets[1:-1]), assembly.panels)
+            ]
+        ),
+        np.zeros((sum(len(panel.triangles) for panel in assembly.panels), 2)),
         data["volume"],
-        SolveReport(**{**report, "model": Model(**report["model"])}),
+        SolveReport(**solved),
         _metres(obj.LowerFilmPoints) if obj.LowerFilmPoints else None,
     )
     made_of = data["film"]
     film = Film(**{**made_of, "sources": tuple(made_of["sources"]), "look": Look(**made_of["look"])})
     return replace(inflation, tensions=film_state(inflation, film).tensions), film
+
+
+def _assembly(obj):
+    """The panels of the result: one that stands for its mirror image, too, or all with their seams."""
+    import numpy as np
+
+    from BalloonWorkbench.core.panels.assembly import Assembly
+    from BalloonWorkbench.core.panels.panel import Panel
+    from BalloonWorkbench.core.panels.seam import Run, Seam
+
+    seams, *counts = obj.PanelLineCounts
+    lines = np.split(np.array(obj.PanelLines, dtype=np.int32), np.cumsum(counts)[:-1])
+    points, triangles = (
+        _metres(obj.PanelPoints)[:, :2],
+        np.array(obj.PanelTriangles, dtype=np.int32).reshape(-1, 3),
+    )
+    if not obj.PanelSizes:
+        return Assembly.mirrored(Panel(points, triangles, tuple(lines[:seams]), tuple(lines[seams:])))
+    sizes = np.array(obj.PanelSizes).reshape(-1, 3)
+    ends = np.cumsum(sizes, axis=0)
+    panels = tuple(
+        Panel(
+            points[end[0] - size[0] : end[0]],
+            triangles[end[1] - size[1] : end[1]],
+            tuple(lines[end[2] - size[2] : end[2]]),
+        )
+        for size, end in zip(sizes, ends)
+    )
+    runs, joined = np.array(obj.SeamRuns, dtype=np.int32), []
+    for ease in obj.SeamEase:
+        one, other, count = runs[:3].tolist()
+        joined.append(Seam(Run(one, runs[3 : 3 + count]), Run(other, runs[3 + count : 3 + 2 * count]), ease))
+        runs = runs[3 + 2 * count :]
+    return Assembly(panels, tuple(joined))
+
+
+def _sizes(panels) -> list[int]:
+    return [
+        size
+        for panel in panels
+        for size in (len(panel.rest_positions), len(panel.triangles), len(panel.loops))
+    ]
+
+
+def _runs(seams) -> list[int]:
+    flat: list[int] = []
+    for seam in seams:
+        flat += [seam.first.panel, seam.second.panel, len(seam.first.vertices)]
+        flat += [*seam.first.vertices.tolist(), *seam.second.vertices.tolist()]
+    return flat
+
+
+def _report_data(report) -> dict:
+    """How it was solved, as plain data."""
+    data = asdict(report)
+    if data.get("lift"):
+        data["lift"]["held"] = data["lift"]["held"].tolist()
+    return data
 
 
 def changed_since(obj, values: dict) -> list[str]:

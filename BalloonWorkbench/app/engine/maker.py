@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from BalloonWorkbench.app.border import status
-from BalloonWorkbench.app.engine import film_result
+from BalloonWorkbench.app.engine import bag_result, film_result
 from BalloonWorkbench.app.properties import size_goal
 from BalloonWorkbench.core.errors import ExportError
 
@@ -30,6 +30,8 @@ def counting(parts, exact: bool = True):
     from BalloonWorkbench.core.pattern.make import sheet_of
 
     balloon = parts.balloon
+    if bag_result.has_many_panels(balloon):
+        return _counting_many(parts, exact)
     panel, whole = build(parts.pattern), replace(values(parts.pattern), mirror=True, copies=1)
     own, filling = film.read(balloon), size_goal.filling(balloon)
     seam, width = part_shapes.stored(balloon, "Seam"), film_result.drawing(balloon).size[0]
@@ -40,6 +42,18 @@ def counting(parts, exact: bool = True):
         return maker_numbers(inflation, own, seam, panel, width, filling, pieces=pieces, exact=exact)
 
     return count
+
+
+def _counting_many(parts, exact: bool):
+    """The same for many panels."""
+    from BalloonWorkbench.app.pattern import bag_patterns
+    from BalloonWorkbench.app.properties import film
+    from BalloonWorkbench.core.making.bag_numbers import bag_numbers
+
+    balloon = parts.balloon
+    patterns, filling = bag_patterns(parts.pattern), size_goal.filling(balloon)
+    own, (design, _) = film.read(balloon), bag_result.stored(balloon)
+    return lambda: bag_numbers(design, patterns, own, filling, exact=exact)
 
 
 def safety_of(balloon):
@@ -58,9 +72,6 @@ def write_assembly(parts, target, paper: str = "A4") -> Path:
     In the language of the window. Raises ExportError when something is not up to date or cannot be written.
     """
     from BalloonWorkbench.app.border import hooks
-    from BalloonWorkbench.app.pattern import build
-    from BalloonWorkbench.app.properties import film
-    from BalloonWorkbench.core.assembly_sheet.page import SheetSubject, assembly_pdf
     from BalloonWorkbench.core.files.write import write_files
 
     for obj in parts:
@@ -72,16 +83,22 @@ def write_assembly(parts, target, paper: str = "A4") -> Path:
     if path.is_dir():
         path = path / "assembly.pdf"
     group = parts.balloon.getParentGroup()
-    inflation, _ = film_result.stored(parts.balloon)
-    name, own, pattern = (
-        group.Label if group else parts.balloon.Label,
-        film.read(parts.balloon),
-        build(parts.pattern),
-    )
-    count = counting(parts)
-
-    def page(_progress) -> bytes:
-        return assembly_pdf(SheetSubject(name, own, inflation, pattern, count()), paper, hooks.say)
-
-    write_files(path.parent, {path.name: hooks.run_blocking(f"Writing {path.name}", page)})
+    page = _page(parts, group.Label if group else parts.balloon.Label)
+    content = hooks.run_blocking(f"Writing {path.name}", lambda progress: page(paper, hooks.say))
+    write_files(path.parent, {path.name: content})
     return path
+
+
+def _page(parts, name: str):
+    """A function that makes the sheet, on paper and in a language, and does not touch the document."""
+    from BalloonWorkbench.app.pattern import bag_patterns, build
+    from BalloonWorkbench.app.properties import film
+    from BalloonWorkbench.core.assembly_sheet.bag_pages import BagSubject, bag_assembly_pdf
+    from BalloonWorkbench.core.assembly_sheet.page import SheetSubject, assembly_pdf
+
+    own, count = film.read(parts.balloon), counting(parts)
+    if bag_result.has_many_panels(parts.balloon):
+        (design, _), patterns = bag_result.stored(parts.balloon), bag_patterns(parts.pattern)
+        return lambda *how: bag_assembly_pdf(BagSubject(name, own, design, patterns, count()), *how)
+    (inflation, _), pattern = film_result.stored(parts.balloon), build(parts.pattern)
+    return lambda *how: assembly_pdf(SheetSubject(name, own, inflation, pattern, count()), *how)

@@ -10,7 +10,6 @@ from dataclasses import asdict, dataclass, replace
 
 import numpy as np
 
-from BalloonWorkbench.core import report
 from BalloonWorkbench.core.advice.advise import advise_design
 from BalloonWorkbench.core.advice.as_data import advice_report
 from BalloonWorkbench.core.design.design import Design
@@ -20,7 +19,8 @@ from BalloonWorkbench.core.making.weight import weighing
 from BalloonWorkbench.core.memoize import memoized
 from BalloonWorkbench.core.options.pattern import PatternOptions
 from BalloonWorkbench.core.outline.outline import Outline
-from BalloonWorkbench.core.report import Source
+from BalloonWorkbench.core.reports import report
+from BalloonWorkbench.core.reports.report import Source
 from BalloonWorkbench.core.solver.model import Model
 from BalloonWorkbench.core.types import Progress, no_progress
 
@@ -98,7 +98,11 @@ class Request:
     def solve(self, progress: Progress = no_progress) -> tuple[Design, dict]:
         """The design, and what `describe` says about it; raises as `design` does."""
         design = self.design(progress)
-        return design, describe(self, design)
+        return design, self.describe(design)
+
+    def describe(self, design: Design) -> dict:
+        """What there is to tell about a design, as plain data; touches no document."""
+        return describe(self, design)
 
 
 def _of_balloon(settings: Settings) -> Settings:

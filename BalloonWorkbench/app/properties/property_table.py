@@ -100,6 +100,8 @@ def shown_value(option: Option, value):
         return value or ""
     if option.kind is Kind.TEMPERATURE:
         return value - _ICE
+    if option.kind is Kind.COUNT:
+        return value or 0
     return value if unit is None else (value or 0.0) / (unit * option.scale)
 
 
@@ -152,6 +154,11 @@ def add_missing(obj, properties: tuple[Property, ...]) -> None:
         )
         if item.value is not None:
             setattr(obj, item.name, item.value)
+
+
+def is_complete(obj, properties: tuple[Property, ...]) -> bool:
+    """The object has all of them: it is neither being made nor restored."""
+    return all(item.name in obj.PropertiesList for item in properties)
 
 
 def offer_choices(obj, properties: tuple[Property, ...]) -> None:

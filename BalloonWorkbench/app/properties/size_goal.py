@@ -115,26 +115,18 @@ def pattern_options(obj):
 
 def show_lift(obj) -> None:
     """Weight and lift of the balloon that is shown, for film, gas and pattern as they are now."""
-    from functools import partial
-
-    from BalloonWorkbench.app.border import hooks
     from BalloonWorkbench.app.properties.film import read
     from BalloonWorkbench.app.properties.quantities import cubic_metres, metres, pascals
-    from BalloonWorkbench.app.shapes import part_shapes
     from BalloonWorkbench.core.design.size_goal import Buoyancy, Scaling
-    from BalloonWorkbench.core.making.weight import film_and_valve
-    from BalloonWorkbench.core.pattern.make import make_pattern
     from BalloonWorkbench.core.units import to_grams, to_mm
 
-    own, seam, options = read(obj), part_shapes.stored(obj, "Seam"), pattern_options(obj)
-    weigh = partial(film_and_valve, seam, own, options)
-    known = film_and_valve.knows(seam, own, options) or make_pattern.knows(seam, own.seal_width, options)
-    area, valve = weigh() if known else hooks.run_blocking(f"Weighing {obj.Label}", lambda progress: weigh())
+    own = read(obj)
+    inside, area, valve = _film_areas(obj, own)
     lightness = filling(obj).lightness(pascals(obj.ActivePressure))
-    buoyancy = Buoyancy(lightness, own.areal_density, lambda seam: area, valve)
+    buoyancy = Buoyancy(lightness, own.areal_density, lambda seam: 0.5 * area, valve)
     width = metres(obj.InflatedWidth)
     size = max(width, metres(obj.InflatedHeight))
-    scaling = Scaling(size, cubic_metres(obj.Volume), seam.area, area - seam.area)
+    scaling = Scaling(size, cubic_metres(obj.Volume), 0.5 * inside, 0.5 * (area - inside))
     lift, scale = scaling.lift_at(1.0, buoyancy), scaling.floating(buoyancy)
     figures = {
         "Weight": to_grams(scaling.weight_at(1.0, buoyancy)),
@@ -146,3 +138,41 @@ def show_lift(obj) -> None:
         present = getattr(obj, name)
         if getattr(present, "Value", present) != value:
             setattr(obj, name, value)
+
+
+def _film_areas(obj, own) -> tuple[float, float, float]:
+    """Film inside the seams and all that is cut of it, of all panels [m2], and what a valve weighs [kg]."""
+    from functools import partial
+
+    from BalloonWorkbench.app.border import hooks
+    from BalloonWorkbench.app.shapes import part_shapes
+    from BalloonWorkbench.core.making.weight import film_and_valve
+    from BalloonWorkbench.core.pattern.make import make_pattern
+
+    title, options = f"Weighing {obj.Label}", pattern_options(obj)
+    if obj.FlatPanels:
+        return _of_many_panels(obj, own, options, title)
+    seam = part_shapes.stored(obj, "Seam")
+    weigh = partial(film_and_valve, seam, own, options)
+    known = film_and_valve.knows(seam, own, options) or make_pattern.knows(seam, own.seal_width, options)
+    area, valve = weigh() if known else hooks.run_blocking(title, lambda progress: weigh())
+    return 2.0 * seam.area, 2.0 * area, valve
+
+
+def _of_many_panels(obj, own, options, title: str) -> tuple[float, float, float]:
+    """The same of many panels; without their welds where the pattern, which says why, cannot be made."""
+    from BalloonWorkbench.app.border import hooks
+    from BalloonWorkbench.app.properties.quantities import number
+    from BalloonWorkbench.app.shapes.bag_shapes import bag_from
+    from BalloonWorkbench.core.bag_pattern.make import bag_patterns
+    from BalloonWorkbench.core.errors import InputError
+    from BalloonWorkbench.core.making.trade_figures import making
+    from BalloonWorkbench.core.units import MILLIMETRE
+
+    inside = number(obj.FilmArea) * MILLIMETRE**2
+    try:
+        patterns = hooks.ask(title, bag_patterns, bag_from(obj.FlatPanels), own, options)
+    except InputError:
+        return inside, inside, 0.0
+    strips = sum(piece.film_area for piece in patterns.pieces[patterns.caps :])
+    return inside, patterns.film_area, making().valve_film * strips

@@ -7,27 +7,30 @@ import json
 import os
 from typing import Any
 
-from BalloonWorkbench.app import balloon, outline, pattern
+from BalloonWorkbench.app import bag, balloon, gored_body, outline, pattern
+from BalloonWorkbench.app.document.kinds import is_bag, is_gored_body
 from BalloonWorkbench.app.properties import quantities
 from BalloonWorkbench.app.properties.property_table import Property
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.options.option import snake
 
 #: They decide about others, so they come first.
-_FIRST = ("film", "load", "size_goal", "drawing", "source")
+_FIRST = ("film", "load", "size_goal", "drawing", "source", "ready")
 _READ = {"Length": quantities.length, "Pressure": quantities.pressure, "Volume": quantities.volume}
 #: Results that are written with the values: the one that goes with a film's numbers.
 _ASSIGNED_RESULTS = ("Material",)
 
 
-def places() -> dict[str, tuple[str, Property]]:
+def places(source=None) -> dict[str, tuple[str, Property]]:
     """For each name, the object that has the value (a field of Parts) and its property.
 
+    source  what the balloon is made from, a document object; None: an outline
     seal_width is that of the pattern, which overrules the film's: film_seal_width.
     """
+    own = gored_body if is_gored_body(source) else bag if is_bag(source) else outline
     cut = {item.name for item in pattern.PROPERTIES if not item.result}
     properties = {}
-    for part, module in (("outline", outline), ("balloon", balloon), ("pattern", pattern)):
+    for part, module in (("outline", own), ("balloon", balloon), ("pattern", pattern)):
         for item in module.PROPERTIES:
             if item.type != "Link" and (not item.result or item.name in _ASSIGNED_RESULTS):
                 twice = part == "balloon" and item.name in cut
@@ -35,9 +38,9 @@ def places() -> dict[str, tuple[str, Property]]:
     return properties
 
 
-def check(names) -> None:
-    """Raise InputError for a name that no value has."""
-    known = places()
+def check(names, source=None) -> None:
+    """Raise InputError for a name that no value has; source as for `places`."""
+    known = places(source)
     for name in names:
         if name not in known:
             raise InputError(f'A balloon has no "{name}": it has {", ".join(sorted(known))}.')
@@ -49,8 +52,8 @@ def assign(parts, values: dict[str, Any]) -> None:
     Numbers are in FreeCAD's units; quantities, and text such as "300 mm", bring their own.
     Raises InputError for unknown names and for what a value cannot be.
     """
-    check(values)
-    known = places()
+    check(values, parts.outline)
+    known = places(parts.outline)
     for name in sorted(values, key=lambda name: (name not in _FIRST, name)):
         part, item = known[name]
         _set(getattr(parts, part), name, item, values[name])
@@ -100,7 +103,7 @@ def texts(parts) -> dict[str, str]:
     """The present values as Python text, by name; those that follow from others are left out."""
     return {
         name: text(getattr(getattr(parts, part), item.name), item)
-        for name, (part, item) in places().items()
+        for name, (part, item) in places(parts.outline).items()
         if not _follows(parts, item.name, part)
     }
 
@@ -114,6 +117,8 @@ def text(value, item: Property) -> str:
         return f"{value.Value:.10g}"
     if item.type in ("LinkSubGlobal", "LinkSub"):
         return _link(value)
+    if item.type == "LinkSubListGlobal":
+        return f"[{', '.join(map(_link, value))}]"
     if isinstance(value, float):
         return f"{value:.10g}"
     return repr(value) if isinstance(value, (bool, int)) else json.dumps(value, ensure_ascii=False)

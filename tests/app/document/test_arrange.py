@@ -20,6 +20,7 @@ from BalloonWorkbench.app import artwork, film_sheet
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.document import create
 from BalloonWorkbench.app.document.examples import EXAMPLES, open_copy
+from BalloonWorkbench.app.document.kinds import is_source, leader
 from BalloonWorkbench.core.nesting import nest as nesting
 
 HEART = Path("resources/examples/pictures/heart.png").resolve()
@@ -38,7 +39,7 @@ def boxes(doc):
     """What each thing takes of the document, by the name of an object: outline and balloon are one."""
     found = {}
     for obj in doc.Objects:
-        if "Drawing" in obj.PropertiesList:
+        if is_source(obj):
             found[obj.Name] = App.BoundBox(obj.Shape.BoundBox)
         elif "Roles" in obj.PropertiesList:
             found[obj.Name] = obj.Shape.BoundBox
@@ -57,7 +58,7 @@ def meetings(doc):
 def lie_apart(one, other):
     """Two patterns of a drawing, whose films do not touch."""
     drawn = [obj.Balloon.Outline for obj in (one, other) if "Balloon" in obj.PropertiesList]
-    alike = len(drawn) == 2 and len({(outline.Leader or outline).Name for outline in drawn}) == 1
+    alike = len(drawn) == 2 and len({leader(outline).Name for outline in drawn}) == 1
     return alike and one.Shape.distToShape(other.Shape)[0] > 1.0
 
 

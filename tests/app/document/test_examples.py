@@ -8,6 +8,7 @@ import pytest
 
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.document.examples import EXAMPLES, open_copy
+from BalloonWorkbench.app.document.parts import parts_of
 from BalloonWorkbench.app.drawings.painting import artwork
 
 
@@ -23,7 +24,7 @@ def example(name):
 
 
 def parts(doc):
-    return doc.Outline, doc.Balloon, doc.Pattern
+    return parts_of(doc.Balloon)
 
 
 def lies(pattern):

@@ -21,6 +21,8 @@ OTHERS = {
     "IntakeLength": 55.0,
     "IntakeAngle": 200.0,
     "IntakeAlong": 137.0,
+    "Opening": "1",
+    "OpeningShare": 0.3,
     "Notches": 4,
     "NotchDepth": 1.0,
     "TieTabAngle": 100.0,
