@@ -8,13 +8,14 @@ from BalloonWorkbench.gui.window import tree_signs
 
 
 def _view_of(proxy: str):
-    """The view provider of a kind of object; those for making come when they are needed."""
+    """The view provider of a kind of object; those of other rooms come when they are needed."""
     kind = proxy.replace("Proxy", "View")
     if hasattr(view, kind):
         return getattr(view, kind)
     from BalloonWorkbench.gui import making_view
+    from BalloonWorkbench.gui.bags import view as bags_view
 
-    return getattr(making_view, kind)
+    return getattr(making_view, kind, None) or getattr(bags_view, kind)
 
 
 def attach_view(obj) -> None:

@@ -8,6 +8,14 @@
         <translation>Eine Textzeile dort, wo die Folie am breitesten ist, als Umrisse</translation>
     </message>
     <message>
+        <source>A ready body, made to measure</source>
+        <translation>Ein fertiger Körper, nach Maß</translation>
+    </message>
+    <message>
+        <source>A size of the ready body</source>
+        <translation>Ein Maß des fertigen Körpers</translation>
+    </message>
+    <message>
         <source>A tab with a hole to tie the balloon to, outside the weld</source>
         <translation>Eine Lasche mit Loch zum Anbinden, außerhalb der Schweißnaht</translation>
     </message>
@@ -24,8 +32,8 @@
         <translation>Ein anderes Bild für die Rückseite; leer nimmt das der Vorderseite</translation>
     </message>
     <message>
-        <source>Area of film inside the welds, both panels</source>
-        <translation>Folienfläche innerhalb der Schweißnähte, beide Bahnen</translation>
+        <source>Area of film inside the welds, all panels</source>
+        <translation>Folienfläche innerhalb der Schweißnähte, alle Bahnen</translation>
     </message>
     <message>
         <source>Around the balloon, in degrees Celsius</source>
@@ -64,6 +72,10 @@
         <translation>Korrekturen des Schnittmusters</translation>
     </message>
     <message>
+        <source>Diameter of a body from a file; 0 follows from the height, or the file</source>
+        <translation>Durchmesser eines Körpers aus einer Datei; 0 folgt aus der Höhe oder der Datei</translation>
+    </message>
+    <message>
         <source>Direction of the grain, from the x axis of the drawing</source>
         <translation>Laufrichtung der Folie, von der x-Achse der Zeichnung aus</translation>
     </message>
@@ -90,6 +102,14 @@
     <message>
         <source>Dots per inch of the files</source>
         <translation>Punkte je Zoll der Dateien</translation>
+    </message>
+    <message>
+        <source>Edge at which the bag is filled, such as Sketch.Edge3; of a file or ready body: the panel and the number of a point, such as side.2, or the number of a seam; empty: as the file or body says</source>
+        <translation>Kante, an der der Beutel gefüllt wird, etwa Sketch.Edge3; bei einer Datei oder einem fertigen Körper: die Bahn und die Nummer eines Punktes, etwa side.2, oder die Nummer einer Naht; leer: wie Datei oder Körper es sagen</translation>
+    </message>
+    <message>
+        <source>Edges that are joined, such as Sketch.Edge1=Sketch001.Edge3; edges that faces share need no word</source>
+        <translation>Kanten, die verbunden werden, etwa Sketch.Edge1=Sketch001.Edge3; Kanten, die Flächen gemeinsam haben, brauchen keine Angabe</translation>
     </message>
     <message>
         <source>Film left between pieces, and at the edges</source>
@@ -120,6 +140,10 @@
         <translation>In Breite und Höhe einpassen, statt auf beide zu dehnen</translation>
     </message>
     <message>
+        <source>Flat panels and their seams as JSON, in metres</source>
+        <translation>Flache Bahnen und ihre Nähte als JSON, in Metern</translation>
+    </message>
+    <message>
         <source>Follow every change at once; switch it off for heavy models and inflate when you ask for it</source>
         <translation>Jeder Änderung sofort folgen; bei schweren Modellen ausschalten und auf Wunsch aufblasen</translation>
     </message>
@@ -128,8 +152,16 @@
         <translation>FreeCADs Materialkarte, aus der die Werte stammen</translation>
     </message>
     <message>
+        <source>Gores that the accuracy needs, foretold from the profile</source>
+        <translation>Segmente, die die Genauigkeit braucht, aus dem Profil vorhergesagt</translation>
+    </message>
+    <message>
         <source>Height above the sea</source>
         <translation>Höhe über dem Meer</translation>
+    </message>
+    <message>
+        <source>Height of a body from a file; 0 follows</source>
+        <translation>Höhe eines Körpers aus einer Datei; 0 folgt</translation>
     </message>
     <message>
         <source>Height of all that is cut</source>
@@ -160,12 +192,32 @@
         <translation>Höhe des Drucks mit seinen Marken</translation>
     </message>
     <message>
+        <source>Height of the profile</source>
+        <translation>Höhe des Profils</translation>
+    </message>
+    <message>
         <source>How a picture is read: holes of a filled shape stay, lines of a pen drawing are filled inside</source>
         <translation>Wie ein Bild gelesen wird: Löcher einer gefüllten Form bleiben, Linien einer Strichzeichnung werden innen gefüllt</translation>
     </message>
     <message>
+        <source>How far along that seam, from 0 to 1 of its length; 0 takes its middle, or that of the edge</source>
+        <translation>Wie weit entlang dieser Naht, von 0 bis 1 ihrer Länge; 0 nimmt ihre Mitte oder die der Kante</translation>
+    </message>
+    <message>
+        <source>How far the balloon may be from its profile, in parts of the profile's diagonal</source>
+        <translation>Wie weit der Ballon von seinem Profil abweichen darf, in Teilen der Diagonale des Profils</translation>
+    </message>
+    <message>
         <source>How far the print goes past the cut</source>
         <translation>Wie weit der Druck über den Schnitt hinausgeht</translation>
+    </message>
+    <message>
+        <source>How far the seams of a body of gores are farther out than the gores' centres</source>
+        <translation>Wie weit die Nähte eines Körpers aus Segmenten weiter außen liegen als deren Mitten</translation>
+    </message>
+    <message>
+        <source>How its lower and its upper end are closed</source>
+        <translation>Wie das untere und das obere Ende geschlossen sind</translation>
     </message>
     <message>
         <source>How many balloons are cut from the sheet</source>
@@ -174,6 +226,14 @@
     <message>
         <source>How many balloons of each pattern</source>
         <translation>Wie viele Ballons von jedem Schnittmuster</translation>
+    </message>
+    <message>
+        <source>How many gores; 0 takes as many as the accuracy needs</source>
+        <translation>Wie viele Segmente; 0 nimmt so viele, wie die Genauigkeit braucht</translation>
+    </message>
+    <message>
+        <source>How much longer one side of a seam may be, as a part of its length</source>
+        <translation>Wie viel länger eine Seite einer Naht sein darf, als Teil ihrer Länge</translation>
     </message>
     <message>
         <source>How the balloon is filled and closed</source>
@@ -186,6 +246,14 @@
     <message>
         <source>How the intake is made and used</source>
         <translation>Wie der Füllhals gemacht und benutzt wird</translation>
+    </message>
+    <message>
+        <source>How the lower end is closed</source>
+        <translation>Wie das untere Ende geschlossen ist</translation>
+    </message>
+    <message>
+        <source>How the upper end is closed</source>
+        <translation>Wie das obere Ende geschlossen ist</translation>
     </message>
     <message>
         <source>How two panels of this film are joined</source>
@@ -204,6 +272,10 @@
         <translation>Seine Lage, von seiner Skizze aus gesehen</translation>
     </message>
     <message>
+        <source>JSON file of panels and seams; a copy travels in the document</source>
+        <translation>JSON-Datei mit Bahnen und Nähten; eine Kopie reist im Dokument mit</translation>
+    </message>
+    <message>
         <source>Label of the values the mesh belongs to</source>
         <translation>Kennzeichen der Werte, zu denen das Netz gehört</translation>
     </message>
@@ -214,6 +286,10 @@
     <message>
         <source>Larger dimension before repairs, in mm</source>
         <translation>Größeres Maß vor den Reparaturen, in mm</translation>
+    </message>
+    <message>
+        <source>Largest diameter of the profile</source>
+        <translation>Größter Durchmesser des Profils</translation>
     </message>
     <message>
         <source>Largest distance between drawing and silhouette</source>
@@ -252,8 +328,16 @@
         <translation>Länge aller Schweißnähte darauf</translation>
     </message>
     <message>
+        <source>Length of the natural shape's gores, from its lower to its upper end</source>
+        <translation>Länge der Segmente der natürlichen Form, vom unteren bis zum oberen Ende</translation>
+    </message>
+    <message>
         <source>Length of the neck from the seam outward, or diameter of the flange; 0 takes the usual one</source>
         <translation>Länge des Halses von der Naht nach außen oder Durchmesser des Flansches; 0 nimmt den üblichen Wert</translation>
+    </message>
+    <message>
+        <source>Length of the profile from end to end</source>
+        <translation>Länge des Profils von Ende zu Ende</translation>
     </message>
     <message>
         <source>Length of the roll that is used</source>
@@ -264,8 +348,16 @@
         <translation>Länge der Schweißnaht</translation>
     </message>
     <message>
+        <source>Lengths of both sides of each seam in mm</source>
+        <translation>Längen beider Seiten jeder Naht in mm</translation>
+    </message>
+    <message>
         <source>Lines and arcs within 0.02 mm in place of many short lines</source>
         <translation>Geraden und Bögen mit 0,02 mm Toleranz statt vieler kurzer Linien</translation>
+    </message>
+    <message>
+        <source>Longest piece of the side band; 0 is the width of the film</source>
+        <translation>Längstes Stück des Seitenbands; 0 ist die Breite der Folie</translation>
     </message>
     <message>
         <source>Mean distance between drawing and silhouette</source>
@@ -274,6 +366,10 @@
     <message>
         <source>Mean distance between drawing and silhouette if the weld creases</source>
         <translation>Mittlerer Abstand zwischen Zeichnung und Silhouette, wenn die Naht knittert</translation>
+    </message>
+    <message>
+        <source>Names of the panels</source>
+        <translation>Namen der Bahnen</translation>
     </message>
     <message>
         <source>Notches to lay both films on each other by, evenly along the cut</source>
@@ -292,12 +388,20 @@
         <translation>Zahl der Ecken jeder inneren Schweißnaht</translation>
     </message>
     <message>
+        <source>Number of flat panels that it is made of; 0: two equal ones</source>
+        <translation>Zahl der flachen Bahnen, aus denen er besteht; 0: zwei gleiche</translation>
+    </message>
+    <message>
         <source>Number of holes</source>
         <translation>Zahl der Löcher</translation>
     </message>
     <message>
         <source>Number of pieces on what is shown</source>
         <translation>Zahl der Stücke auf dem gezeigten Bogen</translation>
+    </message>
+    <message>
+        <source>Number of seams between them</source>
+        <translation>Zahl der Nähte zwischen ihnen</translation>
     </message>
     <message>
         <source>Number of seams, then the number of vertices of each seam and weld</source>
@@ -312,12 +416,32 @@
         <translation>Nummer des Bogens, der gezeigt und ausgegeben wird</translation>
     </message>
     <message>
+        <source>Of many panels, for each seam: both panels, number of vertices, then those of either side</source>
+        <translation>Bei vielen Bahnen, für jede Naht: beide Bahnen, Zahl der Knoten, dann die Knoten beider Seiten</translation>
+    </message>
+    <message>
+        <source>Of many panels, for each: number of vertices, of triangles and of loops</source>
+        <translation>Bei vielen Bahnen, für jede: Zahl der Knoten, der Dreiecke und der Ränder</translation>
+    </message>
+    <message>
+        <source>Of many panels, how much longer one side of a seam may be</source>
+        <translation>Bei vielen Bahnen: wie viel länger eine Seite einer Naht sein darf</translation>
+    </message>
+    <message>
         <source>Of warm air, in degrees Celsius</source>
         <translation>Der Warmluft, in Grad Celsius</translation>
     </message>
     <message>
         <source>Only one side of this film can be joined so</source>
         <translation>Nur eine Seite dieser Folie lässt sich so verbinden</translation>
+    </message>
+    <message>
+        <source>Panels and seams as JSON, in metres</source>
+        <translation>Bahnen und Nähte als JSON, in Metern</translation>
+    </message>
+    <message>
+        <source>Panels that are cut, each with what is equal to it</source>
+        <translation>Bahnen, die geschnitten werden, jede mit denen, die ihr gleichen</translation>
     </message>
     <message>
         <source>Part of the film that the pieces take, in per cent</source>
@@ -342,6 +466,10 @@
     <message>
         <source>Places of the outline that move if the weld creases, the worst first</source>
         <translation>Stellen des Umrisses, die sich verschieben, wenn die Naht knittert, die schlimmste zuerst</translation>
+    </message>
+    <message>
+        <source>Points of the profile: radius, 0, height</source>
+        <translation>Punkte des Profils: Radius, 0, Höhe</translation>
     </message>
     <message>
         <source>Poisson's ratio of the film</source>
@@ -372,8 +500,16 @@
         <translation>Hinweise aus der Suche nach dem Umriss</translation>
     </message>
     <message>
+        <source>Remarks made while the panels were read</source>
+        <translation>Bemerkungen beim Lesen der Bahnen</translation>
+    </message>
+    <message>
         <source>Remarks made while the pattern was drawn</source>
         <translation>Hinweise aus dem Zeichnen des Schnittmusters</translation>
+    </message>
+    <message>
+        <source>Remarks made while the profile was read</source>
+        <translation>Bemerkungen beim Lesen des Profils</translation>
     </message>
     <message>
         <source>Remarks on the layout</source>
@@ -388,6 +524,14 @@
         <translation>Ergebnis, das als Farben mit Legende gezeigt wird</translation>
     </message>
     <message>
+        <source>SVG, DXF or JSON file of half the outline; a copy travels in the document</source>
+        <translation>SVG-, DXF- oder JSON-Datei des halben Umrisses; eine Kopie reist im Dokument mit</translation>
+    </message>
+    <message>
+        <source>Seams by the number on both edges, with their lengths</source>
+        <translation>Nähte mit der Nummer an beiden Kanten und ihren Längen</translation>
+    </message>
+    <message>
         <source>Show the drawing and the silhouette over each other</source>
         <translation>Zeichnung und Silhouette übereinander zeigen</translation>
     </message>
@@ -400,8 +544,16 @@
         <translation>Größe der Dreiecke; 0 ist automatisch</translation>
     </message>
     <message>
+        <source>Sketch or wire of half the outline, which the body follows</source>
+        <translation>Skizze oder Draht des halben Umrisses, dem der Körper folgt</translation>
+    </message>
+    <message>
         <source>Sketch, wire or face that the outline follows instead of a file</source>
         <translation>Skizze, Draht oder Fläche, denen der Umriss statt einer Datei folgt</translation>
+    </message>
+    <message>
+        <source>Sketches, wires and flat faces that are the panels, each seen from outside</source>
+        <translation>Skizzen, Drähte und ebene Flächen, die die Bahnen sind, jede von außen gesehen</translation>
     </message>
     <message>
         <source>Smooth stretches as single splines in place of arcs</source>
@@ -440,10 +592,6 @@
         <translation>Die Folie widersteht dem Biegen</translation>
     </message>
     <message>
-        <source>The outline of the drawing</source>
-        <translation>Der Umriss der Zeichnung</translation>
-    </message>
-    <message>
         <source>The outline whose drawing this one shares; empty: its own</source>
         <translation>Der Umriss, dessen Zeichnung dieser mitbenutzt; leer: seine eigene</translation>
     </message>
@@ -454,6 +602,14 @@
     <message>
         <source>The patterns that are laid out</source>
         <translation>Die Schnittmuster, die ausgelegt werden</translation>
+    </message>
+    <message>
+        <source>The pressure is that at the lower end and rises with the height, as the gas is lighter than air</source>
+        <translation>Der Druck gilt am unteren Ende und nimmt mit der Höhe zu, weil das Gas leichter als Luft ist</translation>
+    </message>
+    <message>
+        <source>The seams in the order of the work</source>
+        <translation>Die Nähte in der Reihenfolge der Arbeit</translation>
     </message>
     <message>
         <source>The second panel beside the first, mirrored; else cut twice</source>
@@ -474,6 +630,10 @@
     <message>
         <source>The workbench has given it a place</source>
         <translation>Es hat einen Platz; ein neues Objekt bekommt einen</translation>
+    </message>
+    <message>
+        <source>Thickness of the balloon, from which the side band follows; 0 takes the band's own width</source>
+        <translation>Dicke des Ballons, aus der das Seitenband folgt; 0 nimmt die eigene Breite des Bands</translation>
     </message>
     <message>
         <source>Thickness of the film</source>
@@ -536,6 +696,14 @@
         <translation>Was die Größe bestimmt: der Umriss, wie er ist, ein Volumen oder eine Traglast</translation>
     </message>
     <message>
+        <source>What does not fit yet, a sentence each</source>
+        <translation>Was noch nicht passt, je ein Satz</translation>
+    </message>
+    <message>
+        <source>What each edge of the shape is called</source>
+        <translation>Wie jede Kante der Form heißt</translation>
+    </message>
+    <message>
         <source>What fills it when it shall float</source>
         <translation>Womit er gefüllt wird, wenn er schweben soll</translation>
     </message>
@@ -552,6 +720,10 @@
         <translation>Was er mit seinem Gas trägt, in Gramm; unter 0 sinkt er</translation>
     </message>
     <message>
+        <source>What it is to be: an outline, a body of gores or a bag</source>
+        <translation>Was es werden soll: ein Umriss, ein Körper aus Segmenten oder ein Beutel</translation>
+    </message>
+    <message>
         <source>What it shall carry besides itself, in grams; 0 makes it float just so</source>
         <translation>Was er außer sich selbst tragen soll, in Gramm; mit 0 schwebt er gerade</translation>
     </message>
@@ -564,8 +736,20 @@
         <translation>Woraus der Ballon ist; „Eigene“ erlaubt eigene Werte</translation>
     </message>
     <message>
+        <source>What the design of many panels has figures, as JSON</source>
+        <translation>Was der Entwurf aus vielen Bahnen an Zahlen hat, als JSON</translation>
+    </message>
+    <message>
         <source>What the outline was read from</source>
         <translation>Woraus der Umriss gelesen wurde</translation>
+    </message>
+    <message>
+        <source>What the panels were read from</source>
+        <translation>Woraus die Bahnen gelesen wurden</translation>
+    </message>
+    <message>
+        <source>What the profile was read from</source>
+        <translation>Woraus das Profil gelesen wurde</translation>
     </message>
     <message>
         <source>What to do along each wire of the shape</source>
@@ -576,6 +760,10 @@
         <translation>Was den Ballon besser machen würde</translation>
     </message>
     <message>
+        <source>Where a balloon of many panels is filled: the number of a seam, or a panel and the point at which an edge begins, such as top.2; a panel alone has a nozzle in its middle</source>
+        <translation>Wo ein Ballon aus vielen Bahnen gefüllt wird: die Nummer einer Naht, oder eine Bahn und der Punkt, an dem eine Kante beginnt, etwa top.2; eine Bahn allein hat eine Tülle in ihrer Mitte</translation>
+    </message>
+    <message>
         <source>Where all pieces lie, as JSON</source>
         <translation>Wo alle Stücke liegen, als JSON</translation>
     </message>
@@ -584,12 +772,20 @@
         <translation>Wo er gesucht wird: am weitesten von der Mitte, oder unten, wo ein angebundener Ballon gerade hängt</translation>
     </message>
     <message>
+        <source>Where the profile comes from without a sketch: a file, or the shape of a balloon without weight</source>
+        <translation>Woher das Profil ohne Skizze kommt: aus einer Datei oder als Form eines Ballons ohne Gewicht</translation>
+    </message>
+    <message>
         <source>Where the workbench put it</source>
         <translation>Wohin es gesetzt wurde, wenn nicht vom Benutzer</translation>
     </message>
     <message>
         <source>Whether a laser may cut this film</source>
         <translation>Ob ein Laser diese Folie schneiden darf</translation>
+    </message>
+    <message>
+        <source>Which edges are joined</source>
+        <translation>Welche Kanten verbunden sind</translation>
     </message>
     <message>
         <source>Which film is laid out: pieces of a valve are on one of their own</source>
@@ -602,6 +798,10 @@
     <message>
         <source>Width from which it carries itself; 0 when never</source>
         <translation>Breite, ab der er sich selbst trägt; 0: nie</translation>
+    </message>
+    <message>
+        <source>Width of a side band between front and back; 0 is two panels</source>
+        <translation>Breite eines Seitenbands zwischen Vorder- und Rückseite; 0 sind zwei Bahnen</translation>
     </message>
     <message>
         <source>Width of all that is cut</source>
@@ -655,12 +855,20 @@
         <translation> ist nicht bereit: </translation>
     </message>
     <message>
+        <source>"{0}" is an edge of {1} panels: name the face too, as in {2}.</source>
+        <translation>„{0}“ ist eine Kante von {1} Bahnen: auch die Fläche nennen, wie in {2}.</translation>
+    </message>
+    <message>
         <source>"{0}" is no choice for a pattern larger than the bed: choose {1}.</source>
         <translation>Mit einem zu großen Schnittmuster geht „{0}“ nicht: {1} wählen.</translation>
     </message>
     <message>
         <source>"{0}" is no colour: give one such as "#cc294d".</source>
         <translation>„{0}“ ist keine Farbe: zum Beispiel „#cc294d“ angeben.</translation>
+    </message>
+    <message>
+        <source>"{0}" is no edge of a panel: write it as in {1}.0, or give the number of a seam, 1 to {2}. There are the panels {3}{4}.</source>
+        <translation>„{0}“ ist keine Kante einer Bahn: wie in {1}.0 schreiben, oder die Nummer einer Naht angeben, 1 bis {2}. Es gibt die Bahnen {3}{4}.</translation>
     </message>
     <message>
         <source>"{0}" is no sum of L, W, S, A and millimetres, such as "0.5 W + 2".</source>
@@ -675,12 +883,40 @@
         <translation>„{0}“ kann nicht gelesen werden ({1}). Name und Zugriff prüfen.</translation>
     </message>
     <message>
+        <source>'{0}' has its own panels: leave out what you give of gores or of a side band.</source>
+        <translation>„{0}“ hat eigene Bahnen: weglassen, was zu Segmenten oder einem Seitenband angegeben ist.</translation>
+    </message>
+    <message>
+        <source>'{0}' has its panels as they are to be cut: use inflate instead of design.</source>
+        <translation>„{0}“ hat seine Bahnen, wie sie geschnitten werden: inflate statt design benutzen.</translation>
+    </message>
+    <message>
+        <source>'{0}' has no panels of its own: give gores, or the width of a side band.</source>
+        <translation>„{0}“ hat keine eigenen Bahnen: Segmente oder die Breite eines Seitenbands angeben.</translation>
+    </message>
+    <message>
+        <source>'{0}' has no profile: give half the outline of the body as an SVG, a DXF or JSON.</source>
+        <translation>„{0}“ hat kein Profil: den halben Umriss des Körpers als SVG, DXF oder JSON geben.</translation>
+    </message>
+    <message>
+        <source>'{0}' has the size of its panels, so the balloon cannot be scaled to fit: leave out --oversize scale.</source>
+        <translation>„{0}“ hat die Größe seiner Bahnen, also lässt sich der Ballon nicht verkleinern: --oversize scale weglassen.</translation>
+    </message>
+    <message>
+        <source>'{0}' has the size of its panels: leave out the width and the height.</source>
+        <translation>„{0}“ hat die Größe seiner Bahnen: Breite und Höhe weglassen.</translation>
+    </message>
+    <message>
         <source>'{0}' has {1} x {2} pixels, more than {3} million. Make it smaller; 2000 pixels across are plenty.</source>
         <translation>„{0}“ hat {1} x {2} Pixel, mehr als {3} Millionen. Verkleinern; 2000 Pixel Breite sind reichlich.</translation>
     </message>
     <message>
         <source>'{0}' is a pipe or a device: save what comes from it, and name that file.</source>
         <translation>„{0}“ ist eine Pipe oder ein Gerät: speichern, was daraus kommt, und diese Datei angeben.</translation>
+    </message>
+    <message>
+        <source>'{0}' is a profile, which has no side band: give a drawing for that.</source>
+        <translation>„{0}“ ist ein Profil, das kein Seitenband hat: dafür eine Zeichnung geben.</translation>
     </message>
     <message>
         <source>'{0}' is colder than anything; write a temperature as 20C, 68F or 293K.</source>
@@ -751,6 +987,14 @@
         <translation>, geschätzt: Die Folie kam nicht zur Ruhe</translation>
     </message>
     <message>
+        <source>, one edge must turn</source>
+        <translation>, eine Kante muss sich wenden</translation>
+    </message>
+    <message>
+        <source>, {0} of them mirrored</source>
+        <translation>, {0} davon gespiegelt</translation>
+    </message>
+    <message>
         <source>--oversize scale makes the balloon smaller until it fits, --oversize write writes the file anyway, --bed tells how large the bed is.</source>
         <translation>--oversize scale verkleinert den Ballon, bis er passt, --oversize write schreibt die Datei trotzdem, --bed sagt, wie groß das Bett ist.</translation>
     </message>
@@ -767,12 +1011,24 @@
         <translation>Ein Ballon hat kein „{0}“: Es gibt {1}.</translation>
     </message>
     <message>
+        <source>A balloon with a side band has no welds inside: its front and back are apart. Leave them out, or make it of two panels.</source>
+        <translation>Ein Ballon mit Seitenband hat keine Schweißnähte im Inneren: Vorder- und Rückseite liegen auseinander. Sie weglassen oder ihn aus zwei Bahnen machen.</translation>
+    </message>
+    <message>
         <source>A bed is that of a machine: give --machine too.</source>
         <translation>Ein Bett gehört zu einer Maschine: auch --machine angeben.</translation>
     </message>
     <message>
         <source>A bed is {0} mm to {1} mm wide and high: write 600mmx400mm, 600mm for a roll, or {2}.</source>
         <translation>Ein Bett ist {0} mm bis {1} mm breit und hoch: 600mmx400mm schreiben, 600mm für eine Rolle oder {2}.</translation>
+    </message>
+    <message>
+        <source>A body cannot be made of {0} gores. Take {1} to {2}.</source>
+        <translation>Ein Körper kann nicht aus {0} Segmenten gemacht werden. {1} bis {2} nehmen.</translation>
+    </message>
+    <message>
+        <source>A body of gores has no side band: leave out what you give of the one or of the other.</source>
+        <translation>Ein Körper aus Segmenten hat kein Seitenband: die Angaben zum einen oder zum anderen weglassen.</translation>
     </message>
     <message>
         <source>A corner relief of {0} would cut into the weld: choose a smaller radius or a wider allowance.</source>
@@ -823,6 +1079,10 @@
         <translation>Ein Netz von {0} bräuchte über eine Million Knoten für eine Form von {1}: mindestens {2} benutzen.</translation>
     </message>
     <message>
+        <source>A mesh of {0} would need more than a million vertices for these panels: use at least {1}.</source>
+        <translation>Ein Netz von {0} bräuchte für diese Bahnen mehr als eine Million Knoten: mindestens {1} nehmen.</translation>
+    </message>
+    <message>
         <source>A new Sketcher sketch of lines and arcs, to go on with in FreeCAD</source>
         <translation>Eine neue Skizze aus Linien und Bögen, zum Weiterarbeiten in FreeCAD</translation>
     </message>
@@ -849,6 +1109,10 @@
     <message>
         <source>A piece of {0} x {1} does not fit on film of {2}{3}: take film at least {4} wide, or let the grain lie in another direction.</source>
         <translation>Ein Stück von {0} x {1} passt nicht auf Folie von {2}{3}: mindestens {4} breite Folie nehmen oder die Laufrichtung anders legen.</translation>
+    </message>
+    <message>
+        <source>A pillow box cannot be deeper than wide. Choose a smaller depth.</source>
+        <translation>Eine Kissenschachtel kann nicht tiefer als breit sein. Eine kleinere Tiefe wählen.</translation>
     </message>
     <message>
         <source>A seam closes an edge of a triangle to a point. Check which runs it joins.</source>
@@ -903,6 +1167,10 @@
         <translation>Eine {0} von {1} ist nicht möglich; eine zwischen 1 mm und 100 m wählen.</translation>
     </message>
     <message>
+        <source>About {} thick</source>
+        <translation>Etwa {} dick</translation>
+    </message>
+    <message>
         <source>Across</source>
         <translation>Quer</translation>
     </message>
@@ -915,12 +1183,24 @@
         <translation>Ratschlag ({0}), bei {1}: {2}</translation>
     </message>
     <message>
+        <source>Advice on many panels is measured on the balloon: inflate it first.</source>
+        <translation>Ratschläge zu vielen Bahnen werden am Ballon gemessen: ihn erst aufblasen.</translation>
+    </message>
+    <message>
         <source>Air intake</source>
         <translation>Füllhals</translation>
     </message>
     <message>
+        <source>Airship</source>
+        <translation>Luftschiff</translation>
+    </message>
+    <message>
         <source>All packages are installed.</source>
         <translation>Alle Pakete sind installiert.</translation>
+    </message>
+    <message>
+        <source>All panels are on the sheet once: none is drawn a second time, mirrored.</source>
+        <translation>Alle Bahnen sind einmal auf dem Bogen: keine wird ein zweites Mal gespiegelt gezeichnet.</translation>
     </message>
     <message>
         <source>Allowance</source>
@@ -1007,6 +1287,14 @@
         <translation>Rückseite</translation>
     </message>
     <message>
+        <source>Bag</source>
+        <translation>Beutel</translation>
+    </message>
+    <message>
+        <source>Bag of panels</source>
+        <translation>Beutel aus Bahnen</translation>
+    </message>
+    <message>
         <source>Balloon</source>
         <translation>Ballon</translation>
     </message>
@@ -1067,6 +1355,10 @@
         <translation>Beide Bahnen liegen auf dem Bogen: Nur die vordere bekommt das Loch für den Stutzen. Es einmal schneiden.</translation>
     </message>
     <message>
+        <source>Both sides of a seam must be equally long</source>
+        <translation>Beide Seiten einer Naht müssen gleich lang sein</translation>
+    </message>
+    <message>
         <source>Brush</source>
         <translation>Pinsel</translation>
     </message>
@@ -1119,6 +1411,14 @@
         <translation>Ein Bild oder eine Skizze wählen.</translation>
     </message>
     <message>
+        <source>Choose a sketch or a file with half the outline.</source>
+        <translation>Eine Skizze oder eine Datei mit dem halben Umriss wählen.</translation>
+    </message>
+    <message>
+        <source>Choose sketches, a file or a ready body.</source>
+        <translation>Skizzen, eine Datei oder einen fertigen Körper wählen.</translation>
+    </message>
+    <message>
         <source>Choose the balloon that it belongs to.</source>
         <translation>Den zugehörigen Ballon wählen.</translation>
     </message>
@@ -1167,6 +1467,14 @@
         <translation>Eigene</translation>
     </message>
     <message>
+        <source>Cut all panels from {film}, as they are drawn: so they are seen from outside, with the sealing side below.</source>
+        <translation>Alle Bahnen aus {film} schneiden, wie sie gezeichnet sind: so sieht man sie von außen, mit der Siegelseite unten.</translation>
+    </message>
+    <message>
+        <source>Cut all panels from {film}. As they are drawn they are seen from outside.</source>
+        <translation>Alle Bahnen aus {film} schneiden. Wie sie gezeichnet sind, sieht man sie von außen.</translation>
+    </message>
+    <message>
         <source>Cut each page along its left and lower crosses, lay it on the crosses of its neighbours, tape.</source>
         <translation>Jede Seite links und unten an den Kreuzen abschneiden, auf die Kreuze der Nachbarn legen und festkleben.</translation>
     </message>
@@ -1203,8 +1511,16 @@
         <translation>DXF-Dateien brauchen das Python-Paket ezdxf. Mit „pip install ezdxf“ installieren oder die Zeichnung als SVG speichern.</translation>
     </message>
     <message>
+        <source>Diameter {}, height {}, gores {} long</source>
+        <translation>Durchmesser {}, Höhe {}, Segmente {} lang</translation>
+    </message>
+    <message>
         <source>Direction</source>
         <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Disc</source>
+        <translation>Scheibe</translation>
     </message>
     <message>
         <source>Distance</source>
@@ -1221,6 +1537,10 @@
     <message>
         <source>Draw a closed line, or paint an area: it becomes a balloon.</source>
         <translation>Eine geschlossene Linie zeichnen oder eine Fläche malen: Sie wird ein Ballon.</translation>
+    </message>
+    <message>
+        <source>Draw half of the outline, and its axis as a straight upright line on its left.</source>
+        <translation>Die Hälfte des Umrisses zeichnen, und links davon seine Achse als gerade, aufrechte Linie.</translation>
     </message>
     <message>
         <source>Draw lines. A closed line becomes a balloon.</source>
@@ -1467,6 +1787,10 @@
         <translation>Vorder- und Rückseite als PNG und PDF sowie als DXF und SVG mit denselben Marken für die Schneidemaschine</translation>
     </message>
     <message>
+        <source>Front, back and a band between them: change its width</source>
+        <translation>Vorderseite, Rückseite und ein Band dazwischen: seine Breite ändern</translation>
+    </message>
+    <message>
         <source>Gaps of up to {0} between lines were closed.</source>
         <translation>Lücken bis {0} zwischen Linien wurden geschlossen.</translation>
     </message>
@@ -1523,6 +1847,10 @@
         <translation>Geklebte Naht</translation>
     </message>
     <message>
+        <source>Gores</source>
+        <translation>Segmente</translation>
+    </message>
+    <message>
         <source>Grain</source>
         <translation>Laufrichtung</translation>
     </message>
@@ -1541,6 +1869,10 @@
     <message>
         <source>HPGL plotter or vinyl cutter</source>
         <translation>HPGL-Plotter oder Folienschneider</translation>
+    </message>
+    <message>
+        <source>Half the outline and its axis; a copy of it travels in the document</source>
+        <translation>Der halbe Umriss und seine Achse; eine Kopie davon reist im Dokument mit</translation>
     </message>
     <message>
         <source>Heart from a spreadsheet</source>
@@ -1567,8 +1899,28 @@
         <translation>Hochfrequenz</translation>
     </message>
     <message>
+        <source>Hole {0} of panel '{1}'</source>
+        <translation>Loch {0} der Bahn „{1}“</translation>
+    </message>
+    <message>
+        <source>Hole {0} of panel '{1}' lies outside its film. Move it, or take it out.</source>
+        <translation>Loch {0} der Bahn „{1}“ liegt außerhalb ihrer Folie. Es verschieben oder herausnehmen.</translation>
+    </message>
+    <message>
+        <source>Hole {0} of panel '{1}' runs counter-clockwise. Turn the order of its points round.</source>
+        <translation>Loch {0} der Bahn „{1}“ läuft gegen den Uhrzeigersinn. Die Reihenfolge seiner Punkte umkehren.</translation>
+    </message>
+    <message>
         <source>How a balloon follows its pattern can be worked out for an elastic weld alone: choose that one.</source>
         <translation>Wie ein Ballon seinem Schnittmuster folgt, lässt sich nur für eine elastische Naht berechnen: diese wählen.</translation>
+    </message>
+    <message>
+        <source>How far along it</source>
+        <translation>Wie weit daran entlang</translation>
+    </message>
+    <message>
+        <source>How far along its seam the opening is must be from 0 to 1.</source>
+        <translation>Wie weit die Öffnung entlang ihrer Naht liegt, muss von 0 bis 1 sein.</translation>
     </message>
     <message>
         <source>How far the outline moves if the weld creases could not be simulated. {0}</source>
@@ -1593,6 +1945,10 @@
     <message>
         <source>If the weld creases: {0} on average, at most {1}</source>
         <translation>Wenn die Naht knittert: im Mittel {0}, höchstens {1}</translation>
+    </message>
+    <message>
+        <source>In no seam yet: {}</source>
+        <translation>Noch in keiner Naht: {}</translation>
     </message>
     <message>
         <source>Inflate as drawn</source>
@@ -1659,6 +2015,10 @@
         <translation>Jetzt ist er breiter. Strg+Z nimmt das zurück.</translation>
     </message>
     <message>
+        <source>JSON</source>
+        <translation>JSON</translation>
+    </message>
+    <message>
         <source>Join the panels along the dashed line, {seal} wide, all the way round.</source>
         <translation>Die Bahnen entlang der gestrichelten Linie verbinden, {seal} breit, rundherum.</translation>
     </message>
@@ -1707,12 +2067,20 @@
         <translation>Beide Ventilstreifen Linie auf Linie aufeinanderlegen. Auf das markierte Feld von VALVE, INK hitzefeste Tinte geben oder dort ein Stück Backpapier zwischen die Streifen legen. Entlang beider langen Linien verschweißen.</translation>
     </message>
     <message>
+        <source>Lay edges of the same number on each other, inner sides together: arrows the same way, the lines across the weld and the notches on each other. Tape outside the cut.</source>
+        <translation>Kanten mit derselben Nummer aufeinanderlegen, Innenseiten zueinander: die Pfeile gleich gerichtet, die Striche quer zur Schweißnaht und die Kerben aufeinander. Außerhalb des Schnitts festkleben.</translation>
+    </message>
+    <message>
         <source>Lay out</source>
         <translation>Auslegen</translation>
     </message>
     <message>
         <source>Lay out on film</source>
         <translation>Auf Folie auslegen</translation>
+    </message>
+    <message>
+        <source>Lay the grain of all panels along the line with two arrowheads.</source>
+        <translation>Die Laufrichtung aller Bahnen entlang der Linie mit zwei Pfeilspitzen legen.</translation>
     </message>
     <message>
         <source>Lay the grain of both panels the same way.</source>
@@ -1747,6 +2115,10 @@
         <translation>Länge</translation>
     </message>
     <message>
+        <source>Length of a gore</source>
+        <translation>Länge eines Segments</translation>
+    </message>
+    <message>
         <source>Letter</source>
         <translation>Buchstabe</translation>
     </message>
@@ -1755,12 +2127,20 @@
         <translation>Buchstabenhöhe</translation>
     </message>
     <message>
+        <source>Letter with a side band</source>
+        <translation>Buchstabe mit Seitenband</translation>
+    </message>
+    <message>
         <source>Lift</source>
         <translation>Auftrieb</translation>
     </message>
     <message>
         <source>Lift in g</source>
         <translation>Auftrieb in g</translation>
+    </message>
+    <message>
+        <source>Lift needs vertices of the balloon that hold it. Give those of its lower end.</source>
+        <translation>Auftrieb braucht Knoten des Ballons, die ihn halten. Die des unteren Endes angeben.</translation>
     </message>
     <message>
         <source>LightBurn (laser)</source>
@@ -1787,6 +2167,10 @@
         <translation>Live</translation>
     </message>
     <message>
+        <source>Longest piece of the band</source>
+        <translation>Längstes Stück des Bands</translation>
+    </message>
+    <message>
         <source>Look for the closest layout; Esc takes the best one so far</source>
         <translation>Die dichteste Anordnung suchen; Esc nimmt die bisher beste</translation>
     </message>
@@ -1801,6 +2185,10 @@
     <message>
         <source>Low</source>
         <translation>Unten</translation>
+    </message>
+    <message>
+        <source>Lower end</source>
+        <translation>Unteres Ende</translation>
     </message>
     <message>
         <source>Machine</source>
@@ -1871,6 +2259,10 @@
         <translation>Modell</translation>
     </message>
     <message>
+        <source>More gores hardly help: change the profile.</source>
+        <translation>Mehr Segmente helfen kaum: das Profil ändern.</translation>
+    </message>
+    <message>
         <source>Move</source>
         <translation>Verschieben</translation>
     </message>
@@ -1881,6 +2273,10 @@
     <message>
         <source>Native</source>
         <translation>Nativ</translation>
+    </message>
+    <message>
+        <source>Natural shape</source>
+        <translation>Natürliche Form</translation>
     </message>
     <message>
         <source>Near {0} the inflated outline stays up to {1} from the drawing, over a length of {2}: film cannot follow it there. Round it off or widen it.</source>
@@ -1911,6 +2307,10 @@
         <translation>Diese Folie nie mit dem Laser schneiden.</translation>
     </message>
     <message>
+        <source>New bag of panels</source>
+        <translation>Neuer Beutel aus Bahnen</translation>
+    </message>
+    <message>
         <source>New balloon from picture</source>
         <translation>Neuer Ballon aus Bild</translation>
     </message>
@@ -1921,6 +2321,10 @@
     <message>
         <source>New balloons</source>
         <translation>Neue Ballons</translation>
+    </message>
+    <message>
+        <source>New body of gores</source>
+        <translation>Neuer Körper aus Segmenten</translation>
     </message>
     <message>
         <source>Newmark</source>
@@ -1941,6 +2345,14 @@
     <message>
         <source>No limit</source>
         <translation>Keine Grenze</translation>
+    </message>
+    <message>
+        <source>No panel has an edge "{0}": choose one of an outline or face of this bag.</source>
+        <translation>Keine Bahn hat eine Kante „{0}“: eine Kante eines Umrisses oder einer Fläche dieses Beutels wählen.</translation>
+    </message>
+    <message>
+        <source>No panel of the balloon is cut: make at least one of film.</source>
+        <translation>Keine Bahn des Ballons wird geschnitten: mindestens eine aus Folie machen.</translation>
     </message>
     <message>
         <source>No pattern can be drawn anew without it; documents keep theirs.</source>
@@ -2007,6 +2419,10 @@
         <translation>Nichts zu verbessern.</translation>
     </message>
     <message>
+        <source>Now pick the partner of {}.</source>
+        <translation>Nun die Partnerkante von {} wählen.</translation>
+    </message>
+    <message>
         <source>Nowhere on the seam is room for an intake of {0}: choose a narrower one, or a place for it.</source>
         <translation>Nirgends auf der Naht ist Platz für einen Füllhals von {0}: einen schmaleren wählen oder einen Ort für ihn.</translation>
     </message>
@@ -2043,6 +2459,14 @@
         <translation>Neben der Zeichnung: im Mittel {0}, höchstens {1}</translation>
     </message>
     <message>
+        <source>Off the profile</source>
+        <translation>Neben dem Profil</translation>
+    </message>
+    <message>
+        <source>Off the {0}: {1} on average, at most {2}</source>
+        <translation>Neben dem {0}: im Mittel {1}, höchstens {2}</translation>
+    </message>
+    <message>
         <source>Offer the native solver where it is missing</source>
         <translation>Den nativen Löser anbieten, wo er fehlt</translation>
     </message>
@@ -2075,16 +2499,20 @@
         <translation>Nur die Mitte der Schweißnaht. Eine geschlossene Naht läuft über ihren Anfang hinaus, damit die Stelle dicht ist.</translation>
     </message>
     <message>
-        <source>Only two equal panels are blown up in time. Use another solver for this balloon.</source>
-        <translation>Nur zwei gleiche Bahnen werden im zeitlichen Verlauf aufgeblasen. Für diesen Ballon einen anderen Löser verwenden.</translation>
-    </message>
-    <message>
         <source>Only {0} of film stay between two cuts near {1}; {2} wants {3}. It may tear or melt there.</source>
         <translation>Nahe {1} bleiben nur {0} Folie zwischen zwei Schnitten; {2} will {3}. Sie kann dort reißen oder schmelzen.</translation>
     </message>
     <message>
+        <source>Open</source>
+        <translation>Offen</translation>
+    </message>
+    <message>
         <source>Open it, do not import it. Outline, holes and notches are on cut layers, without speed and power: take them from your material library. Welds (T1) and all that is drawn (T2) are on tool layers, which LightBurn never burns.</source>
         <translation>Öffnen, nicht importieren. Umriss, Löcher und Passkerben liegen auf Schneidebenen, ohne Geschwindigkeit und Leistung: diese aus der Materialbibliothek nehmen. Schweißnähte (T1) und alles Gezeichnete (T2) liegen auf Werkzeugebenen, die LightBurn nie brennt.</translation>
+    </message>
+    <message>
+        <source>Opening</source>
+        <translation>Öffnung</translation>
     </message>
     <message>
         <source>Opposite the intake</source>
@@ -2093,6 +2521,10 @@
     <message>
         <source>Orange</source>
         <translation>Orange</translation>
+    </message>
+    <message>
+        <source>Order of the seams</source>
+        <translation>Reihenfolge der Nähte</translation>
     </message>
     <message>
         <source>Outline</source>
@@ -2143,6 +2575,26 @@
         <translation>Gemalter Fisch</translation>
     </message>
     <message>
+        <source>Panel</source>
+        <translation>Bahn</translation>
+    </message>
+    <message>
+        <source>Panel '{0}' crosses or nearly touches itself: separate the parts that meet there.</source>
+        <translation>Die Bahn „{0}“ kreuzt oder berührt sich fast selbst: die Teile, die dort zusammenkommen, voneinander trennen.</translation>
+    </message>
+    <message>
+        <source>Panel '{0}' is folded over: {1} crosses or touches another edge at {2}. Separate them.</source>
+        <translation>Die Bahn „{0}“ ist gefaltet: {1} kreuzt oder berührt bei {2} eine andere Kante. Beide voneinander trennen.</translation>
+    </message>
+    <message>
+        <source>Panel '{0}' is only {1} wide at {2}, too narrow for welds of {3} along both of its sides. Make it wider, or the welds narrower.</source>
+        <translation>Die Bahn „{0}“ ist bei {2} nur {1} breit, zu schmal für Schweißnähte von {3} an beiden Seiten. Sie breiter machen oder die Nähte schmaler.</translation>
+    </message>
+    <message>
+        <source>Panel '{0}' is seen from inside: its points run clockwise. Mirror it, or turn their order round.</source>
+        <translation>Die Bahn „{0}“ ist von innen gesehen: ihre Punkte laufen im Uhrzeigersinn. Sie spiegeln oder die Reihenfolge umkehren.</translation>
+    </message>
+    <message>
         <source>Panel {0} has a triangle with a vertex that is not there. Mesh it anew.</source>
         <translation>Bahn {0} hat ein Dreieck mit einer Ecke, die es nicht gibt. Neu vernetzen.</translation>
     </message>
@@ -2155,16 +2607,60 @@
         <translation>Bahn {0} hat eine Kante mit mehr als zwei Dreiecken. Neu vernetzen.</translation>
     </message>
     <message>
+        <source>Panel {0} has no edge {1} for the opening: say another one of its outer loop.</source>
+        <translation>Die Bahn {0} hat keine Kante {1} für die Öffnung: eine andere ihres äußeren Rands angeben.</translation>
+    </message>
+    <message>
+        <source>Panel {0} is not cut: say another one for the opening.</source>
+        <translation>Die Bahn {0} wird nicht geschnitten: eine andere für die Öffnung angeben.</translation>
+    </message>
+    <message>
+        <source>Panel {0} is nowhere wider than {1}, and its welds are {2} wide: it hardly bulges. Make the balloon larger, the panel wider or the seal narrower.</source>
+        <translation>Die Bahn {0} ist nirgends breiter als {1}, und ihre Schweißnähte sind {2} breit: sie wölbt sich kaum. Den Ballon größer, die Bahn breiter oder die Naht schmaler machen.</translation>
+    </message>
+    <message>
         <source>Panel {0} is open between its vertices {1} and {2}: the boundary is in no seam there. Seal it to another.</source>
         <translation>Bahn {0} ist zwischen ihren Ecken {1} und {2} offen: Der Rand ist dort in keiner Naht. Mit einem anderen verschweißen.</translation>
+    </message>
+    <message>
+        <source>Panel {0} leans by {1} between front and back. Make the side band narrower there, or the parts of the drawing wider.</source>
+        <translation>Die Bahn {0} neigt sich zwischen Vorder- und Rückseite um {1}. Das Seitenband dort schmaler oder die Teile der Zeichnung breiter machen.</translation>
+    </message>
+    <message>
+        <source>Panel {0} of the JSON file has no name or no 'outer' loop. {1}</source>
+        <translation>Die Bahn {0} der JSON-Datei hat keinen Namen oder keinen Rand 'outer'. {1}</translation>
+    </message>
+    <message>
+        <source>Panel {0}: an intake of this kind leads through a seam. Say which one, or an edge of the panel such as {1}.0, or choose a nozzle.</source>
+        <translation>Bahn {0}: ein Füllhals dieser Art führt durch eine Naht. Sagen, durch welche, oder eine Kante der Bahn wie {1}.0 angeben, oder eine Tülle wählen.</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>Bahnen</translation>
+    </message>
+    <message>
+        <source>Panels and seams; a copy of them travels in the document</source>
+        <translation>Bahnen und Nähte; eine Kopie davon reist im Dokument mit</translation>
     </message>
     <message>
         <source>Panels are laid on the film in rows instead of closely; nothing else changes.</source>
         <translation>Die Bahnen werden in Reihen statt dicht ausgelegt; sonst ändert sich nichts.</translation>
     </message>
     <message>
+        <source>Panels with gussets, whose sizes come from a spreadsheet</source>
+        <translation>Bahnen mit Seitenfalten, deren Maße aus einer Tabelle kommen</translation>
+    </message>
+    <message>
+        <source>Panels: {0}, of different shapes: {1}</source>
+        <translation>Bahnen: {0}, davon verschiedene Formen: {1}</translation>
+    </message>
+    <message>
         <source>Paper</source>
         <translation>Papier</translation>
+    </message>
+    <message>
+        <source>Parts of the balloon may lean to one side or the other: the inflated outline is {0} to {1} from the drawing. Another width of the side band may hold them.</source>
+        <translation>Teile des Ballons können sich zur einen oder anderen Seite neigen: der aufgeblasene Umriss liegt {0} bis {1} neben der Zeichnung. Eine andere Breite des Seitenbands kann sie halten.</translation>
     </message>
     <message>
         <source>Pattern</source>
@@ -2195,6 +2691,10 @@
         <translation>Schnittmuster, zweimal schneiden (einmal gespiegelt)</translation>
     </message>
     <message>
+        <source>Pattern, {0} panels</source>
+        <translation>Schnittmuster, {0} Bahnen</translation>
+    </message>
+    <message>
         <source>Patterns</source>
         <translation>Schnittmuster</translation>
     </message>
@@ -2215,6 +2715,18 @@
         <translation>Strichzeichnung</translation>
     </message>
     <message>
+        <source>Pick an edge to see its partner.</source>
+        <translation>Eine Kante wählen, um ihre Partnerkante zu sehen.</translation>
+    </message>
+    <message>
+        <source>Pick an edge, then its partner, here or in the 3D view. Free edges: {}</source>
+        <translation>Eine Kante wählen, dann ihre Partnerkante, hier oder in der 3D-Ansicht. Freie Kanten: {}</translation>
+    </message>
+    <message>
+        <source>Pick the edge at which it is filled.</source>
+        <translation>Die Kante wählen, an der er gefüllt wird.</translation>
+    </message>
+    <message>
         <source>Picture, SVG, DXF or JSON</source>
         <translation>Bild, SVG, DXF oder JSON</translation>
     </message>
@@ -2233,6 +2745,14 @@
     <message>
         <source>Pictures need OpenCV, which is missing or does not work here. Install the package python3-opencv (or opencv-python-headless), or open the picture inside FreeCAD.</source>
         <translation>Bilder brauchen OpenCV, das fehlt oder hier nicht arbeitet. Das Paket python3-opencv (oder opencv-python-headless) installieren oder das Bild in FreeCAD öffnen.</translation>
+    </message>
+    <message>
+        <source>Pieces of the side band cannot be {0} long. Give 0 or more.</source>
+        <translation>Stücke des Seitenbands können nicht {0} lang sein. 0 oder mehr angeben.</translation>
+    </message>
+    <message>
+        <source>Pieces of {0} are too short for a side band of {1}. Allow longer ones.</source>
+        <translation>Stücke von {0} sind zu kurz für ein Seitenband von {1}. Längere zulassen.</translation>
     </message>
     <message>
         <source>Pieces: {}, on {}, {} used</source>
@@ -2275,6 +2795,14 @@
         <translation>Plottereinheiten von 0,025 mm. Stift 1 zeichnet den Kontrollbalken, Stift 2 schneidet die Passkerben, Stift 3 den Rest. In der Datei ist nichts, was nicht geschnitten werden darf. Bei einem Schleppmesser dessen Versatz einstellen, üblich sind 0,25 mm. Schnitte laufen 1 mm über ihren Anfang hinaus: overcut_mm auf 0 setzen, wenn die Schneidemaschine das selbst tut.</translation>
     </message>
     <message>
+        <source>Point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>Point {0} of the JSON file's 'profile' is not a pair of numbers. {1}</source>
+        <translation>Punkt {0} im 'profile' der JSON-Datei ist kein Zahlenpaar. {1}</translation>
+    </message>
+    <message>
         <source>Point {0} of the JSON file's {1} is not a pair of numbers. {2}</source>
         <translation>Punkt {0} von {1} der JSON-Datei ist kein Zahlenpaar. {2}</translation>
     </message>
@@ -2295,12 +2823,20 @@
         <translation>Polylinien in Millimetern mit einer Ebene je Aufgabe: Das liest jedes Programm. CUT, CUT_INNER und NOTCH werden geschnitten, SEAL und WELD geschweißt, alle anderen gezeichnet.</translation>
     </message>
     <message>
+        <source>Pouch</source>
+        <translation>Standbeutel</translation>
+    </message>
+    <message>
         <source>Predicted from the outline; not inflated yet.</source>
         <translation>Aus dem Umriss vorhergesagt; noch nicht aufgeblasen.</translation>
     </message>
     <message>
         <source>Pressure</source>
         <translation>Druck</translation>
+    </message>
+    <message>
+        <source>Pressure rises with height</source>
+        <translation>Druck steigt mit der Höhe</translation>
     </message>
     <message>
         <source>Pressure: {0}</source>
@@ -2311,8 +2847,16 @@
         <translation>Mit 100 % drucken („tatsächliche Größe“). Der Balken unten muss 100 mm lang sein.</translation>
     </message>
     <message>
+        <source>Print {0} at {1} dpi, all panels</source>
+        <translation>Druck von {0} mit {1} dpi, alle Bahnen</translation>
+    </message>
+    <message>
         <source>Print {0} at {1} dpi, front and back</source>
         <translation>Bedruckt: {0} mit {1} dpi, Vorder- und Rückseite</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>Profil</translation>
     </message>
     <message>
         <source>Pull a line; then move the pointer to bend it, and click. A right click keeps it straight.</source>
@@ -2345,6 +2889,10 @@
     <message>
         <source>RDWorks (Ruida laser)</source>
         <translation>RDWorks (Ruida-Laser)</translation>
+    </message>
+    <message>
+        <source>Ready body</source>
+        <translation>Fertiger Körper</translation>
     </message>
     <message>
         <source>Ready to make. Paint on, or press Make it!</source>
@@ -2427,6 +2975,10 @@
         <translation>SVG-Dateien brauchen das Python-Paket svgelements. Mit „pip install svgelements“ installieren oder die Zeichnung als DXF speichern.</translation>
     </message>
     <message>
+        <source>SVG, DXF or JSON</source>
+        <translation>SVG, DXF oder JSON</translation>
+    </message>
+    <message>
         <source>Safe pressure</source>
         <translation>Sicherer Druck</translation>
     </message>
@@ -2467,6 +3019,18 @@
         <translation>Stattdessen vernetzt SciPy, etwas langsamer.</translation>
     </message>
     <message>
+        <source>Seal a disc on each point where four panels or more meet.</source>
+        <translation>Auf jeden Punkt, an dem vier Bahnen oder mehr zusammenkommen, eine Scheibe siegeln.</translation>
+    </message>
+    <message>
+        <source>Seal the seams in the order of the pictures along the dashed line, {seal} wide, from end to end.</source>
+        <translation>Die Nähte in der Reihenfolge der Bilder entlang der gestrichelten Linie schweißen, {seal} breit, von Ende zu Ende.</translation>
+    </message>
+    <message>
+        <source>Seal the seams in the order of the pictures along the dashed line, {seal} wide, from end to end. Leave the mouth of the neck open.</source>
+        <translation>Die Nähte in der Reihenfolge der Bilder entlang der gestrichelten Linie schweißen, {seal} breit, von Ende zu Ende. Die Mündung des Füllhalses offen lassen.</translation>
+    </message>
+    <message>
         <source>Seal width</source>
         <translation>Nahtbreite</translation>
     </message>
@@ -2487,12 +3051,40 @@
         <translation>Nahtlänge: {0}</translation>
     </message>
     <message>
+        <source>Seam or edge</source>
+        <translation>Naht oder Kante</translation>
+    </message>
+    <message>
+        <source>Seam {0} has no length: it begins and ends where {1} begins. Give two points; a whole loop is written as two seams.</source>
+        <translation>Naht {0} hat keine Länge: sie beginnt und endet, wo {1} beginnt. Zwei Punkte angeben; ein ganzer Rand wird als zwei Nähte geschrieben.</translation>
+    </message>
+    <message>
         <source>Seam {0} is along a panel {1}, but there are {2}.</source>
         <translation>Naht {0} liegt an einer Bahn {1}, aber es gibt {2}.</translation>
     </message>
     <message>
         <source>Seam {0} is along vertices that panel {1} does not have.</source>
         <translation>Naht {0} liegt an Ecken, die Bahn {1} nicht hat.</translation>
+    </message>
+    <message>
+        <source>Seam {0} is at an end that stays open: say another one for the opening.</source>
+        <translation>Naht {0} ist an einem Ende, das offen bleibt: eine andere für die Öffnung angeben.</translation>
+    </message>
+    <message>
+        <source>Seam {0} is on hole {1} of panel '{2}', which has {3}. Check its sides.</source>
+        <translation>Naht {0} liegt am Loch {1} der Bahn „{2}“, die {3} hat. Ihre Seiten prüfen.</translation>
+    </message>
+    <message>
+        <source>Seam {0} is on panel {1}, but there are {2}. Check its sides.</source>
+        <translation>Naht {0} liegt an Bahn {1}, aber es gibt {2}. Ihre Seiten prüfen.</translation>
+    </message>
+    <message>
+        <source>Seam {0} is on point {1} of panel '{2}', whose points there are 0 to {3}. Check its sides.</source>
+        <translation>Naht {0} liegt am Punkt {1} der Bahn „{2}“, deren Punkte dort 0 bis {3} sind. Ihre Seiten prüfen.</translation>
+    </message>
+    <message>
+        <source>Seam {0} joins holes of panels {1} and {2}, where no intake can be: say another seam.</source>
+        <translation>Naht {0} verbindet Löcher der Bahnen {1} und {2}, wo kein Füllhals sein kann: eine andere Naht angeben.</translation>
     </message>
     <message>
         <source>Seam {0} joins the outside of the film to its inside, as in a Moebius strip. Turn one of its sides round.</source>
@@ -2507,12 +3099,68 @@
         <translation>Naht {0} verlässt den Rand von Bahn {1}. Ihre Ecken der Reihe nach am Rand entlang angeben.</translation>
     </message>
     <message>
+        <source>Seam {0} of panels {1} is {2} long, and the intake takes {3} with its welds: make it narrower, or say another edge for the opening.</source>
+        <translation>Naht {0} der Bahnen {1} ist {2} lang, und der Füllhals braucht mit seinen Schweißnähten {3}: ihn schmaler machen oder eine andere Kante für die Öffnung angeben.</translation>
+    </message>
+    <message>
+        <source>Seam {0} of the JSON file has no two sides 'a' and 'b'. {1}</source>
+        <translation>Naht {0} der JSON-Datei hat keine zwei Seiten 'a' und 'b'. {1}</translation>
+    </message>
+    <message>
+        <source>Seam {0}: {1} to {2}, last, with the opening.</source>
+        <translation>Naht {0}: {1} an {2}, zuletzt, mit der Öffnung.</translation>
+    </message>
+    <message>
+        <source>Seam {0}: {1} to {2}, last.</source>
+        <translation>Naht {0}: {1} an {2}, zuletzt.</translation>
+    </message>
+    <message>
+        <source>Seam {0}: {1} to {2}, lying flat.</source>
+        <translation>Naht {0}: {1} an {2}, flach liegend.</translation>
+    </message>
+    <message>
+        <source>Seam {0}: {1} to {2}, one edge turned round the other.</source>
+        <translation>Naht {0}: {1} an {2}, eine Kante um die andere gewendet.</translation>
+    </message>
+    <message>
+        <source>Seam {}: {}</source>
+        <translation>Naht {}: {}</translation>
+    </message>
+    <message>
+        <source>Seams</source>
+        <translation>Nähte</translation>
+    </message>
+    <message>
+        <source>Seams and centres apart</source>
+        <translation>Abstand von Nähten und Mitten</translation>
+    </message>
+    <message>
+        <source>Seams and middles of gores: {0} apart at most</source>
+        <translation>Nähte und Mitten der Segmente: höchstens {0} auseinander</translation>
+    </message>
+    <message>
+        <source>Seams that do not lie flat: {0}. Seal them bit by bit.</source>
+        <translation>Nähte, die nicht flach liegen: {0}. Sie Stück für Stück schweißen.</translation>
+    </message>
+    <message>
+        <source>Seams that do not lie flat: {0}. Their allowance is cut into tabs that turn.</source>
+        <translation>Nähte, die nicht flach liegen: {0}. Ihre Zugabe ist in Laschen geschnitten, die sich wenden.</translation>
+    </message>
+    <message>
         <source>Seams {0} and {1} hold the same piece of the boundary of panel {2}. Seal each piece once.</source>
         <translation>Die Nähte {0} und {1} halten dasselbe Stück des Randes von Bahn {2}. Jedes Stück einmal verschweißen.</translation>
     </message>
     <message>
+        <source>Seams: {0}, where an edge must turn: {1}</source>
+        <translation>Nähte: {0}, davon muss sich eine Kante wenden: {1}</translation>
+    </message>
+    <message>
         <source>Second panel, mirrored</source>
         <translation>Zweite Bahn, gespiegelt</translation>
+    </message>
+    <message>
+        <source>Select a sketch of half the outline, or choose where the profile comes from.</source>
+        <translation>Eine Skizze des halben Umrisses wählen, oder woher das Profil kommt.</translation>
     </message>
     <message>
         <source>Select a sketch, a wire or a face in the tree or the 3D view.</source>
@@ -2523,8 +3171,20 @@
         <translation>Andere wählen</translation>
     </message>
     <message>
+        <source>Select sketches or flat faces, or take a ready body or a file.</source>
+        <translation>Skizzen oder ebene Flächen wählen, oder einen fertigen Körper oder eine Datei nehmen.</translation>
+    </message>
+    <message>
+        <source>Select sketches, wires or flat faces first.</source>
+        <translation>Zuerst Skizzen, Drähte oder ebene Flächen wählen.</translation>
+    </message>
+    <message>
         <source>Self-sealing film valve</source>
         <translation>Selbstschließendes Folienventil</translation>
+    </message>
+    <message>
+        <source>Set the opening</source>
+        <translation>Die Öffnung setzen</translation>
     </message>
     <message>
         <source>Shape that stays flat</source>
@@ -2555,6 +3215,22 @@
         <translation>Gezeigte Seite</translation>
     </message>
     <message>
+        <source>Side '{0}' of seam {1} is not the name of a panel and two points. {2}</source>
+        <translation>Die Seite '{0}' der Naht {1} ist nicht der Name einer Bahn und zwei Punkte. {2}</translation>
+    </message>
+    <message>
+        <source>Side '{0}' of seam {1} is on a panel '{2}' that is not there. {3}</source>
+        <translation>Die Seite '{0}' der Naht {1} liegt an einer Bahn „{2}“, die es nicht gibt. {3}</translation>
+    </message>
+    <message>
+        <source>Side band</source>
+        <translation>Seitenband</translation>
+    </message>
+    <message>
+        <source>Side {0} of seam {1} runs the wrong way at {2}, which would seal the outside of the film to its inside, as in a Moebius strip: it goes {3} its loop. Swap the two points of {4}.</source>
+        <translation>Die Seite {0} der Naht {1} läuft bei {2} falsch herum, was die Außenseite der Folie mit ihrer Innenseite verschweißen würde, wie bei einem Möbiusband: sie geht {3} ihres Rands. Die zwei Punkte von {4} vertauschen.</translation>
+    </message>
+    <message>
         <source>Silhouette Studio (vinyl cutter)</source>
         <translation>Silhouette Studio (Folienschneider)</translation>
     </message>
@@ -2569,6 +3245,10 @@
     <message>
         <source>Simulations use NumPy. "What works here" in the menu fetches the native solver later.</source>
         <translation>Simulationen benutzen NumPy. „Was hier funktioniert“ im Menü lädt den nativen Löser später herunter.</translation>
+    </message>
+    <message>
+        <source>Six gores from half an outline in a sketch: change their number</source>
+        <translation>Sechs Segmente aus einem halben Umriss in einer Skizze: ihre Zahl ändern</translation>
     </message>
     <message>
         <source>Size</source>
@@ -2667,12 +3347,24 @@
         <translation>Farbe wegnehmen</translation>
     </message>
     <message>
+        <source>Take seam apart</source>
+        <translation>Naht lösen</translation>
+    </message>
+    <message>
         <source>Take the numbers of one of FreeCAD's material cards</source>
         <translation>Die Zahlen einer FreeCAD-Materialkarte übernehmen</translation>
     </message>
     <message>
         <source>Take the picture away</source>
         <translation>Das Bild wegnehmen</translation>
+    </message>
+    <message>
+        <source>Take what is selected</source>
+        <translation>Nehmen, was gewählt ist</translation>
+    </message>
+    <message>
+        <source>Take {0} gores.</source>
+        <translation>{0} Segmente nehmen.</translation>
     </message>
     <message>
         <source>Tape</source>
@@ -2711,12 +3403,40 @@
         <translation>Das würden {0} Seiten: größeres Papier oder einen kleineren Ballon wählen.</translation>
     </message>
     <message>
+        <source>The 'cut' of panel '{0}' is neither true nor false. Write one of them.</source>
+        <translation>Das 'cut' der Bahn „{0}“ ist weder true noch false. Eines davon schreiben.</translation>
+    </message>
+    <message>
+        <source>The 'ease' of the JSON file is no part of a length. Give a number from 0 to 1.</source>
+        <translation>Das 'ease' der JSON-Datei ist kein Teil einer Länge. Eine Zahl von 0 bis 1 angeben.</translation>
+    </message>
+    <message>
+        <source>The 'holes' of panel '{0}' are not a list of loops. {1}</source>
+        <translation>Die 'holes' der Bahn „{0}“ sind keine Liste von Rändern. {1}</translation>
+    </message>
+    <message>
+        <source>The 'natural_shape' of the JSON file is no length. Give the length of its gores.</source>
+        <translation>Die 'natural_shape' der JSON-Datei ist keine Länge. Die Länge ihrer Segmente angeben.</translation>
+    </message>
+    <message>
+        <source>The 'opening' of the JSON file has no panel and point. {0}</source>
+        <translation>Die 'opening' der JSON-Datei hat keine Bahn und keinen Punkt. {0}</translation>
+    </message>
+    <message>
         <source>The 'parts' of the JSON file are not a list of shapes. {0}</source>
         <translation>„parts“ der JSON-Datei ist keine Liste von Formen. {0}</translation>
     </message>
     <message>
+        <source>The 'profile' of the JSON file needs at least two points. {0}</source>
+        <translation>Das 'profile' der JSON-Datei braucht mindestens zwei Punkte. {0}</translation>
+    </message>
+    <message>
         <source>The '{0}' of the JSON file are not a list of {1}. {2}</source>
         <translation>„{0}“ der JSON-Datei ist keine Liste von {1}. {2}</translation>
+    </message>
+    <message>
+        <source>The '{0}' of the body '{1}' is out of range. Choose {2}.</source>
+        <translation>'{0}' des Körpers „{1}“ liegt außerhalb des Bereichs. {2} wählen.</translation>
     </message>
     <message>
         <source>The DXF file has errors; what could be read was taken from it.</source>
@@ -2737,6 +3457,14 @@
     <message>
         <source>The JSON file has no 'outer' loop. {0}</source>
         <translation>Die JSON-Datei hat keine Linie „outer“. {0}</translation>
+    </message>
+    <message>
+        <source>The JSON file has no list of 'panels'. {0}</source>
+        <translation>Die JSON-Datei hat keine Liste 'panels'. {0}</translation>
+    </message>
+    <message>
+        <source>The JSON file has no list of 'seams'. {0}</source>
+        <translation>Die JSON-Datei hat keine Liste 'seams'. {0}</translation>
     </message>
     <message>
         <source>The JSON file has the unknown unit {0}. Use one of {1}.</source>
@@ -2783,8 +3511,24 @@
         <translation>Der Elastizitätsmodul quer zur Laufrichtung {0} ist zu groß für den längs von {1}: die Laufrichtung um 90 Grad drehen und beide tauschen.</translation>
     </message>
     <message>
+        <source>The accuracy must be above 0 and below 1: 0.01 is within 1 % of the profile.</source>
+        <translation>Die Genauigkeit muss über 0 und unter 1 liegen: 0.01 ist innerhalb von 1 % des Profils.</translation>
+    </message>
+    <message>
         <source>The altitude {0} m is out of range: give one up to 11000 m.</source>
         <translation>Die Höhe {0} m ist außerhalb des Bereichs: bis 11000 m angeben.</translation>
+    </message>
+    <message>
+        <source>The bag has no opening through which it is filled. Name the edge at which it stays open, such as edge 1 of panel '{0}', or make it without an intake.</source>
+        <translation>Der Beutel hat keine Öffnung, durch die er gefüllt wird. Die Kante nennen, an der er offen bleibt, etwa Kante 1 der Bahn „{0}“, oder ihn ohne Füllhals machen.</translation>
+    </message>
+    <message>
+        <source>The bag has {0} panels, more than {1}. Make it of fewer, larger ones.</source>
+        <translation>Der Beutel hat {0} Bahnen, mehr als {1}. Ihn aus weniger und größeren machen.</translation>
+    </message>
+    <message>
+        <source>The balloon has no opening: say at which edge it is filled, or choose no intake.</source>
+        <translation>Der Ballon hat keine Öffnung: sagen, an welcher Kante er gefüllt wird, oder keinen Füllhals wählen.</translation>
     </message>
     <message>
         <source>The balloon is not near rest. Inflate it anew.</source>
@@ -2793,6 +3537,14 @@
     <message>
         <source>The balloon is nowhere {0} wide behind its intake: choose another intake angle or a narrower intake, else air enters slowly.</source>
         <translation>Der Ballon ist hinter seinem Füllhals nirgends {0} breit: eine andere Richtung oder einen schmaleren Hals wählen, sonst strömt Luft langsam ein.</translation>
+    </message>
+    <message>
+        <source>The balloon must be thicker than 0, not {0}. Give its thickness.</source>
+        <translation>Der Ballon muss dicker als 0 sein, nicht {0}. Seine Dicke angeben.</translation>
+    </message>
+    <message>
+        <source>The balloon of {0} gores is {1} of its diagonal away from the profile on average, and {2} was asked for: its seams stand out by up to {3} over the middle of the gores. {4}</source>
+        <translation>Der Ballon aus {0} Segmenten liegt im Mittel {1} seiner Diagonale neben dem Profil, und {2} waren verlangt: seine Nähte stehen bis zu {3} über die Mitte der Segmente hinaus. {4}</translation>
     </message>
     <message>
         <source>The balloon whose weld creases did not come to rest; what is told of it is its last good state.</source>
@@ -2805,6 +3557,14 @@
     <message>
         <source>The bleed must be from 0 to {0}, not {1}.</source>
         <translation>Der Anschnitt muss 0 bis {0} sein, nicht {1}.</translation>
+    </message>
+    <message>
+        <source>The body '{0}' has no '{1}'. It has {2}.</source>
+        <translation>Der Körper „{0}“ hat kein '{1}'. Er hat {2}.</translation>
+    </message>
+    <message>
+        <source>The caps are too large for the ball. Choose a smaller diameter for them.</source>
+        <translation>Die Kappen sind zu groß für den Ball. Einen kleineren Durchmesser für sie wählen.</translation>
     </message>
     <message>
         <source>The colour would run out: close the line around this place first.</source>
@@ -2843,12 +3603,20 @@
         <translation>Die Zeichnung hat keine geschlossene Linie. Eine zeichnen, und Texte und Gruppen in Pfade umwandeln.</translation>
     </message>
     <message>
+        <source>The drawing has no line. {0}</source>
+        <translation>Die Zeichnung hat keine Linie. {0}</translation>
+    </message>
+    <message>
         <source>The drawing has points more than {0} km from its origin. Move it there, and give it a size between 1 mm and 100 m.</source>
         <translation>Die Zeichnung hat Punkte weiter als {0} km vom Ursprung. Sie dorthin verschieben und ihr eine Größe von 1 mm bis 100 m geben.</translation>
     </message>
     <message>
         <source>The drawing has too much text in its styles and transforms. Save it as plain SVG once more.</source>
         <translation>Die Zeichnung hat zu viel Text in ihren Stilen und Transformationen. Noch einmal als einfaches SVG speichern.</translation>
+    </message>
+    <message>
+        <source>The drawing has {0} lines beside the axis, not one. {1}</source>
+        <translation>Die Zeichnung hat {0} Linien neben der Achse statt einer. {1}</translation>
     </message>
     <message>
         <source>The drawing has {0} shape and no number {1}: choose another Part, or delete this balloon.</source>
@@ -2877,6 +3645,10 @@
     <message>
         <source>The drawing; a copy of it travels in the document</source>
         <translation>Die Zeichnung; eine Kopie davon liegt im Dokument</translation>
+    </message>
+    <message>
+        <source>The edges of the chosen seam are free again</source>
+        <translation>Die Kanten der gewählten Naht sind wieder frei</translation>
     </message>
     <message>
         <source>The file is XML but no SVG drawing. Choose a drawing.</source>
@@ -2931,12 +3703,24 @@
         <translation>Die Folie der Ballons aus dem Laden: 15 µm orientiertes Nylon 6 mit Aluminiumschicht, innen 15 µm Polyethylen. PE auf PE schweißen. Nylon nimmt Feuchtigkeit auf und wird dann weicher.</translation>
     </message>
     <message>
+        <source>The film passes through itself near {0}, which the simulation does not feel: the balloon will look otherwise there. Move those parts away from each other.</source>
+        <translation>Die Folie geht bei {0} durch sich selbst hindurch, was die Simulation nicht merkt: der Ballon wird dort anders aussehen. Diese Teile voneinander entfernen.</translation>
+    </message>
+    <message>
+        <source>The film stays up to {0} away from the profile, even half way between the seams and the middle of the gores: it cannot take this shape. Round the profile where it is flat, hollow or sharp.</source>
+        <translation>Die Folie bleibt bis zu {0} vom Profil entfernt, auch auf halbem Weg zwischen den Nähten und der Mitte der Segmente: sie kann diese Form nicht annehmen. Das Profil runden, wo es flach, hohl oder spitz ist.</translation>
+    </message>
+    <message>
         <source>The free edition opens DXF, not SVG. Choose "as is" for the size in the import preferences. Silhouette makes its own registration marks, and adds the knife's offset and overcut. Nothing is in the file that may not be cut.</source>
         <translation>Die kostenlose Ausgabe öffnet DXF, nicht SVG. In den Importeinstellungen „wie vorliegend“ als Größe wählen. Silhouette macht seine eigenen Passermarken und fügt Versatz und Überschnitt des Messers hinzu. In der Datei ist nichts, was nicht geschnitten werden darf.</translation>
     </message>
     <message>
         <source>The grain's angle {0} is no number: give degrees from the x axis.</source>
         <translation>Der Winkel der Laufrichtung {0} ist keine Zahl: Grad ab der x-Achse angeben.</translation>
+    </message>
+    <message>
+        <source>The gussets are deeper than the pouch is high. Choose a smaller depth.</source>
+        <translation>Die Seitenfalten sind tiefer, als der Beutel hoch ist. Eine kleinere Tiefe wählen.</translation>
     </message>
     <message>
         <source>The hand beside the shape is as large as a grown-up's</source>
@@ -2971,6 +3755,10 @@
         <translation>Der aufgeblasene Umriss bleibt im Mittel {0} von der Zeichnung entfernt: Der Ballon faltet sich quer über ein Loch oder einen Schweißpunkt.</translation>
     </message>
     <message>
+        <source>The intake cannot lead into a hole of panel {0}: say another edge for the opening.</source>
+        <translation>Der Füllhals kann nicht in ein Loch der Bahn {0} führen: eine andere Kante für die Öffnung angeben.</translation>
+    </message>
+    <message>
         <source>The intake file {0} calls itself "{1}": give both the same name.</source>
         <translation>Die Füllhals-Datei {0} nennt sich „{1}“: beiden denselben Namen geben.</translation>
     </message>
@@ -2997,6 +3785,10 @@
     <message>
         <source>The intake's angle must be a number.</source>
         <translation>Der Winkel des Füllhalses muss eine Zahl sein.</translation>
+    </message>
+    <message>
+        <source>The intake's direction is of two equal panels: of many, say a seam and how far along it.</source>
+        <translation>Die Richtung des Füllhalses gilt bei zwei gleichen Bahnen: bei vielen eine Naht angeben und wie weit daran entlang.</translation>
     </message>
     <message>
         <source>The intake's length must be above 0, up to 100 m: give it about 30 mm.</source>
@@ -3111,12 +3903,28 @@
         <translation>Der Flansch des Stutzens muss breiter sein als seine Bohrung.</translation>
     </message>
     <message>
+        <source>The opening is at point {0} of panel '{1}', whose points are 0 to {2}. Choose one of them.</source>
+        <translation>Die Öffnung ist am Punkt {0} der Bahn „{1}“, deren Punkte 0 bis {2} sind. Einen davon wählen.</translation>
+    </message>
+    <message>
+        <source>The opening is on a panel '{0}' that is not there. {1}</source>
+        <translation>Die Öffnung ist an einer Bahn „{0}“, die es nicht gibt. {1}</translation>
+    </message>
+    <message>
+        <source>The opening is on panel {0}, but there are {1}. Choose one of them.</source>
+        <translation>Die Öffnung ist an Bahn {0}, aber es gibt {1}. Eine davon wählen.</translation>
+    </message>
+    <message>
         <source>The options cannot be used ({0}). See --help.</source>
         <translation>Die Optionen sind nicht brauchbar ({0}). Siehe --help.</translation>
     </message>
     <message>
         <source>The outline cannot be mirrored about its axis: draw it symmetric, or leave that.</source>
         <translation>Der Umriss kann nicht an seiner Achse gespiegelt werden: ihn symmetrisch zeichnen oder so lassen.</translation>
+    </message>
+    <message>
+        <source>The outline comes to its axis more than once. {0}</source>
+        <translation>Der Umriss kommt mehr als einmal an seine Achse. {0}</translation>
     </message>
     <message>
         <source>The outline crosses or nearly touches itself near {0}: separate the parts that meet there.</source>
@@ -3139,6 +3947,10 @@
         <translation>Der Umriss hat eine Koordinate, die keine Zahl ist; sie in der Zeichnung berichtigen.</translation>
     </message>
     <message>
+        <source>The outline has no straight upright side on its left, so its axis is missing. {0}</source>
+        <translation>Der Umriss hat links keine gerade, aufrechte Seite, also fehlt seine Achse. {0}</translation>
+    </message>
+    <message>
         <source>The outline's {0} of {1} cannot be made; bring it to a size between 1 mm and 100 m.</source>
         <translation>Der Umriss kann keine {0} von {1} haben; ihn auf eine Größe zwischen 1 mm und 100 m bringen.</translation>
     </message>
@@ -3153,6 +3965,22 @@
     <message>
         <source>The panels are sealed to {0} bodies. Inflate each by itself.</source>
         <translation>Die Bahnen sind zu {0} Körpern verschweißt. Jeden für sich aufblasen.</translation>
+    </message>
+    <message>
+        <source>The panels are sealed to {0} bodies: panel '{1}' does not hang together with panel '{2}'. Make a bag of each body.</source>
+        <translation>Die Bahnen sind zu {0} Körpern verschweißt: Bahn „{1}“ hängt nicht mit Bahn „{2}“ zusammen. Aus jedem Körper einen eigenen Beutel machen.</translation>
+    </message>
+    <message>
+        <source>The panels have no names. {0}</source>
+        <translation>Die Bahnen haben keine Namen. {0}</translation>
+    </message>
+    <message>
+        <source>The panels have other points than those that were meshed. Mesh the bag anew.</source>
+        <translation>Die Bahnen haben andere Punkte als die vernetzten. Den Beutel neu vernetzen.</translation>
+    </message>
+    <message>
+        <source>The panels have {0} points, more than {1}. Simplify them in the program that they come from.</source>
+        <translation>Die Bahnen haben {0} Punkte, mehr als {1}. Sie in dem Programm vereinfachen, aus dem sie kommen.</translation>
     </message>
     <message>
         <source>The part round {0} has no rim for an intake: leave a gap in the welds round it.</source>
@@ -3195,6 +4023,10 @@
         <translation>Das Bild ist zu klein, um eine Form zu erkennen. Mindestens {0} Pixel Breite benutzen.</translation>
     </message>
     <message>
+        <source>The picture of a body of gores goes all round: leave out --artwork-back.</source>
+        <translation>Das Bild eines Körpers aus Segmenten geht ringsherum: --artwork-back weglassen.</translation>
+    </message>
+    <message>
         <source>The picture was read as a pen drawing: the inside of its lines is filled.</source>
         <translation>Das Bild wurde als Strichzeichnung gelesen: Das Innere der Linien ist gefüllt.</translation>
     </message>
@@ -3207,12 +4039,56 @@
         <translation>Die Stücke des Füllhalses „{0}“ sind aus {1}, das nicht mit {2} verschweißt: einen anderen Füllhals wählen oder eine Folie, mit der es verschweißt: {3}.</translation>
     </message>
     <message>
+        <source>The pressure at the lower end must be 0 or more.</source>
+        <translation>Der Druck am unteren Ende muss 0 oder mehr sein.</translation>
+    </message>
+    <message>
         <source>The pressure must be positive and at most {0}, not {1}. A party balloon has about 2 kPa.</source>
         <translation>Der Druck muss positiv und höchstens {0} sein, nicht {1}. Ein Partyballon hat etwa 2 kPa.</translation>
     </message>
     <message>
+        <source>The pressure must grow upwards: give a gradient of 0 or more.</source>
+        <translation>Der Druck muss nach oben zunehmen: eine Zunahme von 0 oder mehr angeben.</translation>
+    </message>
+    <message>
         <source>The print on film</source>
         <translation>Der Druck auf Folie</translation>
+    </message>
+    <message>
+        <source>The profile crosses or touches itself at {0}. Draw a simple line.</source>
+        <translation>Das Profil kreuzt oder berührt sich selbst bei {0}. Eine einfache Linie zeichnen.</translation>
+    </message>
+    <message>
+        <source>The profile goes to the other side of its axis at the height {0}: the radius is {1}. Draw one half only.</source>
+        <translation>Das Profil geht auf der Höhe {0} auf die andere Seite seiner Achse: der Radius ist {1}. Nur eine Hälfte zeichnen.</translation>
+    </message>
+    <message>
+        <source>The profile has more than {0} points. Simplify it.</source>
+        <translation>Das Profil hat mehr als {0} Punkte. Es vereinfachen.</translation>
+    </message>
+    <message>
+        <source>The profile is a closed line that does not run along its axis. Draw one half of the section, from the lower to the upper end.</source>
+        <translation>Das Profil ist eine geschlossene Linie, die nicht entlang ihrer Achse läuft. Eine Hälfte des Schnitts zeichnen, vom unteren zum oberen Ende.</translation>
+    </message>
+    <message>
+        <source>The profile is too slender for a disc of {0} at its {1} end. Let the gores meet in a point there.</source>
+        <translation>Das Profil ist zu schlank für eine Scheibe von {0} an seinem Ende ({1}). Die Segmente dort in einem Punkt zusammenkommen lassen.</translation>
+    </message>
+    <message>
+        <source>The profile is {0} large. Give it a size between {1} and {2}, and check its unit.</source>
+        <translation>Das Profil ist {0} groß. Ihm eine Größe zwischen {1} und {2} geben und seine Einheit prüfen.</translation>
+    </message>
+    <message>
+        <source>The profile lies on its axis. Draw the half outline at a distance from it.</source>
+        <translation>Das Profil liegt auf seiner Achse. Den halben Umriss in einem Abstand von ihr zeichnen.</translation>
+    </message>
+    <message>
+        <source>The profile needs at least two points, each a pair of numbers: radius and height.</source>
+        <translation>Das Profil braucht mindestens zwei Punkte, jeder ein Zahlenpaar: Radius und Höhe.</translation>
+    </message>
+    <message>
+        <source>The profile touches its axis at the height {0}, which parts the balloon in two. Keep it away from the axis there.</source>
+        <translation>Das Profil berührt auf der Höhe {0} seine Achse, was den Ballon in zwei teilt. Es dort von der Achse fernhalten.</translation>
     </message>
     <message>
         <source>The radius of the corner relief must be 0 or above.</source>
@@ -3231,6 +4107,14 @@
         <translation>Die Nahtbreite muss zwischen 0,01 mm und 1 m liegen, die Zugabe zwischen 0 und 1 m.</translation>
     </message>
     <message>
+        <source>The seams of {0} gores stand out by up to {1} over their middles. More gores make the body rounder.</source>
+        <translation>Die Nähte von {0} Segmenten stehen bis zu {1} über deren Mitten hinaus. Mehr Segmente machen den Körper runder.</translation>
+    </message>
+    <message>
+        <source>The selected sketches, wires and flat faces become the panels</source>
+        <translation>Die gewählten Skizzen, Drähte und ebenen Flächen werden die Bahnen</translation>
+    </message>
+    <message>
         <source>The shape in the picture is too frayed to trace. Use a clearer picture.</source>
         <translation>Die Form im Bild ist zu ausgefranst zum Nachzeichnen. Ein klareres Bild benutzen.</translation>
     </message>
@@ -3241,6 +4125,26 @@
     <message>
         <source>The shape touches the {0} border of the picture; if it was cut off there, leave more margin.</source>
         <translation>Die Form berührt den Bildrand ({0}); wenn sie dort abgeschnitten wurde, mehr Rand lassen.</translation>
+    </message>
+    <message>
+        <source>The side band has no width: give its width, or the thickness of the balloon.</source>
+        <translation>Das Seitenband hat keine Breite: seine Breite oder die Dicke des Ballons angeben.</translation>
+    </message>
+    <message>
+        <source>The side band is too wide for this drawing, whose parts are about {0} wide: give it at most {1}.</source>
+        <translation>Das Seitenband ist zu breit für diese Zeichnung, deren Teile etwa {0} breit sind: höchstens {1} nehmen.</translation>
+    </message>
+    <message>
+        <source>The side band must be wider than 0, not {0}. Give it 20 mm or so.</source>
+        <translation>Das Seitenband muss breiter als 0 sein, nicht {0}. Ihm etwa 20 mm geben.</translation>
+    </message>
+    <message>
+        <source>The side band of {0} leaves nothing of the front, whose widest part is {1} wide: give it at most {2}.</source>
+        <translation>Das Seitenband von {0} lässt von der Vorderseite nichts übrig, deren breitester Teil {1} breit ist: ihm höchstens {2} geben.</translation>
+    </message>
+    <message>
+        <source>The sides of seam {0} are not equally long: {1}, {2}. Make them equally long, or allow them ease.</source>
+        <translation>Die Seiten der Naht {0} sind nicht gleich lang: {1}, {2}. Sie gleich lang machen oder Spiel zulassen.</translation>
     </message>
     <message>
         <source>The sides of seam {0} are {1} and {2} long. Make them equally long.</source>
@@ -3267,6 +4171,10 @@
         <translation>Die Simulation wurde angehalten.</translation>
     </message>
     <message>
+        <source>The size comes from {0}: make it smaller there, or of more and narrower panels.</source>
+        <translation>Die Größe kommt von {0}: ihn dort kleiner machen oder aus mehr und schmaleren Bahnen.</translation>
+    </message>
+    <message>
         <source>The size comes from {0}: make it smaller there.</source>
         <translation>Die Größe kommt von {0}: sie dort verkleinern.</translation>
     </message>
@@ -3277,6 +4185,10 @@
     <message>
         <source>The size of {0} is set by an expression: change the value that it uses.</source>
         <translation>Die Größe von {0} folgt einem Ausdruck: ändern, worauf er sich bezieht.</translation>
+    </message>
+    <message>
+        <source>The slant of a cone is longer than its radius. Choose a longer slant.</source>
+        <translation>Die Mantellinie eines Kegels ist länger als sein Radius. Eine längere wählen.</translation>
     </message>
     <message>
         <source>The smallest radius is {0}, near {1}; {2} follows {3}. It will come out rounder there.</source>
@@ -3299,6 +4211,10 @@
         <translation>Die Temperatur ({0}) von {1} Grad Celsius ist außerhalb des Bereichs: zum Beispiel 20C angeben.</translation>
     </message>
     <message>
+        <source>The thickness of the balloon decides the width of its side band: give one of them.</source>
+        <translation>Die Dicke des Ballons bestimmt die Breite seines Seitenbands: eines von beiden angeben.</translation>
+    </message>
+    <message>
         <source>The tie tab at {0} degrees would run into another part: choose another angle.</source>
         <translation>Die Lasche bei {0} Grad liefe in einen anderen Teil: einen anderen Winkel wählen.</translation>
     </message>
@@ -3319,6 +4235,10 @@
         <translation>Der Weg vom Füllhals in den Ballon verengt sich auf {0}, und der Hals ist {1} breit: ihn dorthin setzen, wo der Ballon breiter ist, sonst strömt Luft langsam ein.</translation>
     </message>
     <message>
+        <source>The width and the height must be more than 0.</source>
+        <translation>Breite und Höhe müssen mehr als 0 sein.</translation>
+    </message>
+    <message>
         <source>The width of the passages must be 0 or above.</source>
         <translation>Die Breite der Durchgänge muss 0 oder größer sein.</translation>
     </message>
@@ -3327,12 +4247,24 @@
         <translation>{0} „{1}“ der Materialkarte {2} ist nicht lesbar: die Karte berichtigen.</translation>
     </message>
     <message>
+        <source>The {0} bears {1} here with a margin of {2}, and the pressure is {3}. Inflate it to less, or take a stronger film.</source>
+        <translation>{0}: trägt hier {1} mit einem Sicherheitsfaktor von {2}, und der Druck ist {3}. Weniger aufblasen oder eine stärkere Folie nehmen.</translation>
+    </message>
+    <message>
         <source>The {0} crosses or touches itself at {1}; part the lines there.</source>
         <translation>Kreuzung oder Berührung ({0}) bei {1}; die Linien dort trennen.</translation>
     </message>
     <message>
         <source>The {0} encloses no area; draw a closed shape with at least three corners.</source>
         <translation>Keine Fläche umschlossen ({0}); eine geschlossene Form mit mindestens drei Ecken zeichnen.</translation>
+    </message>
+    <message>
+        <source>The {0} end of the profile is '{1}'. Use one of {2}.</source>
+        <translation>Das Ende ({0}) des Profils ist „{1}“. Eines von {2} benutzen.</translation>
+    </message>
+    <message>
+        <source>The {0} end of the profile is {1} away from the axis, so no gores can meet there in a point. Close it with a disc, or leave it open.</source>
+        <translation>Das Ende ({0}) des Profils ist {1} von der Achse entfernt, also können sich dort keine Segmente in einem Punkt treffen. Es mit einer Scheibe schließen oder offen lassen.</translation>
     </message>
     <message>
         <source>The {0} is {1} mm: give one above 0, for example 300 mm.</source>
@@ -3363,6 +4295,10 @@
         <translation>Ihre Tiefe</translation>
     </message>
     <message>
+        <source>There are no panels: choose sketches or flat faces.</source>
+        <translation>Es gibt keine Bahnen: Skizzen oder ebene Flächen wählen.</translation>
+    </message>
+    <message>
         <source>There can be 0 to {0} notches, not {1}, with a depth above 0.</source>
         <translation>Möglich sind 0 bis {0} Passkerben, nicht {1}, mit einer Tiefe über 0.</translation>
     </message>
@@ -3371,12 +4307,20 @@
         <translation>Möglich sind 1 bis {0} Stück, nicht {1}.</translation>
     </message>
     <message>
+        <source>There is advice about two equal panels only: of many, the warnings tell.</source>
+        <translation>Ratschläge gibt es nur zu zwei gleichen Bahnen: bei vielen sagen es die Warnungen.</translation>
+    </message>
+    <message>
         <source>There is no "{0}" to repair in {1}: see its advice.</source>
         <translation>Es gibt in {1} kein „{0}“ zu reparieren: dessen Ratschläge ansehen.</translation>
     </message>
     <message>
         <source>There is no file '{0}'. Check the name and the folder.</source>
         <translation>Es gibt keine Datei „{0}“. Name und Ordner prüfen.</translation>
+    </message>
+    <message>
+        <source>There is no file {0}, and no such ready body: check the name and the folder.</source>
+        <translation>Es gibt keine Datei {0} und keinen solchen fertigen Körper: Namen und Ordner prüfen.</translation>
     </message>
     <message>
         <source>There is no file {0}: check the name and the folder.</source>
@@ -3439,12 +4383,28 @@
         <translation>Papier „{0}“ gibt es nicht: A4, A3 oder Letter wählen.</translation>
     </message>
     <message>
+        <source>There is no picture to print: choose one, as the balloon has none of its own.</source>
+        <translation>Es gibt kein Bild zum Drucken: eines wählen, da der Ballon kein eigenes hat.</translation>
+    </message>
+    <message>
         <source>There is no picture to print: choose one, as the outline has none of its own.</source>
         <translation>Es gibt kein Bild zum Drucken: eines wählen, denn der Umriss hat kein eigenes.</translation>
     </message>
     <message>
+        <source>There is no ready body '{0}'. Choose one of {1}.</source>
+        <translation>Es gibt keinen fertigen Körper „{0}“. Einen von {1} wählen.</translation>
+    </message>
+    <message>
+        <source>There is no room for a flange of {0} in its middle: choose another panel or a smaller one.</source>
+        <translation>In ihrer Mitte ist kein Platz für einen Flansch von {0}: eine andere Bahn oder einen kleineren wählen.</translation>
+    </message>
+    <message>
         <source>There is no room for a flange of {0} there: choose another place or a smaller one.</source>
         <translation>Dort ist kein Platz für einen Flansch von {0}: einen anderen Ort oder einen kleineren wählen.</translation>
+    </message>
+    <message>
+        <source>There is no seam {0} for the opening: the seams are 1 to {1}.</source>
+        <translation>Es gibt keine Naht {0} für die Öffnung: die Nähte sind 1 bis {1}.</translation>
     </message>
     <message>
         <source>There is no sheet {0}: give a number from 1 to {1}.</source>
@@ -3579,8 +4539,28 @@
         <translation>Temperatur und Zeit an zwei Reststücken ausprobieren: Die Naht muss sich dehnen oder reißen, bevor sie aufgeht.</translation>
     </message>
     <message>
+        <source>Turns</source>
+        <translation>Wendet sich</translation>
+    </message>
+    <message>
         <source>Two circles: change their diameters in the sketch</source>
         <translation>Zwei Kreise: ihre Durchmesser in der Skizze ändern</translation>
+    </message>
+    <message>
+        <source>Two equal panels have one seam: what is said of the seam or edge of the opening has no effect. Say the direction of the intake, or its place along the seam.</source>
+        <translation>Zwei gleiche Bahnen haben eine einzige Naht: was zur Naht oder Kante der Öffnung angegeben ist, wirkt nicht. Die Richtung des Füllhalses angeben oder seinen Ort entlang der Naht.</translation>
+    </message>
+    <message>
+        <source>Two equal panels lie flat and have no lower end. Give lift to a standing body.</source>
+        <translation>Zwei gleiche Bahnen liegen flach und haben kein unteres Ende. Auftrieb nur einem stehenden Körper geben.</translation>
+    </message>
+    <message>
+        <source>Two panels</source>
+        <translation>Zwei Bahnen</translation>
+    </message>
+    <message>
+        <source>Two panels of the JSON file are called '{0}'. Give each a name of its own.</source>
+        <translation>Zwei Bahnen der JSON-Datei heißen „{0}“. Jeder einen eigenen Namen geben.</translation>
     </message>
     <message>
         <source>Two panels with a grain aslant are no mirror images. Turn the grain along x or y.</source>
@@ -3605,6 +4585,10 @@
     <message>
         <source>Upload the SVG as a cut image and compare the control bar: some versions read the size at 72 dpi. Nothing is in the file that may not be cut. It adds the knife's offset and overcut itself.</source>
         <translation>Das SVG als Schnittbild hochladen und den Kontrollbalken vergleichen: Manche Versionen lesen die Größe mit 72 dpi. In der Datei ist nichts, was nicht geschnitten werden darf. Versatz und Überschnitt des Messers fügt das Programm selbst hinzu.</translation>
+    </message>
+    <message>
+        <source>Upper end</source>
+        <translation>Oberes Ende</translation>
     </message>
     <message>
         <source>Used</source>
@@ -3641,10 +4625,6 @@
     <message>
         <source>Weakest place: {0} at {1}, estimated: the film did not come to rest</source>
         <translation>Schwächste Stelle: {0} bei {1}, geschätzt: Die Folie kam nicht zur Ruhe</translation>
-    </message>
-    <message>
-        <source>Weighing {0}</source>
-        <translation>{0} wird gewogen</translation>
     </message>
     <message>
         <source>Weight</source>
@@ -3723,12 +4703,20 @@
         <translation>Was {0} geschickt hat, ist nicht der native Löser dieser Version: Die SHA-256 ist eine andere. Es wurde nicht behalten. {1}</translation>
     </message>
     <message>
+        <source>Where an edge is cut into tabs, turn it round the other one tab by tab while you seal.</source>
+        <translation>Wo eine Kante in Laschen geschnitten ist, sie beim Schweißen Lasche für Lasche um die andere legen.</translation>
+    </message>
+    <message>
         <source>Where the film wrinkles</source>
         <translation>Wo die Folie Falten wirft</translation>
     </message>
     <message>
         <source>Whether the {0} of the intake's pieces welds to {1} is not known: try it on a scrap first.</source>
         <translation>Ob {0}, das Material der Stücke des Füllhalses, mit {1} verschweißt, ist unbekannt: zuerst an einem Reststück ausprobieren.</translation>
+    </message>
+    <message>
+        <source>While this is pressed, the edge that you pick is where it is filled</source>
+        <translation>Solange dies gedrückt ist, ist die gewählte Kante die, an der er gefüllt wird</translation>
     </message>
     <message>
         <source>While this is pressed, the ring in the 3D view moves the intake</source>
@@ -3763,8 +4751,16 @@
         <translation>Schwebt er? {0}</translation>
     </message>
     <message>
+        <source>With a side band the balloon of this drawing becomes {0} to {1} thick, not {2}. Choose a thickness between, or draw its parts wider or narrower.</source>
+        <translation>Mit einem Seitenband wird der Ballon dieser Zeichnung {0} bis {1} dick, nicht {2}. Eine Dicke dazwischen wählen oder seine Teile breiter oder schmaler zeichnen.</translation>
+    </message>
+    <message>
         <source>With the fonts of this computer {0} cannot be drawn, letter by letter from left to right: leave that out of the label, or install a font that has it and start again.</source>
         <translation>Mit den Schriften dieses Rechners lässt sich {0} nicht zeichnen, Buchstabe für Buchstabe von links nach rechts: es in der Beschriftung weglassen oder eine Schrift installieren, die es hat, und neu starten.</translation>
+    </message>
+    <message>
+        <source>Within</source>
+        <translation>Innerhalb von</translation>
     </message>
     <message>
         <source>Write all results for ParaView (.vtu) or NumPy (.npz), or the shape alone (.stl)</source>
@@ -3783,8 +4779,24 @@
         <translation>Die Datei schreiben, obwohl sie größer als das Bett ist</translation>
     </message>
     <message>
+        <source>Write {"a": ["top", 0, 1], "b": ["side", 3, 2]}.</source>
+        <translation>{"a": ["top", 0, 1], "b": ["side", 3, 2]} schreiben.</translation>
+    </message>
+    <message>
+        <source>Write {"name": "top", "outer": [[0, 0], [300, 0], [150, 200]]}.</source>
+        <translation>{"name": "top", "outer": [[0, 0], [300, 0], [150, 200]]} schreiben.</translation>
+    </message>
+    <message>
+        <source>Write {"panel": "side", "at": 2}.</source>
+        <translation>{"panel": "side", "at": 2} schreiben.</translation>
+    </message>
+    <message>
         <source>Write {"unit": "mm", "outer": [[0, 0], [300, 0], [150, 200]]}.</source>
         <translation>So schreiben: {"unit": "mm", "outer": [[0, 0], [300, 0], [150, 200]]}.</translation>
+    </message>
+    <message>
+        <source>Write {"unit": "mm", "profile": [[0, 0], [150, 200], [0, 400]]}.</source>
+        <translation>{"unit": "mm", "profile": [[0, 0], [150, 200], [0, 400]]} schreiben.</translation>
     </message>
     <message>
         <source>Writing DXF needs ezdxf: install it with pip install ezdxf, or use the SVG file.</source>
@@ -3915,6 +4927,14 @@
         <translation>gezeichnete Marke</translation>
     </message>
     <message>
+        <source>edge {0} of {1}panel '{2}'</source>
+        <translation>Kante {0} von {1}Bahn „{2}“</translation>
+    </message>
+    <message>
+        <source>edges {0} to {1}</source>
+        <translation>Kanten {0} bis {1}</translation>
+    </message>
+    <message>
         <source>empty: </source>
         <translation>leer: </translation>
     </message>
@@ -3975,12 +4995,24 @@
         <translation>Loch</translation>
     </message>
     <message>
+        <source>hole {0} of panel '{1}'</source>
+        <translation>Loch {0} der Bahn „{1}“</translation>
+    </message>
+    <message>
         <source>hydrogen</source>
         <translation>Wasserstoff</translation>
     </message>
     <message>
         <source>if the weld creases: {0}</source>
         <translation>wenn die Naht knittert: {0}</translation>
+    </message>
+    <message>
+        <source>in both sides of seam {0}</source>
+        <translation>in beiden Seiten der Naht {0}</translation>
+    </message>
+    <message>
+        <source>in seams {0} and {1}</source>
+        <translation>in den Nähten {0} und {1}</translation>
     </message>
     <message>
         <source>in the mean {}</source>
@@ -4015,12 +5047,20 @@
         <translation>das ist keine Datei</translation>
     </message>
     <message>
+        <source>it is thinner than any film. Make it wider.</source>
+        <translation>sie ist dünner als jede Folie. Sie breiter machen.</translation>
+    </message>
+    <message>
         <source>it is too large</source>
         <translation>sie ist zu groß</translation>
     </message>
     <message>
         <source>it would grow together with another part</source>
         <translation>sie würde mit einem anderen Teil zusammenwachsen</translation>
+    </message>
+    <message>
+        <source>known of two equal panels alone</source>
+        <translation>nur bei zwei gleichen Bahnen bekannt</translation>
     </message>
     <message>
         <source>laying out, {0} so far</source>
@@ -4069,6 +5109,14 @@
     <message>
         <source>names the unit {0}, which is not a usual one</source>
         <translation>nennt die Einheit {0}, die unüblich ist</translation>
+    </message>
+    <message>
+        <source>near {0} two of its edges are closer than {1}, and their welds run into each other: make the balloon larger or the seal narrower.</source>
+        <translation>bei {0} liegen zwei ihrer Kanten näher als {1} beieinander, und ihre Schweißnähte laufen ineinander: den Ballon größer machen oder die Naht schmaler.</translation>
+    </message>
+    <message>
+        <source>no drawing to compare with</source>
+        <translation>keine Zeichnung zum Vergleichen</translation>
     </message>
     <message>
         <source>no file was written</source>
@@ -4351,12 +5399,24 @@
         <translation>{0} Lücken zwischen den Linien geschlossen, die weiteste {1} der Breite der Zeichnung.</translation>
     </message>
     <message>
+        <source>{0} has a point that is no number or farther away than {1}. Check its coordinates and the unit.</source>
+        <translation>{0} hat einen Punkt, der keine Zahl oder weiter weg als {1} ist. Koordinaten und Einheit prüfen.</translation>
+    </message>
+    <message>
+        <source>{0} has fewer than three points. Give all of its corners.</source>
+        <translation>{0} hat weniger als drei Punkte. Alle Ecken angeben.</translation>
+    </message>
+    <message>
         <source>{0} has interface {1}, but {2} is needed.</source>
         <translation>{0} hat die Schnittstelle {1}, nötig ist {2}.</translation>
     </message>
     <message>
         <source>{0} has no "{1}": it has {2}.</source>
         <translation>{0} hat kein „{1}“: Es gibt {2}.</translation>
+    </message>
+    <message>
+        <source>{0} has no area: all of its points lie on a line. Check its coordinates.</source>
+        <translation>{0} hat keine Fläche: alle Punkte liegen auf einer Linie. Die Koordinaten prüfen.</translation>
     </message>
     <message>
         <source>{0} has no pattern: choose a balloon.</source>
@@ -4379,6 +5439,14 @@
         <translation>{0} hat mehrere Flächen: eine davon wählen.</translation>
     </message>
     <message>
+        <source>{0} has several faces: select those that are panels.</source>
+        <translation>{0} hat mehrere Flächen: die wählen, die Bahnen sind.</translation>
+    </message>
+    <message>
+        <source>{0} has {1} construction lines: leave one of them, which is the axis.</source>
+        <translation>{0} hat {1} Hilfslinien: eine davon lassen, das ist die Achse.</translation>
+    </message>
+    <message>
         <source>{0} hole with a thin line round it was filled, as a pen's: choose Drawn as filled shape to keep it.</source>
         <translation>{0} Loch mit dünner Linie darum wurde gefüllt wie bei einer Strichzeichnung: „Gezeichnet als“ auf „Gefüllte Form“ stellen, um es zu behalten.</translation>
     </message>
@@ -4393,6 +5461,10 @@
     <message>
         <source>{0} is a folder</source>
         <translation>{0} ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>{0} is an edge of a hole: choose one of an outer loop as the opening.</source>
+        <translation>{0} ist eine Kante eines Lochs: eine des äußeren Rands als Öffnung wählen.</translation>
     </message>
     <message>
         <source>{0} is damaged or incomplete ({1}). Install the workbench anew.</source>
@@ -4411,6 +5483,22 @@
         <translation>{0} ist leer: eine geschlossene Linie hineinzeichnen.</translation>
     </message>
     <message>
+        <source>{0} is empty: draw half an outline in it, beside the vertical axis.</source>
+        <translation>{0} ist leer: darin einen halben Umriss neben der senkrechten Achse zeichnen.</translation>
+    </message>
+    <message>
+        <source>{0} is in no seam. Seal it to another edge.</source>
+        <translation>{0} ist in keiner Naht. Sie mit einer anderen Kante verschweißen.</translation>
+    </message>
+    <message>
+        <source>{0} is in no seam: join it to another edge.</source>
+        <translation>{0} ist in keiner Naht: mit einer anderen Kante verbinden.</translation>
+    </message>
+    <message>
+        <source>{0} is in two seams: take one of them away.</source>
+        <translation>{0} ist in zwei Nähten: eine davon lösen.</translation>
+    </message>
+    <message>
         <source>{0} is neither DXF nor SVG: let the name end in .dxf or .svg.</source>
         <translation>{0} ist weder DXF noch SVG: den Namen auf .dxf oder .svg enden lassen.</translation>
     </message>
@@ -4425,6 +5513,10 @@
     <message>
         <source>{0} is not flat: a balloon is cut from flat film, so draw it in one plane.</source>
         <translation>{0} ist nicht eben: Ein Ballon wird aus flacher Folie geschnitten, also in einer Ebene zeichnen.</translation>
+    </message>
+    <message>
+        <source>{0} is not flat: draw half the outline in a sketch.</source>
+        <translation>{0} ist nicht eben: den halben Umriss in einer Skizze zeichnen.</translation>
     </message>
     <message>
         <source>{0} is not joined by heat: {1} is not made for it.</source>
@@ -4443,8 +5535,20 @@
         <translation>{0} ist nicht aktuell. {1} Das beheben, neu berechnen und noch einmal ausgeben.</translation>
     </message>
     <message>
+        <source>{0} is open: close its line.</source>
+        <translation>{0} ist offen: die Linie schließen.</translation>
+    </message>
+    <message>
         <source>{0} is too large a number, or none</source>
         <translation>{0} ist eine zu große Zahl oder keine</translation>
+    </message>
+    <message>
+        <source>{0} is {1} long, {2} {3}: make them equally long.</source>
+        <translation>{0} ist {1} lang, {2} {3}: beide gleich lang machen.</translation>
+    </message>
+    <message>
+        <source>{0} is {1}. Seal each edge once: side a goes along its loop from its first point to its second, b against it.</source>
+        <translation>{0} ist {1}. Jede Kante einmal verschweißen: Seite a geht entlang ihres Rands vom ersten zum zweiten Punkt, b gegen ihn.</translation>
     </message>
     <message>
         <source>{0} is {1}: give a number from {2} to {3}.</source>
@@ -4457,6 +5561,10 @@
     <message>
         <source>{0} left out ({1}).</source>
         <translation>{0} weggelassen ({1}).</translation>
+    </message>
+    <message>
+        <source>{0} lies on both sides of its axis: draw half the outline, on one side.</source>
+        <translation>{0} liegt auf beiden Seiten der Achse: den halben Umriss auf einer Seite zeichnen.</translation>
     </message>
     <message>
         <source>{0} lifts {1}, {2}: no, at no size.</source>
@@ -4499,8 +5607,16 @@
         <translation>{0} offene Linien wurden weggelassen.</translation>
     </message>
     <message>
+        <source>{0} panels meet at one point, which no weld closes: seal the cap from the sheet over it, or tape it.</source>
+        <translation>{0} Bahnen treffen sich in einem Punkt, den keine Naht schließt: die Kappe vom Bogen darübersiegeln oder ihn abkleben.</translation>
+    </message>
+    <message>
         <source>{0} reads {1}, which has no pages: choose paper.</source>
         <translation>{0} liest {1}, das keine Seiten hat: Papier wählen.</translation>
+    </message>
+    <message>
+        <source>{0} seams cannot be sealed lying flat, least of all seam {1} of panels {2}: one edge turns by {3} in all to follow the other. Seal them bit by bit, or round the corners.</source>
+        <translation>{0} Nähte lassen sich nicht flach liegend schweißen, am wenigsten Naht {1} der Bahnen {2}: eine Kante dreht sich insgesamt um {3}, um der anderen zu folgen. Sie Stück für Stück schweißen oder die Ecken runden.</translation>
     </message>
     <message>
         <source>{0} small speck was dropped.</source>
@@ -4579,12 +5695,24 @@
         <translation>{0}gezeigt wird der letzte gute Stand. Den Druck senken oder die Netzweite ändern.</translation>
     </message>
     <message>
+        <source>{0}{1} has no length. Take one of its points out.</source>
+        <translation>{0}{1} hat keine Länge. Einen ihrer Punkte herausnehmen.</translation>
+    </message>
+    <message>
         <source>{} MB from {}; the file is checked before it is used, and nothing is sent.</source>
         <translation>{} MB von {}; die Datei wird geprüft, bevor sie benutzt wird, und nichts wird gesendet.</translation>
     </message>
     <message>
         <source>{} at ({})</source>
         <translation>{} bei ({})</translation>
+    </message>
+    <message>
+        <source>{} gores are enough for {} of the profile's diagonal</source>
+        <translation>{} Segmente reichen für {} der Diagonale des Profils</translation>
+    </message>
+    <message>
+        <source>{} gores, as many as {} of the profile's diagonal need</source>
+        <translation>{} Segmente, so viele wie {} der Diagonale des Profils brauchen</translation>
     </message>
     <message>
         <source>{} is in the tree</source>
@@ -4605,6 +5733,10 @@
     <message>
         <source>{} of it wrinkles, {} is loose</source>
         <translation>{} faltig, {} schlaff</translation>
+    </message>
+    <message>
+        <source>{} of the profile's diagonal take {} gores</source>
+        <translation>{} der Diagonale des Profils brauchen {} Segmente</translation>
     </message>
     <message>
         <source>{} of {}</source>
@@ -4641,6 +5773,10 @@
     <message>
         <source>{}: film {}, seam and neck {}, valve {}</source>
         <translation>{}: Folie {}, Naht und Hals {}, Ventil {}</translation>
+    </message>
+    <message>
+        <source>{}: they differ by {}</source>
+        <translation>{}: sie unterscheiden sich um {}</translation>
     </message>
     <message>
         <source>{}: {}</source>
@@ -4736,6 +5872,17 @@
     </message>
 </context>
 <context>
+    <name>BalloonWorkbench_FromPanels</name>
+    <message>
+        <source>New bag of panels</source>
+        <translation>Neuer Beutel aus Bahnen</translation>
+    </message>
+    <message>
+        <source>Seal flat panels along their edges: selected sketches and faces, a ready body or a file</source>
+        <translation>Flache Bahnen entlang ihrer Kanten verschweißen: gewählte Skizzen und Flächen, ein fertiger Körper oder eine Datei</translation>
+    </message>
+</context>
+<context>
     <name>BalloonWorkbench_FromPicture</name>
     <message>
         <source>New balloon from picture</source>
@@ -4744,6 +5891,17 @@
     <message>
         <source>Trace a picture, SVG, DXF or JSON file and design the balloon that looks like it</source>
         <translation>Zeichnet Bild, SVG-, DXF- oder JSON-Datei nach und entwirft den Ballon, der so aussieht</translation>
+    </message>
+</context>
+<context>
+    <name>BalloonWorkbench_FromProfile</name>
+    <message>
+        <source>Design the gores of a ball, an airship or another round body from half its outline</source>
+        <translation>Die Segmente eines Balls, eines Luftschiffs oder eines anderen runden Körpers aus seinem halben Umriss entwerfen</translation>
+    </message>
+    <message>
+        <source>New body of gores</source>
+        <translation>Neuer Körper aus Segmenten</translation>
     </message>
 </context>
 <context>

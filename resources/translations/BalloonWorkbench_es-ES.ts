@@ -8,6 +8,14 @@
         <translation>Una línea de texto donde la película es más ancha, como contornos</translation>
     </message>
     <message>
+        <source>A ready body, made to measure</source>
+        <translation>Un cuerpo listo, a medida</translation>
+    </message>
+    <message>
+        <source>A size of the ready body</source>
+        <translation>Una medida del cuerpo listo</translation>
+    </message>
+    <message>
         <source>A tab with a hole to tie the balloon to, outside the weld</source>
         <translation>Una lengüeta con agujero para atar el globo, fuera de la soldadura</translation>
     </message>
@@ -24,8 +32,8 @@
         <translation>Otra imagen para el dorso; vacío toma la del frente</translation>
     </message>
     <message>
-        <source>Area of film inside the welds, both panels</source>
-        <translation>Área de película dentro de las soldaduras, ambos paneles</translation>
+        <source>Area of film inside the welds, all panels</source>
+        <translation>Superficie de película dentro de las soldaduras, todos los paneles</translation>
     </message>
     <message>
         <source>Around the balloon, in degrees Celsius</source>
@@ -64,6 +72,10 @@
         <translation>Correcciones del patrón</translation>
     </message>
     <message>
+        <source>Diameter of a body from a file; 0 follows from the height, or the file</source>
+        <translation>Diámetro de un cuerpo de un archivo; 0 resulta de la altura, o del archivo</translation>
+    </message>
+    <message>
         <source>Direction of the grain, from the x axis of the drawing</source>
         <translation>Dirección de la fibra, desde el eje x del dibujo</translation>
     </message>
@@ -90,6 +102,14 @@
     <message>
         <source>Dots per inch of the files</source>
         <translation>Puntos por pulgada de los archivos</translation>
+    </message>
+    <message>
+        <source>Edge at which the bag is filled, such as Sketch.Edge3; of a file or ready body: the panel and the number of a point, such as side.2, or the number of a seam; empty: as the file or body says</source>
+        <translation>Borde por el que se llena la bolsa, como Sketch.Edge3; de un archivo o cuerpo listo: el panel y el número de un punto, como side.2, o el número de una costura; vacío: como dice el archivo o el cuerpo</translation>
+    </message>
+    <message>
+        <source>Edges that are joined, such as Sketch.Edge1=Sketch001.Edge3; edges that faces share need no word</source>
+        <translation>Bordes que se unen, como Sketch.Edge1=Sketch001.Edge3; los bordes que comparten las caras no hace falta nombrarlos</translation>
     </message>
     <message>
         <source>Film left between pieces, and at the edges</source>
@@ -120,6 +140,10 @@
         <translation>Encajar en anchura y altura en vez de estirar a ambas</translation>
     </message>
     <message>
+        <source>Flat panels and their seams as JSON, in metres</source>
+        <translation>Paneles planos y sus costuras como JSON, en metros</translation>
+    </message>
+    <message>
         <source>Follow every change at once; switch it off for heavy models and inflate when you ask for it</source>
         <translation>Seguir cada cambio al instante; desactívelo en modelos pesados e infle cuando lo pida</translation>
     </message>
@@ -128,8 +152,16 @@
         <translation>Ficha de material de FreeCAD de la que proceden los valores</translation>
     </message>
     <message>
+        <source>Gores that the accuracy needs, foretold from the profile</source>
+        <translation>Gajos que necesita la precisión, previstos a partir del perfil</translation>
+    </message>
+    <message>
         <source>Height above the sea</source>
         <translation>Altura sobre el nivel del mar</translation>
+    </message>
+    <message>
+        <source>Height of a body from a file; 0 follows</source>
+        <translation>Altura de un cuerpo de un archivo; 0 resulta</translation>
     </message>
     <message>
         <source>Height of all that is cut</source>
@@ -160,12 +192,32 @@
         <translation>Altura de la impresión con sus marcas</translation>
     </message>
     <message>
+        <source>Height of the profile</source>
+        <translation>Altura del perfil</translation>
+    </message>
+    <message>
         <source>How a picture is read: holes of a filled shape stay, lines of a pen drawing are filled inside</source>
         <translation>Cómo se lee una imagen: los agujeros de una forma rellena quedan, las líneas de un dibujo a línea se rellenan por dentro</translation>
     </message>
     <message>
+        <source>How far along that seam, from 0 to 1 of its length; 0 takes its middle, or that of the edge</source>
+        <translation>A qué distancia a lo largo de esa costura, de 0 a 1 de su longitud; 0 toma su mitad, o la del borde</translation>
+    </message>
+    <message>
+        <source>How far the balloon may be from its profile, in parts of the profile's diagonal</source>
+        <translation>Cuánto puede apartarse el globo de su perfil, en partes de la diagonal del perfil</translation>
+    </message>
+    <message>
         <source>How far the print goes past the cut</source>
         <translation>Cuánto sobrepasa la impresión el corte</translation>
+    </message>
+    <message>
+        <source>How far the seams of a body of gores are farther out than the gores' centres</source>
+        <translation>Cuánto sobresalen las costuras de un cuerpo de gajos respecto del centro de los gajos</translation>
+    </message>
+    <message>
+        <source>How its lower and its upper end are closed</source>
+        <translation>Cómo se cierran sus extremos inferior y superior</translation>
     </message>
     <message>
         <source>How many balloons are cut from the sheet</source>
@@ -174,6 +226,14 @@
     <message>
         <source>How many balloons of each pattern</source>
         <translation>Cuántos globos de cada patrón</translation>
+    </message>
+    <message>
+        <source>How many gores; 0 takes as many as the accuracy needs</source>
+        <translation>Cuántos gajos; 0 toma tantos como necesita la precisión</translation>
+    </message>
+    <message>
+        <source>How much longer one side of a seam may be, as a part of its length</source>
+        <translation>Cuánto más largo puede ser un lado de una costura, como parte de su longitud</translation>
     </message>
     <message>
         <source>How the balloon is filled and closed</source>
@@ -186,6 +246,14 @@
     <message>
         <source>How the intake is made and used</source>
         <translation>Cómo se hace y se usa la boca</translation>
+    </message>
+    <message>
+        <source>How the lower end is closed</source>
+        <translation>Cómo se cierra el extremo inferior</translation>
+    </message>
+    <message>
+        <source>How the upper end is closed</source>
+        <translation>Cómo se cierra el extremo superior</translation>
     </message>
     <message>
         <source>How two panels of this film are joined</source>
@@ -204,6 +272,10 @@
         <translation>Su posición respecto a su croquis</translation>
     </message>
     <message>
+        <source>JSON file of panels and seams; a copy travels in the document</source>
+        <translation>Archivo JSON de paneles y costuras; una copia viaja en el documento</translation>
+    </message>
+    <message>
         <source>Label of the values the mesh belongs to</source>
         <translation>Marca de los valores a los que pertenece la malla</translation>
     </message>
@@ -214,6 +286,10 @@
     <message>
         <source>Larger dimension before repairs, in mm</source>
         <translation>Dimensión mayor antes de las reparaciones, en mm</translation>
+    </message>
+    <message>
+        <source>Largest diameter of the profile</source>
+        <translation>Mayor diámetro del perfil</translation>
     </message>
     <message>
         <source>Largest distance between drawing and silhouette</source>
@@ -252,8 +328,16 @@
         <translation>Longitud de todas las soldaduras</translation>
     </message>
     <message>
+        <source>Length of the natural shape's gores, from its lower to its upper end</source>
+        <translation>Longitud de los gajos de la forma natural, del extremo inferior al superior</translation>
+    </message>
+    <message>
         <source>Length of the neck from the seam outward, or diameter of the flange; 0 takes the usual one</source>
         <translation>Longitud del cuello desde la costura hacia fuera, o diámetro de la brida; 0 toma el valor habitual</translation>
+    </message>
+    <message>
+        <source>Length of the profile from end to end</source>
+        <translation>Longitud del perfil de extremo a extremo</translation>
     </message>
     <message>
         <source>Length of the roll that is used</source>
@@ -264,8 +348,16 @@
         <translation>Longitud de la soldadura</translation>
     </message>
     <message>
+        <source>Lengths of both sides of each seam in mm</source>
+        <translation>Longitudes de ambos lados de cada costura en mm</translation>
+    </message>
+    <message>
         <source>Lines and arcs within 0.02 mm in place of many short lines</source>
         <translation>Rectas y arcos con 0,02 mm de tolerancia en lugar de muchas líneas cortas</translation>
+    </message>
+    <message>
+        <source>Longest piece of the side band; 0 is the width of the film</source>
+        <translation>Pieza más larga de la banda lateral; 0 es el ancho de la película</translation>
     </message>
     <message>
         <source>Mean distance between drawing and silhouette</source>
@@ -274,6 +366,10 @@
     <message>
         <source>Mean distance between drawing and silhouette if the weld creases</source>
         <translation>Distancia media entre dibujo y silueta si la soldadura se arruga</translation>
+    </message>
+    <message>
+        <source>Names of the panels</source>
+        <translation>Nombres de los paneles</translation>
     </message>
     <message>
         <source>Notches to lay both films on each other by, evenly along the cut</source>
@@ -292,12 +388,20 @@
         <translation>Número de vértices de cada soldadura</translation>
     </message>
     <message>
+        <source>Number of flat panels that it is made of; 0: two equal ones</source>
+        <translation>Número de paneles planos de que se compone; 0: dos iguales</translation>
+    </message>
+    <message>
         <source>Number of holes</source>
         <translation>Número de agujeros</translation>
     </message>
     <message>
         <source>Number of pieces on what is shown</source>
         <translation>Número de piezas en lo que se muestra</translation>
+    </message>
+    <message>
+        <source>Number of seams between them</source>
+        <translation>Número de costuras entre ellos</translation>
     </message>
     <message>
         <source>Number of seams, then the number of vertices of each seam and weld</source>
@@ -312,12 +416,32 @@
         <translation>Número de la lámina que se muestra y exporta</translation>
     </message>
     <message>
+        <source>Of many panels, for each seam: both panels, number of vertices, then those of either side</source>
+        <translation>Con muchos paneles, por cada costura: ambos paneles, número de nodos y los de cada lado</translation>
+    </message>
+    <message>
+        <source>Of many panels, for each: number of vertices, of triangles and of loops</source>
+        <translation>Con muchos paneles, por cada uno: número de nodos, de triángulos y de contornos</translation>
+    </message>
+    <message>
+        <source>Of many panels, how much longer one side of a seam may be</source>
+        <translation>Con muchos paneles, cuánto más largo puede ser un lado de una costura</translation>
+    </message>
+    <message>
         <source>Of warm air, in degrees Celsius</source>
         <translation>Del aire caliente, en grados Celsius</translation>
     </message>
     <message>
         <source>Only one side of this film can be joined so</source>
         <translation>Solo una cara de esta película se puede unir así</translation>
+    </message>
+    <message>
+        <source>Panels and seams as JSON, in metres</source>
+        <translation>Paneles y costuras como JSON, en metros</translation>
+    </message>
+    <message>
+        <source>Panels that are cut, each with what is equal to it</source>
+        <translation>Paneles que se cortan, cada uno con los que son iguales a él</translation>
     </message>
     <message>
         <source>Part of the film that the pieces take, in per cent</source>
@@ -342,6 +466,10 @@
     <message>
         <source>Places of the outline that move if the weld creases, the worst first</source>
         <translation>Lugares del contorno que se mueven si la soldadura se arruga, el peor primero</translation>
+    </message>
+    <message>
+        <source>Points of the profile: radius, 0, height</source>
+        <translation>Puntos del perfil: radio, 0, altura</translation>
     </message>
     <message>
         <source>Poisson's ratio of the film</source>
@@ -372,8 +500,16 @@
         <translation>Observaciones hechas al buscar el contorno</translation>
     </message>
     <message>
+        <source>Remarks made while the panels were read</source>
+        <translation>Observaciones al leer los paneles</translation>
+    </message>
+    <message>
         <source>Remarks made while the pattern was drawn</source>
         <translation>Observaciones hechas al trazar el patrón</translation>
+    </message>
+    <message>
+        <source>Remarks made while the profile was read</source>
+        <translation>Observaciones al leer el perfil</translation>
     </message>
     <message>
         <source>Remarks on the layout</source>
@@ -388,6 +524,14 @@
         <translation>Resultado que se muestra en colores, con leyenda</translation>
     </message>
     <message>
+        <source>SVG, DXF or JSON file of half the outline; a copy travels in the document</source>
+        <translation>Archivo SVG, DXF o JSON de medio contorno; una copia viaja en el documento</translation>
+    </message>
+    <message>
+        <source>Seams by the number on both edges, with their lengths</source>
+        <translation>Costuras por el número en ambos bordes, con sus longitudes</translation>
+    </message>
+    <message>
         <source>Show the drawing and the silhouette over each other</source>
         <translation>Mostrar dibujo y silueta superpuestos</translation>
     </message>
@@ -400,8 +544,16 @@
         <translation>Tamaño de los triángulos; 0 es automático</translation>
     </message>
     <message>
+        <source>Sketch or wire of half the outline, which the body follows</source>
+        <translation>Croquis o alambre de medio contorno, que sigue el cuerpo</translation>
+    </message>
+    <message>
         <source>Sketch, wire or face that the outline follows instead of a file</source>
         <translation>Croquis, alambre o cara que sigue el contorno en vez de un archivo</translation>
+    </message>
+    <message>
+        <source>Sketches, wires and flat faces that are the panels, each seen from outside</source>
+        <translation>Croquis, alambres y caras planas que son los paneles, cada uno visto desde fuera</translation>
     </message>
     <message>
         <source>Smooth stretches as single splines in place of arcs</source>
@@ -440,10 +592,6 @@
         <translation>La película resiste la flexión</translation>
     </message>
     <message>
-        <source>The outline of the drawing</source>
-        <translation>El contorno del dibujo</translation>
-    </message>
-    <message>
         <source>The outline whose drawing this one shares; empty: its own</source>
         <translation>El contorno cuyo dibujo comparte este; vacío: el suyo</translation>
     </message>
@@ -454,6 +602,14 @@
     <message>
         <source>The patterns that are laid out</source>
         <translation>Los patrones que se colocan</translation>
+    </message>
+    <message>
+        <source>The pressure is that at the lower end and rises with the height, as the gas is lighter than air</source>
+        <translation>La presión es la del extremo inferior y crece con la altura, porque el gas es más ligero que el aire</translation>
+    </message>
+    <message>
+        <source>The seams in the order of the work</source>
+        <translation>Las costuras en el orden del trabajo</translation>
     </message>
     <message>
         <source>The second panel beside the first, mirrored; else cut twice</source>
@@ -474,6 +630,10 @@
     <message>
         <source>The workbench has given it a place</source>
         <translation>Tiene un lugar; a un objeto nuevo se le da uno</translation>
+    </message>
+    <message>
+        <source>Thickness of the balloon, from which the side band follows; 0 takes the band's own width</source>
+        <translation>Espesor del globo, del que resulta la banda lateral; 0 toma el ancho propio de la banda</translation>
     </message>
     <message>
         <source>Thickness of the film</source>
@@ -536,6 +696,14 @@
         <translation>Qué decide el tamaño: el contorno tal cual, un volumen o una carga</translation>
     </message>
     <message>
+        <source>What does not fit yet, a sentence each</source>
+        <translation>Lo que aún no encaja, una frase por cada cosa</translation>
+    </message>
+    <message>
+        <source>What each edge of the shape is called</source>
+        <translation>Cómo se llama cada borde de la forma</translation>
+    </message>
+    <message>
         <source>What fills it when it shall float</source>
         <translation>Con qué se llena cuando debe flotar</translation>
     </message>
@@ -552,6 +720,10 @@
         <translation>Lo que levanta con su gas, en gramos; por debajo de 0 cae</translation>
     </message>
     <message>
+        <source>What it is to be: an outline, a body of gores or a bag</source>
+        <translation>Qué ha de ser: un contorno, un cuerpo de gajos o una bolsa</translation>
+    </message>
+    <message>
         <source>What it shall carry besides itself, in grams; 0 makes it float just so</source>
         <translation>Lo que debe levantar además de sí mismo, en gramos; con 0 flota justo</translation>
     </message>
@@ -564,8 +736,20 @@
         <translation>De qué está hecho el globo; «Personalizada» permite valores propios</translation>
     </message>
     <message>
+        <source>What the design of many panels has figures, as JSON</source>
+        <translation>Cifras del diseño de muchos paneles, como JSON</translation>
+    </message>
+    <message>
         <source>What the outline was read from</source>
         <translation>De dónde se leyó el contorno</translation>
+    </message>
+    <message>
+        <source>What the panels were read from</source>
+        <translation>De dónde se leyeron los paneles</translation>
+    </message>
+    <message>
+        <source>What the profile was read from</source>
+        <translation>De dónde se leyó el perfil</translation>
     </message>
     <message>
         <source>What to do along each wire of the shape</source>
@@ -576,6 +760,10 @@
         <translation>Qué haría mejor el globo</translation>
     </message>
     <message>
+        <source>Where a balloon of many panels is filled: the number of a seam, or a panel and the point at which an edge begins, such as top.2; a panel alone has a nozzle in its middle</source>
+        <translation>Por dónde se llena un globo de muchos paneles: el número de una costura, o un panel y el punto donde empieza un borde, como top.2; un panel solo tiene una boquilla en su centro</translation>
+    </message>
+    <message>
         <source>Where all pieces lie, as JSON</source>
         <translation>Dónde están todas las piezas, como JSON</translation>
     </message>
@@ -584,12 +772,20 @@
         <translation>Dónde se busca: lo más lejos del centro, o abajo, donde un globo atado cuelga derecho</translation>
     </message>
     <message>
+        <source>Where the profile comes from without a sketch: a file, or the shape of a balloon without weight</source>
+        <translation>De dónde viene el perfil sin croquis: de un archivo, o de la forma de un globo sin peso</translation>
+    </message>
+    <message>
         <source>Where the workbench put it</source>
         <translation>Dónde se colocó de forma automática, si no lo movió el usuario</translation>
     </message>
     <message>
         <source>Whether a laser may cut this film</source>
         <translation>Si un láser puede cortar esta película</translation>
+    </message>
+    <message>
+        <source>Which edges are joined</source>
+        <translation>Qué bordes se unen</translation>
     </message>
     <message>
         <source>Which film is laid out: pieces of a valve are on one of their own</source>
@@ -602,6 +798,10 @@
     <message>
         <source>Width from which it carries itself; 0 when never</source>
         <translation>Anchura desde la que se sostiene; 0: nunca</translation>
+    </message>
+    <message>
+        <source>Width of a side band between front and back; 0 is two panels</source>
+        <translation>Ancho de una banda lateral entre delante y detrás; 0 son dos paneles</translation>
     </message>
     <message>
         <source>Width of all that is cut</source>
@@ -655,12 +855,20 @@
         <translation> no está listo: </translation>
     </message>
     <message>
+        <source>"{0}" is an edge of {1} panels: name the face too, as in {2}.</source>
+        <translation>«{0}» es un borde de {1} paneles: nombre también la cara, como en {2}.</translation>
+    </message>
+    <message>
         <source>"{0}" is no choice for a pattern larger than the bed: choose {1}.</source>
         <translation>No hay modo «{0}» para un patrón grande: elija {1}.</translation>
     </message>
     <message>
         <source>"{0}" is no colour: give one such as "#cc294d".</source>
         <translation>«{0}» no es un color: indique por ejemplo «#cc294d».</translation>
+    </message>
+    <message>
+        <source>"{0}" is no edge of a panel: write it as in {1}.0, or give the number of a seam, 1 to {2}. There are the panels {3}{4}.</source>
+        <translation>«{0}» no es un borde de un panel: escríbalo como en {1}.0, o dé el número de una costura, de 1 a {2}. Hay los paneles {3}{4}.</translation>
     </message>
     <message>
         <source>"{0}" is no sum of L, W, S, A and millimetres, such as "0.5 W + 2".</source>
@@ -675,12 +883,40 @@
         <translation>«{0}» no se puede leer ({1}). Compruebe el nombre y el acceso.</translation>
     </message>
     <message>
+        <source>'{0}' has its own panels: leave out what you give of gores or of a side band.</source>
+        <translation>«{0}» tiene sus propios paneles: quite lo que indica de gajos o de una banda lateral.</translation>
+    </message>
+    <message>
+        <source>'{0}' has its panels as they are to be cut: use inflate instead of design.</source>
+        <translation>«{0}» tiene sus paneles tal como se cortan: use inflate en lugar de design.</translation>
+    </message>
+    <message>
+        <source>'{0}' has no panels of its own: give gores, or the width of a side band.</source>
+        <translation>«{0}» no tiene paneles propios: indique gajos, o el ancho de una banda lateral.</translation>
+    </message>
+    <message>
+        <source>'{0}' has no profile: give half the outline of the body as an SVG, a DXF or JSON.</source>
+        <translation>«{0}» no tiene perfil: dé medio contorno del cuerpo en SVG, DXF o JSON.</translation>
+    </message>
+    <message>
+        <source>'{0}' has the size of its panels, so the balloon cannot be scaled to fit: leave out --oversize scale.</source>
+        <translation>«{0}» tiene el tamaño de sus paneles, así que el globo no se puede reducir: quite --oversize scale.</translation>
+    </message>
+    <message>
+        <source>'{0}' has the size of its panels: leave out the width and the height.</source>
+        <translation>«{0}» tiene el tamaño de sus paneles: quite la anchura y la altura.</translation>
+    </message>
+    <message>
         <source>'{0}' has {1} x {2} pixels, more than {3} million. Make it smaller; 2000 pixels across are plenty.</source>
         <translation>«{0}» tiene {1} x {2} píxeles, más de {3} millones. Redúzcala; 2000 píxeles de ancho bastan de sobra.</translation>
     </message>
     <message>
         <source>'{0}' is a pipe or a device: save what comes from it, and name that file.</source>
         <translation>«{0}» es una tubería o un dispositivo: guarde lo que sale de él e indique ese archivo.</translation>
+    </message>
+    <message>
+        <source>'{0}' is a profile, which has no side band: give a drawing for that.</source>
+        <translation>«{0}» es un perfil, que no tiene banda lateral: dé un dibujo para eso.</translation>
     </message>
     <message>
         <source>'{0}' is colder than anything; write a temperature as 20C, 68F or 293K.</source>
@@ -751,6 +987,14 @@
         <translation>, estimado: la película no llegó al reposo</translation>
     </message>
     <message>
+        <source>, one edge must turn</source>
+        <translation>, un borde debe volverse</translation>
+    </message>
+    <message>
+        <source>, {0} of them mirrored</source>
+        <translation>, {0} de ellos reflejados</translation>
+    </message>
+    <message>
         <source>--oversize scale makes the balloon smaller until it fits, --oversize write writes the file anyway, --bed tells how large the bed is.</source>
         <translation>--oversize scale reduce el globo hasta que quepa, --oversize write escribe el archivo de todos modos, --bed indica el tamaño de la cama.</translation>
     </message>
@@ -767,12 +1011,24 @@
         <translation>Un globo no tiene «{0}»: tiene {1}.</translation>
     </message>
     <message>
+        <source>A balloon with a side band has no welds inside: its front and back are apart. Leave them out, or make it of two panels.</source>
+        <translation>Un globo con banda lateral no tiene soldaduras dentro: su frente y su dorso están separados. Quítelas, o hágalo de dos paneles.</translation>
+    </message>
+    <message>
         <source>A bed is that of a machine: give --machine too.</source>
         <translation>La cama es la de una máquina: indique también --machine.</translation>
     </message>
     <message>
         <source>A bed is {0} mm to {1} mm wide and high: write 600mmx400mm, 600mm for a roll, or {2}.</source>
         <translation>Una cama tiene de {0} mm a {1} mm de ancho y de alto: escriba 600mmx400mm, 600mm para un rollo, o {2}.</translation>
+    </message>
+    <message>
+        <source>A body cannot be made of {0} gores. Take {1} to {2}.</source>
+        <translation>Un cuerpo no se puede hacer de {0} gajos. Tome de {1} a {2}.</translation>
+    </message>
+    <message>
+        <source>A body of gores has no side band: leave out what you give of the one or of the other.</source>
+        <translation>Un cuerpo de gajos no tiene banda lateral: quite lo que indica de uno o de otra.</translation>
     </message>
     <message>
         <source>A corner relief of {0} would cut into the weld: choose a smaller radius or a wider allowance.</source>
@@ -823,6 +1079,10 @@
         <translation>Una malla de {0} necesitaría más de un millón de nodos para una forma de {1}: use al menos {2}.</translation>
     </message>
     <message>
+        <source>A mesh of {0} would need more than a million vertices for these panels: use at least {1}.</source>
+        <translation>Una malla de {0} necesitaría más de un millón de nodos para estos paneles: use al menos {1}.</translation>
+    </message>
+    <message>
         <source>A new Sketcher sketch of lines and arcs, to go on with in FreeCAD</source>
         <translation>Un nuevo croquis de líneas y arcos, para seguir en FreeCAD</translation>
     </message>
@@ -849,6 +1109,10 @@
     <message>
         <source>A piece of {0} x {1} does not fit on film of {2}{3}: take film at least {4} wide, or let the grain lie in another direction.</source>
         <translation>Una pieza de {0} x {1} no cabe en película de {2}{3}: tome película de al menos {4} de ancho o cambie la dirección de la fibra.</translation>
+    </message>
+    <message>
+        <source>A pillow box cannot be deeper than wide. Choose a smaller depth.</source>
+        <translation>Una caja almohada no puede ser más profunda que ancha. Elija una profundidad menor.</translation>
     </message>
     <message>
         <source>A seam closes an edge of a triangle to a point. Check which runs it joins.</source>
@@ -903,6 +1167,10 @@
         <translation>Una {0} de {1} no es posible; elija una entre 1 mm y 100 m.</translation>
     </message>
     <message>
+        <source>About {} thick</source>
+        <translation>Unos {} de espesor</translation>
+    </message>
+    <message>
         <source>Across</source>
         <translation>A través</translation>
     </message>
@@ -915,12 +1183,24 @@
         <translation>Consejo ({0}), en {1}: {2}</translation>
     </message>
     <message>
+        <source>Advice on many panels is measured on the balloon: inflate it first.</source>
+        <translation>Los consejos sobre muchos paneles se miden en el globo: ínflelo primero.</translation>
+    </message>
+    <message>
         <source>Air intake</source>
         <translation>Boca de inflado</translation>
     </message>
     <message>
+        <source>Airship</source>
+        <translation>Dirigible</translation>
+    </message>
+    <message>
         <source>All packages are installed.</source>
         <translation>Todos los paquetes están instalados.</translation>
+    </message>
+    <message>
+        <source>All panels are on the sheet once: none is drawn a second time, mirrored.</source>
+        <translation>Todos los paneles están una vez en la lámina: ninguno se dibuja otra vez reflejado.</translation>
     </message>
     <message>
         <source>Allowance</source>
@@ -1007,6 +1287,14 @@
         <translation>Dorso</translation>
     </message>
     <message>
+        <source>Bag</source>
+        <translation>Bolsa</translation>
+    </message>
+    <message>
+        <source>Bag of panels</source>
+        <translation>Bolsa de paneles</translation>
+    </message>
+    <message>
         <source>Balloon</source>
         <translation>Globo</translation>
     </message>
@@ -1067,6 +1355,10 @@
         <translation>Ambos paneles están en la lámina: solo el delantero lleva el agujero de la boquilla. Córtelo una vez.</translation>
     </message>
     <message>
+        <source>Both sides of a seam must be equally long</source>
+        <translation>Los dos lados de una costura deben ser igual de largos</translation>
+    </message>
+    <message>
         <source>Brush</source>
         <translation>Pincel</translation>
     </message>
@@ -1119,6 +1411,14 @@
         <translation>Elija una imagen o un croquis.</translation>
     </message>
     <message>
+        <source>Choose a sketch or a file with half the outline.</source>
+        <translation>Elija un croquis o un archivo con medio contorno.</translation>
+    </message>
+    <message>
+        <source>Choose sketches, a file or a ready body.</source>
+        <translation>Elija croquis, un archivo o un cuerpo listo.</translation>
+    </message>
+    <message>
         <source>Choose the balloon that it belongs to.</source>
         <translation>Elija el globo al que pertenece.</translation>
     </message>
@@ -1167,6 +1467,14 @@
         <translation>Personalizada</translation>
     </message>
     <message>
+        <source>Cut all panels from {film}, as they are drawn: so they are seen from outside, with the sealing side below.</source>
+        <translation>Corte todos los paneles de {film}, como están dibujados: así se ven desde fuera, con el lado sellable debajo.</translation>
+    </message>
+    <message>
+        <source>Cut all panels from {film}. As they are drawn they are seen from outside.</source>
+        <translation>Corte todos los paneles de {film}. Como están dibujados se ven desde fuera.</translation>
+    </message>
+    <message>
         <source>Cut each page along its left and lower crosses, lay it on the crosses of its neighbours, tape.</source>
         <translation>Corte cada página por sus cruces de la izquierda y de abajo, póngala sobre las cruces de las vecinas y péguela.</translation>
     </message>
@@ -1203,8 +1511,16 @@
         <translation>Los archivos DXF necesitan el paquete de Python ezdxf. Instálelo con «pip install ezdxf» o guarde el dibujo como SVG.</translation>
     </message>
     <message>
+        <source>Diameter {}, height {}, gores {} long</source>
+        <translation>Diámetro {}, altura {}, gajos de {} de largo</translation>
+    </message>
+    <message>
         <source>Direction</source>
         <translation>Dirección</translation>
+    </message>
+    <message>
+        <source>Disc</source>
+        <translation>Disco</translation>
     </message>
     <message>
         <source>Distance</source>
@@ -1221,6 +1537,10 @@
     <message>
         <source>Draw a closed line, or paint an area: it becomes a balloon.</source>
         <translation>Dibuje una línea cerrada o pinte una superficie: se convierte en un globo.</translation>
+    </message>
+    <message>
+        <source>Draw half of the outline, and its axis as a straight upright line on its left.</source>
+        <translation>Dibuje la mitad del contorno, y su eje como una recta vertical a su izquierda.</translation>
     </message>
     <message>
         <source>Draw lines. A closed line becomes a balloon.</source>
@@ -1467,6 +1787,10 @@
         <translation>Frente y dorso como PNG y PDF, y como DXF y SVG con las mismas marcas para la cortadora</translation>
     </message>
     <message>
+        <source>Front, back and a band between them: change its width</source>
+        <translation>Frente, dorso y una banda entre ellos: cambie su ancho</translation>
+    </message>
+    <message>
         <source>Gaps of up to {0} between lines were closed.</source>
         <translation>Se cerraron huecos de hasta {0} entre líneas.</translation>
     </message>
@@ -1523,6 +1847,10 @@
         <translation>Costura pegada</translation>
     </message>
     <message>
+        <source>Gores</source>
+        <translation>Gajos</translation>
+    </message>
+    <message>
         <source>Grain</source>
         <translation>Fibra</translation>
     </message>
@@ -1541,6 +1869,10 @@
     <message>
         <source>HPGL plotter or vinyl cutter</source>
         <translation>Trazador HPGL o cortador de vinilo</translation>
+    </message>
+    <message>
+        <source>Half the outline and its axis; a copy of it travels in the document</source>
+        <translation>Medio contorno y su eje; una copia viaja en el documento</translation>
     </message>
     <message>
         <source>Heart from a spreadsheet</source>
@@ -1567,8 +1899,28 @@
         <translation>Alta frecuencia</translation>
     </message>
     <message>
+        <source>Hole {0} of panel '{1}'</source>
+        <translation>Agujero {0} del panel «{1}»</translation>
+    </message>
+    <message>
+        <source>Hole {0} of panel '{1}' lies outside its film. Move it, or take it out.</source>
+        <translation>El agujero {0} del panel «{1}» queda fuera de su película. Muévalo, o quítelo.</translation>
+    </message>
+    <message>
+        <source>Hole {0} of panel '{1}' runs counter-clockwise. Turn the order of its points round.</source>
+        <translation>El agujero {0} del panel «{1}» gira en sentido antihorario. Invierta el orden de sus puntos.</translation>
+    </message>
+    <message>
         <source>How a balloon follows its pattern can be worked out for an elastic weld alone: choose that one.</source>
         <translation>Cómo sigue un globo a su patrón solo se puede calcular para una soldadura elástica: elija esa.</translation>
+    </message>
+    <message>
+        <source>How far along it</source>
+        <translation>A qué distancia a lo largo</translation>
+    </message>
+    <message>
+        <source>How far along its seam the opening is must be from 0 to 1.</source>
+        <translation>La distancia de la abertura a lo largo de su costura debe ser de 0 a 1.</translation>
     </message>
     <message>
         <source>How far the outline moves if the weld creases could not be simulated. {0}</source>
@@ -1593,6 +1945,10 @@
     <message>
         <source>If the weld creases: {0} on average, at most {1}</source>
         <translation>Si la soldadura se arruga: {0} de media, como mucho {1}</translation>
+    </message>
+    <message>
+        <source>In no seam yet: {}</source>
+        <translation>Aún en ninguna costura: {}</translation>
     </message>
     <message>
         <source>Inflate as drawn</source>
@@ -1659,6 +2015,10 @@
         <translation>Ahora es más ancho. Ctrl+Z lo deshace.</translation>
     </message>
     <message>
+        <source>JSON</source>
+        <translation>JSON</translation>
+    </message>
+    <message>
         <source>Join the panels along the dashed line, {seal} wide, all the way round.</source>
         <translation>Una los paneles a lo largo de la línea discontinua, con {seal} de ancho, todo alrededor.</translation>
     </message>
@@ -1707,12 +2067,20 @@
         <translation>Ponga las dos tiras de la válvula una sobre otra, haciendo coincidir sus líneas. En el campo marcado en VALVE, INK ponga tinta resistente al calor, o un trozo de papel de hornear entre las tiras. Suéldelas por las dos líneas largas.</translation>
     </message>
     <message>
+        <source>Lay edges of the same number on each other, inner sides together: arrows the same way, the lines across the weld and the notches on each other. Tape outside the cut.</source>
+        <translation>Ponga uno sobre otro los bordes del mismo número, con las caras interiores juntas: flechas en el mismo sentido, rayas a través de la soldadura y muescas superpuestas. Fíjelos con cinta fuera del corte.</translation>
+    </message>
+    <message>
         <source>Lay out</source>
         <translation>Colocar</translation>
     </message>
     <message>
         <source>Lay out on film</source>
         <translation>Colocar en la película</translation>
+    </message>
+    <message>
+        <source>Lay the grain of all panels along the line with two arrowheads.</source>
+        <translation>Ponga la dirección de la película de todos los paneles a lo largo de la línea con dos puntas de flecha.</translation>
     </message>
     <message>
         <source>Lay the grain of both panels the same way.</source>
@@ -1747,6 +2115,10 @@
         <translation>Longitud</translation>
     </message>
     <message>
+        <source>Length of a gore</source>
+        <translation>Longitud de un gajo</translation>
+    </message>
+    <message>
         <source>Letter</source>
         <translation>Letra</translation>
     </message>
@@ -1755,12 +2127,20 @@
         <translation>Altura de letra</translation>
     </message>
     <message>
+        <source>Letter with a side band</source>
+        <translation>Letra con banda lateral</translation>
+    </message>
+    <message>
         <source>Lift</source>
         <translation>Sustentación</translation>
     </message>
     <message>
         <source>Lift in g</source>
         <translation>Sustentación en g</translation>
+    </message>
+    <message>
+        <source>Lift needs vertices of the balloon that hold it. Give those of its lower end.</source>
+        <translation>La sustentación necesita nodos del globo que la retengan. Indique los de su extremo inferior.</translation>
     </message>
     <message>
         <source>LightBurn (laser)</source>
@@ -1787,6 +2167,10 @@
         <translation>En vivo</translation>
     </message>
     <message>
+        <source>Longest piece of the band</source>
+        <translation>Pieza más larga de la banda</translation>
+    </message>
+    <message>
         <source>Look for the closest layout; Esc takes the best one so far</source>
         <translation>Buscar la colocación más apretada; Esc toma la mejor hasta el momento</translation>
     </message>
@@ -1801,6 +2185,10 @@
     <message>
         <source>Low</source>
         <translation>Abajo</translation>
+    </message>
+    <message>
+        <source>Lower end</source>
+        <translation>Extremo inferior</translation>
     </message>
     <message>
         <source>Machine</source>
@@ -1871,6 +2259,10 @@
         <translation>Modelo</translation>
     </message>
     <message>
+        <source>More gores hardly help: change the profile.</source>
+        <translation>Más gajos apenas ayudan: cambie el perfil.</translation>
+    </message>
+    <message>
         <source>Move</source>
         <translation>Mover</translation>
     </message>
@@ -1881,6 +2273,10 @@
     <message>
         <source>Native</source>
         <translation>Nativo</translation>
+    </message>
+    <message>
+        <source>Natural shape</source>
+        <translation>Forma natural</translation>
     </message>
     <message>
         <source>Near {0} the inflated outline stays up to {1} from the drawing, over a length of {2}: film cannot follow it there. Round it off or widen it.</source>
@@ -1911,6 +2307,10 @@
         <translation>No corte nunca esta película con láser.</translation>
     </message>
     <message>
+        <source>New bag of panels</source>
+        <translation>Nueva bolsa de paneles</translation>
+    </message>
+    <message>
         <source>New balloon from picture</source>
         <translation>Nuevo globo desde imagen</translation>
     </message>
@@ -1921,6 +2321,10 @@
     <message>
         <source>New balloons</source>
         <translation>Globos nuevos</translation>
+    </message>
+    <message>
+        <source>New body of gores</source>
+        <translation>Nuevo cuerpo de gajos</translation>
     </message>
     <message>
         <source>Newmark</source>
@@ -1941,6 +2345,14 @@
     <message>
         <source>No limit</source>
         <translation>Sin límite</translation>
+    </message>
+    <message>
+        <source>No panel has an edge "{0}": choose one of an outline or face of this bag.</source>
+        <translation>Ningún panel tiene un borde «{0}»: elija uno de un contorno o de una cara de esta bolsa.</translation>
+    </message>
+    <message>
+        <source>No panel of the balloon is cut: make at least one of film.</source>
+        <translation>Ningún panel del globo se corta: haga al menos uno de película.</translation>
     </message>
     <message>
         <source>No pattern can be drawn anew without it; documents keep theirs.</source>
@@ -2007,6 +2419,10 @@
         <translation>Nada que mejorar.</translation>
     </message>
     <message>
+        <source>Now pick the partner of {}.</source>
+        <translation>Elija ahora la pareja de {}.</translation>
+    </message>
+    <message>
         <source>Nowhere on the seam is room for an intake of {0}: choose a narrower one, or a place for it.</source>
         <translation>En ningún lugar de la costura cabe una boca de {0}: elija una más estrecha, o un lugar para ella.</translation>
     </message>
@@ -2043,6 +2459,14 @@
         <translation>Desvío del dibujo: {0} de media, como mucho {1}</translation>
     </message>
     <message>
+        <source>Off the profile</source>
+        <translation>Desvío del perfil</translation>
+    </message>
+    <message>
+        <source>Off the {0}: {1} on average, at most {2}</source>
+        <translation>Desvío del {0}: {1} de media, como mucho {2}</translation>
+    </message>
+    <message>
         <source>Offer the native solver where it is missing</source>
         <translation>Ofrecer el solucionador nativo cuando falte</translation>
     </message>
@@ -2075,16 +2499,20 @@
         <translation>Solo el centro de la soldadura. Una soldadura cerrada pasa de su comienzo, para que la unión sea hermética.</translation>
     </message>
     <message>
-        <source>Only two equal panels are blown up in time. Use another solver for this balloon.</source>
-        <translation>Solo dos paneles iguales se inflan en el tiempo. Use otro solucionador para este globo.</translation>
-    </message>
-    <message>
         <source>Only {0} of film stay between two cuts near {1}; {2} wants {3}. It may tear or melt there.</source>
         <translation>Solo quedan {0} de película entre dos cortes cerca de {1}; {2} quiere {3}. Puede rasgarse o fundirse ahí.</translation>
     </message>
     <message>
+        <source>Open</source>
+        <translation>Abierto</translation>
+    </message>
+    <message>
         <source>Open it, do not import it. Outline, holes and notches are on cut layers, without speed and power: take them from your material library. Welds (T1) and all that is drawn (T2) are on tool layers, which LightBurn never burns.</source>
         <translation>Ábralo, no lo importe. Contorno, agujeros y muescas están en capas de corte, sin velocidad ni potencia: tómelas de su biblioteca de materiales. Las soldaduras (T1) y todo lo dibujado (T2) están en capas de herramienta, que LightBurn nunca quema.</translation>
+    </message>
+    <message>
+        <source>Opening</source>
+        <translation>Abertura</translation>
     </message>
     <message>
         <source>Opposite the intake</source>
@@ -2093,6 +2521,10 @@
     <message>
         <source>Orange</source>
         <translation>Naranja</translation>
+    </message>
+    <message>
+        <source>Order of the seams</source>
+        <translation>Orden de las costuras</translation>
     </message>
     <message>
         <source>Outline</source>
@@ -2143,6 +2575,26 @@
         <translation>Pez pintado</translation>
     </message>
     <message>
+        <source>Panel</source>
+        <translation>Panel de película</translation>
+    </message>
+    <message>
+        <source>Panel '{0}' crosses or nearly touches itself: separate the parts that meet there.</source>
+        <translation>El panel «{0}» se cruza o casi se toca: separe las partes que ahí se juntan.</translation>
+    </message>
+    <message>
+        <source>Panel '{0}' is folded over: {1} crosses or touches another edge at {2}. Separate them.</source>
+        <translation>El panel «{0}» está doblado: {1} cruza o toca otro borde en {2}. Sepárelos.</translation>
+    </message>
+    <message>
+        <source>Panel '{0}' is only {1} wide at {2}, too narrow for welds of {3} along both of its sides. Make it wider, or the welds narrower.</source>
+        <translation>El panel «{0}» solo tiene {1} de ancho en {2}, demasiado estrecho para soldaduras de {3} a ambos lados. Hágalo más ancho, o las soldaduras más estrechas.</translation>
+    </message>
+    <message>
+        <source>Panel '{0}' is seen from inside: its points run clockwise. Mirror it, or turn their order round.</source>
+        <translation>El panel «{0}» se ve desde dentro: sus puntos giran en sentido horario. Refléjelo, o invierta su orden.</translation>
+    </message>
+    <message>
         <source>Panel {0} has a triangle with a vertex that is not there. Mesh it anew.</source>
         <translation>El panel {0} tiene un triángulo con un vértice que no existe. Vuelva a mallarlo.</translation>
     </message>
@@ -2155,16 +2607,60 @@
         <translation>El panel {0} tiene un borde con más de dos triángulos. Vuelva a mallarlo.</translation>
     </message>
     <message>
+        <source>Panel {0} has no edge {1} for the opening: say another one of its outer loop.</source>
+        <translation>El panel {0} no tiene un borde {1} para la abertura: indique otro de su contorno exterior.</translation>
+    </message>
+    <message>
+        <source>Panel {0} is not cut: say another one for the opening.</source>
+        <translation>El panel {0} no se corta: indique otro para la abertura.</translation>
+    </message>
+    <message>
+        <source>Panel {0} is nowhere wider than {1}, and its welds are {2} wide: it hardly bulges. Make the balloon larger, the panel wider or the seal narrower.</source>
+        <translation>El panel {0} no es en ningún sitio más ancho que {1}, y sus soldaduras tienen {2} de ancho: apenas se abomba. Haga el globo mayor, el panel más ancho o la soldadura más estrecha.</translation>
+    </message>
+    <message>
         <source>Panel {0} is open between its vertices {1} and {2}: the boundary is in no seam there. Seal it to another.</source>
         <translation>El panel {0} está abierto entre sus vértices {1} y {2}: el contorno no está allí en ninguna costura. Séllelo con otro.</translation>
+    </message>
+    <message>
+        <source>Panel {0} leans by {1} between front and back. Make the side band narrower there, or the parts of the drawing wider.</source>
+        <translation>El panel {0} se inclina {1} entre delante y detrás. Haga ahí la banda lateral más estrecha, o las partes del dibujo más anchas.</translation>
+    </message>
+    <message>
+        <source>Panel {0} of the JSON file has no name or no 'outer' loop. {1}</source>
+        <translation>El panel {0} del archivo JSON no tiene nombre o no tiene 'outer'. {1}</translation>
+    </message>
+    <message>
+        <source>Panel {0}: an intake of this kind leads through a seam. Say which one, or an edge of the panel such as {1}.0, or choose a nozzle.</source>
+        <translation>Panel {0}: una boca de este tipo atraviesa una costura. Diga cuál, o un borde del panel como {1}.0, o elija una boquilla.</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>Paneles</translation>
+    </message>
+    <message>
+        <source>Panels and seams; a copy of them travels in the document</source>
+        <translation>Paneles y costuras; una copia viaja en el documento</translation>
     </message>
     <message>
         <source>Panels are laid on the film in rows instead of closely; nothing else changes.</source>
         <translation>Los paneles se colocan en filas en vez de apretados; nada más cambia.</translation>
     </message>
     <message>
+        <source>Panels with gussets, whose sizes come from a spreadsheet</source>
+        <translation>Paneles con fuelles, cuyas medidas vienen de una hoja de cálculo</translation>
+    </message>
+    <message>
+        <source>Panels: {0}, of different shapes: {1}</source>
+        <translation>Paneles: {0}, de formas distintas: {1}</translation>
+    </message>
+    <message>
         <source>Paper</source>
         <translation>Papel</translation>
+    </message>
+    <message>
+        <source>Parts of the balloon may lean to one side or the other: the inflated outline is {0} to {1} from the drawing. Another width of the side band may hold them.</source>
+        <translation>Partes del globo pueden inclinarse a un lado o a otro: el contorno inflado queda de {0} a {1} del dibujo. Otro ancho de la banda lateral puede sujetarlas.</translation>
     </message>
     <message>
         <source>Pattern</source>
@@ -2195,6 +2691,10 @@
         <translation>Patrón, cortar dos (uno reflejado)</translation>
     </message>
     <message>
+        <source>Pattern, {0} panels</source>
+        <translation>Patrón, {0} paneles</translation>
+    </message>
+    <message>
         <source>Patterns</source>
         <translation>Patrones</translation>
     </message>
@@ -2215,6 +2715,18 @@
         <translation>Dibujo a línea</translation>
     </message>
     <message>
+        <source>Pick an edge to see its partner.</source>
+        <translation>Elija un borde para ver su pareja.</translation>
+    </message>
+    <message>
+        <source>Pick an edge, then its partner, here or in the 3D view. Free edges: {}</source>
+        <translation>Elija un borde y luego su pareja, aquí o en la vista 3D. Bordes libres: {}</translation>
+    </message>
+    <message>
+        <source>Pick the edge at which it is filled.</source>
+        <translation>Elija el borde por el que se llena.</translation>
+    </message>
+    <message>
         <source>Picture, SVG, DXF or JSON</source>
         <translation>Imagen, SVG, DXF o JSON</translation>
     </message>
@@ -2233,6 +2745,14 @@
     <message>
         <source>Pictures need OpenCV, which is missing or does not work here. Install the package python3-opencv (or opencv-python-headless), or open the picture inside FreeCAD.</source>
         <translation>Las imágenes necesitan OpenCV, que falta o no funciona aquí. Instale el paquete python3-opencv (u opencv-python-headless) o abra la imagen dentro de FreeCAD.</translation>
+    </message>
+    <message>
+        <source>Pieces of the side band cannot be {0} long. Give 0 or more.</source>
+        <translation>Las piezas de la banda lateral no pueden medir {0} de largo. Indique 0 o más.</translation>
+    </message>
+    <message>
+        <source>Pieces of {0} are too short for a side band of {1}. Allow longer ones.</source>
+        <translation>Piezas de {0} son demasiado cortas para una banda lateral de {1}. Permita otras más largas.</translation>
     </message>
     <message>
         <source>Pieces: {}, on {}, {} used</source>
@@ -2275,6 +2795,14 @@
         <translation>Unidades de trazador de 0,025 mm. La pluma 1 dibuja la barra de control, la 2 corta las muescas, la 3 lo demás. En el archivo no hay nada que no se pueda cortar. Con cuchilla giratoria ajuste su desvío; 0,25 mm es lo habitual. Los cortes pasan 1 mm de su comienzo: ponga overcut_mm a 0 si la cortadora ya lo hace.</translation>
     </message>
     <message>
+        <source>Point</source>
+        <translation>Punta</translation>
+    </message>
+    <message>
+        <source>Point {0} of the JSON file's 'profile' is not a pair of numbers. {1}</source>
+        <translation>El punto {0} de 'profile' del archivo JSON no es un par de números. {1}</translation>
+    </message>
+    <message>
         <source>Point {0} of the JSON file's {1} is not a pair of numbers. {2}</source>
         <translation>El punto {0} de {1} del archivo JSON no es un par de números. {2}</translation>
     </message>
@@ -2295,12 +2823,20 @@
         <translation>Polilíneas en milímetros con una capa para cada función: lo que lee cualquier programa. CUT, CUT_INNER y NOTCH se cortan, SEAL y WELD se sueldan, todo lo demás se dibuja.</translation>
     </message>
     <message>
+        <source>Pouch</source>
+        <translation>Bolsa con fuelles</translation>
+    </message>
+    <message>
         <source>Predicted from the outline; not inflated yet.</source>
         <translation>Previsto a partir del contorno; aún sin inflar.</translation>
     </message>
     <message>
         <source>Pressure</source>
         <translation>Presión</translation>
+    </message>
+    <message>
+        <source>Pressure rises with height</source>
+        <translation>La presión crece con la altura</translation>
     </message>
     <message>
         <source>Pressure: {0}</source>
@@ -2311,8 +2847,16 @@
         <translation>Imprima al 100 % («tamaño real»). La barra de abajo debe medir 100 mm.</translation>
     </message>
     <message>
+        <source>Print {0} at {1} dpi, all panels</source>
+        <translation>Impresión de {0} a {1} dpi, todos los paneles</translation>
+    </message>
+    <message>
         <source>Print {0} at {1} dpi, front and back</source>
         <translation>Impresión de {0} a {1} puntos por pulgada, frente y dorso</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>Perfil</translation>
     </message>
     <message>
         <source>Pull a line; then move the pointer to bend it, and click. A right click keeps it straight.</source>
@@ -2345,6 +2889,10 @@
     <message>
         <source>RDWorks (Ruida laser)</source>
         <translation>RDWorks (láser Ruida)</translation>
+    </message>
+    <message>
+        <source>Ready body</source>
+        <translation>Cuerpo listo</translation>
     </message>
     <message>
         <source>Ready to make. Paint on, or press Make it!</source>
@@ -2427,6 +2975,10 @@
         <translation>Los archivos SVG necesitan el paquete de Python svgelements. Instálelo con «pip install svgelements» o guarde el dibujo como DXF.</translation>
     </message>
     <message>
+        <source>SVG, DXF or JSON</source>
+        <translation>SVG, DXF o JSON</translation>
+    </message>
+    <message>
         <source>Safe pressure</source>
         <translation>Presión segura</translation>
     </message>
@@ -2467,6 +3019,18 @@
         <translation>En su lugar triangula SciPy, algo más despacio.</translation>
     </message>
     <message>
+        <source>Seal a disc on each point where four panels or more meet.</source>
+        <translation>Selle un disco sobre cada punto donde se juntan cuatro paneles o más.</translation>
+    </message>
+    <message>
+        <source>Seal the seams in the order of the pictures along the dashed line, {seal} wide, from end to end.</source>
+        <translation>Selle las costuras en el orden de las imágenes a lo largo de la línea discontinua, de {seal} de ancho, de extremo a extremo.</translation>
+    </message>
+    <message>
+        <source>Seal the seams in the order of the pictures along the dashed line, {seal} wide, from end to end. Leave the mouth of the neck open.</source>
+        <translation>Selle las costuras en el orden de las imágenes a lo largo de la línea discontinua, de {seal} de ancho, de extremo a extremo. Deje abierta la boca del cuello.</translation>
+    </message>
+    <message>
         <source>Seal width</source>
         <translation>Anchura de soldadura</translation>
     </message>
@@ -2487,12 +3051,40 @@
         <translation>Longitud de costura: {0}</translation>
     </message>
     <message>
+        <source>Seam or edge</source>
+        <translation>Costura o borde</translation>
+    </message>
+    <message>
+        <source>Seam {0} has no length: it begins and ends where {1} begins. Give two points; a whole loop is written as two seams.</source>
+        <translation>La costura {0} no tiene longitud: empieza y acaba donde empieza {1}. Dé dos puntos; un contorno entero se escribe como dos costuras.</translation>
+    </message>
+    <message>
         <source>Seam {0} is along a panel {1}, but there are {2}.</source>
         <translation>La costura {0} recorre un panel {1}, pero hay {2}.</translation>
     </message>
     <message>
         <source>Seam {0} is along vertices that panel {1} does not have.</source>
         <translation>La costura {0} recorre vértices que el panel {1} no tiene.</translation>
+    </message>
+    <message>
+        <source>Seam {0} is at an end that stays open: say another one for the opening.</source>
+        <translation>La costura {0} está en un extremo que queda abierto: indique otra para la abertura.</translation>
+    </message>
+    <message>
+        <source>Seam {0} is on hole {1} of panel '{2}', which has {3}. Check its sides.</source>
+        <translation>La costura {0} está en el agujero {1} del panel «{2}», que tiene {3}. Revise sus lados.</translation>
+    </message>
+    <message>
+        <source>Seam {0} is on panel {1}, but there are {2}. Check its sides.</source>
+        <translation>La costura {0} está en el panel {1}, pero hay {2}. Revise sus lados.</translation>
+    </message>
+    <message>
+        <source>Seam {0} is on point {1} of panel '{2}', whose points there are 0 to {3}. Check its sides.</source>
+        <translation>La costura {0} está en el punto {1} del panel «{2}», cuyos puntos ahí son de 0 a {3}. Revise sus lados.</translation>
+    </message>
+    <message>
+        <source>Seam {0} joins holes of panels {1} and {2}, where no intake can be: say another seam.</source>
+        <translation>La costura {0} une agujeros de los paneles {1} y {2}, donde no puede haber boca: indique otra costura.</translation>
     </message>
     <message>
         <source>Seam {0} joins the outside of the film to its inside, as in a Moebius strip. Turn one of its sides round.</source>
@@ -2507,12 +3099,68 @@
         <translation>La costura {0} se sale del contorno del panel {1}. Dé sus vértices seguidos a lo largo de él.</translation>
     </message>
     <message>
+        <source>Seam {0} of panels {1} is {2} long, and the intake takes {3} with its welds: make it narrower, or say another edge for the opening.</source>
+        <translation>La costura {0} de los paneles {1} mide {2}, y la boca ocupa {3} con sus soldaduras: hágala más estrecha, o indique otro borde para la abertura.</translation>
+    </message>
+    <message>
+        <source>Seam {0} of the JSON file has no two sides 'a' and 'b'. {1}</source>
+        <translation>La costura {0} del archivo JSON no tiene dos lados 'a' y 'b'. {1}</translation>
+    </message>
+    <message>
+        <source>Seam {0}: {1} to {2}, last, with the opening.</source>
+        <translation>Costura {0}: {1} con {2}, al final, con la abertura.</translation>
+    </message>
+    <message>
+        <source>Seam {0}: {1} to {2}, last.</source>
+        <translation>Costura {0}: {1} con {2}, al final.</translation>
+    </message>
+    <message>
+        <source>Seam {0}: {1} to {2}, lying flat.</source>
+        <translation>Costura {0}: {1} con {2}, plana.</translation>
+    </message>
+    <message>
+        <source>Seam {0}: {1} to {2}, one edge turned round the other.</source>
+        <translation>Costura {0}: {1} con {2}, un borde vuelto sobre el otro.</translation>
+    </message>
+    <message>
+        <source>Seam {}: {}</source>
+        <translation>Costura {}: {}</translation>
+    </message>
+    <message>
+        <source>Seams</source>
+        <translation>Costuras</translation>
+    </message>
+    <message>
+        <source>Seams and centres apart</source>
+        <translation>Distancia entre costuras y centros</translation>
+    </message>
+    <message>
+        <source>Seams and middles of gores: {0} apart at most</source>
+        <translation>Costuras y centros de los gajos: como mucho a {0}</translation>
+    </message>
+    <message>
+        <source>Seams that do not lie flat: {0}. Seal them bit by bit.</source>
+        <translation>Costuras que no quedan planas: {0}. Séllelas poco a poco.</translation>
+    </message>
+    <message>
+        <source>Seams that do not lie flat: {0}. Their allowance is cut into tabs that turn.</source>
+        <translation>Costuras que no quedan planas: {0}. Su margen está cortado en pestañas que se vuelven.</translation>
+    </message>
+    <message>
         <source>Seams {0} and {1} hold the same piece of the boundary of panel {2}. Seal each piece once.</source>
         <translation>Las costuras {0} y {1} toman el mismo trozo del contorno del panel {2}. Selle cada trozo una vez.</translation>
     </message>
     <message>
+        <source>Seams: {0}, where an edge must turn: {1}</source>
+        <translation>Costuras: {0}, en las que un borde debe volverse: {1}</translation>
+    </message>
+    <message>
         <source>Second panel, mirrored</source>
         <translation>Segundo panel, reflejado</translation>
+    </message>
+    <message>
+        <source>Select a sketch of half the outline, or choose where the profile comes from.</source>
+        <translation>Elija un croquis de medio contorno, o de dónde viene el perfil.</translation>
     </message>
     <message>
         <source>Select a sketch, a wire or a face in the tree or the 3D view.</source>
@@ -2523,8 +3171,20 @@
         <translation>Elegir otro</translation>
     </message>
     <message>
+        <source>Select sketches or flat faces, or take a ready body or a file.</source>
+        <translation>Elija croquis o caras planas, o tome un cuerpo listo o un archivo.</translation>
+    </message>
+    <message>
+        <source>Select sketches, wires or flat faces first.</source>
+        <translation>Elija primero croquis, alambres o caras planas.</translation>
+    </message>
+    <message>
         <source>Self-sealing film valve</source>
         <translation>Válvula de película autosellante</translation>
+    </message>
+    <message>
+        <source>Set the opening</source>
+        <translation>Poner la abertura</translation>
     </message>
     <message>
         <source>Shape that stays flat</source>
@@ -2555,6 +3215,22 @@
         <translation>Cara mostrada</translation>
     </message>
     <message>
+        <source>Side '{0}' of seam {1} is not the name of a panel and two points. {2}</source>
+        <translation>El lado '{0}' de la costura {1} no es el nombre de un panel y dos puntos. {2}</translation>
+    </message>
+    <message>
+        <source>Side '{0}' of seam {1} is on a panel '{2}' that is not there. {3}</source>
+        <translation>El lado '{0}' de la costura {1} está en un panel «{2}» que no existe. {3}</translation>
+    </message>
+    <message>
+        <source>Side band</source>
+        <translation>Banda lateral</translation>
+    </message>
+    <message>
+        <source>Side {0} of seam {1} runs the wrong way at {2}, which would seal the outside of the film to its inside, as in a Moebius strip: it goes {3} its loop. Swap the two points of {4}.</source>
+        <translation>El lado {0} de la costura {1} va al revés en {2}, lo que soldaría el exterior de la película con su interior, como en una cinta de Möbius: va {3} su contorno. Intercambie los dos puntos de {4}.</translation>
+    </message>
+    <message>
         <source>Silhouette Studio (vinyl cutter)</source>
         <translation>Silhouette Studio (cortador de vinilo)</translation>
     </message>
@@ -2569,6 +3245,10 @@
     <message>
         <source>Simulations use NumPy. "What works here" in the menu fetches the native solver later.</source>
         <translation>Las simulaciones usan NumPy. «Qué funciona aquí», en el menú, descarga más tarde el solucionador nativo.</translation>
+    </message>
+    <message>
+        <source>Six gores from half an outline in a sketch: change their number</source>
+        <translation>Seis gajos a partir de medio contorno en un croquis: cambie su número</translation>
     </message>
     <message>
         <source>Size</source>
@@ -2667,12 +3347,24 @@
         <translation>Quitar pintura</translation>
     </message>
     <message>
+        <source>Take seam apart</source>
+        <translation>Deshacer costura</translation>
+    </message>
+    <message>
         <source>Take the numbers of one of FreeCAD's material cards</source>
         <translation>Tomar los números de una ficha de material de FreeCAD</translation>
     </message>
     <message>
         <source>Take the picture away</source>
         <translation>Quitar la imagen</translation>
+    </message>
+    <message>
+        <source>Take what is selected</source>
+        <translation>Tomar lo seleccionado</translation>
+    </message>
+    <message>
+        <source>Take {0} gores.</source>
+        <translation>Tome {0} gajos.</translation>
     </message>
     <message>
         <source>Tape</source>
@@ -2711,12 +3403,40 @@
         <translation>Serían {0} páginas: elija papel más grande o un globo más pequeño.</translation>
     </message>
     <message>
+        <source>The 'cut' of panel '{0}' is neither true nor false. Write one of them.</source>
+        <translation>El 'cut' del panel «{0}» no es true ni false. Escriba uno de ellos.</translation>
+    </message>
+    <message>
+        <source>The 'ease' of the JSON file is no part of a length. Give a number from 0 to 1.</source>
+        <translation>El 'ease' del archivo JSON no es parte de una longitud. Dé un número de 0 a 1.</translation>
+    </message>
+    <message>
+        <source>The 'holes' of panel '{0}' are not a list of loops. {1}</source>
+        <translation>Los 'holes' del panel «{0}» no son una lista de contornos. {1}</translation>
+    </message>
+    <message>
+        <source>The 'natural_shape' of the JSON file is no length. Give the length of its gores.</source>
+        <translation>La 'natural_shape' del archivo JSON no es una longitud. Dé la longitud de sus gajos.</translation>
+    </message>
+    <message>
+        <source>The 'opening' of the JSON file has no panel and point. {0}</source>
+        <translation>La 'opening' del archivo JSON no tiene panel ni punto. {0}</translation>
+    </message>
+    <message>
         <source>The 'parts' of the JSON file are not a list of shapes. {0}</source>
         <translation>'parts' del archivo JSON no es una lista de formas. {0}</translation>
     </message>
     <message>
+        <source>The 'profile' of the JSON file needs at least two points. {0}</source>
+        <translation>El 'profile' del archivo JSON necesita al menos dos puntos. {0}</translation>
+    </message>
+    <message>
         <source>The '{0}' of the JSON file are not a list of {1}. {2}</source>
         <translation>'{0}' del archivo JSON no es una lista de {1}. {2}</translation>
+    </message>
+    <message>
+        <source>The '{0}' of the body '{1}' is out of range. Choose {2}.</source>
+        <translation>El '{0}' del cuerpo «{1}» está fuera de rango. Elija {2}.</translation>
     </message>
     <message>
         <source>The DXF file has errors; what could be read was taken from it.</source>
@@ -2737,6 +3457,14 @@
     <message>
         <source>The JSON file has no 'outer' loop. {0}</source>
         <translation>El archivo JSON no tiene el lazo 'outer'. {0}</translation>
+    </message>
+    <message>
+        <source>The JSON file has no list of 'panels'. {0}</source>
+        <translation>El archivo JSON no tiene una lista 'panels'. {0}</translation>
+    </message>
+    <message>
+        <source>The JSON file has no list of 'seams'. {0}</source>
+        <translation>El archivo JSON no tiene una lista 'seams'. {0}</translation>
     </message>
     <message>
         <source>The JSON file has the unknown unit {0}. Use one of {1}.</source>
@@ -2783,8 +3511,24 @@
         <translation>El módulo de Young transversal {0} es demasiado grande para el longitudinal de {1}: gire la fibra 90 grados e intercambie los dos.</translation>
     </message>
     <message>
+        <source>The accuracy must be above 0 and below 1: 0.01 is within 1 % of the profile.</source>
+        <translation>La precisión debe estar por encima de 0 y por debajo de 1: 0.01 es dentro del 1 % del perfil.</translation>
+    </message>
+    <message>
         <source>The altitude {0} m is out of range: give one up to 11000 m.</source>
         <translation>La altitud {0} m está fuera de rango: indique hasta 11000 m.</translation>
+    </message>
+    <message>
+        <source>The bag has no opening through which it is filled. Name the edge at which it stays open, such as edge 1 of panel '{0}', or make it without an intake.</source>
+        <translation>La bolsa no tiene abertura por la que se llene. Nombre el borde donde queda abierta, como el borde 1 del panel «{0}», o hágala sin boca.</translation>
+    </message>
+    <message>
+        <source>The bag has {0} panels, more than {1}. Make it of fewer, larger ones.</source>
+        <translation>La bolsa tiene {0} paneles, más de {1}. Hágala de menos paneles y mayores.</translation>
+    </message>
+    <message>
+        <source>The balloon has no opening: say at which edge it is filled, or choose no intake.</source>
+        <translation>El globo no tiene abertura: diga por qué borde se llena, o elija ninguna boca.</translation>
     </message>
     <message>
         <source>The balloon is not near rest. Inflate it anew.</source>
@@ -2793,6 +3537,14 @@
     <message>
         <source>The balloon is nowhere {0} wide behind its intake: choose another intake angle or a narrower intake, else air enters slowly.</source>
         <translation>El globo no tiene en ninguna parte {0} de ancho tras su boca: elija otra dirección o una boca más estrecha; si no, el aire entra despacio.</translation>
+    </message>
+    <message>
+        <source>The balloon must be thicker than 0, not {0}. Give its thickness.</source>
+        <translation>El globo debe ser más grueso que 0, no {0}. Indique su espesor.</translation>
+    </message>
+    <message>
+        <source>The balloon of {0} gores is {1} of its diagonal away from the profile on average, and {2} was asked for: its seams stand out by up to {3} over the middle of the gores. {4}</source>
+        <translation>El globo de {0} gajos queda de media a {1} de su diagonal del perfil, y se pedía {2}: sus costuras sobresalen hasta {3} del centro de los gajos. {4}</translation>
     </message>
     <message>
         <source>The balloon whose weld creases did not come to rest; what is told of it is its last good state.</source>
@@ -2805,6 +3557,14 @@
     <message>
         <source>The bleed must be from 0 to {0}, not {1}.</source>
         <translation>El sangrado debe ser de 0 a {0}, no {1}.</translation>
+    </message>
+    <message>
+        <source>The body '{0}' has no '{1}'. It has {2}.</source>
+        <translation>El cuerpo «{0}» no tiene '{1}'. Tiene {2}.</translation>
+    </message>
+    <message>
+        <source>The caps are too large for the ball. Choose a smaller diameter for them.</source>
+        <translation>Los casquetes son demasiado grandes para la pelota. Elija un diámetro menor para ellos.</translation>
     </message>
     <message>
         <source>The colour would run out: close the line around this place first.</source>
@@ -2843,12 +3603,20 @@
         <translation>El dibujo no tiene ninguna línea cerrada. Dibuje una y convierta textos y grupos en trazos.</translation>
     </message>
     <message>
+        <source>The drawing has no line. {0}</source>
+        <translation>El dibujo no tiene ninguna línea. {0}</translation>
+    </message>
+    <message>
         <source>The drawing has points more than {0} km from its origin. Move it there, and give it a size between 1 mm and 100 m.</source>
         <translation>El dibujo tiene puntos a más de {0} km de su origen. Muévalo allí y dele un tamaño de 1 mm a 100 m.</translation>
     </message>
     <message>
         <source>The drawing has too much text in its styles and transforms. Save it as plain SVG once more.</source>
         <translation>El dibujo tiene demasiado texto en sus estilos y transformaciones. Guárdelo de nuevo como SVG simple.</translation>
+    </message>
+    <message>
+        <source>The drawing has {0} lines beside the axis, not one. {1}</source>
+        <translation>El dibujo tiene {0} líneas junto al eje, no una. {1}</translation>
     </message>
     <message>
         <source>The drawing has {0} shape and no number {1}: choose another Part, or delete this balloon.</source>
@@ -2877,6 +3645,10 @@
     <message>
         <source>The drawing; a copy of it travels in the document</source>
         <translation>El dibujo; una copia viaja en el documento</translation>
+    </message>
+    <message>
+        <source>The edges of the chosen seam are free again</source>
+        <translation>Los bordes de la costura elegida vuelven a estar libres</translation>
     </message>
     <message>
         <source>The file is XML but no SVG drawing. Choose a drawing.</source>
@@ -2931,12 +3703,24 @@
         <translation>La película de los globos de tienda: 15 µm de nailon 6 orientado con una capa de aluminio, 15 µm de polietileno por dentro. Suelde PE con PE. El nailon absorbe humedad y entonces es más blando.</translation>
     </message>
     <message>
+        <source>The film passes through itself near {0}, which the simulation does not feel: the balloon will look otherwise there. Move those parts away from each other.</source>
+        <translation>La película pasa a través de sí misma cerca de {0}, lo que la simulación no nota: ahí el globo será distinto. Aleje esas partes una de otra.</translation>
+    </message>
+    <message>
+        <source>The film stays up to {0} away from the profile, even half way between the seams and the middle of the gores: it cannot take this shape. Round the profile where it is flat, hollow or sharp.</source>
+        <translation>La película queda hasta a {0} del perfil, incluso a medio camino entre las costuras y el centro de los gajos: no puede tomar esta forma. Redondee el perfil donde es plano, hueco o agudo.</translation>
+    </message>
+    <message>
         <source>The free edition opens DXF, not SVG. Choose "as is" for the size in the import preferences. Silhouette makes its own registration marks, and adds the knife's offset and overcut. Nothing is in the file that may not be cut.</source>
         <translation>La edición gratuita abre DXF, no SVG. Elija «tal cual» para el tamaño en las preferencias de importación. Silhouette hace sus propias marcas de registro y añade el desvío de la cuchilla y el sobrecorte. En el archivo no hay nada que no se pueda cortar.</translation>
     </message>
     <message>
         <source>The grain's angle {0} is no number: give degrees from the x axis.</source>
         <translation>El ángulo de la fibra {0} no es un número: indique grados desde el eje x.</translation>
+    </message>
+    <message>
+        <source>The gussets are deeper than the pouch is high. Choose a smaller depth.</source>
+        <translation>Los fuelles son más profundos que la altura de la bolsa. Elija una profundidad menor.</translation>
     </message>
     <message>
         <source>The hand beside the shape is as large as a grown-up's</source>
@@ -2971,6 +3755,10 @@
         <translation>El contorno inflado queda de media a {0} del dibujo: el globo se pliega a través de un agujero o de un punto de soldadura.</translation>
     </message>
     <message>
+        <source>The intake cannot lead into a hole of panel {0}: say another edge for the opening.</source>
+        <translation>La boca no puede llevar a un agujero del panel {0}: indique otro borde para la abertura.</translation>
+    </message>
+    <message>
         <source>The intake file {0} calls itself "{1}": give both the same name.</source>
         <translation>El archivo de boca {0} se llama a sí mismo «{1}»: dé a ambos el mismo nombre.</translation>
     </message>
@@ -2997,6 +3785,10 @@
     <message>
         <source>The intake's angle must be a number.</source>
         <translation>El ángulo de la boca debe ser un número.</translation>
+    </message>
+    <message>
+        <source>The intake's direction is of two equal panels: of many, say a seam and how far along it.</source>
+        <translation>La dirección de la boca es de dos paneles iguales: con muchos, indique una costura y a qué distancia a lo largo.</translation>
     </message>
     <message>
         <source>The intake's length must be above 0, up to 100 m: give it about 30 mm.</source>
@@ -3111,12 +3903,28 @@
         <translation>La brida de la boquilla debe ser más ancha que su calibre.</translation>
     </message>
     <message>
+        <source>The opening is at point {0} of panel '{1}', whose points are 0 to {2}. Choose one of them.</source>
+        <translation>La abertura está en el punto {0} del panel «{1}», cuyos puntos son de 0 a {2}. Elija uno de ellos.</translation>
+    </message>
+    <message>
+        <source>The opening is on a panel '{0}' that is not there. {1}</source>
+        <translation>La abertura está en un panel «{0}» que no existe. {1}</translation>
+    </message>
+    <message>
+        <source>The opening is on panel {0}, but there are {1}. Choose one of them.</source>
+        <translation>La abertura está en el panel {0}, pero hay {1}. Elija uno de ellos.</translation>
+    </message>
+    <message>
         <source>The options cannot be used ({0}). See --help.</source>
         <translation>Las opciones no sirven ({0}). Vea --help.</translation>
     </message>
     <message>
         <source>The outline cannot be mirrored about its axis: draw it symmetric, or leave that.</source>
         <translation>El contorno no se puede reflejar en su eje: dibújelo simétrico o déjelo.</translation>
+    </message>
+    <message>
+        <source>The outline comes to its axis more than once. {0}</source>
+        <translation>El contorno llega a su eje más de una vez. {0}</translation>
     </message>
     <message>
         <source>The outline crosses or nearly touches itself near {0}: separate the parts that meet there.</source>
@@ -3139,6 +3947,10 @@
         <translation>El contorno tiene una coordenada que no es un número; corríjala en el dibujo.</translation>
     </message>
     <message>
+        <source>The outline has no straight upright side on its left, so its axis is missing. {0}</source>
+        <translation>El contorno no tiene un lado recto y vertical a su izquierda, así que falta su eje. {0}</translation>
+    </message>
+    <message>
         <source>The outline's {0} of {1} cannot be made; bring it to a size between 1 mm and 100 m.</source>
         <translation>La {0} del contorno, {1}, no es posible; dele un tamaño entre 1 mm y 100 m.</translation>
     </message>
@@ -3153,6 +3965,22 @@
     <message>
         <source>The panels are sealed to {0} bodies. Inflate each by itself.</source>
         <translation>Los paneles forman {0} cuerpos. Infle cada uno por separado.</translation>
+    </message>
+    <message>
+        <source>The panels are sealed to {0} bodies: panel '{1}' does not hang together with panel '{2}'. Make a bag of each body.</source>
+        <translation>Los paneles están soldados en {0} cuerpos: el panel «{1}» no está unido al panel «{2}». Haga una bolsa de cada cuerpo.</translation>
+    </message>
+    <message>
+        <source>The panels have no names. {0}</source>
+        <translation>Los paneles no tienen nombres. {0}</translation>
+    </message>
+    <message>
+        <source>The panels have other points than those that were meshed. Mesh the bag anew.</source>
+        <translation>Los paneles tienen otros puntos que los de la malla. Malle la bolsa de nuevo.</translation>
+    </message>
+    <message>
+        <source>The panels have {0} points, more than {1}. Simplify them in the program that they come from.</source>
+        <translation>Los paneles tienen {0} puntos, más de {1}. Simplifíquelos en el programa del que vienen.</translation>
     </message>
     <message>
         <source>The part round {0} has no rim for an intake: leave a gap in the welds round it.</source>
@@ -3195,6 +4023,10 @@
         <translation>La imagen es demasiado pequeña para ver una forma. Use al menos {0} píxeles de ancho.</translation>
     </message>
     <message>
+        <source>The picture of a body of gores goes all round: leave out --artwork-back.</source>
+        <translation>La imagen de un cuerpo de gajos da toda la vuelta: quite --artwork-back.</translation>
+    </message>
+    <message>
         <source>The picture was read as a pen drawing: the inside of its lines is filled.</source>
         <translation>La imagen se leyó como dibujo a línea: el interior de sus líneas está relleno.</translation>
     </message>
@@ -3207,12 +4039,56 @@
         <translation>Las piezas de la boca «{0}» son de {1}, que no se suelda con {2}: elija otra boca o una película con la que se suelde: {3}.</translation>
     </message>
     <message>
+        <source>The pressure at the lower end must be 0 or more.</source>
+        <translation>La presión en el extremo inferior debe ser 0 o más.</translation>
+    </message>
+    <message>
         <source>The pressure must be positive and at most {0}, not {1}. A party balloon has about 2 kPa.</source>
         <translation>La presión debe ser positiva y como mucho {0}, no {1}. Un globo de fiesta tiene unos 2 kPa.</translation>
     </message>
     <message>
+        <source>The pressure must grow upwards: give a gradient of 0 or more.</source>
+        <translation>La presión debe crecer hacia arriba: indique un gradiente de 0 o más.</translation>
+    </message>
+    <message>
         <source>The print on film</source>
         <translation>La impresión en la película</translation>
+    </message>
+    <message>
+        <source>The profile crosses or touches itself at {0}. Draw a simple line.</source>
+        <translation>El perfil se cruza o se toca en {0}. Dibuje una línea simple.</translation>
+    </message>
+    <message>
+        <source>The profile goes to the other side of its axis at the height {0}: the radius is {1}. Draw one half only.</source>
+        <translation>El perfil pasa al otro lado de su eje a la altura {0}: el radio es {1}. Dibuje solo una mitad.</translation>
+    </message>
+    <message>
+        <source>The profile has more than {0} points. Simplify it.</source>
+        <translation>El perfil tiene más de {0} puntos. Simplifíquelo.</translation>
+    </message>
+    <message>
+        <source>The profile is a closed line that does not run along its axis. Draw one half of the section, from the lower to the upper end.</source>
+        <translation>El perfil es una línea cerrada que no sigue su eje. Dibuje una mitad de la sección, del extremo inferior al superior.</translation>
+    </message>
+    <message>
+        <source>The profile is too slender for a disc of {0} at its {1} end. Let the gores meet in a point there.</source>
+        <translation>El perfil es demasiado delgado para un disco de {0} en su extremo ({1}). Deje que ahí los gajos se junten en una punta.</translation>
+    </message>
+    <message>
+        <source>The profile is {0} large. Give it a size between {1} and {2}, and check its unit.</source>
+        <translation>El perfil mide {0}. Dele un tamaño entre {1} y {2}, y revise su unidad.</translation>
+    </message>
+    <message>
+        <source>The profile lies on its axis. Draw the half outline at a distance from it.</source>
+        <translation>El perfil está sobre su eje. Dibuje el medio contorno a cierta distancia de él.</translation>
+    </message>
+    <message>
+        <source>The profile needs at least two points, each a pair of numbers: radius and height.</source>
+        <translation>El perfil necesita al menos dos puntos, cada uno un par de números: radio y altura.</translation>
+    </message>
+    <message>
+        <source>The profile touches its axis at the height {0}, which parts the balloon in two. Keep it away from the axis there.</source>
+        <translation>El perfil toca su eje a la altura {0}, lo que parte el globo en dos. Apártelo ahí del eje.</translation>
     </message>
     <message>
         <source>The radius of the corner relief must be 0 or above.</source>
@@ -3231,6 +4107,14 @@
         <translation>La anchura de soldadura debe estar entre 0,01 mm y 1 m, el margen entre 0 y 1 m.</translation>
     </message>
     <message>
+        <source>The seams of {0} gores stand out by up to {1} over their middles. More gores make the body rounder.</source>
+        <translation>Las costuras de {0} gajos sobresalen hasta {1} de sus centros. Más gajos hacen el cuerpo más redondo.</translation>
+    </message>
+    <message>
+        <source>The selected sketches, wires and flat faces become the panels</source>
+        <translation>Los croquis, alambres y caras planas seleccionados pasan a ser los paneles</translation>
+    </message>
+    <message>
         <source>The shape in the picture is too frayed to trace. Use a clearer picture.</source>
         <translation>La forma de la imagen está demasiado deshilachada para calcarla. Use una imagen más clara.</translation>
     </message>
@@ -3241,6 +4125,26 @@
     <message>
         <source>The shape touches the {0} border of the picture; if it was cut off there, leave more margin.</source>
         <translation>La forma toca el borde de la imagen ({0}); si se cortó ahí, deje más margen.</translation>
+    </message>
+    <message>
+        <source>The side band has no width: give its width, or the thickness of the balloon.</source>
+        <translation>La banda lateral no tiene ancho: indique su ancho, o el espesor del globo.</translation>
+    </message>
+    <message>
+        <source>The side band is too wide for this drawing, whose parts are about {0} wide: give it at most {1}.</source>
+        <translation>La banda lateral es demasiado ancha para este dibujo, cuyas partes tienen unos {0} de ancho: dele como mucho {1}.</translation>
+    </message>
+    <message>
+        <source>The side band must be wider than 0, not {0}. Give it 20 mm or so.</source>
+        <translation>La banda lateral debe ser más ancha que 0, no {0}. Dele unos 20 mm.</translation>
+    </message>
+    <message>
+        <source>The side band of {0} leaves nothing of the front, whose widest part is {1} wide: give it at most {2}.</source>
+        <translation>La banda lateral de {0} no deja nada del frente, cuya parte más ancha tiene {1}: dele como mucho {2}.</translation>
+    </message>
+    <message>
+        <source>The sides of seam {0} are not equally long: {1}, {2}. Make them equally long, or allow them ease.</source>
+        <translation>Los lados de la costura {0} no son igual de largos: {1}, {2}. Iguálelos, o permítales holgura.</translation>
     </message>
     <message>
         <source>The sides of seam {0} are {1} and {2} long. Make them equally long.</source>
@@ -3267,6 +4171,10 @@
         <translation>La simulación se detuvo.</translation>
     </message>
     <message>
+        <source>The size comes from {0}: make it smaller there, or of more and narrower panels.</source>
+        <translation>El tamaño viene de {0}: hágalo menor ahí, o de más paneles y más estrechos.</translation>
+    </message>
+    <message>
         <source>The size comes from {0}: make it smaller there.</source>
         <translation>El tamaño viene de {0}: redúzcalo allí.</translation>
     </message>
@@ -3277,6 +4185,10 @@
     <message>
         <source>The size of {0} is set by an expression: change the value that it uses.</source>
         <translation>El tamaño de {0} sigue una expresión: cambie aquello a lo que se refiere.</translation>
+    </message>
+    <message>
+        <source>The slant of a cone is longer than its radius. Choose a longer slant.</source>
+        <translation>La generatriz de un cono es más larga que su radio. Elija una más larga.</translation>
     </message>
     <message>
         <source>The smallest radius is {0}, near {1}; {2} follows {3}. It will come out rounder there.</source>
@@ -3299,6 +4211,10 @@
         <translation>La temperatura ({0}) de {1} grados Celsius está fuera de rango: indique por ejemplo 20C.</translation>
     </message>
     <message>
+        <source>The thickness of the balloon decides the width of its side band: give one of them.</source>
+        <translation>El espesor del globo decide el ancho de su banda lateral: indique uno de los dos.</translation>
+    </message>
+    <message>
         <source>The tie tab at {0} degrees would run into another part: choose another angle.</source>
         <translation>La lengüeta a {0} grados chocaría con otra parte: elija otro ángulo.</translation>
     </message>
@@ -3319,6 +4235,10 @@
         <translation>El paso de la boca al globo se estrecha a {0}, y la boca mide {1}: póngala donde el globo sea más ancho; si no, el aire entra despacio.</translation>
     </message>
     <message>
+        <source>The width and the height must be more than 0.</source>
+        <translation>La anchura y la altura deben ser más de 0.</translation>
+    </message>
+    <message>
         <source>The width of the passages must be 0 or above.</source>
         <translation>La anchura de los pasos debe ser 0 o mayor.</translation>
     </message>
@@ -3327,12 +4247,24 @@
         <translation>El {0} «{1}» de la ficha de material {2} no se puede leer: corrija la ficha.</translation>
     </message>
     <message>
+        <source>The {0} bears {1} here with a margin of {2}, and the pressure is {3}. Inflate it to less, or take a stronger film.</source>
+        <translation>{0}: aguanta aquí {1} con un margen de {2}, y la presión es {3}. Ínflelo menos, o tome una película más fuerte.</translation>
+    </message>
+    <message>
         <source>The {0} crosses or touches itself at {1}; part the lines there.</source>
         <translation>Cruce o contacto ({0}) en {1}; separe ahí las líneas.</translation>
     </message>
     <message>
         <source>The {0} encloses no area; draw a closed shape with at least three corners.</source>
         <translation>No se encierra área ({0}); dibuje una forma cerrada con al menos tres esquinas.</translation>
+    </message>
+    <message>
+        <source>The {0} end of the profile is '{1}'. Use one of {2}.</source>
+        <translation>El extremo ({0}) del perfil es «{1}». Use uno de {2}.</translation>
+    </message>
+    <message>
+        <source>The {0} end of the profile is {1} away from the axis, so no gores can meet there in a point. Close it with a disc, or leave it open.</source>
+        <translation>El extremo ({0}) del perfil está a {1} del eje, así que ahí los gajos no pueden juntarse en una punta. Ciérrelo con un disco, o déjelo abierto.</translation>
     </message>
     <message>
         <source>The {0} is {1} mm: give one above 0, for example 300 mm.</source>
@@ -3363,6 +4295,10 @@
         <translation>Su profundidad</translation>
     </message>
     <message>
+        <source>There are no panels: choose sketches or flat faces.</source>
+        <translation>No hay paneles: elija croquis o caras planas.</translation>
+    </message>
+    <message>
         <source>There can be 0 to {0} notches, not {1}, with a depth above 0.</source>
         <translation>Puede haber de 0 a {0} muescas, no {1}, con profundidad mayor que 0.</translation>
     </message>
@@ -3371,12 +4307,20 @@
         <translation>Puede haber de 1 a {0} copias, no {1}.</translation>
     </message>
     <message>
+        <source>There is advice about two equal panels only: of many, the warnings tell.</source>
+        <translation>Solo hay consejos sobre dos paneles iguales: de muchos hablan las advertencias.</translation>
+    </message>
+    <message>
         <source>There is no "{0}" to repair in {1}: see its advice.</source>
         <translation>No hay «{0}» que reparar en {1}: vea sus consejos.</translation>
     </message>
     <message>
         <source>There is no file '{0}'. Check the name and the folder.</source>
         <translation>No existe el archivo «{0}». Compruebe el nombre y la carpeta.</translation>
+    </message>
+    <message>
+        <source>There is no file {0}, and no such ready body: check the name and the folder.</source>
+        <translation>No hay archivo {0}, ni un cuerpo listo así: revise el nombre y la carpeta.</translation>
     </message>
     <message>
         <source>There is no file {0}: check the name and the folder.</source>
@@ -3439,12 +4383,28 @@
         <translation>No hay papel «{0}»: elija A4, A3 o Letter.</translation>
     </message>
     <message>
+        <source>There is no picture to print: choose one, as the balloon has none of its own.</source>
+        <translation>No hay imagen que imprimir: elija una, ya que el globo no tiene ninguna propia.</translation>
+    </message>
+    <message>
         <source>There is no picture to print: choose one, as the outline has none of its own.</source>
         <translation>No hay imagen que imprimir: elija una, pues el contorno no tiene.</translation>
     </message>
     <message>
+        <source>There is no ready body '{0}'. Choose one of {1}.</source>
+        <translation>No hay un cuerpo listo «{0}». Elija uno de {1}.</translation>
+    </message>
+    <message>
+        <source>There is no room for a flange of {0} in its middle: choose another panel or a smaller one.</source>
+        <translation>En su centro no hay sitio para una brida de {0}: elija otro panel o una más pequeña.</translation>
+    </message>
+    <message>
         <source>There is no room for a flange of {0} there: choose another place or a smaller one.</source>
         <translation>No hay sitio para una brida de {0} ahí: elija otro lugar o una más pequeña.</translation>
+    </message>
+    <message>
+        <source>There is no seam {0} for the opening: the seams are 1 to {1}.</source>
+        <translation>No hay costura {0} para la abertura: las costuras son de 1 a {1}.</translation>
     </message>
     <message>
         <source>There is no sheet {0}: give a number from 1 to {1}.</source>
@@ -3579,8 +4539,28 @@
         <translation>Pruebe temperatura y tiempo en dos retales: la soldadura debe estirarse o rasgarse antes de abrirse.</translation>
     </message>
     <message>
+        <source>Turns</source>
+        <translation>Se vuelve</translation>
+    </message>
+    <message>
         <source>Two circles: change their diameters in the sketch</source>
         <translation>Dos círculos: cambie sus diámetros en el croquis</translation>
+    </message>
+    <message>
+        <source>Two equal panels have one seam: what is said of the seam or edge of the opening has no effect. Say the direction of the intake, or its place along the seam.</source>
+        <translation>Dos paneles iguales tienen una sola costura: lo dicho de la costura o del borde de la abertura no tiene efecto. Indique la dirección de la boca, o su lugar a lo largo de la costura.</translation>
+    </message>
+    <message>
+        <source>Two equal panels lie flat and have no lower end. Give lift to a standing body.</source>
+        <translation>Dos paneles iguales yacen planos y no tienen extremo inferior. Dé sustentación a un cuerpo de pie.</translation>
+    </message>
+    <message>
+        <source>Two panels</source>
+        <translation>Dos paneles</translation>
+    </message>
+    <message>
+        <source>Two panels of the JSON file are called '{0}'. Give each a name of its own.</source>
+        <translation>Dos paneles del archivo JSON se llaman «{0}». Dé a cada uno su nombre.</translation>
     </message>
     <message>
         <source>Two panels with a grain aslant are no mirror images. Turn the grain along x or y.</source>
@@ -3605,6 +4585,10 @@
     <message>
         <source>Upload the SVG as a cut image and compare the control bar: some versions read the size at 72 dpi. Nothing is in the file that may not be cut. It adds the knife's offset and overcut itself.</source>
         <translation>Suba el SVG como imagen de corte y compare la barra de control: algunas versiones leen el tamaño a 72 dpi. En el archivo no hay nada que no se pueda cortar. El programa mismo añade el desvío de la cuchilla y el sobrecorte.</translation>
+    </message>
+    <message>
+        <source>Upper end</source>
+        <translation>Extremo superior</translation>
     </message>
     <message>
         <source>Used</source>
@@ -3641,10 +4625,6 @@
     <message>
         <source>Weakest place: {0} at {1}, estimated: the film did not come to rest</source>
         <translation>Lugar más débil: {0} en {1}, estimado: la película no llegó al reposo</translation>
-    </message>
-    <message>
-        <source>Weighing {0}</source>
-        <translation>Pesando {0}</translation>
     </message>
     <message>
         <source>Weight</source>
@@ -3723,12 +4703,20 @@
         <translation>Lo que envió {0} no es el solucionador nativo de esta versión: su SHA-256 es otro. No se guardó. {1}</translation>
     </message>
     <message>
+        <source>Where an edge is cut into tabs, turn it round the other one tab by tab while you seal.</source>
+        <translation>Donde un borde está cortado en pestañas, vuélvalo sobre el otro pestaña a pestaña mientras sella.</translation>
+    </message>
+    <message>
         <source>Where the film wrinkles</source>
         <translation>Dónde se arruga la película</translation>
     </message>
     <message>
         <source>Whether the {0} of the intake's pieces welds to {1} is not known: try it on a scrap first.</source>
         <translation>No se sabe si {0} de las piezas de la boca se suelda con {1}: pruébelo antes en un retal.</translation>
+    </message>
+    <message>
+        <source>While this is pressed, the edge that you pick is where it is filled</source>
+        <translation>Mientras esté pulsado, el borde que elija es por donde se llena</translation>
     </message>
     <message>
         <source>While this is pressed, the ring in the 3D view moves the intake</source>
@@ -3763,8 +4751,16 @@
         <translation>¿Flotará? {0}</translation>
     </message>
     <message>
+        <source>With a side band the balloon of this drawing becomes {0} to {1} thick, not {2}. Choose a thickness between, or draw its parts wider or narrower.</source>
+        <translation>Con una banda lateral el globo de este dibujo tendrá de {0} a {1} de espesor, no {2}. Elija un espesor entre ellos, o dibuje sus partes más anchas o más estrechas.</translation>
+    </message>
+    <message>
         <source>With the fonts of this computer {0} cannot be drawn, letter by letter from left to right: leave that out of the label, or install a font that has it and start again.</source>
         <translation>Con los tipos de letra de este ordenador no se puede dibujar {0}, letra a letra de izquierda a derecha: quítelo de la etiqueta o instale un tipo de letra que lo tenga y vuelva a empezar.</translation>
+    </message>
+    <message>
+        <source>Within</source>
+        <translation>Dentro de</translation>
     </message>
     <message>
         <source>Write all results for ParaView (.vtu) or NumPy (.npz), or the shape alone (.stl)</source>
@@ -3783,8 +4779,24 @@
         <translation>Escribir el archivo aunque sea más grande que la cama</translation>
     </message>
     <message>
+        <source>Write {"a": ["top", 0, 1], "b": ["side", 3, 2]}.</source>
+        <translation>Escriba {"a": ["top", 0, 1], "b": ["side", 3, 2]}.</translation>
+    </message>
+    <message>
+        <source>Write {"name": "top", "outer": [[0, 0], [300, 0], [150, 200]]}.</source>
+        <translation>Escriba {"name": "top", "outer": [[0, 0], [300, 0], [150, 200]]}.</translation>
+    </message>
+    <message>
+        <source>Write {"panel": "side", "at": 2}.</source>
+        <translation>Escriba {"panel": "side", "at": 2}.</translation>
+    </message>
+    <message>
         <source>Write {"unit": "mm", "outer": [[0, 0], [300, 0], [150, 200]]}.</source>
         <translation>Escriba {"unit": "mm", "outer": [[0, 0], [300, 0], [150, 200]]}.</translation>
+    </message>
+    <message>
+        <source>Write {"unit": "mm", "profile": [[0, 0], [150, 200], [0, 400]]}.</source>
+        <translation>Escriba {"unit": "mm", "profile": [[0, 0], [150, 200], [0, 400]]}.</translation>
     </message>
     <message>
         <source>Writing DXF needs ezdxf: install it with pip install ezdxf, or use the SVG file.</source>
@@ -3915,6 +4927,14 @@
         <translation>marca dibujada</translation>
     </message>
     <message>
+        <source>edge {0} of {1}panel '{2}'</source>
+        <translation>borde {0} del {1}panel «{2}»</translation>
+    </message>
+    <message>
+        <source>edges {0} to {1}</source>
+        <translation>bordes {0} a {1}</translation>
+    </message>
+    <message>
         <source>empty: </source>
         <translation>vacío: </translation>
     </message>
@@ -3975,12 +4995,24 @@
         <translation>agujero</translation>
     </message>
     <message>
+        <source>hole {0} of panel '{1}'</source>
+        <translation>agujero {0} del panel «{1}»</translation>
+    </message>
+    <message>
         <source>hydrogen</source>
         <translation>hidrógeno</translation>
     </message>
     <message>
         <source>if the weld creases: {0}</source>
         <translation>si la soldadura se arruga: {0}</translation>
+    </message>
+    <message>
+        <source>in both sides of seam {0}</source>
+        <translation>en ambos lados de la costura {0}</translation>
+    </message>
+    <message>
+        <source>in seams {0} and {1}</source>
+        <translation>en las costuras {0} y {1}</translation>
     </message>
     <message>
         <source>in the mean {}</source>
@@ -4015,12 +5047,20 @@
         <translation>no es un archivo</translation>
     </message>
     <message>
+        <source>it is thinner than any film. Make it wider.</source>
+        <translation>es más delgado que cualquier película. Hágalo más ancho.</translation>
+    </message>
+    <message>
         <source>it is too large</source>
         <translation>es demasiado grande</translation>
     </message>
     <message>
         <source>it would grow together with another part</source>
         <translation>se uniría con otra parte</translation>
+    </message>
+    <message>
+        <source>known of two equal panels alone</source>
+        <translation>conocido solo de dos paneles iguales</translation>
     </message>
     <message>
         <source>laying out, {0} so far</source>
@@ -4069,6 +5109,14 @@
     <message>
         <source>names the unit {0}, which is not a usual one</source>
         <translation>indica la unidad {0}, que no es habitual</translation>
+    </message>
+    <message>
+        <source>near {0} two of its edges are closer than {1}, and their welds run into each other: make the balloon larger or the seal narrower.</source>
+        <translation>cerca de {0} dos de sus bordes están a menos de {1}, y sus soldaduras se juntan: haga el globo mayor o la soldadura más estrecha.</translation>
+    </message>
+    <message>
+        <source>no drawing to compare with</source>
+        <translation>no hay dibujo con que comparar</translation>
     </message>
     <message>
         <source>no file was written</source>
@@ -4351,12 +5399,24 @@
         <translation>{0} huecos cerrados entre las líneas, el mayor del {1} de la anchura del dibujo.</translation>
     </message>
     <message>
+        <source>{0} has a point that is no number or farther away than {1}. Check its coordinates and the unit.</source>
+        <translation>{0} tiene un punto que no es un número o está más lejos que {1}. Revise sus coordenadas y la unidad.</translation>
+    </message>
+    <message>
+        <source>{0} has fewer than three points. Give all of its corners.</source>
+        <translation>{0} tiene menos de tres puntos. Dé todas sus esquinas.</translation>
+    </message>
+    <message>
         <source>{0} has interface {1}, but {2} is needed.</source>
         <translation>{0} tiene la interfaz {1}, pero hace falta {2}.</translation>
     </message>
     <message>
         <source>{0} has no "{1}": it has {2}.</source>
         <translation>{0} no tiene «{1}»: tiene {2}.</translation>
+    </message>
+    <message>
+        <source>{0} has no area: all of its points lie on a line. Check its coordinates.</source>
+        <translation>{0} no tiene superficie: todos sus puntos están en una línea. Revise sus coordenadas.</translation>
     </message>
     <message>
         <source>{0} has no pattern: choose a balloon.</source>
@@ -4379,6 +5439,14 @@
         <translation>{0} tiene varias caras: seleccione una.</translation>
     </message>
     <message>
+        <source>{0} has several faces: select those that are panels.</source>
+        <translation>{0} tiene varias caras: seleccione las que son paneles.</translation>
+    </message>
+    <message>
+        <source>{0} has {1} construction lines: leave one of them, which is the axis.</source>
+        <translation>{0} tiene {1} líneas de construcción: deje una de ellas, que es el eje.</translation>
+    </message>
+    <message>
         <source>{0} hole with a thin line round it was filled, as a pen's: choose Drawn as filled shape to keep it.</source>
         <translation>Se rellenó {0} agujero rodeado por una línea fina, como de pluma: elija Forma rellena en «Dibujado como» para conservarlo.</translation>
     </message>
@@ -4393,6 +5461,10 @@
     <message>
         <source>{0} is a folder</source>
         <translation>{0} es una carpeta</translation>
+    </message>
+    <message>
+        <source>{0} is an edge of a hole: choose one of an outer loop as the opening.</source>
+        <translation>{0} es un borde de un agujero: elija como abertura uno de un contorno exterior.</translation>
     </message>
     <message>
         <source>{0} is damaged or incomplete ({1}). Install the workbench anew.</source>
@@ -4411,6 +5483,22 @@
         <translation>{0} está vacío: dibuje en él una línea cerrada.</translation>
     </message>
     <message>
+        <source>{0} is empty: draw half an outline in it, beside the vertical axis.</source>
+        <translation>{0} está vacío: dibuje en él medio contorno, junto al eje vertical.</translation>
+    </message>
+    <message>
+        <source>{0} is in no seam. Seal it to another edge.</source>
+        <translation>{0} no está en ninguna costura. Séllelo con otro borde.</translation>
+    </message>
+    <message>
+        <source>{0} is in no seam: join it to another edge.</source>
+        <translation>{0} no está en ninguna costura: únalo a otro borde.</translation>
+    </message>
+    <message>
+        <source>{0} is in two seams: take one of them away.</source>
+        <translation>{0} está en dos costuras: quite una de ellas.</translation>
+    </message>
+    <message>
         <source>{0} is neither DXF nor SVG: let the name end in .dxf or .svg.</source>
         <translation>{0} no es DXF ni SVG: haga que el nombre acabe en .dxf o .svg.</translation>
     </message>
@@ -4425,6 +5513,10 @@
     <message>
         <source>{0} is not flat: a balloon is cut from flat film, so draw it in one plane.</source>
         <translation>{0} no es plano: un globo se corta de película plana, así que dibújelo en un plano.</translation>
+    </message>
+    <message>
+        <source>{0} is not flat: draw half the outline in a sketch.</source>
+        <translation>{0} no es plano: dibuje el medio contorno en un croquis.</translation>
     </message>
     <message>
         <source>{0} is not joined by heat: {1} is not made for it.</source>
@@ -4443,8 +5535,20 @@
         <translation>{0} no está al día. {1} Repárelo, recalcule y exporte de nuevo.</translation>
     </message>
     <message>
+        <source>{0} is open: close its line.</source>
+        <translation>{0} está abierto: cierre su línea.</translation>
+    </message>
+    <message>
         <source>{0} is too large a number, or none</source>
         <translation>{0} es un número demasiado grande, o no es un número</translation>
+    </message>
+    <message>
+        <source>{0} is {1} long, {2} {3}: make them equally long.</source>
+        <translation>{0} mide {1}, {2} {3}: hágalos igual de largos.</translation>
+    </message>
+    <message>
+        <source>{0} is {1}. Seal each edge once: side a goes along its loop from its first point to its second, b against it.</source>
+        <translation>{0} está {1}. Selle cada borde una vez: el lado a sigue su contorno del primer punto al segundo, b lo recorre al revés.</translation>
     </message>
     <message>
         <source>{0} is {1}: give a number from {2} to {3}.</source>
@@ -4457,6 +5561,10 @@
     <message>
         <source>{0} left out ({1}).</source>
         <translation>{0} omitidas ({1}).</translation>
+    </message>
+    <message>
+        <source>{0} lies on both sides of its axis: draw half the outline, on one side.</source>
+        <translation>{0} está a ambos lados de su eje: dibuje el medio contorno a un solo lado.</translation>
     </message>
     <message>
         <source>{0} lifts {1}, {2}: no, at no size.</source>
@@ -4499,8 +5607,16 @@
         <translation>Se omitieron {0} líneas abiertas.</translation>
     </message>
     <message>
+        <source>{0} panels meet at one point, which no weld closes: seal the cap from the sheet over it, or tape it.</source>
+        <translation>{0} paneles se juntan en un punto que ninguna soldadura cierra: selle encima el casquete de la lámina, o péguelo con cinta.</translation>
+    </message>
+    <message>
         <source>{0} reads {1}, which has no pages: choose paper.</source>
         <translation>{0} lee {1}, que no tiene páginas: elija papel.</translation>
+    </message>
+    <message>
+        <source>{0} seams cannot be sealed lying flat, least of all seam {1} of panels {2}: one edge turns by {3} in all to follow the other. Seal them bit by bit, or round the corners.</source>
+        <translation>{0} costuras no se pueden sellar planas, la que menos la costura {1} de los paneles {2}: un borde gira {3} en total para seguir al otro. Séllelas poco a poco, o redondee las esquinas.</translation>
     </message>
     <message>
         <source>{0} small speck was dropped.</source>
@@ -4579,12 +5695,24 @@
         <translation>{0}se muestra el último buen estado. Baje la presión o cambie el tamaño de malla.</translation>
     </message>
     <message>
+        <source>{0}{1} has no length. Take one of its points out.</source>
+        <translation>{0}{1} no tiene longitud. Quite uno de sus puntos.</translation>
+    </message>
+    <message>
         <source>{} MB from {}; the file is checked before it is used, and nothing is sent.</source>
         <translation>{} MB de {}; el archivo se comprueba antes de usarlo y no se envía nada.</translation>
     </message>
     <message>
         <source>{} at ({})</source>
         <translation>{} en ({})</translation>
+    </message>
+    <message>
+        <source>{} gores are enough for {} of the profile's diagonal</source>
+        <translation>{} gajos bastan para {} de la diagonal del perfil</translation>
+    </message>
+    <message>
+        <source>{} gores, as many as {} of the profile's diagonal need</source>
+        <translation>{} gajos, tantos como necesita {} de la diagonal del perfil</translation>
     </message>
     <message>
         <source>{} is in the tree</source>
@@ -4605,6 +5733,10 @@
     <message>
         <source>{} of it wrinkles, {} is loose</source>
         <translation>{} se arruga, {} está flojo</translation>
+    </message>
+    <message>
+        <source>{} of the profile's diagonal take {} gores</source>
+        <translation>{} de la diagonal del perfil necesitan {} gajos</translation>
     </message>
     <message>
         <source>{} of {}</source>
@@ -4641,6 +5773,10 @@
     <message>
         <source>{}: film {}, seam and neck {}, valve {}</source>
         <translation>{}: película {}, costura y cuello {}, válvula {}</translation>
+    </message>
+    <message>
+        <source>{}: they differ by {}</source>
+        <translation>{}: se diferencian en {}</translation>
     </message>
     <message>
         <source>{}: {}</source>
@@ -4736,6 +5872,17 @@
     </message>
 </context>
 <context>
+    <name>BalloonWorkbench_FromPanels</name>
+    <message>
+        <source>New bag of panels</source>
+        <translation>Nueva bolsa de paneles</translation>
+    </message>
+    <message>
+        <source>Seal flat panels along their edges: selected sketches and faces, a ready body or a file</source>
+        <translation>Sellar paneles planos a lo largo de sus bordes: croquis y caras seleccionados, un cuerpo listo o un archivo</translation>
+    </message>
+</context>
+<context>
     <name>BalloonWorkbench_FromPicture</name>
     <message>
         <source>New balloon from picture</source>
@@ -4744,6 +5891,17 @@
     <message>
         <source>Trace a picture, SVG, DXF or JSON file and design the balloon that looks like it</source>
         <translation>Calca una imagen, archivo SVG, DXF o JSON y diseña el globo que se le parece</translation>
+    </message>
+</context>
+<context>
+    <name>BalloonWorkbench_FromProfile</name>
+    <message>
+        <source>Design the gores of a ball, an airship or another round body from half its outline</source>
+        <translation>Diseñar los gajos de una pelota, un dirigible u otro cuerpo redondo a partir de medio contorno</translation>
+    </message>
+    <message>
+        <source>New body of gores</source>
+        <translation>Nuevo cuerpo de gajos</translation>
     </message>
 </context>
 <context>

@@ -8,6 +8,14 @@
         <translation>Une ligne de texte là où le film est le plus large, en contours</translation>
     </message>
     <message>
+        <source>A ready body, made to measure</source>
+        <translation>Un corps prêt, sur mesure</translation>
+    </message>
+    <message>
+        <source>A size of the ready body</source>
+        <translation>Une dimension du corps prêt</translation>
+    </message>
+    <message>
         <source>A tab with a hole to tie the balloon to, outside the weld</source>
         <translation>Une languette percée pour attacher le ballon, hors de la soudure</translation>
     </message>
@@ -24,8 +32,8 @@
         <translation>Une autre image pour le dos ; vide prend celle du devant</translation>
     </message>
     <message>
-        <source>Area of film inside the welds, both panels</source>
-        <translation>Surface de film à l'intérieur des soudures, les deux panneaux</translation>
+        <source>Area of film inside the welds, all panels</source>
+        <translation>Surface de film à l'intérieur des soudures, tous les panneaux</translation>
     </message>
     <message>
         <source>Around the balloon, in degrees Celsius</source>
@@ -64,6 +72,10 @@
         <translation>Corrections du patron</translation>
     </message>
     <message>
+        <source>Diameter of a body from a file; 0 follows from the height, or the file</source>
+        <translation>Diamètre d'un corps venant d'un fichier ; 0 découle de la hauteur, ou du fichier</translation>
+    </message>
+    <message>
         <source>Direction of the grain, from the x axis of the drawing</source>
         <translation>Sens du film, depuis l'axe x du dessin</translation>
     </message>
@@ -90,6 +102,14 @@
     <message>
         <source>Dots per inch of the files</source>
         <translation>Points par pouce des fichiers</translation>
+    </message>
+    <message>
+        <source>Edge at which the bag is filled, such as Sketch.Edge3; of a file or ready body: the panel and the number of a point, such as side.2, or the number of a seam; empty: as the file or body says</source>
+        <translation>Bord par lequel le sac est rempli, comme Sketch.Edge3 ; pour un fichier ou un corps prêt : le panneau et le numéro d'un point, comme side.2, ou le numéro d'une couture ; vide : comme le fichier ou le corps l'indique</translation>
+    </message>
+    <message>
+        <source>Edges that are joined, such as Sketch.Edge1=Sketch001.Edge3; edges that faces share need no word</source>
+        <translation>Bords assemblés, comme Sketch.Edge1=Sketch001.Edge3 ; les bords communs à des faces n'ont pas besoin d'être nommés</translation>
     </message>
     <message>
         <source>Film left between pieces, and at the edges</source>
@@ -120,6 +140,10 @@
         <translation>Inscrire dans la largeur et la hauteur au lieu d'étirer aux deux</translation>
     </message>
     <message>
+        <source>Flat panels and their seams as JSON, in metres</source>
+        <translation>Panneaux plats et leurs coutures en JSON, en mètres</translation>
+    </message>
+    <message>
         <source>Follow every change at once; switch it off for heavy models and inflate when you ask for it</source>
         <translation>Suivre aussitôt chaque changement ; à désactiver pour les modèles lourds, puis gonfler à la demande</translation>
     </message>
@@ -128,8 +152,16 @@
         <translation>Fiche de matériau de FreeCAD d'où viennent les valeurs</translation>
     </message>
     <message>
+        <source>Gores that the accuracy needs, foretold from the profile</source>
+        <translation>Fuseaux nécessaires à la précision, prévus d'après le profil</translation>
+    </message>
+    <message>
         <source>Height above the sea</source>
         <translation>Altitude au-dessus de la mer</translation>
+    </message>
+    <message>
+        <source>Height of a body from a file; 0 follows</source>
+        <translation>Hauteur d'un corps venant d'un fichier ; 0 en découle</translation>
     </message>
     <message>
         <source>Height of all that is cut</source>
@@ -160,12 +192,32 @@
         <translation>Hauteur de l'impression avec ses repères</translation>
     </message>
     <message>
+        <source>Height of the profile</source>
+        <translation>Hauteur du profil</translation>
+    </message>
+    <message>
         <source>How a picture is read: holes of a filled shape stay, lines of a pen drawing are filled inside</source>
         <translation>Comment une image est lue : les trous d'une forme pleine restent, les lignes d'un dessin au trait sont remplies à l'intérieur</translation>
     </message>
     <message>
+        <source>How far along that seam, from 0 to 1 of its length; 0 takes its middle, or that of the edge</source>
+        <translation>À quelle distance le long de cette couture, de 0 à 1 de sa longueur ; 0 prend son milieu, ou celui du bord</translation>
+    </message>
+    <message>
+        <source>How far the balloon may be from its profile, in parts of the profile's diagonal</source>
+        <translation>Écart permis entre le ballon et son profil, en parts de la diagonale du profil</translation>
+    </message>
+    <message>
         <source>How far the print goes past the cut</source>
         <translation>De combien l'impression dépasse la coupe</translation>
+    </message>
+    <message>
+        <source>How far the seams of a body of gores are farther out than the gores' centres</source>
+        <translation>De combien les coutures d'un corps de fuseaux dépassent le milieu des fuseaux</translation>
+    </message>
+    <message>
+        <source>How its lower and its upper end are closed</source>
+        <translation>Comment ses extrémités basse et haute sont fermées</translation>
     </message>
     <message>
         <source>How many balloons are cut from the sheet</source>
@@ -174,6 +226,14 @@
     <message>
         <source>How many balloons of each pattern</source>
         <translation>Nombre de ballons de chaque patron</translation>
+    </message>
+    <message>
+        <source>How many gores; 0 takes as many as the accuracy needs</source>
+        <translation>Nombre de fuseaux ; 0 en prend autant que la précision en demande</translation>
+    </message>
+    <message>
+        <source>How much longer one side of a seam may be, as a part of its length</source>
+        <translation>De combien un côté d'une couture peut être plus long, en part de sa longueur</translation>
     </message>
     <message>
         <source>How the balloon is filled and closed</source>
@@ -186,6 +246,14 @@
     <message>
         <source>How the intake is made and used</source>
         <translation>Comment l'embout est fait et utilisé</translation>
+    </message>
+    <message>
+        <source>How the lower end is closed</source>
+        <translation>Comment l'extrémité basse est fermée</translation>
+    </message>
+    <message>
+        <source>How the upper end is closed</source>
+        <translation>Comment l'extrémité haute est fermée</translation>
     </message>
     <message>
         <source>How two panels of this film are joined</source>
@@ -204,6 +272,10 @@
         <translation>Sa position, vue depuis son esquisse</translation>
     </message>
     <message>
+        <source>JSON file of panels and seams; a copy travels in the document</source>
+        <translation>Fichier JSON de panneaux et de coutures ; une copie voyage dans le document</translation>
+    </message>
+    <message>
         <source>Label of the values the mesh belongs to</source>
         <translation>Repère des valeurs auxquelles appartient le maillage</translation>
     </message>
@@ -214,6 +286,10 @@
     <message>
         <source>Larger dimension before repairs, in mm</source>
         <translation>Plus grande dimension avant réparations, en mm</translation>
+    </message>
+    <message>
+        <source>Largest diameter of the profile</source>
+        <translation>Plus grand diamètre du profil</translation>
     </message>
     <message>
         <source>Largest distance between drawing and silhouette</source>
@@ -252,8 +328,16 @@
         <translation>Longueur de toutes les soudures</translation>
     </message>
     <message>
+        <source>Length of the natural shape's gores, from its lower to its upper end</source>
+        <translation>Longueur des fuseaux de la forme naturelle, de l'extrémité basse à la haute</translation>
+    </message>
+    <message>
         <source>Length of the neck from the seam outward, or diameter of the flange; 0 takes the usual one</source>
         <translation>Longueur du col depuis la soudure, ou diamètre de la collerette ; 0 prend la valeur habituelle</translation>
+    </message>
+    <message>
+        <source>Length of the profile from end to end</source>
+        <translation>Longueur du profil d'un bout à l'autre</translation>
     </message>
     <message>
         <source>Length of the roll that is used</source>
@@ -264,8 +348,16 @@
         <translation>Longueur de la soudure</translation>
     </message>
     <message>
+        <source>Lengths of both sides of each seam in mm</source>
+        <translation>Longueurs des deux côtés de chaque couture en mm</translation>
+    </message>
+    <message>
         <source>Lines and arcs within 0.02 mm in place of many short lines</source>
         <translation>Droites et arcs à 0,02 mm près au lieu de nombreux petits segments</translation>
+    </message>
+    <message>
+        <source>Longest piece of the side band; 0 is the width of the film</source>
+        <translation>Plus longue pièce de la bande latérale ; 0 est la largeur du film</translation>
     </message>
     <message>
         <source>Mean distance between drawing and silhouette</source>
@@ -274,6 +366,10 @@
     <message>
         <source>Mean distance between drawing and silhouette if the weld creases</source>
         <translation>Écart moyen entre dessin et silhouette si la soudure se froisse</translation>
+    </message>
+    <message>
+        <source>Names of the panels</source>
+        <translation>Noms des panneaux</translation>
     </message>
     <message>
         <source>Notches to lay both films on each other by, evenly along the cut</source>
@@ -292,12 +388,20 @@
         <translation>Nombre de sommets de chaque soudure</translation>
     </message>
     <message>
+        <source>Number of flat panels that it is made of; 0: two equal ones</source>
+        <translation>Nombre de panneaux plats dont il est fait ; 0 : deux panneaux égaux</translation>
+    </message>
+    <message>
         <source>Number of holes</source>
         <translation>Nombre de trous</translation>
     </message>
     <message>
         <source>Number of pieces on what is shown</source>
         <translation>Nombre de pièces sur ce qui est montré</translation>
+    </message>
+    <message>
+        <source>Number of seams between them</source>
+        <translation>Nombre de coutures entre eux</translation>
     </message>
     <message>
         <source>Number of seams, then the number of vertices of each seam and weld</source>
@@ -312,12 +416,32 @@
         <translation>Numéro de la feuille montrée et exportée</translation>
     </message>
     <message>
+        <source>Of many panels, for each seam: both panels, number of vertices, then those of either side</source>
+        <translation>Avec plusieurs panneaux, pour chaque couture : les deux panneaux, le nombre de nœuds, puis ceux de chaque côté</translation>
+    </message>
+    <message>
+        <source>Of many panels, for each: number of vertices, of triangles and of loops</source>
+        <translation>Avec plusieurs panneaux, pour chacun : nombre de nœuds, de triangles et de boucles</translation>
+    </message>
+    <message>
+        <source>Of many panels, how much longer one side of a seam may be</source>
+        <translation>Avec plusieurs panneaux, de combien un côté d'une couture peut être plus long</translation>
+    </message>
+    <message>
         <source>Of warm air, in degrees Celsius</source>
         <translation>De l'air chaud, en degrés Celsius</translation>
     </message>
     <message>
         <source>Only one side of this film can be joined so</source>
         <translation>Une seule face de ce film peut être assemblée ainsi</translation>
+    </message>
+    <message>
+        <source>Panels and seams as JSON, in metres</source>
+        <translation>Panneaux et coutures en JSON, en mètres</translation>
+    </message>
+    <message>
+        <source>Panels that are cut, each with what is equal to it</source>
+        <translation>Panneaux découpés, chacun avec ceux qui lui sont égaux</translation>
     </message>
     <message>
         <source>Part of the film that the pieces take, in per cent</source>
@@ -342,6 +466,10 @@
     <message>
         <source>Places of the outline that move if the weld creases, the worst first</source>
         <translation>Endroits du contour qui se déplacent si la soudure se froisse, le pire d'abord</translation>
+    </message>
+    <message>
+        <source>Points of the profile: radius, 0, height</source>
+        <translation>Points du profil : rayon, 0, hauteur</translation>
     </message>
     <message>
         <source>Poisson's ratio of the film</source>
@@ -372,8 +500,16 @@
         <translation>Remarques faites pendant la recherche du contour</translation>
     </message>
     <message>
+        <source>Remarks made while the panels were read</source>
+        <translation>Remarques faites à la lecture des panneaux</translation>
+    </message>
+    <message>
         <source>Remarks made while the pattern was drawn</source>
         <translation>Remarques faites pendant le tracé du patron</translation>
+    </message>
+    <message>
+        <source>Remarks made while the profile was read</source>
+        <translation>Remarques faites à la lecture du profil</translation>
     </message>
     <message>
         <source>Remarks on the layout</source>
@@ -388,6 +524,14 @@
         <translation>Résultat montré en couleurs, avec une légende</translation>
     </message>
     <message>
+        <source>SVG, DXF or JSON file of half the outline; a copy travels in the document</source>
+        <translation>Fichier SVG, DXF ou JSON d'un demi-contour ; une copie voyage dans le document</translation>
+    </message>
+    <message>
+        <source>Seams by the number on both edges, with their lengths</source>
+        <translation>Coutures selon le numéro sur les deux bords, avec leurs longueurs</translation>
+    </message>
+    <message>
         <source>Show the drawing and the silhouette over each other</source>
         <translation>Montrer le dessin et la silhouette superposés</translation>
     </message>
@@ -400,8 +544,16 @@
         <translation>Taille des triangles ; 0 est automatique</translation>
     </message>
     <message>
+        <source>Sketch or wire of half the outline, which the body follows</source>
+        <translation>Esquisse ou fil d'un demi-contour, que le corps suit</translation>
+    </message>
+    <message>
         <source>Sketch, wire or face that the outline follows instead of a file</source>
         <translation>Esquisse, fil ou face que le contour suit au lieu d'un fichier</translation>
+    </message>
+    <message>
+        <source>Sketches, wires and flat faces that are the panels, each seen from outside</source>
+        <translation>Esquisses, fils et faces planes qui sont les panneaux, chacun vu de l'extérieur</translation>
     </message>
     <message>
         <source>Smooth stretches as single splines in place of arcs</source>
@@ -440,10 +592,6 @@
         <translation>Le film résiste à la flexion</translation>
     </message>
     <message>
-        <source>The outline of the drawing</source>
-        <translation>Le contour du dessin</translation>
-    </message>
-    <message>
         <source>The outline whose drawing this one shares; empty: its own</source>
         <translation>Le contour dont celui-ci partage le dessin ; vide : le sien</translation>
     </message>
@@ -454,6 +602,14 @@
     <message>
         <source>The patterns that are laid out</source>
         <translation>Les patrons disposés</translation>
+    </message>
+    <message>
+        <source>The pressure is that at the lower end and rises with the height, as the gas is lighter than air</source>
+        <translation>La pression est celle de l'extrémité basse et croît avec la hauteur, car le gaz est plus léger que l'air</translation>
+    </message>
+    <message>
+        <source>The seams in the order of the work</source>
+        <translation>Les coutures dans l'ordre du travail</translation>
     </message>
     <message>
         <source>The second panel beside the first, mirrored; else cut twice</source>
@@ -474,6 +630,10 @@
     <message>
         <source>The workbench has given it a place</source>
         <translation>Il a une place ; un nouvel objet en reçoit une</translation>
+    </message>
+    <message>
+        <source>Thickness of the balloon, from which the side band follows; 0 takes the band's own width</source>
+        <translation>Épaisseur du ballon, dont découle la bande latérale ; 0 prend la largeur propre de la bande</translation>
     </message>
     <message>
         <source>Thickness of the film</source>
@@ -536,6 +696,14 @@
         <translation>Ce qui décide de la taille : le contour tel quel, un volume à contenir ou une charge à porter</translation>
     </message>
     <message>
+        <source>What does not fit yet, a sentence each</source>
+        <translation>Ce qui ne va pas encore, une phrase par point</translation>
+    </message>
+    <message>
+        <source>What each edge of the shape is called</source>
+        <translation>Comment s'appelle chaque bord de la forme</translation>
+    </message>
+    <message>
         <source>What fills it when it shall float</source>
         <translation>Ce qui le remplit quand il doit flotter</translation>
     </message>
@@ -552,6 +720,10 @@
         <translation>Ce qu'il porte avec son gaz, en grammes ; sous 0 il descend</translation>
     </message>
     <message>
+        <source>What it is to be: an outline, a body of gores or a bag</source>
+        <translation>Ce que ce doit être : un contour, un corps de fuseaux ou un sac</translation>
+    </message>
+    <message>
         <source>What it shall carry besides itself, in grams; 0 makes it float just so</source>
         <translation>Ce qu'il doit porter en plus de lui-même, en grammes ; 0 le fait juste flotter</translation>
     </message>
@@ -564,8 +736,20 @@
         <translation>De quoi le ballon est fait ; « Personnalisé » permet vos propres valeurs</translation>
     </message>
     <message>
+        <source>What the design of many panels has figures, as JSON</source>
+        <translation>Chiffres de la conception à plusieurs panneaux, en JSON</translation>
+    </message>
+    <message>
         <source>What the outline was read from</source>
         <translation>D'où le contour a été lu</translation>
+    </message>
+    <message>
+        <source>What the panels were read from</source>
+        <translation>D'où les panneaux ont été lus</translation>
+    </message>
+    <message>
+        <source>What the profile was read from</source>
+        <translation>D'où le profil a été lu</translation>
     </message>
     <message>
         <source>What to do along each wire of the shape</source>
@@ -576,6 +760,10 @@
         <translation>Ce qui rendrait le ballon meilleur</translation>
     </message>
     <message>
+        <source>Where a balloon of many panels is filled: the number of a seam, or a panel and the point at which an edge begins, such as top.2; a panel alone has a nozzle in its middle</source>
+        <translation>Par où un ballon de plusieurs panneaux est rempli : le numéro d'une couture, ou un panneau et le point où un bord commence, comme top.2 ; un panneau seul a une buse en son milieu</translation>
+    </message>
+    <message>
         <source>Where all pieces lie, as JSON</source>
         <translation>Où sont toutes les pièces, en JSON</translation>
     </message>
@@ -584,12 +772,20 @@
         <translation>Où elle est cherchée : au plus loin du centre, ou en bas, où un ballon attaché pend droit</translation>
     </message>
     <message>
+        <source>Where the profile comes from without a sketch: a file, or the shape of a balloon without weight</source>
+        <translation>D'où vient le profil sans esquisse : d'un fichier, ou de la forme d'un ballon sans poids</translation>
+    </message>
+    <message>
         <source>Where the workbench put it</source>
         <translation>Où il a été placé, sauf par l'utilisateur</translation>
     </message>
     <message>
         <source>Whether a laser may cut this film</source>
         <translation>Si un laser peut couper ce film</translation>
+    </message>
+    <message>
+        <source>Which edges are joined</source>
+        <translation>Quels bords sont assemblés</translation>
     </message>
     <message>
         <source>Which film is laid out: pieces of a valve are on one of their own</source>
@@ -602,6 +798,10 @@
     <message>
         <source>Width from which it carries itself; 0 when never</source>
         <translation>Largeur à partir de laquelle il se porte ; 0 : jamais</translation>
+    </message>
+    <message>
+        <source>Width of a side band between front and back; 0 is two panels</source>
+        <translation>Largeur d'une bande latérale entre l'avant et l'arrière ; 0 donne deux panneaux</translation>
     </message>
     <message>
         <source>Width of all that is cut</source>
@@ -655,12 +855,20 @@
         <translation> n'est pas prêt : </translation>
     </message>
     <message>
+        <source>"{0}" is an edge of {1} panels: name the face too, as in {2}.</source>
+        <translation>« {0} » est un bord de {1} panneaux : nommez aussi la face, comme dans {2}.</translation>
+    </message>
+    <message>
         <source>"{0}" is no choice for a pattern larger than the bed: choose {1}.</source>
         <translation>« {0} » n'est pas possible avec un patron trop grand : choisissez {1}.</translation>
     </message>
     <message>
         <source>"{0}" is no colour: give one such as "#cc294d".</source>
         <translation>« {0} » n'est pas une couleur : donnez par exemple « #cc294d ».</translation>
+    </message>
+    <message>
+        <source>"{0}" is no edge of a panel: write it as in {1}.0, or give the number of a seam, 1 to {2}. There are the panels {3}{4}.</source>
+        <translation>« {0} » n'est pas un bord d'un panneau : écrivez-le comme dans {1}.0, ou donnez le numéro d'une couture, de 1 à {2}. Il y a les panneaux {3}{4}.</translation>
     </message>
     <message>
         <source>"{0}" is no sum of L, W, S, A and millimetres, such as "0.5 W + 2".</source>
@@ -675,12 +883,40 @@
         <translation>« {0} » ne peut pas être lu ({1}). Vérifiez le nom et les droits d'accès.</translation>
     </message>
     <message>
+        <source>'{0}' has its own panels: leave out what you give of gores or of a side band.</source>
+        <translation>« {0} » a ses propres panneaux : retirez ce qui concerne les fuseaux ou une bande latérale.</translation>
+    </message>
+    <message>
+        <source>'{0}' has its panels as they are to be cut: use inflate instead of design.</source>
+        <translation>« {0} » a ses panneaux tels qu'ils seront coupés : utilisez inflate au lieu de design.</translation>
+    </message>
+    <message>
+        <source>'{0}' has no panels of its own: give gores, or the width of a side band.</source>
+        <translation>« {0} » n'a pas de panneaux propres : donnez des fuseaux, ou la largeur d'une bande latérale.</translation>
+    </message>
+    <message>
+        <source>'{0}' has no profile: give half the outline of the body as an SVG, a DXF or JSON.</source>
+        <translation>« {0} » n'a pas de profil : donnez un demi-contour du corps en SVG, DXF ou JSON.</translation>
+    </message>
+    <message>
+        <source>'{0}' has the size of its panels, so the balloon cannot be scaled to fit: leave out --oversize scale.</source>
+        <translation>« {0} » a la taille de ses panneaux, le ballon ne peut donc pas être réduit : retirez --oversize scale.</translation>
+    </message>
+    <message>
+        <source>'{0}' has the size of its panels: leave out the width and the height.</source>
+        <translation>« {0} » a la taille de ses panneaux : retirez la largeur et la hauteur.</translation>
+    </message>
+    <message>
         <source>'{0}' has {1} x {2} pixels, more than {3} million. Make it smaller; 2000 pixels across are plenty.</source>
         <translation>« {0} » a {1} x {2} pixels, plus de {3} millions. Réduisez-la ; 2000 pixels de large suffisent largement.</translation>
     </message>
     <message>
         <source>'{0}' is a pipe or a device: save what comes from it, and name that file.</source>
         <translation>« {0} » est un tube ou un périphérique : enregistrez ce qui en vient, et donnez ce fichier.</translation>
+    </message>
+    <message>
+        <source>'{0}' is a profile, which has no side band: give a drawing for that.</source>
+        <translation>« {0} » est un profil, qui n'a pas de bande latérale : donnez un dessin pour cela.</translation>
     </message>
     <message>
         <source>'{0}' is colder than anything; write a temperature as 20C, 68F or 293K.</source>
@@ -751,6 +987,14 @@
         <translation>, estimé : le film n'est pas arrivé au repos</translation>
     </message>
     <message>
+        <source>, one edge must turn</source>
+        <translation>, un bord doit se retourner</translation>
+    </message>
+    <message>
+        <source>, {0} of them mirrored</source>
+        <translation>, dont {0} en miroir</translation>
+    </message>
+    <message>
         <source>--oversize scale makes the balloon smaller until it fits, --oversize write writes the file anyway, --bed tells how large the bed is.</source>
         <translation>--oversize scale réduit le ballon jusqu'à ce qu'il tienne, --oversize write écrit le fichier quand même, --bed dit la taille du plateau.</translation>
     </message>
@@ -767,12 +1011,24 @@
         <translation>Un ballon n'a pas de « {0} » : il a {1}.</translation>
     </message>
     <message>
+        <source>A balloon with a side band has no welds inside: its front and back are apart. Leave them out, or make it of two panels.</source>
+        <translation>Un ballon à bande latérale n'a pas de soudures à l'intérieur : son avant et son arrière sont écartés. Retirez-les, ou faites-le de deux panneaux.</translation>
+    </message>
+    <message>
         <source>A bed is that of a machine: give --machine too.</source>
         <translation>Un plateau est celui d'une machine : donnez aussi --machine.</translation>
     </message>
     <message>
         <source>A bed is {0} mm to {1} mm wide and high: write 600mmx400mm, 600mm for a roll, or {2}.</source>
         <translation>Un plateau fait de {0} mm à {1} mm de large et de haut : écrivez 600mmx400mm, 600mm pour un rouleau, ou {2}.</translation>
+    </message>
+    <message>
+        <source>A body cannot be made of {0} gores. Take {1} to {2}.</source>
+        <translation>Un corps ne peut pas être fait de {0} fuseaux. Prenez-en de {1} à {2}.</translation>
+    </message>
+    <message>
+        <source>A body of gores has no side band: leave out what you give of the one or of the other.</source>
+        <translation>Un corps de fuseaux n'a pas de bande latérale : retirez ce qui concerne l'un ou l'autre.</translation>
     </message>
     <message>
         <source>A corner relief of {0} would cut into the weld: choose a smaller radius or a wider allowance.</source>
@@ -823,6 +1079,10 @@
         <translation>Un maillage de {0} demanderait plus d'un million de nœuds pour une forme de {1} : prenez au moins {2}.</translation>
     </message>
     <message>
+        <source>A mesh of {0} would need more than a million vertices for these panels: use at least {1}.</source>
+        <translation>Un maillage de {0} demanderait plus d'un million de nœuds pour ces panneaux : prenez au moins {1}.</translation>
+    </message>
+    <message>
         <source>A new Sketcher sketch of lines and arcs, to go on with in FreeCAD</source>
         <translation>Une nouvelle esquisse de lignes et d'arcs, pour continuer dans FreeCAD</translation>
     </message>
@@ -849,6 +1109,10 @@
     <message>
         <source>A piece of {0} x {1} does not fit on film of {2}{3}: take film at least {4} wide, or let the grain lie in another direction.</source>
         <translation>Une pièce de {0} x {1} ne tient pas sur un film de {2}{3} : prenez un film d'au moins {4} de large, ou changez le sens du film.</translation>
+    </message>
+    <message>
+        <source>A pillow box cannot be deeper than wide. Choose a smaller depth.</source>
+        <translation>Une boîte coussin ne peut pas être plus profonde que large. Choisissez une profondeur plus petite.</translation>
     </message>
     <message>
         <source>A seam closes an edge of a triangle to a point. Check which runs it joins.</source>
@@ -903,6 +1167,10 @@
         <translation>Une {0} de {1} est impossible ; choisissez-en une entre 1 mm et 100 m.</translation>
     </message>
     <message>
+        <source>About {} thick</source>
+        <translation>Environ {} d'épaisseur</translation>
+    </message>
+    <message>
         <source>Across</source>
         <translation>En travers</translation>
     </message>
@@ -915,12 +1183,24 @@
         <translation>Conseil ({0}), en {1} : {2}</translation>
     </message>
     <message>
+        <source>Advice on many panels is measured on the balloon: inflate it first.</source>
+        <translation>Les conseils sur plusieurs panneaux sont mesurés sur le ballon : gonflez-le d'abord.</translation>
+    </message>
+    <message>
         <source>Air intake</source>
         <translation>Embout de gonflage</translation>
     </message>
     <message>
+        <source>Airship</source>
+        <translation>Dirigeable</translation>
+    </message>
+    <message>
         <source>All packages are installed.</source>
         <translation>Tous les paquets sont installés.</translation>
+    </message>
+    <message>
+        <source>All panels are on the sheet once: none is drawn a second time, mirrored.</source>
+        <translation>Tous les panneaux sont une fois sur la feuille : aucun n'est dessiné une seconde fois en miroir.</translation>
     </message>
     <message>
         <source>Allowance</source>
@@ -1007,6 +1287,14 @@
         <translation>Dos</translation>
     </message>
     <message>
+        <source>Bag</source>
+        <translation>Sac</translation>
+    </message>
+    <message>
+        <source>Bag of panels</source>
+        <translation>Sac de panneaux</translation>
+    </message>
+    <message>
         <source>Balloon</source>
         <translation>Ballon</translation>
     </message>
@@ -1067,6 +1355,10 @@
         <translation>Les deux panneaux sont sur la feuille : seul celui de devant reçoit le trou de la buse. Coupez-le une fois.</translation>
     </message>
     <message>
+        <source>Both sides of a seam must be equally long</source>
+        <translation>Les deux côtés d'une couture doivent être de même longueur</translation>
+    </message>
+    <message>
         <source>Brush</source>
         <translation>Pinceau</translation>
     </message>
@@ -1119,6 +1411,14 @@
         <translation>Choisissez une image ou une esquisse.</translation>
     </message>
     <message>
+        <source>Choose a sketch or a file with half the outline.</source>
+        <translation>Choisissez une esquisse ou un fichier avec un demi-contour.</translation>
+    </message>
+    <message>
+        <source>Choose sketches, a file or a ready body.</source>
+        <translation>Choisissez des esquisses, un fichier ou un corps prêt.</translation>
+    </message>
+    <message>
         <source>Choose the balloon that it belongs to.</source>
         <translation>Choisissez le ballon auquel il appartient.</translation>
     </message>
@@ -1167,6 +1467,14 @@
         <translation>Personnalisé</translation>
     </message>
     <message>
+        <source>Cut all panels from {film}, as they are drawn: so they are seen from outside, with the sealing side below.</source>
+        <translation>Coupez tous les panneaux dans {film}, comme ils sont dessinés : on les voit ainsi de l'extérieur, face soudable dessous.</translation>
+    </message>
+    <message>
+        <source>Cut all panels from {film}. As they are drawn they are seen from outside.</source>
+        <translation>Coupez tous les panneaux dans {film}. Comme ils sont dessinés, on les voit de l'extérieur.</translation>
+    </message>
+    <message>
         <source>Cut each page along its left and lower crosses, lay it on the crosses of its neighbours, tape.</source>
         <translation>Coupez chaque page le long de ses croix de gauche et du bas, posez-la sur les croix de ses voisines, collez.</translation>
     </message>
@@ -1203,8 +1511,16 @@
         <translation>Les fichiers DXF demandent le paquet Python ezdxf. Installez-le par « pip install ezdxf », ou enregistrez le dessin en SVG.</translation>
     </message>
     <message>
+        <source>Diameter {}, height {}, gores {} long</source>
+        <translation>Diamètre {}, hauteur {}, fuseaux longs de {}</translation>
+    </message>
+    <message>
         <source>Direction</source>
         <translation>Direction</translation>
+    </message>
+    <message>
+        <source>Disc</source>
+        <translation>Disque</translation>
     </message>
     <message>
         <source>Distance</source>
@@ -1221,6 +1537,10 @@
     <message>
         <source>Draw a closed line, or paint an area: it becomes a balloon.</source>
         <translation>Tracez une ligne fermée, ou peignez une surface : elle devient un ballon.</translation>
+    </message>
+    <message>
+        <source>Draw half of the outline, and its axis as a straight upright line on its left.</source>
+        <translation>Dessinez la moitié du contour, et son axe comme une droite verticale à sa gauche.</translation>
     </message>
     <message>
         <source>Draw lines. A closed line becomes a balloon.</source>
@@ -1467,6 +1787,10 @@
         <translation>Devant et dos en PNG et PDF, et en DXF et SVG avec les mêmes repères pour la découpeuse</translation>
     </message>
     <message>
+        <source>Front, back and a band between them: change its width</source>
+        <translation>Avant, arrière et une bande entre eux : changez sa largeur</translation>
+    </message>
+    <message>
         <source>Gaps of up to {0} between lines were closed.</source>
         <translation>Des écarts jusqu'à {0} entre lignes ont été fermés.</translation>
     </message>
@@ -1523,6 +1847,10 @@
         <translation>Couture collée</translation>
     </message>
     <message>
+        <source>Gores</source>
+        <translation>Fuseaux</translation>
+    </message>
+    <message>
         <source>Grain</source>
         <translation>Sens du film</translation>
     </message>
@@ -1541,6 +1869,10 @@
     <message>
         <source>HPGL plotter or vinyl cutter</source>
         <translation>Traceur HPGL ou plotter de découpe</translation>
+    </message>
+    <message>
+        <source>Half the outline and its axis; a copy of it travels in the document</source>
+        <translation>Un demi-contour et son axe ; une copie voyage dans le document</translation>
     </message>
     <message>
         <source>Heart from a spreadsheet</source>
@@ -1567,8 +1899,28 @@
         <translation>Haute fréquence</translation>
     </message>
     <message>
+        <source>Hole {0} of panel '{1}'</source>
+        <translation>Trou {0} du panneau « {1} »</translation>
+    </message>
+    <message>
+        <source>Hole {0} of panel '{1}' lies outside its film. Move it, or take it out.</source>
+        <translation>Le trou {0} du panneau « {1} » est hors de son film. Déplacez-le, ou retirez-le.</translation>
+    </message>
+    <message>
+        <source>Hole {0} of panel '{1}' runs counter-clockwise. Turn the order of its points round.</source>
+        <translation>Le trou {0} du panneau « {1} » tourne dans le sens inverse des aiguilles. Inversez l'ordre de ses points.</translation>
+    </message>
+    <message>
         <source>How a balloon follows its pattern can be worked out for an elastic weld alone: choose that one.</source>
         <translation>La façon dont un ballon suit son patron ne se calcule que pour une soudure élastique : choisissez celle-ci.</translation>
+    </message>
+    <message>
+        <source>How far along it</source>
+        <translation>À quelle distance le long d'elle</translation>
+    </message>
+    <message>
+        <source>How far along its seam the opening is must be from 0 to 1.</source>
+        <translation>La distance de l'ouverture le long de sa couture doit être de 0 à 1.</translation>
     </message>
     <message>
         <source>How far the outline moves if the weld creases could not be simulated. {0}</source>
@@ -1593,6 +1945,10 @@
     <message>
         <source>If the weld creases: {0} on average, at most {1}</source>
         <translation>Si la soudure se froisse : {0} en moyenne, {1} au plus</translation>
+    </message>
+    <message>
+        <source>In no seam yet: {}</source>
+        <translation>Encore dans aucune couture : {}</translation>
     </message>
     <message>
         <source>Inflate as drawn</source>
@@ -1659,6 +2015,10 @@
         <translation>Il est plus large maintenant. Ctrl+Z annule.</translation>
     </message>
     <message>
+        <source>JSON</source>
+        <translation>JSON</translation>
+    </message>
+    <message>
         <source>Join the panels along the dashed line, {seal} wide, all the way round.</source>
         <translation>Assemblez les panneaux le long de la ligne en tirets, sur {seal} de large, tout autour.</translation>
     </message>
@@ -1707,12 +2067,20 @@
         <translation>Posez les deux bandes de la valve l'une sur l'autre, ligne sur ligne. Sur le champ marqué de VALVE, INK, mettez de l'encre résistant à la chaleur, ou un bout de papier cuisson entre les bandes. Soudez-les le long des deux grandes lignes.</translation>
     </message>
     <message>
+        <source>Lay edges of the same number on each other, inner sides together: arrows the same way, the lines across the weld and the notches on each other. Tape outside the cut.</source>
+        <translation>Posez l'un sur l'autre les bords de même numéro, faces intérieures ensemble : flèches dans le même sens, traits en travers de la soudure et crans superposés. Scotchez hors de la coupe.</translation>
+    </message>
+    <message>
         <source>Lay out</source>
         <translation>Disposer</translation>
     </message>
     <message>
         <source>Lay out on film</source>
         <translation>Disposer sur le film</translation>
+    </message>
+    <message>
+        <source>Lay the grain of all panels along the line with two arrowheads.</source>
+        <translation>Placez le sens du film de tous les panneaux le long de la ligne à deux pointes de flèche.</translation>
     </message>
     <message>
         <source>Lay the grain of both panels the same way.</source>
@@ -1747,6 +2115,10 @@
         <translation>Longueur</translation>
     </message>
     <message>
+        <source>Length of a gore</source>
+        <translation>Longueur d'un fuseau</translation>
+    </message>
+    <message>
         <source>Letter</source>
         <translation>Lettre</translation>
     </message>
@@ -1755,12 +2127,20 @@
         <translation>Hauteur des lettres</translation>
     </message>
     <message>
+        <source>Letter with a side band</source>
+        <translation>Lettre à bande latérale</translation>
+    </message>
+    <message>
         <source>Lift</source>
         <translation>Portance</translation>
     </message>
     <message>
         <source>Lift in g</source>
         <translation>Portance en g</translation>
+    </message>
+    <message>
+        <source>Lift needs vertices of the balloon that hold it. Give those of its lower end.</source>
+        <translation>La portance demande des nœuds du ballon qui la retiennent. Donnez ceux de son extrémité basse.</translation>
     </message>
     <message>
         <source>LightBurn (laser)</source>
@@ -1787,6 +2167,10 @@
         <translation>Direct</translation>
     </message>
     <message>
+        <source>Longest piece of the band</source>
+        <translation>Plus longue pièce de la bande</translation>
+    </message>
+    <message>
         <source>Look for the closest layout; Esc takes the best one so far</source>
         <translation>Chercher la disposition la plus serrée ; Échap prend la meilleure jusque-là</translation>
     </message>
@@ -1801,6 +2185,10 @@
     <message>
         <source>Low</source>
         <translation>Bas</translation>
+    </message>
+    <message>
+        <source>Lower end</source>
+        <translation>Extrémité basse</translation>
     </message>
     <message>
         <source>Machine</source>
@@ -1871,6 +2259,10 @@
         <translation>Modèle</translation>
     </message>
     <message>
+        <source>More gores hardly help: change the profile.</source>
+        <translation>Plus de fuseaux n'aident guère : changez le profil.</translation>
+    </message>
+    <message>
         <source>Move</source>
         <translation>Déplacer</translation>
     </message>
@@ -1881,6 +2273,10 @@
     <message>
         <source>Native</source>
         <translation>Natif</translation>
+    </message>
+    <message>
+        <source>Natural shape</source>
+        <translation>Forme naturelle</translation>
     </message>
     <message>
         <source>Near {0} the inflated outline stays up to {1} from the drawing, over a length of {2}: film cannot follow it there. Round it off or widen it.</source>
@@ -1911,6 +2307,10 @@
         <translation>Ne coupez jamais ce film au laser.</translation>
     </message>
     <message>
+        <source>New bag of panels</source>
+        <translation>Nouveau sac de panneaux</translation>
+    </message>
+    <message>
         <source>New balloon from picture</source>
         <translation>Nouveau ballon depuis une image</translation>
     </message>
@@ -1921,6 +2321,10 @@
     <message>
         <source>New balloons</source>
         <translation>Nouveaux ballons</translation>
+    </message>
+    <message>
+        <source>New body of gores</source>
+        <translation>Nouveau corps de fuseaux</translation>
     </message>
     <message>
         <source>Newmark</source>
@@ -1941,6 +2345,14 @@
     <message>
         <source>No limit</source>
         <translation>Sans limite</translation>
+    </message>
+    <message>
+        <source>No panel has an edge "{0}": choose one of an outline or face of this bag.</source>
+        <translation>Aucun panneau n'a de bord « {0} » : choisissez-en un d'un contour ou d'une face de ce sac.</translation>
+    </message>
+    <message>
+        <source>No panel of the balloon is cut: make at least one of film.</source>
+        <translation>Aucun panneau du ballon n'est coupé : faites-en au moins un en film.</translation>
     </message>
     <message>
         <source>No pattern can be drawn anew without it; documents keep theirs.</source>
@@ -2007,6 +2419,10 @@
         <translation>Rien à améliorer.</translation>
     </message>
     <message>
+        <source>Now pick the partner of {}.</source>
+        <translation>Choisissez maintenant le partenaire de {}.</translation>
+    </message>
+    <message>
         <source>Nowhere on the seam is room for an intake of {0}: choose a narrower one, or a place for it.</source>
         <translation>Nulle part sur la couture il n'y a la place d'un embout de {0} : choisissez-en un plus étroit, ou une place pour lui.</translation>
     </message>
@@ -2043,6 +2459,14 @@
         <translation>Écart au dessin : {0} en moyenne, {1} au plus</translation>
     </message>
     <message>
+        <source>Off the profile</source>
+        <translation>Écart au profil</translation>
+    </message>
+    <message>
+        <source>Off the {0}: {1} on average, at most {2}</source>
+        <translation>Écart au {0} : {1} en moyenne, {2} au plus</translation>
+    </message>
+    <message>
         <source>Offer the native solver where it is missing</source>
         <translation>Proposer le solveur natif là où il manque</translation>
     </message>
@@ -2075,16 +2499,20 @@
         <translation>Seulement le milieu de la soudure. Une soudure fermée dépasse son début, pour que le raccord soit étanche.</translation>
     </message>
     <message>
-        <source>Only two equal panels are blown up in time. Use another solver for this balloon.</source>
-        <translation>Seuls deux panneaux égaux sont gonflés dans le temps. Prenez un autre solveur pour ce ballon.</translation>
-    </message>
-    <message>
         <source>Only {0} of film stay between two cuts near {1}; {2} wants {3}. It may tear or melt there.</source>
         <translation>Il ne reste que {0} de film entre deux coupes près de {1} ; {2} en veut {3}. Il peut s'y déchirer ou fondre.</translation>
     </message>
     <message>
+        <source>Open</source>
+        <translation>Ouverte</translation>
+    </message>
+    <message>
         <source>Open it, do not import it. Outline, holes and notches are on cut layers, without speed and power: take them from your material library. Welds (T1) and all that is drawn (T2) are on tool layers, which LightBurn never burns.</source>
         <translation>Ouvrez-le, ne l'importez pas. Contour, trous et encoches sont sur des calques de coupe, sans vitesse ni puissance : prenez-les dans votre bibliothèque de matériaux. Les soudures (T1) et tout ce qui est tracé (T2) sont sur des calques d'outil, que LightBurn ne brûle jamais.</translation>
+    </message>
+    <message>
+        <source>Opening</source>
+        <translation>Ouverture</translation>
     </message>
     <message>
         <source>Opposite the intake</source>
@@ -2093,6 +2521,10 @@
     <message>
         <source>Orange</source>
         <translation>Orange</translation>
+    </message>
+    <message>
+        <source>Order of the seams</source>
+        <translation>Ordre des coutures</translation>
     </message>
     <message>
         <source>Outline</source>
@@ -2143,6 +2575,26 @@
         <translation>Poisson peint</translation>
     </message>
     <message>
+        <source>Panel</source>
+        <translation>Panneau</translation>
+    </message>
+    <message>
+        <source>Panel '{0}' crosses or nearly touches itself: separate the parts that meet there.</source>
+        <translation>Le panneau « {0} » se croise ou se touche presque : séparez les parties qui s'y rejoignent.</translation>
+    </message>
+    <message>
+        <source>Panel '{0}' is folded over: {1} crosses or touches another edge at {2}. Separate them.</source>
+        <translation>Le panneau « {0} » est replié : {1} croise ou touche un autre bord à {2}. Séparez-les.</translation>
+    </message>
+    <message>
+        <source>Panel '{0}' is only {1} wide at {2}, too narrow for welds of {3} along both of its sides. Make it wider, or the welds narrower.</source>
+        <translation>Le panneau « {0} » n'a que {1} de large à {2}, trop étroit pour des soudures de {3} des deux côtés. Élargissez-le, ou rétrécissez les soudures.</translation>
+    </message>
+    <message>
+        <source>Panel '{0}' is seen from inside: its points run clockwise. Mirror it, or turn their order round.</source>
+        <translation>Le panneau « {0} » est vu de l'intérieur : ses points tournent dans le sens des aiguilles. Mettez-le en miroir, ou inversez leur ordre.</translation>
+    </message>
+    <message>
         <source>Panel {0} has a triangle with a vertex that is not there. Mesh it anew.</source>
         <translation>Le panneau {0} a un triangle avec un sommet qui n'existe pas. Maillez-le de nouveau.</translation>
     </message>
@@ -2155,16 +2607,60 @@
         <translation>Le panneau {0} a une arête avec plus de deux triangles. Maillez-le de nouveau.</translation>
     </message>
     <message>
+        <source>Panel {0} has no edge {1} for the opening: say another one of its outer loop.</source>
+        <translation>Le panneau {0} n'a pas de bord {1} pour l'ouverture : indiquez-en un autre de sa boucle extérieure.</translation>
+    </message>
+    <message>
+        <source>Panel {0} is not cut: say another one for the opening.</source>
+        <translation>Le panneau {0} n'est pas coupé : indiquez-en un autre pour l'ouverture.</translation>
+    </message>
+    <message>
+        <source>Panel {0} is nowhere wider than {1}, and its welds are {2} wide: it hardly bulges. Make the balloon larger, the panel wider or the seal narrower.</source>
+        <translation>Le panneau {0} n'est nulle part plus large que {1}, et ses soudures ont {2} de large : il se bombe à peine. Agrandissez le ballon, élargissez le panneau ou rétrécissez la soudure.</translation>
+    </message>
+    <message>
         <source>Panel {0} is open between its vertices {1} and {2}: the boundary is in no seam there. Seal it to another.</source>
         <translation>Le panneau {0} est ouvert entre ses sommets {1} et {2} : le bord n'y est dans aucune soudure. Soudez-le à un autre.</translation>
+    </message>
+    <message>
+        <source>Panel {0} leans by {1} between front and back. Make the side band narrower there, or the parts of the drawing wider.</source>
+        <translation>Le panneau {0} penche de {1} entre l'avant et l'arrière. Rétrécissez la bande latérale à cet endroit, ou élargissez les parties du dessin.</translation>
+    </message>
+    <message>
+        <source>Panel {0} of the JSON file has no name or no 'outer' loop. {1}</source>
+        <translation>Le panneau {0} du fichier JSON n'a pas de nom ou pas de boucle 'outer'. {1}</translation>
+    </message>
+    <message>
+        <source>Panel {0}: an intake of this kind leads through a seam. Say which one, or an edge of the panel such as {1}.0, or choose a nozzle.</source>
+        <translation>Panneau {0} : un embout de ce genre traverse une couture. Dites laquelle, ou un bord du panneau comme {1}.0, ou choisissez une buse.</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>Panneaux</translation>
+    </message>
+    <message>
+        <source>Panels and seams; a copy of them travels in the document</source>
+        <translation>Panneaux et coutures ; une copie voyage dans le document</translation>
     </message>
     <message>
         <source>Panels are laid on the film in rows instead of closely; nothing else changes.</source>
         <translation>Les panneaux sont disposés en rangées au lieu d'être serrés ; rien d'autre ne change.</translation>
     </message>
     <message>
+        <source>Panels with gussets, whose sizes come from a spreadsheet</source>
+        <translation>Panneaux à soufflets, dont les dimensions viennent d'une feuille de calcul</translation>
+    </message>
+    <message>
+        <source>Panels: {0}, of different shapes: {1}</source>
+        <translation>Panneaux : {0}, de formes différentes : {1}</translation>
+    </message>
+    <message>
         <source>Paper</source>
         <translation>Papier</translation>
+    </message>
+    <message>
+        <source>Parts of the balloon may lean to one side or the other: the inflated outline is {0} to {1} from the drawing. Another width of the side band may hold them.</source>
+        <translation>Des parties du ballon peuvent pencher d'un côté ou de l'autre : le contour gonflé est à {0} à {1} du dessin. Une autre largeur de la bande latérale peut les tenir.</translation>
     </message>
     <message>
         <source>Pattern</source>
@@ -2195,6 +2691,10 @@
         <translation>Patron, à couper deux fois (une fois en miroir)</translation>
     </message>
     <message>
+        <source>Pattern, {0} panels</source>
+        <translation>Patron, {0} panneaux</translation>
+    </message>
+    <message>
         <source>Patterns</source>
         <translation>Patrons</translation>
     </message>
@@ -2215,6 +2715,18 @@
         <translation>Dessin au trait</translation>
     </message>
     <message>
+        <source>Pick an edge to see its partner.</source>
+        <translation>Choisissez un bord pour voir son partenaire.</translation>
+    </message>
+    <message>
+        <source>Pick an edge, then its partner, here or in the 3D view. Free edges: {}</source>
+        <translation>Choisissez un bord, puis son partenaire, ici ou dans la vue 3D. Bords libres : {}</translation>
+    </message>
+    <message>
+        <source>Pick the edge at which it is filled.</source>
+        <translation>Choisissez le bord par lequel il est rempli.</translation>
+    </message>
+    <message>
         <source>Picture, SVG, DXF or JSON</source>
         <translation>Image, SVG, DXF ou JSON</translation>
     </message>
@@ -2233,6 +2745,14 @@
     <message>
         <source>Pictures need OpenCV, which is missing or does not work here. Install the package python3-opencv (or opencv-python-headless), or open the picture inside FreeCAD.</source>
         <translation>Les images demandent OpenCV, qui manque ou ne marche pas ici. Installez le paquet python3-opencv (ou opencv-python-headless), ou ouvrez l'image dans FreeCAD.</translation>
+    </message>
+    <message>
+        <source>Pieces of the side band cannot be {0} long. Give 0 or more.</source>
+        <translation>Les pièces de la bande latérale ne peuvent pas avoir {0} de long. Donnez 0 ou plus.</translation>
+    </message>
+    <message>
+        <source>Pieces of {0} are too short for a side band of {1}. Allow longer ones.</source>
+        <translation>Des pièces de {0} sont trop courtes pour une bande latérale de {1}. Permettez-en de plus longues.</translation>
     </message>
     <message>
         <source>Pieces: {}, on {}, {} used</source>
@@ -2275,6 +2795,14 @@
         <translation>Unités de traceur de 0,025 mm. La plume 1 trace la barre de contrôle, la 2 coupe les encoches, la 3 le reste. Il n'y a rien dans le fichier qui ne puisse être coupé. Pour une lame pivotante, réglez son décalage ; 0,25 mm est courant. Les coupes dépassent leur début de 1 mm : mettez overcut_mm à 0 si la découpeuse le fait elle-même.</translation>
     </message>
     <message>
+        <source>Point</source>
+        <translation>Pointe</translation>
+    </message>
+    <message>
+        <source>Point {0} of the JSON file's 'profile' is not a pair of numbers. {1}</source>
+        <translation>Le point {0} de 'profile' dans le fichier JSON n'est pas une paire de nombres. {1}</translation>
+    </message>
+    <message>
         <source>Point {0} of the JSON file's {1} is not a pair of numbers. {2}</source>
         <translation>Le point {0} de {1} du fichier JSON n'est pas une paire de nombres. {2}</translation>
     </message>
@@ -2295,12 +2823,20 @@
         <translation>Polylignes en millimètres avec un calque par rôle : ce que tout programme lit. CUT, CUT_INNER et NOTCH sont coupés, SEAL et WELD soudés, tous les autres tracés.</translation>
     </message>
     <message>
+        <source>Pouch</source>
+        <translation>Pochette</translation>
+    </message>
+    <message>
         <source>Predicted from the outline; not inflated yet.</source>
         <translation>Prévu d'après le contour ; pas encore gonflé.</translation>
     </message>
     <message>
         <source>Pressure</source>
         <translation>Pression</translation>
+    </message>
+    <message>
+        <source>Pressure rises with height</source>
+        <translation>La pression croît avec la hauteur</translation>
     </message>
     <message>
         <source>Pressure: {0}</source>
@@ -2311,8 +2847,16 @@
         <translation>Imprimez à 100 % (« taille réelle »). La barre ci-dessous doit mesurer 100 mm.</translation>
     </message>
     <message>
+        <source>Print {0} at {1} dpi, all panels</source>
+        <translation>Impression de {0} à {1} dpi, tous les panneaux</translation>
+    </message>
+    <message>
         <source>Print {0} at {1} dpi, front and back</source>
         <translation>Impression : {0} à {1} dpi, devant et dos</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>Profil</translation>
     </message>
     <message>
         <source>Pull a line; then move the pointer to bend it, and click. A right click keeps it straight.</source>
@@ -2345,6 +2889,10 @@
     <message>
         <source>RDWorks (Ruida laser)</source>
         <translation>RDWorks (laser Ruida)</translation>
+    </message>
+    <message>
+        <source>Ready body</source>
+        <translation>Corps prêt</translation>
     </message>
     <message>
         <source>Ready to make. Paint on, or press Make it!</source>
@@ -2427,6 +2975,10 @@
         <translation>Les fichiers SVG demandent le paquet Python svgelements. Installez-le par « pip install svgelements », ou enregistrez le dessin en DXF.</translation>
     </message>
     <message>
+        <source>SVG, DXF or JSON</source>
+        <translation>SVG, DXF ou JSON</translation>
+    </message>
+    <message>
         <source>Safe pressure</source>
         <translation>Pression sûre</translation>
     </message>
@@ -2467,6 +3019,18 @@
         <translation>SciPy triangule à sa place, un peu plus lentement.</translation>
     </message>
     <message>
+        <source>Seal a disc on each point where four panels or more meet.</source>
+        <translation>Soudez un disque sur chaque point où quatre panneaux ou plus se rejoignent.</translation>
+    </message>
+    <message>
+        <source>Seal the seams in the order of the pictures along the dashed line, {seal} wide, from end to end.</source>
+        <translation>Soudez les coutures dans l'ordre des images le long de la ligne tiretée, sur {seal} de large, d'un bout à l'autre.</translation>
+    </message>
+    <message>
+        <source>Seal the seams in the order of the pictures along the dashed line, {seal} wide, from end to end. Leave the mouth of the neck open.</source>
+        <translation>Soudez les coutures dans l'ordre des images le long de la ligne tiretée, sur {seal} de large, d'un bout à l'autre. Laissez ouverte la bouche du col.</translation>
+    </message>
+    <message>
         <source>Seal width</source>
         <translation>Largeur de soudure</translation>
     </message>
@@ -2487,12 +3051,40 @@
         <translation>Longueur de couture : {0}</translation>
     </message>
     <message>
+        <source>Seam or edge</source>
+        <translation>Couture ou bord</translation>
+    </message>
+    <message>
+        <source>Seam {0} has no length: it begins and ends where {1} begins. Give two points; a whole loop is written as two seams.</source>
+        <translation>La couture {0} n'a pas de longueur : elle commence et finit où {1} commence. Donnez deux points ; une boucle entière s'écrit en deux coutures.</translation>
+    </message>
+    <message>
         <source>Seam {0} is along a panel {1}, but there are {2}.</source>
         <translation>La soudure {0} longe un panneau {1}, mais il y en a {2}.</translation>
     </message>
     <message>
         <source>Seam {0} is along vertices that panel {1} does not have.</source>
         <translation>La soudure {0} longe des sommets que le panneau {1} n'a pas.</translation>
+    </message>
+    <message>
+        <source>Seam {0} is at an end that stays open: say another one for the opening.</source>
+        <translation>La couture {0} est à une extrémité qui reste ouverte : indiquez-en une autre pour l'ouverture.</translation>
+    </message>
+    <message>
+        <source>Seam {0} is on hole {1} of panel '{2}', which has {3}. Check its sides.</source>
+        <translation>La couture {0} est au trou {1} du panneau « {2} », qui en a {3}. Vérifiez ses côtés.</translation>
+    </message>
+    <message>
+        <source>Seam {0} is on panel {1}, but there are {2}. Check its sides.</source>
+        <translation>La couture {0} est au panneau {1}, mais il y en a {2}. Vérifiez ses côtés.</translation>
+    </message>
+    <message>
+        <source>Seam {0} is on point {1} of panel '{2}', whose points there are 0 to {3}. Check its sides.</source>
+        <translation>La couture {0} est au point {1} du panneau « {2} », dont les points y vont de 0 à {3}. Vérifiez ses côtés.</translation>
+    </message>
+    <message>
+        <source>Seam {0} joins holes of panels {1} and {2}, where no intake can be: say another seam.</source>
+        <translation>La couture {0} joint des trous des panneaux {1} et {2}, où aucun embout ne peut être : indiquez une autre couture.</translation>
     </message>
     <message>
         <source>Seam {0} joins the outside of the film to its inside, as in a Moebius strip. Turn one of its sides round.</source>
@@ -2507,12 +3099,68 @@
         <translation>La soudure {0} quitte le bord du panneau {1}. Donnez ses sommets à la suite le long du bord.</translation>
     </message>
     <message>
+        <source>Seam {0} of panels {1} is {2} long, and the intake takes {3} with its welds: make it narrower, or say another edge for the opening.</source>
+        <translation>La couture {0} des panneaux {1} mesure {2}, et l'embout prend {3} avec ses soudures : rétrécissez-le, ou indiquez un autre bord pour l'ouverture.</translation>
+    </message>
+    <message>
+        <source>Seam {0} of the JSON file has no two sides 'a' and 'b'. {1}</source>
+        <translation>La couture {0} du fichier JSON n'a pas deux côtés 'a' et 'b'. {1}</translation>
+    </message>
+    <message>
+        <source>Seam {0}: {1} to {2}, last, with the opening.</source>
+        <translation>Couture {0} : {1} à {2}, en dernier, avec l'ouverture.</translation>
+    </message>
+    <message>
+        <source>Seam {0}: {1} to {2}, last.</source>
+        <translation>Couture {0} : {1} à {2}, en dernier.</translation>
+    </message>
+    <message>
+        <source>Seam {0}: {1} to {2}, lying flat.</source>
+        <translation>Couture {0} : {1} à {2}, à plat.</translation>
+    </message>
+    <message>
+        <source>Seam {0}: {1} to {2}, one edge turned round the other.</source>
+        <translation>Couture {0} : {1} à {2}, un bord rabattu autour de l'autre.</translation>
+    </message>
+    <message>
+        <source>Seam {}: {}</source>
+        <translation>Couture {} : {}</translation>
+    </message>
+    <message>
+        <source>Seams</source>
+        <translation>Coutures</translation>
+    </message>
+    <message>
+        <source>Seams and centres apart</source>
+        <translation>Écart entre coutures et milieux</translation>
+    </message>
+    <message>
+        <source>Seams and middles of gores: {0} apart at most</source>
+        <translation>Coutures et milieux des fuseaux : au plus {0} d'écart</translation>
+    </message>
+    <message>
+        <source>Seams that do not lie flat: {0}. Seal them bit by bit.</source>
+        <translation>Coutures qui ne reposent pas à plat : {0}. Soudez-les petit à petit.</translation>
+    </message>
+    <message>
+        <source>Seams that do not lie flat: {0}. Their allowance is cut into tabs that turn.</source>
+        <translation>Coutures qui ne reposent pas à plat : {0}. Leur marge est découpée en languettes qui se rabattent.</translation>
+    </message>
+    <message>
         <source>Seams {0} and {1} hold the same piece of the boundary of panel {2}. Seal each piece once.</source>
         <translation>Les soudures {0} et {1} tiennent le même morceau du bord du panneau {2}. Soudez chaque morceau une fois.</translation>
     </message>
     <message>
+        <source>Seams: {0}, where an edge must turn: {1}</source>
+        <translation>Coutures : {0}, dont un bord doit se retourner : {1}</translation>
+    </message>
+    <message>
         <source>Second panel, mirrored</source>
         <translation>Second panneau, en miroir</translation>
+    </message>
+    <message>
+        <source>Select a sketch of half the outline, or choose where the profile comes from.</source>
+        <translation>Choisissez une esquisse d'un demi-contour, ou d'où vient le profil.</translation>
     </message>
     <message>
         <source>Select a sketch, a wire or a face in the tree or the 3D view.</source>
@@ -2523,8 +3171,20 @@
         <translation>En choisir une autre</translation>
     </message>
     <message>
+        <source>Select sketches or flat faces, or take a ready body or a file.</source>
+        <translation>Choisissez des esquisses ou des faces planes, ou prenez un corps prêt ou un fichier.</translation>
+    </message>
+    <message>
+        <source>Select sketches, wires or flat faces first.</source>
+        <translation>Choisissez d'abord des esquisses, des fils ou des faces planes.</translation>
+    </message>
+    <message>
         <source>Self-sealing film valve</source>
         <translation>Valve de film autofermante</translation>
+    </message>
+    <message>
+        <source>Set the opening</source>
+        <translation>Placer l'ouverture</translation>
     </message>
     <message>
         <source>Shape that stays flat</source>
@@ -2555,6 +3215,22 @@
         <translation>Face montrée</translation>
     </message>
     <message>
+        <source>Side '{0}' of seam {1} is not the name of a panel and two points. {2}</source>
+        <translation>Le côté '{0}' de la couture {1} n'est pas le nom d'un panneau et deux points. {2}</translation>
+    </message>
+    <message>
+        <source>Side '{0}' of seam {1} is on a panel '{2}' that is not there. {3}</source>
+        <translation>Le côté '{0}' de la couture {1} est à un panneau « {2} » qui n'existe pas. {3}</translation>
+    </message>
+    <message>
+        <source>Side band</source>
+        <translation>Bande latérale</translation>
+    </message>
+    <message>
+        <source>Side {0} of seam {1} runs the wrong way at {2}, which would seal the outside of the film to its inside, as in a Moebius strip: it goes {3} its loop. Swap the two points of {4}.</source>
+        <translation>Le côté {0} de la couture {1} va à l'envers à {2}, ce qui souderait l'extérieur du film à son intérieur, comme dans un ruban de Möbius : il va {3} sa boucle. Échangez les deux points de {4}.</translation>
+    </message>
+    <message>
         <source>Silhouette Studio (vinyl cutter)</source>
         <translation>Silhouette Studio (plotter de découpe)</translation>
     </message>
@@ -2569,6 +3245,10 @@
     <message>
         <source>Simulations use NumPy. "What works here" in the menu fetches the native solver later.</source>
         <translation>Les simulations utilisent NumPy. « Ce qui marche ici », dans le menu, télécharge le solveur natif plus tard.</translation>
+    </message>
+    <message>
+        <source>Six gores from half an outline in a sketch: change their number</source>
+        <translation>Six fuseaux d'après un demi-contour dans une esquisse : changez leur nombre</translation>
     </message>
     <message>
         <source>Size</source>
@@ -2667,12 +3347,24 @@
         <translation>Enlever la peinture</translation>
     </message>
     <message>
+        <source>Take seam apart</source>
+        <translation>Défaire la couture</translation>
+    </message>
+    <message>
         <source>Take the numbers of one of FreeCAD's material cards</source>
         <translation>Prendre les nombres d'une fiche de matériau de FreeCAD</translation>
     </message>
     <message>
         <source>Take the picture away</source>
         <translation>Enlever l'image</translation>
+    </message>
+    <message>
+        <source>Take what is selected</source>
+        <translation>Prendre ce qui est sélectionné</translation>
+    </message>
+    <message>
+        <source>Take {0} gores.</source>
+        <translation>Prenez {0} fuseaux.</translation>
     </message>
     <message>
         <source>Tape</source>
@@ -2711,12 +3403,40 @@
         <translation>Cela ferait {0} pages : choisissez un papier plus grand ou un ballon plus petit.</translation>
     </message>
     <message>
+        <source>The 'cut' of panel '{0}' is neither true nor false. Write one of them.</source>
+        <translation>Le 'cut' du panneau « {0} » n'est ni true ni false. Écrivez l'un des deux.</translation>
+    </message>
+    <message>
+        <source>The 'ease' of the JSON file is no part of a length. Give a number from 0 to 1.</source>
+        <translation>Le 'ease' du fichier JSON n'est pas une part d'une longueur. Donnez un nombre de 0 à 1.</translation>
+    </message>
+    <message>
+        <source>The 'holes' of panel '{0}' are not a list of loops. {1}</source>
+        <translation>Les 'holes' du panneau « {0} » ne sont pas une liste de boucles. {1}</translation>
+    </message>
+    <message>
+        <source>The 'natural_shape' of the JSON file is no length. Give the length of its gores.</source>
+        <translation>La 'natural_shape' du fichier JSON n'est pas une longueur. Donnez la longueur de ses fuseaux.</translation>
+    </message>
+    <message>
+        <source>The 'opening' of the JSON file has no panel and point. {0}</source>
+        <translation>L''opening' du fichier JSON n'a pas de panneau ni de point. {0}</translation>
+    </message>
+    <message>
         <source>The 'parts' of the JSON file are not a list of shapes. {0}</source>
         <translation>'parts' du fichier JSON n'est pas une liste de formes. {0}</translation>
     </message>
     <message>
+        <source>The 'profile' of the JSON file needs at least two points. {0}</source>
+        <translation>Le 'profile' du fichier JSON demande au moins deux points. {0}</translation>
+    </message>
+    <message>
         <source>The '{0}' of the JSON file are not a list of {1}. {2}</source>
         <translation>'{0}' du fichier JSON n'est pas une liste de {1}. {2}</translation>
+    </message>
+    <message>
+        <source>The '{0}' of the body '{1}' is out of range. Choose {2}.</source>
+        <translation>Le '{0}' du corps « {1} » est hors limites. Choisissez {2}.</translation>
     </message>
     <message>
         <source>The DXF file has errors; what could be read was taken from it.</source>
@@ -2737,6 +3457,14 @@
     <message>
         <source>The JSON file has no 'outer' loop. {0}</source>
         <translation>Le fichier JSON n'a pas de boucle 'outer'. {0}</translation>
+    </message>
+    <message>
+        <source>The JSON file has no list of 'panels'. {0}</source>
+        <translation>Le fichier JSON n'a pas de liste 'panels'. {0}</translation>
+    </message>
+    <message>
+        <source>The JSON file has no list of 'seams'. {0}</source>
+        <translation>Le fichier JSON n'a pas de liste 'seams'. {0}</translation>
     </message>
     <message>
         <source>The JSON file has the unknown unit {0}. Use one of {1}.</source>
@@ -2783,8 +3511,24 @@
         <translation>Le module d'Young en travers, {0}, est trop grand pour celui en long de {1} : tournez le sens du film de 90 degrés et échangez les deux.</translation>
     </message>
     <message>
+        <source>The accuracy must be above 0 and below 1: 0.01 is within 1 % of the profile.</source>
+        <translation>La précision doit être au-dessus de 0 et au-dessous de 1 : 0.01 reste à 1 % du profil.</translation>
+    </message>
+    <message>
         <source>The altitude {0} m is out of range: give one up to 11000 m.</source>
         <translation>L'altitude {0} m est hors limites : donnez au plus 11000 m.</translation>
+    </message>
+    <message>
+        <source>The bag has no opening through which it is filled. Name the edge at which it stays open, such as edge 1 of panel '{0}', or make it without an intake.</source>
+        <translation>Le sac n'a pas d'ouverture par où le remplir. Nommez le bord où il reste ouvert, comme le bord 1 du panneau « {0} », ou faites-le sans embout.</translation>
+    </message>
+    <message>
+        <source>The bag has {0} panels, more than {1}. Make it of fewer, larger ones.</source>
+        <translation>Le sac a {0} panneaux, plus que {1}. Faites-le de panneaux moins nombreux et plus grands.</translation>
+    </message>
+    <message>
+        <source>The balloon has no opening: say at which edge it is filled, or choose no intake.</source>
+        <translation>Le ballon n'a pas d'ouverture : dites par quel bord il est rempli, ou ne choisissez pas d'embout.</translation>
     </message>
     <message>
         <source>The balloon is not near rest. Inflate it anew.</source>
@@ -2793,6 +3537,14 @@
     <message>
         <source>The balloon is nowhere {0} wide behind its intake: choose another intake angle or a narrower intake, else air enters slowly.</source>
         <translation>Le ballon n'a nulle part {0} de large derrière son embout : choisissez une autre direction ou un embout plus étroit, sinon l'air entre lentement.</translation>
+    </message>
+    <message>
+        <source>The balloon must be thicker than 0, not {0}. Give its thickness.</source>
+        <translation>Le ballon doit être plus épais que 0, pas {0}. Donnez son épaisseur.</translation>
+    </message>
+    <message>
+        <source>The balloon of {0} gores is {1} of its diagonal away from the profile on average, and {2} was asked for: its seams stand out by up to {3} over the middle of the gores. {4}</source>
+        <translation>Le ballon de {0} fuseaux est en moyenne à {1} de sa diagonale du profil, et {2} était demandé : ses coutures dépassent le milieu des fuseaux jusqu'à {3}. {4}</translation>
     </message>
     <message>
         <source>The balloon whose weld creases did not come to rest; what is told of it is its last good state.</source>
@@ -2805,6 +3557,14 @@
     <message>
         <source>The bleed must be from 0 to {0}, not {1}.</source>
         <translation>Le fond perdu doit être de 0 à {0}, pas {1}.</translation>
+    </message>
+    <message>
+        <source>The body '{0}' has no '{1}'. It has {2}.</source>
+        <translation>Le corps « {0} » n'a pas de '{1}'. Il a {2}.</translation>
+    </message>
+    <message>
+        <source>The caps are too large for the ball. Choose a smaller diameter for them.</source>
+        <translation>Les calottes sont trop grandes pour la balle. Choisissez-leur un diamètre plus petit.</translation>
     </message>
     <message>
         <source>The colour would run out: close the line around this place first.</source>
@@ -2843,12 +3603,20 @@
         <translation>Le dessin n'a pas de ligne fermée. Tracez-en une, et changez textes et groupes en chemins.</translation>
     </message>
     <message>
+        <source>The drawing has no line. {0}</source>
+        <translation>Le dessin n'a pas de ligne. {0}</translation>
+    </message>
+    <message>
         <source>The drawing has points more than {0} km from its origin. Move it there, and give it a size between 1 mm and 100 m.</source>
         <translation>Le dessin a des points à plus de {0} km de son origine. Ramenez-le là, et donnez-lui une taille de 1 mm à 100 m.</translation>
     </message>
     <message>
         <source>The drawing has too much text in its styles and transforms. Save it as plain SVG once more.</source>
         <translation>Le dessin a trop de texte dans ses styles et transformations. Enregistrez-le à nouveau en SVG simple.</translation>
+    </message>
+    <message>
+        <source>The drawing has {0} lines beside the axis, not one. {1}</source>
+        <translation>Le dessin a {0} lignes à côté de l'axe, et non une. {1}</translation>
     </message>
     <message>
         <source>The drawing has {0} shape and no number {1}: choose another Part, or delete this balloon.</source>
@@ -2877,6 +3645,10 @@
     <message>
         <source>The drawing; a copy of it travels in the document</source>
         <translation>Le dessin ; une copie en reste dans le document</translation>
+    </message>
+    <message>
+        <source>The edges of the chosen seam are free again</source>
+        <translation>Les bords de la couture choisie sont de nouveau libres</translation>
     </message>
     <message>
         <source>The file is XML but no SVG drawing. Choose a drawing.</source>
@@ -2931,12 +3703,24 @@
         <translation>Le film des ballons du commerce : 15 µm de nylon 6 orienté avec une couche d'aluminium, 15 µm de polyéthylène à l'intérieur. Soudez PE sur PE. Le nylon prend l'humidité et s'assouplit alors.</translation>
     </message>
     <message>
+        <source>The film passes through itself near {0}, which the simulation does not feel: the balloon will look otherwise there. Move those parts away from each other.</source>
+        <translation>Le film passe à travers lui-même près de {0}, ce que la simulation ne sent pas : le ballon y aura un autre aspect. Éloignez ces parties l'une de l'autre.</translation>
+    </message>
+    <message>
+        <source>The film stays up to {0} away from the profile, even half way between the seams and the middle of the gores: it cannot take this shape. Round the profile where it is flat, hollow or sharp.</source>
+        <translation>Le film reste jusqu'à {0} du profil, même à mi-chemin entre les coutures et le milieu des fuseaux : il ne peut pas prendre cette forme. Arrondissez le profil où il est plat, creux ou pointu.</translation>
+    </message>
+    <message>
         <source>The free edition opens DXF, not SVG. Choose "as is" for the size in the import preferences. Silhouette makes its own registration marks, and adds the knife's offset and overcut. Nothing is in the file that may not be cut.</source>
         <translation>L'édition gratuite ouvre le DXF, pas le SVG. Choisissez « tel quel » pour la taille dans les préférences d'import. Silhouette fait ses propres repères, et ajoute le décalage et le dépassement de la lame. Il n'y a rien dans le fichier qui ne puisse être coupé.</translation>
     </message>
     <message>
         <source>The grain's angle {0} is no number: give degrees from the x axis.</source>
         <translation>L'angle du sens du film, {0}, n'est pas un nombre : donnez des degrés depuis l'axe x.</translation>
+    </message>
+    <message>
+        <source>The gussets are deeper than the pouch is high. Choose a smaller depth.</source>
+        <translation>Les soufflets sont plus profonds que la pochette n'est haute. Choisissez une profondeur plus petite.</translation>
     </message>
     <message>
         <source>The hand beside the shape is as large as a grown-up's</source>
@@ -2971,6 +3755,10 @@
         <translation>Le contour gonflé reste en moyenne à {0} du dessin : le ballon se plie en travers d'un trou ou d'un point de soudure.</translation>
     </message>
     <message>
+        <source>The intake cannot lead into a hole of panel {0}: say another edge for the opening.</source>
+        <translation>L'embout ne peut pas mener dans un trou du panneau {0} : indiquez un autre bord pour l'ouverture.</translation>
+    </message>
+    <message>
         <source>The intake file {0} calls itself "{1}": give both the same name.</source>
         <translation>Le fichier d'embout {0} se nomme « {1} » : donnez aux deux le même nom.</translation>
     </message>
@@ -2997,6 +3785,10 @@
     <message>
         <source>The intake's angle must be a number.</source>
         <translation>L'angle de l'embout doit être un nombre.</translation>
+    </message>
+    <message>
+        <source>The intake's direction is of two equal panels: of many, say a seam and how far along it.</source>
+        <translation>La direction de l'embout est celle de deux panneaux égaux : pour plusieurs, indiquez une couture et la distance le long d'elle.</translation>
     </message>
     <message>
         <source>The intake's length must be above 0, up to 100 m: give it about 30 mm.</source>
@@ -3111,12 +3903,28 @@
         <translation>La collerette de la buse doit être plus large que son alésage.</translation>
     </message>
     <message>
+        <source>The opening is at point {0} of panel '{1}', whose points are 0 to {2}. Choose one of them.</source>
+        <translation>L'ouverture est au point {0} du panneau « {1} », dont les points vont de 0 à {2}. Choisissez l'un d'eux.</translation>
+    </message>
+    <message>
+        <source>The opening is on a panel '{0}' that is not there. {1}</source>
+        <translation>L'ouverture est à un panneau « {0} » qui n'existe pas. {1}</translation>
+    </message>
+    <message>
+        <source>The opening is on panel {0}, but there are {1}. Choose one of them.</source>
+        <translation>L'ouverture est au panneau {0}, mais il y en a {1}. Choisissez l'un d'eux.</translation>
+    </message>
+    <message>
         <source>The options cannot be used ({0}). See --help.</source>
         <translation>Les options sont inutilisables ({0}). Voyez --help.</translation>
     </message>
     <message>
         <source>The outline cannot be mirrored about its axis: draw it symmetric, or leave that.</source>
         <translation>Le contour ne peut pas être reflété sur son axe : dessinez-le symétrique, ou laissez cela.</translation>
+    </message>
+    <message>
+        <source>The outline comes to its axis more than once. {0}</source>
+        <translation>Le contour vient plus d'une fois à son axe. {0}</translation>
     </message>
     <message>
         <source>The outline crosses or nearly touches itself near {0}: separate the parts that meet there.</source>
@@ -3139,6 +3947,10 @@
         <translation>Le contour a une coordonnée qui n'est pas un nombre ; corrigez-la dans le dessin.</translation>
     </message>
     <message>
+        <source>The outline has no straight upright side on its left, so its axis is missing. {0}</source>
+        <translation>Le contour n'a pas de côté droit et vertical à sa gauche, son axe manque donc. {0}</translation>
+    </message>
+    <message>
         <source>The outline's {0} of {1} cannot be made; bring it to a size between 1 mm and 100 m.</source>
         <translation>Le contour ne peut pas avoir une {0} de {1} ; amenez-le à une taille entre 1 mm et 100 m.</translation>
     </message>
@@ -3153,6 +3965,22 @@
     <message>
         <source>The panels are sealed to {0} bodies. Inflate each by itself.</source>
         <translation>Les panneaux forment {0} corps. Gonflez chacun séparément.</translation>
+    </message>
+    <message>
+        <source>The panels are sealed to {0} bodies: panel '{1}' does not hang together with panel '{2}'. Make a bag of each body.</source>
+        <translation>Les panneaux sont soudés en {0} corps : le panneau « {1} » ne tient pas au panneau « {2} ». Faites un sac de chaque corps.</translation>
+    </message>
+    <message>
+        <source>The panels have no names. {0}</source>
+        <translation>Les panneaux n'ont pas de noms. {0}</translation>
+    </message>
+    <message>
+        <source>The panels have other points than those that were meshed. Mesh the bag anew.</source>
+        <translation>Les panneaux ont d'autres points que ceux du maillage. Maillez le sac à nouveau.</translation>
+    </message>
+    <message>
+        <source>The panels have {0} points, more than {1}. Simplify them in the program that they come from.</source>
+        <translation>Les panneaux ont {0} points, plus que {1}. Simplifiez-les dans le programme d'où ils viennent.</translation>
     </message>
     <message>
         <source>The part round {0} has no rim for an intake: leave a gap in the welds round it.</source>
@@ -3195,6 +4023,10 @@
         <translation>L'image est trop petite pour y voir une forme. Prenez au moins {0} pixels de large.</translation>
     </message>
     <message>
+        <source>The picture of a body of gores goes all round: leave out --artwork-back.</source>
+        <translation>L'image d'un corps de fuseaux fait tout le tour : retirez --artwork-back.</translation>
+    </message>
+    <message>
         <source>The picture was read as a pen drawing: the inside of its lines is filled.</source>
         <translation>L'image a été lue comme un dessin au trait : l'intérieur de ses lignes est rempli.</translation>
     </message>
@@ -3207,12 +4039,56 @@
         <translation>Les pièces de l'embout « {0} » sont en {1}, qui ne se soude pas à {2} : choisissez un autre embout, ou un film auquel cela se soude : {3}.</translation>
     </message>
     <message>
+        <source>The pressure at the lower end must be 0 or more.</source>
+        <translation>La pression à l'extrémité basse doit être 0 ou plus.</translation>
+    </message>
+    <message>
         <source>The pressure must be positive and at most {0}, not {1}. A party balloon has about 2 kPa.</source>
         <translation>La pression doit être positive et d'au plus {0}, pas {1}. Un ballon de fête a environ 2 kPa.</translation>
     </message>
     <message>
+        <source>The pressure must grow upwards: give a gradient of 0 or more.</source>
+        <translation>La pression doit croître vers le haut : donnez un gradient de 0 ou plus.</translation>
+    </message>
+    <message>
         <source>The print on film</source>
         <translation>L'impression sur film</translation>
+    </message>
+    <message>
+        <source>The profile crosses or touches itself at {0}. Draw a simple line.</source>
+        <translation>Le profil se croise ou se touche à {0}. Dessinez une ligne simple.</translation>
+    </message>
+    <message>
+        <source>The profile goes to the other side of its axis at the height {0}: the radius is {1}. Draw one half only.</source>
+        <translation>Le profil passe de l'autre côté de son axe à la hauteur {0} : le rayon est {1}. Dessinez une seule moitié.</translation>
+    </message>
+    <message>
+        <source>The profile has more than {0} points. Simplify it.</source>
+        <translation>Le profil a plus de {0} points. Simplifiez-le.</translation>
+    </message>
+    <message>
+        <source>The profile is a closed line that does not run along its axis. Draw one half of the section, from the lower to the upper end.</source>
+        <translation>Le profil est une ligne fermée qui ne suit pas son axe. Dessinez une moitié de la coupe, de l'extrémité basse à la haute.</translation>
+    </message>
+    <message>
+        <source>The profile is too slender for a disc of {0} at its {1} end. Let the gores meet in a point there.</source>
+        <translation>Le profil est trop mince pour un disque de {0} à son extrémité ({1}). Laissez les fuseaux s'y rejoindre en pointe.</translation>
+    </message>
+    <message>
+        <source>The profile is {0} large. Give it a size between {1} and {2}, and check its unit.</source>
+        <translation>Le profil mesure {0}. Donnez-lui une taille entre {1} et {2}, et vérifiez son unité.</translation>
+    </message>
+    <message>
+        <source>The profile lies on its axis. Draw the half outline at a distance from it.</source>
+        <translation>Le profil est sur son axe. Dessinez le demi-contour à une distance de lui.</translation>
+    </message>
+    <message>
+        <source>The profile needs at least two points, each a pair of numbers: radius and height.</source>
+        <translation>Le profil demande au moins deux points, chacun une paire de nombres : rayon et hauteur.</translation>
+    </message>
+    <message>
+        <source>The profile touches its axis at the height {0}, which parts the balloon in two. Keep it away from the axis there.</source>
+        <translation>Le profil touche son axe à la hauteur {0}, ce qui partage le ballon en deux. Écartez-le de l'axe à cet endroit.</translation>
     </message>
     <message>
         <source>The radius of the corner relief must be 0 or above.</source>
@@ -3231,6 +4107,14 @@
         <translation>La largeur de soudure doit être entre 0,01 mm et 1 m, la marge entre 0 et 1 m.</translation>
     </message>
     <message>
+        <source>The seams of {0} gores stand out by up to {1} over their middles. More gores make the body rounder.</source>
+        <translation>Les coutures de {0} fuseaux dépassent leurs milieux jusqu'à {1}. Plus de fuseaux rendent le corps plus rond.</translation>
+    </message>
+    <message>
+        <source>The selected sketches, wires and flat faces become the panels</source>
+        <translation>Les esquisses, fils et faces planes sélectionnés deviennent les panneaux</translation>
+    </message>
+    <message>
         <source>The shape in the picture is too frayed to trace. Use a clearer picture.</source>
         <translation>La forme de l'image est trop effrangée pour être suivie. Prenez une image plus nette.</translation>
     </message>
@@ -3241,6 +4125,26 @@
     <message>
         <source>The shape touches the {0} border of the picture; if it was cut off there, leave more margin.</source>
         <translation>La forme touche le bord de l'image ({0}) ; si elle y a été coupée, laissez plus de marge.</translation>
+    </message>
+    <message>
+        <source>The side band has no width: give its width, or the thickness of the balloon.</source>
+        <translation>La bande latérale n'a pas de largeur : donnez sa largeur, ou l'épaisseur du ballon.</translation>
+    </message>
+    <message>
+        <source>The side band is too wide for this drawing, whose parts are about {0} wide: give it at most {1}.</source>
+        <translation>La bande latérale est trop large pour ce dessin, dont les parties ont environ {0} de large : donnez-lui au plus {1}.</translation>
+    </message>
+    <message>
+        <source>The side band must be wider than 0, not {0}. Give it 20 mm or so.</source>
+        <translation>La bande latérale doit être plus large que 0, pas {0}. Donnez-lui environ 20 mm.</translation>
+    </message>
+    <message>
+        <source>The side band of {0} leaves nothing of the front, whose widest part is {1} wide: give it at most {2}.</source>
+        <translation>La bande latérale de {0} ne laisse rien de l'avant, dont la partie la plus large a {1} : donnez-lui au plus {2}.</translation>
+    </message>
+    <message>
+        <source>The sides of seam {0} are not equally long: {1}, {2}. Make them equally long, or allow them ease.</source>
+        <translation>Les côtés de la couture {0} ne sont pas de même longueur : {1}, {2}. Égalisez-les, ou permettez-leur de l'aisance.</translation>
     </message>
     <message>
         <source>The sides of seam {0} are {1} and {2} long. Make them equally long.</source>
@@ -3267,6 +4171,10 @@
         <translation>La simulation a été arrêtée.</translation>
     </message>
     <message>
+        <source>The size comes from {0}: make it smaller there, or of more and narrower panels.</source>
+        <translation>La taille vient de {0} : réduisez-le là, ou faites-le de panneaux plus nombreux et plus étroits.</translation>
+    </message>
+    <message>
         <source>The size comes from {0}: make it smaller there.</source>
         <translation>La taille vient de {0} : réduisez-la là.</translation>
     </message>
@@ -3277,6 +4185,10 @@
     <message>
         <source>The size of {0} is set by an expression: change the value that it uses.</source>
         <translation>La taille de {0} suit une expression : changez ce à quoi elle se réfère.</translation>
+    </message>
+    <message>
+        <source>The slant of a cone is longer than its radius. Choose a longer slant.</source>
+        <translation>La génératrice d'un cône est plus longue que son rayon. Choisissez-en une plus longue.</translation>
     </message>
     <message>
         <source>The smallest radius is {0}, near {1}; {2} follows {3}. It will come out rounder there.</source>
@@ -3299,6 +4211,10 @@
         <translation>La température ({0}) de {1} degrés Celsius est hors limites : donnez par exemple 20C.</translation>
     </message>
     <message>
+        <source>The thickness of the balloon decides the width of its side band: give one of them.</source>
+        <translation>L'épaisseur du ballon décide de la largeur de sa bande latérale : donnez l'une des deux.</translation>
+    </message>
+    <message>
         <source>The tie tab at {0} degrees would run into another part: choose another angle.</source>
         <translation>La languette à {0} degrés heurterait une autre partie : choisissez un autre angle.</translation>
     </message>
@@ -3319,6 +4235,10 @@
         <translation>Le passage de l'embout dans le ballon se resserre à {0}, et l'embout a {1} de large : placez-le où le ballon est plus large, sinon l'air entre lentement.</translation>
     </message>
     <message>
+        <source>The width and the height must be more than 0.</source>
+        <translation>La largeur et la hauteur doivent être plus que 0.</translation>
+    </message>
+    <message>
         <source>The width of the passages must be 0 or above.</source>
         <translation>La largeur des passages doit être 0 ou plus.</translation>
     </message>
@@ -3327,12 +4247,24 @@
         <translation>Le {0} « {1} » de la fiche de matériau {2} est illisible : corrigez la fiche.</translation>
     </message>
     <message>
+        <source>The {0} bears {1} here with a margin of {2}, and the pressure is {3}. Inflate it to less, or take a stronger film.</source>
+        <translation>{0} : supporte ici {1} avec une marge de {2}, et la pression est de {3}. Gonflez moins, ou prenez un film plus solide.</translation>
+    </message>
+    <message>
         <source>The {0} crosses or touches itself at {1}; part the lines there.</source>
         <translation>Croisement ou contact ({0}) en {1} ; séparez-y les lignes.</translation>
     </message>
     <message>
         <source>The {0} encloses no area; draw a closed shape with at least three corners.</source>
         <translation>Aucune surface entourée ({0}) ; tracez une forme fermée d'au moins trois sommets.</translation>
+    </message>
+    <message>
+        <source>The {0} end of the profile is '{1}'. Use one of {2}.</source>
+        <translation>L'extrémité ({0}) du profil est « {1} ». Utilisez l'un de {2}.</translation>
+    </message>
+    <message>
+        <source>The {0} end of the profile is {1} away from the axis, so no gores can meet there in a point. Close it with a disc, or leave it open.</source>
+        <translation>L'extrémité ({0}) du profil est à {1} de l'axe, aucun fuseau ne peut donc s'y rejoindre en pointe. Fermez-la par un disque, ou laissez-la ouverte.</translation>
     </message>
     <message>
         <source>The {0} is {1} mm: give one above 0, for example 300 mm.</source>
@@ -3363,6 +4295,10 @@
         <translation>Leur profondeur</translation>
     </message>
     <message>
+        <source>There are no panels: choose sketches or flat faces.</source>
+        <translation>Il n'y a pas de panneaux : choisissez des esquisses ou des faces planes.</translation>
+    </message>
+    <message>
         <source>There can be 0 to {0} notches, not {1}, with a depth above 0.</source>
         <translation>Il peut y avoir de 0 à {0} encoches, pas {1}, d'une profondeur au-dessus de 0.</translation>
     </message>
@@ -3371,12 +4307,20 @@
         <translation>Il peut y avoir de 1 à {0} copies, pas {1}.</translation>
     </message>
     <message>
+        <source>There is advice about two equal panels only: of many, the warnings tell.</source>
+        <translation>Les conseils ne portent que sur deux panneaux égaux : pour plusieurs, les avertissements le disent.</translation>
+    </message>
+    <message>
         <source>There is no "{0}" to repair in {1}: see its advice.</source>
         <translation>Il n'y a pas de « {0} » à réparer dans {1} : voyez ses conseils.</translation>
     </message>
     <message>
         <source>There is no file '{0}'. Check the name and the folder.</source>
         <translation>Il n'y a pas de fichier « {0} ». Vérifiez le nom et le dossier.</translation>
+    </message>
+    <message>
+        <source>There is no file {0}, and no such ready body: check the name and the folder.</source>
+        <translation>Il n'y a pas de fichier {0}, ni de corps prêt de ce nom : vérifiez le nom et le dossier.</translation>
     </message>
     <message>
         <source>There is no file {0}: check the name and the folder.</source>
@@ -3439,12 +4383,28 @@
         <translation>Il n'y a pas de papier « {0} » : choisissez A4, A3 ou Letter.</translation>
     </message>
     <message>
+        <source>There is no picture to print: choose one, as the balloon has none of its own.</source>
+        <translation>Il n'y a pas d'image à imprimer : choisissez-en une, car le ballon n'en a pas.</translation>
+    </message>
+    <message>
         <source>There is no picture to print: choose one, as the outline has none of its own.</source>
         <translation>Il n'y a pas d'image à imprimer : choisissez-en une, le contour n'en a pas.</translation>
     </message>
     <message>
+        <source>There is no ready body '{0}'. Choose one of {1}.</source>
+        <translation>Il n'y a pas de corps prêt « {0} ». Choisissez l'un de {1}.</translation>
+    </message>
+    <message>
+        <source>There is no room for a flange of {0} in its middle: choose another panel or a smaller one.</source>
+        <translation>Il n'y a pas de place en son milieu pour une bride de {0} : choisissez un autre panneau ou une plus petite.</translation>
+    </message>
+    <message>
         <source>There is no room for a flange of {0} there: choose another place or a smaller one.</source>
         <translation>Il n'y a pas la place d'une collerette de {0} à cet endroit : choisissez une autre place ou une plus petite.</translation>
+    </message>
+    <message>
+        <source>There is no seam {0} for the opening: the seams are 1 to {1}.</source>
+        <translation>Il n'y a pas de couture {0} pour l'ouverture : les coutures vont de 1 à {1}.</translation>
     </message>
     <message>
         <source>There is no sheet {0}: give a number from 1 to {1}.</source>
@@ -3579,8 +4539,28 @@
         <translation>Essayez température et durée sur deux chutes : la soudure doit s'étirer ou se déchirer avant de s'ouvrir.</translation>
     </message>
     <message>
+        <source>Turns</source>
+        <translation>Se rabat</translation>
+    </message>
+    <message>
         <source>Two circles: change their diameters in the sketch</source>
         <translation>Deux cercles : changez leurs diamètres dans l'esquisse</translation>
+    </message>
+    <message>
+        <source>Two equal panels have one seam: what is said of the seam or edge of the opening has no effect. Say the direction of the intake, or its place along the seam.</source>
+        <translation>Deux panneaux égaux ont une seule couture : ce qui est dit de la couture ou du bord de l'ouverture n'a pas d'effet. Indiquez la direction de l'embout, ou sa place le long de la couture.</translation>
+    </message>
+    <message>
+        <source>Two equal panels lie flat and have no lower end. Give lift to a standing body.</source>
+        <translation>Deux panneaux égaux sont à plat et n'ont pas d'extrémité basse. Donnez de la portance à un corps debout.</translation>
+    </message>
+    <message>
+        <source>Two panels</source>
+        <translation>Deux panneaux</translation>
+    </message>
+    <message>
+        <source>Two panels of the JSON file are called '{0}'. Give each a name of its own.</source>
+        <translation>Deux panneaux du fichier JSON s'appellent « {0} ». Donnez à chacun son nom.</translation>
     </message>
     <message>
         <source>Two panels with a grain aslant are no mirror images. Turn the grain along x or y.</source>
@@ -3605,6 +4585,10 @@
     <message>
         <source>Upload the SVG as a cut image and compare the control bar: some versions read the size at 72 dpi. Nothing is in the file that may not be cut. It adds the knife's offset and overcut itself.</source>
         <translation>Téléversez le SVG comme image de coupe et comparez la barre de contrôle : certaines versions lisent la taille à 72 dpi. Il n'y a rien dans le fichier qui ne puisse être coupé. Le programme ajoute lui-même le décalage et le dépassement de la lame.</translation>
+    </message>
+    <message>
+        <source>Upper end</source>
+        <translation>Extrémité haute</translation>
     </message>
     <message>
         <source>Used</source>
@@ -3641,10 +4625,6 @@
     <message>
         <source>Weakest place: {0} at {1}, estimated: the film did not come to rest</source>
         <translation>Point le plus faible : {0} en {1}, estimé : le film n'est pas arrivé au repos</translation>
-    </message>
-    <message>
-        <source>Weighing {0}</source>
-        <translation>Pesée de {0}</translation>
     </message>
     <message>
         <source>Weight</source>
@@ -3723,12 +4703,20 @@
         <translation>Ce que {0} a envoyé n'est pas le solveur natif de cette version : son SHA-256 est différent. Il n'a pas été gardé. {1}</translation>
     </message>
     <message>
+        <source>Where an edge is cut into tabs, turn it round the other one tab by tab while you seal.</source>
+        <translation>Où un bord est découpé en languettes, rabattez-le autour de l'autre languette par languette en soudant.</translation>
+    </message>
+    <message>
         <source>Where the film wrinkles</source>
         <translation>Où le film se plisse</translation>
     </message>
     <message>
         <source>Whether the {0} of the intake's pieces welds to {1} is not known: try it on a scrap first.</source>
         <translation>On ne sait pas si {0}, la matière des pièces de l'embout, se soude à {1} : essayez d'abord sur une chute.</translation>
+    </message>
+    <message>
+        <source>While this is pressed, the edge that you pick is where it is filled</source>
+        <translation>Tant que ce bouton est enfoncé, le bord choisi est celui par où il est rempli</translation>
     </message>
     <message>
         <source>While this is pressed, the ring in the 3D view moves the intake</source>
@@ -3763,8 +4751,16 @@
         <translation>Flottera-t-il ? {0}</translation>
     </message>
     <message>
+        <source>With a side band the balloon of this drawing becomes {0} to {1} thick, not {2}. Choose a thickness between, or draw its parts wider or narrower.</source>
+        <translation>Avec une bande latérale, le ballon de ce dessin aura de {0} à {1} d'épaisseur, pas {2}. Choisissez une épaisseur entre les deux, ou dessinez ses parties plus larges ou plus étroites.</translation>
+    </message>
+    <message>
         <source>With the fonts of this computer {0} cannot be drawn, letter by letter from left to right: leave that out of the label, or install a font that has it and start again.</source>
         <translation>Avec les polices de cet ordinateur, {0} ne peut pas être tracé, lettre par lettre de gauche à droite : omettez-le dans l'inscription, ou installez une police qui l'a et redémarrez.</translation>
+    </message>
+    <message>
+        <source>Within</source>
+        <translation>À moins de</translation>
     </message>
     <message>
         <source>Write all results for ParaView (.vtu) or NumPy (.npz), or the shape alone (.stl)</source>
@@ -3783,8 +4779,24 @@
         <translation>Écrire le fichier bien qu'il soit plus grand que le plateau</translation>
     </message>
     <message>
+        <source>Write {"a": ["top", 0, 1], "b": ["side", 3, 2]}.</source>
+        <translation>Écrivez {"a": ["top", 0, 1], "b": ["side", 3, 2]}.</translation>
+    </message>
+    <message>
+        <source>Write {"name": "top", "outer": [[0, 0], [300, 0], [150, 200]]}.</source>
+        <translation>Écrivez {"name": "top", "outer": [[0, 0], [300, 0], [150, 200]]}.</translation>
+    </message>
+    <message>
+        <source>Write {"panel": "side", "at": 2}.</source>
+        <translation>Écrivez {"panel": "side", "at": 2}.</translation>
+    </message>
+    <message>
         <source>Write {"unit": "mm", "outer": [[0, 0], [300, 0], [150, 200]]}.</source>
         <translation>Écrivez {"unit": "mm", "outer": [[0, 0], [300, 0], [150, 200]]}.</translation>
+    </message>
+    <message>
+        <source>Write {"unit": "mm", "profile": [[0, 0], [150, 200], [0, 400]]}.</source>
+        <translation>Écrivez {"unit": "mm", "profile": [[0, 0], [150, 200], [0, 400]]}.</translation>
     </message>
     <message>
         <source>Writing DXF needs ezdxf: install it with pip install ezdxf, or use the SVG file.</source>
@@ -3915,6 +4927,14 @@
         <translation>repère tracé</translation>
     </message>
     <message>
+        <source>edge {0} of {1}panel '{2}'</source>
+        <translation>bord {0} du {1}panneau « {2} »</translation>
+    </message>
+    <message>
+        <source>edges {0} to {1}</source>
+        <translation>bords {0} à {1}</translation>
+    </message>
+    <message>
         <source>empty: </source>
         <translation>vide : </translation>
     </message>
@@ -3975,12 +4995,24 @@
         <translation>trou</translation>
     </message>
     <message>
+        <source>hole {0} of panel '{1}'</source>
+        <translation>trou {0} du panneau « {1} »</translation>
+    </message>
+    <message>
         <source>hydrogen</source>
         <translation>hydrogène</translation>
     </message>
     <message>
         <source>if the weld creases: {0}</source>
         <translation>si la soudure se froisse : {0}</translation>
+    </message>
+    <message>
+        <source>in both sides of seam {0}</source>
+        <translation>des deux côtés de la couture {0}</translation>
+    </message>
+    <message>
+        <source>in seams {0} and {1}</source>
+        <translation>dans les coutures {0} et {1}</translation>
     </message>
     <message>
         <source>in the mean {}</source>
@@ -4015,12 +5047,20 @@
         <translation>ce n'est pas un fichier</translation>
     </message>
     <message>
+        <source>it is thinner than any film. Make it wider.</source>
+        <translation>il est plus mince que tout film. Élargissez-le.</translation>
+    </message>
+    <message>
         <source>it is too large</source>
         <translation>il est trop gros</translation>
     </message>
     <message>
         <source>it would grow together with another part</source>
         <translation>elle se joindrait à une autre partie</translation>
+    </message>
+    <message>
+        <source>known of two equal panels alone</source>
+        <translation>connu pour deux panneaux égaux seulement</translation>
     </message>
     <message>
         <source>laying out, {0} so far</source>
@@ -4069,6 +5109,14 @@
     <message>
         <source>names the unit {0}, which is not a usual one</source>
         <translation>nomme l'unité {0}, qui n'est pas courante</translation>
+    </message>
+    <message>
+        <source>near {0} two of its edges are closer than {1}, and their welds run into each other: make the balloon larger or the seal narrower.</source>
+        <translation>près de {0}, deux de ses bords sont à moins de {1}, et leurs soudures se mêlent : agrandissez le ballon ou rétrécissez la soudure.</translation>
+    </message>
+    <message>
+        <source>no drawing to compare with</source>
+        <translation>pas de dessin à comparer</translation>
     </message>
     <message>
         <source>no file was written</source>
@@ -4351,12 +5399,24 @@
         <translation>{0} écarts entre les lignes fermés, le plus large {1} de la largeur du dessin.</translation>
     </message>
     <message>
+        <source>{0} has a point that is no number or farther away than {1}. Check its coordinates and the unit.</source>
+        <translation>{0} a un point qui n'est pas un nombre ou qui est plus loin que {1}. Vérifiez ses coordonnées et l'unité.</translation>
+    </message>
+    <message>
+        <source>{0} has fewer than three points. Give all of its corners.</source>
+        <translation>{0} a moins de trois points. Donnez tous ses sommets.</translation>
+    </message>
+    <message>
         <source>{0} has interface {1}, but {2} is needed.</source>
         <translation>{0} a l'interface {1}, mais il faut {2}.</translation>
     </message>
     <message>
         <source>{0} has no "{1}": it has {2}.</source>
         <translation>{0} n'a pas de « {1} » : il a {2}.</translation>
+    </message>
+    <message>
+        <source>{0} has no area: all of its points lie on a line. Check its coordinates.</source>
+        <translation>{0} n'a pas de surface : tous ses points sont sur une ligne. Vérifiez ses coordonnées.</translation>
     </message>
     <message>
         <source>{0} has no pattern: choose a balloon.</source>
@@ -4379,6 +5439,14 @@
         <translation>{0} a plusieurs faces : sélectionnez-en une.</translation>
     </message>
     <message>
+        <source>{0} has several faces: select those that are panels.</source>
+        <translation>{0} a plusieurs faces : sélectionnez celles qui sont des panneaux.</translation>
+    </message>
+    <message>
+        <source>{0} has {1} construction lines: leave one of them, which is the axis.</source>
+        <translation>{0} a {1} lignes de construction : n'en laissez qu'une, qui est l'axe.</translation>
+    </message>
+    <message>
         <source>{0} hole with a thin line round it was filled, as a pen's: choose Drawn as filled shape to keep it.</source>
         <translation>{0} trou entouré d'une ligne mince a été rempli comme dans un dessin au trait : mettez « Dessiné comme » sur « Forme pleine » pour le garder.</translation>
     </message>
@@ -4393,6 +5461,10 @@
     <message>
         <source>{0} is a folder</source>
         <translation>{0} est un dossier</translation>
+    </message>
+    <message>
+        <source>{0} is an edge of a hole: choose one of an outer loop as the opening.</source>
+        <translation>{0} est un bord d'un trou : choisissez comme ouverture un bord d'une boucle extérieure.</translation>
     </message>
     <message>
         <source>{0} is damaged or incomplete ({1}). Install the workbench anew.</source>
@@ -4411,6 +5483,22 @@
         <translation>{0} est vide : tracez-y une ligne fermée.</translation>
     </message>
     <message>
+        <source>{0} is empty: draw half an outline in it, beside the vertical axis.</source>
+        <translation>{0} est vide : dessinez-y un demi-contour, à côté de l'axe vertical.</translation>
+    </message>
+    <message>
+        <source>{0} is in no seam. Seal it to another edge.</source>
+        <translation>{0} n'est dans aucune couture. Soudez-le à un autre bord.</translation>
+    </message>
+    <message>
+        <source>{0} is in no seam: join it to another edge.</source>
+        <translation>{0} n'est dans aucune couture : assemblez-le à un autre bord.</translation>
+    </message>
+    <message>
+        <source>{0} is in two seams: take one of them away.</source>
+        <translation>{0} est dans deux coutures : retirez l'une d'elles.</translation>
+    </message>
+    <message>
         <source>{0} is neither DXF nor SVG: let the name end in .dxf or .svg.</source>
         <translation>{0} n'est ni DXF ni SVG : terminez le nom par .dxf ou .svg.</translation>
     </message>
@@ -4425,6 +5513,10 @@
     <message>
         <source>{0} is not flat: a balloon is cut from flat film, so draw it in one plane.</source>
         <translation>{0} n'est pas plan : un ballon se découpe dans du film plat, dessinez-le donc dans un plan.</translation>
+    </message>
+    <message>
+        <source>{0} is not flat: draw half the outline in a sketch.</source>
+        <translation>{0} n'est pas plan : dessinez le demi-contour dans une esquisse.</translation>
     </message>
     <message>
         <source>{0} is not joined by heat: {1} is not made for it.</source>
@@ -4443,8 +5535,20 @@
         <translation>{0} n'est pas à jour. {1} Réparez cela, recalculez et exportez à nouveau.</translation>
     </message>
     <message>
+        <source>{0} is open: close its line.</source>
+        <translation>{0} est ouvert : fermez sa ligne.</translation>
+    </message>
+    <message>
         <source>{0} is too large a number, or none</source>
         <translation>{0} est un nombre trop grand, ou n'en est pas un</translation>
+    </message>
+    <message>
+        <source>{0} is {1} long, {2} {3}: make them equally long.</source>
+        <translation>{0} mesure {1}, {2} {3} : donnez-leur la même longueur.</translation>
+    </message>
+    <message>
+        <source>{0} is {1}. Seal each edge once: side a goes along its loop from its first point to its second, b against it.</source>
+        <translation>{0} est {1}. Soudez chaque bord une fois : le côté a suit sa boucle du premier point au second, b la remonte.</translation>
     </message>
     <message>
         <source>{0} is {1}: give a number from {2} to {3}.</source>
@@ -4457,6 +5561,10 @@
     <message>
         <source>{0} left out ({1}).</source>
         <translation>{0} omises ({1}).</translation>
+    </message>
+    <message>
+        <source>{0} lies on both sides of its axis: draw half the outline, on one side.</source>
+        <translation>{0} est des deux côtés de son axe : dessinez le demi-contour d'un seul côté.</translation>
     </message>
     <message>
         <source>{0} lifts {1}, {2}: no, at no size.</source>
@@ -4499,8 +5607,16 @@
         <translation>{0} lignes ouvertes ont été omises.</translation>
     </message>
     <message>
+        <source>{0} panels meet at one point, which no weld closes: seal the cap from the sheet over it, or tape it.</source>
+        <translation>{0} panneaux se rejoignent en un point qu'aucune soudure ne ferme : soudez-y la calotte de la feuille, ou scotchez-le.</translation>
+    </message>
+    <message>
         <source>{0} reads {1}, which has no pages: choose paper.</source>
         <translation>{0} lit {1}, qui n'a pas de pages : choisissez le papier.</translation>
+    </message>
+    <message>
+        <source>{0} seams cannot be sealed lying flat, least of all seam {1} of panels {2}: one edge turns by {3} in all to follow the other. Seal them bit by bit, or round the corners.</source>
+        <translation>{0} coutures ne peuvent pas être soudées à plat, la couture {1} des panneaux {2} moins que toute autre : un bord tourne de {3} en tout pour suivre l'autre. Soudez-les petit à petit, ou arrondissez les coins.</translation>
     </message>
     <message>
         <source>{0} small speck was dropped.</source>
@@ -4579,12 +5695,24 @@
         <translation>{0}ce qui est montré est le dernier bon état. Baissez la pression ou changez la taille de maille.</translation>
     </message>
     <message>
+        <source>{0}{1} has no length. Take one of its points out.</source>
+        <translation>{0}{1} n'a pas de longueur. Retirez l'un de ses points.</translation>
+    </message>
+    <message>
         <source>{} MB from {}; the file is checked before it is used, and nothing is sent.</source>
         <translation>{} MB de {} ; le fichier est vérifié avant d'être utilisé, et rien n'est envoyé.</translation>
     </message>
     <message>
         <source>{} at ({})</source>
         <translation>{} en ({})</translation>
+    </message>
+    <message>
+        <source>{} gores are enough for {} of the profile's diagonal</source>
+        <translation>{} fuseaux suffisent pour {} de la diagonale du profil</translation>
+    </message>
+    <message>
+        <source>{} gores, as many as {} of the profile's diagonal need</source>
+        <translation>{} fuseaux, autant que {} de la diagonale du profil en demandent</translation>
     </message>
     <message>
         <source>{} is in the tree</source>
@@ -4605,6 +5733,10 @@
     <message>
         <source>{} of it wrinkles, {} is loose</source>
         <translation>{} plissé, {} détendu</translation>
+    </message>
+    <message>
+        <source>{} of the profile's diagonal take {} gores</source>
+        <translation>{} de la diagonale du profil demandent {} fuseaux</translation>
     </message>
     <message>
         <source>{} of {}</source>
@@ -4641,6 +5773,10 @@
     <message>
         <source>{}: film {}, seam and neck {}, valve {}</source>
         <translation>{} : film {}, couture et col {}, valve {}</translation>
+    </message>
+    <message>
+        <source>{}: they differ by {}</source>
+        <translation>{} : ils diffèrent de {}</translation>
     </message>
     <message>
         <source>{}: {}</source>
@@ -4736,6 +5872,17 @@
     </message>
 </context>
 <context>
+    <name>BalloonWorkbench_FromPanels</name>
+    <message>
+        <source>New bag of panels</source>
+        <translation>Nouveau sac de panneaux</translation>
+    </message>
+    <message>
+        <source>Seal flat panels along their edges: selected sketches and faces, a ready body or a file</source>
+        <translation>Souder des panneaux plats le long de leurs bords : esquisses et faces sélectionnées, un corps prêt ou un fichier</translation>
+    </message>
+</context>
+<context>
     <name>BalloonWorkbench_FromPicture</name>
     <message>
         <source>New balloon from picture</source>
@@ -4744,6 +5891,17 @@
     <message>
         <source>Trace a picture, SVG, DXF or JSON file and design the balloon that looks like it</source>
         <translation>Suit une image, un fichier SVG, DXF ou JSON et conçoit le ballon qui lui ressemble</translation>
+    </message>
+</context>
+<context>
+    <name>BalloonWorkbench_FromProfile</name>
+    <message>
+        <source>Design the gores of a ball, an airship or another round body from half its outline</source>
+        <translation>Concevoir les fuseaux d'une balle, d'un dirigeable ou d'un autre corps rond d'après un demi-contour</translation>
+    </message>
+    <message>
+        <source>New body of gores</source>
+        <translation>Nouveau corps de fuseaux</translation>
     </message>
 </context>
 <context>

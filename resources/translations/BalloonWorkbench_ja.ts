@@ -8,6 +8,14 @@
         <translation>フィルムが最も広い所に入れる 1 行の文字（輪郭線として）</translation>
     </message>
     <message>
+        <source>A ready body, made to measure</source>
+        <translation>寸法を指定できる既製の立体</translation>
+    </message>
+    <message>
+        <source>A size of the ready body</source>
+        <translation>既製の立体の寸法</translation>
+    </message>
+    <message>
         <source>A tab with a hole to tie the balloon to, outside the weld</source>
         <translation>風船を結ぶための穴付きの耳（溶着線の外側）</translation>
     </message>
@@ -24,8 +32,8 @@
         <translation>裏面用の別の画像（空なら表と同じ）</translation>
     </message>
     <message>
-        <source>Area of film inside the welds, both panels</source>
-        <translation>溶着線の内側のフィルム面積（表裏 2 枚）</translation>
+        <source>Area of film inside the welds, all panels</source>
+        <translation>溶着線の内側のフィルム面積（全パネル）</translation>
     </message>
     <message>
         <source>Around the balloon, in degrees Celsius</source>
@@ -64,6 +72,10 @@
         <translation>型紙の補正回数</translation>
     </message>
     <message>
+        <source>Diameter of a body from a file; 0 follows from the height, or the file</source>
+        <translation>ファイルから読んだ立体の直径。0 なら高さかファイルから決まります</translation>
+    </message>
+    <message>
         <source>Direction of the grain, from the x axis of the drawing</source>
         <translation>フィルムの流れ方向（図の x 軸から測る）</translation>
     </message>
@@ -90,6 +102,14 @@
     <message>
         <source>Dots per inch of the files</source>
         <translation>ファイルの解像度（dpi）</translation>
+    </message>
+    <message>
+        <source>Edge at which the bag is filled, such as Sketch.Edge3; of a file or ready body: the panel and the number of a point, such as side.2, or the number of a seam; empty: as the file or body says</source>
+        <translation>袋に空気を入れる辺（例：Sketch.Edge3）。ファイルや既製の立体では、パネル名と点の番号（例：side.2）か継ぎ目の番号。空ならファイルや立体のとおり</translation>
+    </message>
+    <message>
+        <source>Edges that are joined, such as Sketch.Edge1=Sketch001.Edge3; edges that faces share need no word</source>
+        <translation>つなぐ辺（例：Sketch.Edge1=Sketch001.Edge3）。面が共有する辺は書く必要がありません</translation>
     </message>
     <message>
         <source>Film left between pieces, and at the edges</source>
@@ -120,6 +140,10 @@
         <translation>幅と高さの両方に引き伸ばさず、その中に収める</translation>
     </message>
     <message>
+        <source>Flat panels and their seams as JSON, in metres</source>
+        <translation>平らなパネルと継ぎ目の JSON（メートル）</translation>
+    </message>
+    <message>
         <source>Follow every change at once; switch it off for heavy models and inflate when you ask for it</source>
         <translation>変更にすぐ追従する。重いモデルではオフにし、必要なときにふくらませる</translation>
     </message>
@@ -128,8 +152,16 @@
         <translation>値の元になった FreeCAD の材料カード</translation>
     </message>
     <message>
+        <source>Gores that the accuracy needs, foretold from the profile</source>
+        <translation>精度に必要なゴアの数（断面から予測）</translation>
+    </message>
+    <message>
         <source>Height above the sea</source>
         <translation>海抜高度</translation>
+    </message>
+    <message>
+        <source>Height of a body from a file; 0 follows</source>
+        <translation>ファイルから読んだ立体の高さ。0 なら自動</translation>
     </message>
     <message>
         <source>Height of all that is cut</source>
@@ -160,12 +192,32 @@
         <translation>印を含む印刷の高さ</translation>
     </message>
     <message>
+        <source>Height of the profile</source>
+        <translation>断面の高さ</translation>
+    </message>
+    <message>
         <source>How a picture is read: holes of a filled shape stay, lines of a pen drawing are filled inside</source>
         <translation>画像の読み方：塗った形なら穴を残し、線画なら線の内側を塗る</translation>
     </message>
     <message>
+        <source>How far along that seam, from 0 to 1 of its length; 0 takes its middle, or that of the edge</source>
+        <translation>その継ぎ目に沿った位置（長さの 0～1）。0 なら継ぎ目か辺の中央</translation>
+    </message>
+    <message>
+        <source>How far the balloon may be from its profile, in parts of the profile's diagonal</source>
+        <translation>風船が断面からずれてよい量（断面の対角線に対する割合）</translation>
+    </message>
+    <message>
         <source>How far the print goes past the cut</source>
         <translation>印刷が切り線の外へはみ出す幅</translation>
+    </message>
+    <message>
+        <source>How far the seams of a body of gores are farther out than the gores' centres</source>
+        <translation>ゴアの立体で、継ぎ目がゴアの中央より外に出る量</translation>
+    </message>
+    <message>
+        <source>How its lower and its upper end are closed</source>
+        <translation>下端と上端の閉じ方</translation>
     </message>
     <message>
         <source>How many balloons are cut from the sheet</source>
@@ -174,6 +226,14 @@
     <message>
         <source>How many balloons of each pattern</source>
         <translation>型紙ごとの風船の数</translation>
+    </message>
+    <message>
+        <source>How many gores; 0 takes as many as the accuracy needs</source>
+        <translation>ゴアの数。0 なら精度に必要なだけ</translation>
+    </message>
+    <message>
+        <source>How much longer one side of a seam may be, as a part of its length</source>
+        <translation>継ぎ目の片側が長くてもよい量（長さに対する割合）</translation>
     </message>
     <message>
         <source>How the balloon is filled and closed</source>
@@ -186,6 +246,14 @@
     <message>
         <source>How the intake is made and used</source>
         <translation>注入口の作り方と使い方</translation>
+    </message>
+    <message>
+        <source>How the lower end is closed</source>
+        <translation>下端の閉じ方</translation>
+    </message>
+    <message>
+        <source>How the upper end is closed</source>
+        <translation>上端の閉じ方</translation>
     </message>
     <message>
         <source>How two panels of this film are joined</source>
@@ -204,6 +272,10 @@
         <translation>スケッチから見た位置</translation>
     </message>
     <message>
+        <source>JSON file of panels and seams; a copy travels in the document</source>
+        <translation>パネルと継ぎ目の JSON ファイル。写しが文書に入ります</translation>
+    </message>
+    <message>
         <source>Label of the values the mesh belongs to</source>
         <translation>このメッシュが対応する値の識別子</translation>
     </message>
@@ -214,6 +286,10 @@
     <message>
         <source>Larger dimension before repairs, in mm</source>
         <translation>修正前の長い方の寸法（mm）</translation>
+    </message>
+    <message>
+        <source>Largest diameter of the profile</source>
+        <translation>断面の最大直径</translation>
     </message>
     <message>
         <source>Largest distance between drawing and silhouette</source>
@@ -252,8 +328,16 @@
         <translation>含まれる溶着線の全長</translation>
     </message>
     <message>
+        <source>Length of the natural shape's gores, from its lower to its upper end</source>
+        <translation>自然形のゴアの長さ（下端から上端まで）</translation>
+    </message>
+    <message>
         <source>Length of the neck from the seam outward, or diameter of the flange; 0 takes the usual one</source>
         <translation>溶着線から外へ伸びる首の長さ、またはフランジの直径。0 なら通常の値</translation>
+    </message>
+    <message>
+        <source>Length of the profile from end to end</source>
+        <translation>断面の線の端から端までの長さ</translation>
     </message>
     <message>
         <source>Length of the roll that is used</source>
@@ -264,8 +348,16 @@
         <translation>溶着線の長さ</translation>
     </message>
     <message>
+        <source>Lengths of both sides of each seam in mm</source>
+        <translation>各継ぎ目の両側の長さ（mm）</translation>
+    </message>
+    <message>
         <source>Lines and arcs within 0.02 mm in place of many short lines</source>
         <translation>多数の短い線の代わりに、誤差 0.02 mm 以内の直線と円弧を使う</translation>
+    </message>
+    <message>
+        <source>Longest piece of the side band; 0 is the width of the film</source>
+        <translation>側面の帯の 1 本の最大長さ。0 ならフィルムの幅</translation>
     </message>
     <message>
         <source>Mean distance between drawing and silhouette</source>
@@ -274,6 +366,10 @@
     <message>
         <source>Mean distance between drawing and silhouette if the weld creases</source>
         <translation>溶着線にしわが寄った場合の図とシルエットの平均の隔たり</translation>
+    </message>
+    <message>
+        <source>Names of the panels</source>
+        <translation>パネルの名前</translation>
     </message>
     <message>
         <source>Notches to lay both films on each other by, evenly along the cut</source>
@@ -292,12 +388,20 @@
         <translation>各内側溶着線の頂点数</translation>
     </message>
     <message>
+        <source>Number of flat panels that it is made of; 0: two equal ones</source>
+        <translation>平らなパネルの数。0 なら同じ 2 枚</translation>
+    </message>
+    <message>
         <source>Number of holes</source>
         <translation>穴の数</translation>
     </message>
     <message>
         <source>Number of pieces on what is shown</source>
         <translation>表示中のシートの部品数</translation>
+    </message>
+    <message>
+        <source>Number of seams between them</source>
+        <translation>パネル間の継ぎ目の数</translation>
     </message>
     <message>
         <source>Number of seams, then the number of vertices of each seam and weld</source>
@@ -312,12 +416,32 @@
         <translation>表示して書き出すシートの番号</translation>
     </message>
     <message>
+        <source>Of many panels, for each seam: both panels, number of vertices, then those of either side</source>
+        <translation>複数パネルの各継ぎ目：両方のパネル、節点の数、続いて各側の節点</translation>
+    </message>
+    <message>
+        <source>Of many panels, for each: number of vertices, of triangles and of loops</source>
+        <translation>複数パネルのそれぞれ：節点、三角形、境界の数</translation>
+    </message>
+    <message>
+        <source>Of many panels, how much longer one side of a seam may be</source>
+        <translation>複数パネルで、継ぎ目の片側が長くてもよい量</translation>
+    </message>
+    <message>
         <source>Of warm air, in degrees Celsius</source>
         <translation>熱気の温度（摂氏）</translation>
     </message>
     <message>
         <source>Only one side of this film can be joined so</source>
         <translation>このフィルムは片面しかそのように接合できない</translation>
+    </message>
+    <message>
+        <source>Panels and seams as JSON, in metres</source>
+        <translation>パネルと継ぎ目の JSON（メートル）</translation>
+    </message>
+    <message>
+        <source>Panels that are cut, each with what is equal to it</source>
+        <translation>切り出すパネルと、それと同じ形のもの</translation>
     </message>
     <message>
         <source>Part of the film that the pieces take, in per cent</source>
@@ -342,6 +466,10 @@
     <message>
         <source>Places of the outline that move if the weld creases, the worst first</source>
         <translation>溶着線にしわが寄ると輪郭が動く位置（動きの大きい順）</translation>
+    </message>
+    <message>
+        <source>Points of the profile: radius, 0, height</source>
+        <translation>断面の点：半径、0、高さ</translation>
     </message>
     <message>
         <source>Poisson's ratio of the film</source>
@@ -372,8 +500,16 @@
         <translation>輪郭抽出中の注意</translation>
     </message>
     <message>
+        <source>Remarks made while the panels were read</source>
+        <translation>パネルを読んだときの注意</translation>
+    </message>
+    <message>
         <source>Remarks made while the pattern was drawn</source>
         <translation>型紙作図中の注意</translation>
+    </message>
+    <message>
+        <source>Remarks made while the profile was read</source>
+        <translation>断面を読んだときの注意</translation>
     </message>
     <message>
         <source>Remarks on the layout</source>
@@ -388,6 +524,14 @@
         <translation>凡例付きで色表示する結果</translation>
     </message>
     <message>
+        <source>SVG, DXF or JSON file of half the outline; a copy travels in the document</source>
+        <translation>輪郭の半分の SVG、DXF、JSON ファイル。写しが文書に入ります</translation>
+    </message>
+    <message>
+        <source>Seams by the number on both edges, with their lengths</source>
+        <translation>両方の辺に付く番号順の継ぎ目とその長さ</translation>
+    </message>
+    <message>
         <source>Show the drawing and the silhouette over each other</source>
         <translation>図とシルエットを重ねて表示する</translation>
     </message>
@@ -400,8 +544,16 @@
         <translation>三角形の大きさ（0 は自動）</translation>
     </message>
     <message>
+        <source>Sketch or wire of half the outline, which the body follows</source>
+        <translation>立体が従う、輪郭の半分のスケッチまたはワイヤー</translation>
+    </message>
+    <message>
         <source>Sketch, wire or face that the outline follows instead of a file</source>
         <translation>ファイルの代わりに輪郭が追従するスケッチ、ワイヤー、面</translation>
+    </message>
+    <message>
+        <source>Sketches, wires and flat faces that are the panels, each seen from outside</source>
+        <translation>パネルになるスケッチ、ワイヤー、平らな面（外から見た向き）</translation>
     </message>
     <message>
         <source>Smooth stretches as single splines in place of arcs</source>
@@ -440,10 +592,6 @@
         <translation>フィルムの曲げ剛性を考える</translation>
     </message>
     <message>
-        <source>The outline of the drawing</source>
-        <translation>図の輪郭</translation>
-    </message>
-    <message>
         <source>The outline whose drawing this one shares; empty: its own</source>
         <translation>同じ図を使う元の輪郭（空なら自分の図）</translation>
     </message>
@@ -454,6 +602,14 @@
     <message>
         <source>The patterns that are laid out</source>
         <translation>並べる型紙</translation>
+    </message>
+    <message>
+        <source>The pressure is that at the lower end and rises with the height, as the gas is lighter than air</source>
+        <translation>圧力は下端での値で、気体が空気より軽いため高いほど大きくなります</translation>
+    </message>
+    <message>
+        <source>The seams in the order of the work</source>
+        <translation>作業順の継ぎ目</translation>
     </message>
     <message>
         <source>The second panel beside the first, mirrored; else cut twice</source>
@@ -474,6 +630,10 @@
     <message>
         <source>The workbench has given it a place</source>
         <translation>位置が決まっている（新しいオブジェクトには自動で位置が決まる）</translation>
+    </message>
+    <message>
+        <source>Thickness of the balloon, from which the side band follows; 0 takes the band's own width</source>
+        <translation>風船の厚さ。側面の帯の幅が決まります。0 なら帯の幅を使います</translation>
     </message>
     <message>
         <source>Thickness of the film</source>
@@ -536,6 +696,14 @@
         <translation>大きさを決めるもの：輪郭のまま、入る体積、または持ち上げる重さ</translation>
     </message>
     <message>
+        <source>What does not fit yet, a sentence each</source>
+        <translation>まだ合わないところ（1 件 1 文）</translation>
+    </message>
+    <message>
+        <source>What each edge of the shape is called</source>
+        <translation>形の各辺の名前</translation>
+    </message>
+    <message>
         <source>What fills it when it shall float</source>
         <translation>浮かせるときに入れる気体</translation>
     </message>
@@ -552,6 +720,10 @@
         <translation>気体で持ち上げられる重さ（グラム）。0 未満なら沈む</translation>
     </message>
     <message>
+        <source>What it is to be: an outline, a body of gores or a bag</source>
+        <translation>何を作るか：輪郭、ゴアの立体、または袋</translation>
+    </message>
+    <message>
         <source>What it shall carry besides itself, in grams; 0 makes it float just so</source>
         <translation>自重のほかに持ち上げる重さ（グラム）。0 ならちょうど浮く</translation>
     </message>
@@ -564,8 +736,20 @@
         <translation>風船の材料。「カスタム」では値を自分で入れる</translation>
     </message>
     <message>
+        <source>What the design of many panels has figures, as JSON</source>
+        <translation>複数パネルの設計の数値（JSON）</translation>
+    </message>
+    <message>
         <source>What the outline was read from</source>
         <translation>輪郭の読み込み元</translation>
+    </message>
+    <message>
+        <source>What the panels were read from</source>
+        <translation>パネルの読み込み元</translation>
+    </message>
+    <message>
+        <source>What the profile was read from</source>
+        <translation>断面の読み込み元</translation>
     </message>
     <message>
         <source>What to do along each wire of the shape</source>
@@ -576,6 +760,10 @@
         <translation>風船をよりよくする助言</translation>
     </message>
     <message>
+        <source>Where a balloon of many panels is filled: the number of a seam, or a panel and the point at which an edge begins, such as top.2; a panel alone has a nozzle in its middle</source>
+        <translation>複数パネルの風船に空気を入れる所：継ぎ目の番号、またはパネルと辺の始まる点（例：top.2）。パネル名だけなら中央にノズル</translation>
+    </message>
+    <message>
         <source>Where all pieces lie, as JSON</source>
         <translation>すべての部品の位置（JSON）</translation>
     </message>
@@ -584,12 +772,20 @@
         <translation>自動で決める位置：中心から最も遠い所、または結んだ風船が真っすぐ下がる低い所</translation>
     </message>
     <message>
+        <source>Where the profile comes from without a sketch: a file, or the shape of a balloon without weight</source>
+        <translation>スケッチがないときの断面：ファイル、または重さのない風船の形</translation>
+    </message>
+    <message>
         <source>Where the workbench put it</source>
         <translation>自動で置かれた位置（ユーザーが動かした場合を除く）</translation>
     </message>
     <message>
         <source>Whether a laser may cut this film</source>
         <translation>このフィルムをレーザーで切ってよいかどうか</translation>
+    </message>
+    <message>
+        <source>Which edges are joined</source>
+        <translation>つながっている辺</translation>
     </message>
     <message>
         <source>Which film is laid out: pieces of a valve are on one of their own</source>
@@ -602,6 +798,10 @@
     <message>
         <source>Width from which it carries itself; 0 when never</source>
         <translation>自分の重さで浮く最小の幅（0：浮かない）</translation>
+    </message>
+    <message>
+        <source>Width of a side band between front and back; 0 is two panels</source>
+        <translation>表と裏の間の側面の帯の幅。0 なら 2 枚のパネル</translation>
     </message>
     <message>
         <source>Width of all that is cut</source>
@@ -655,12 +855,20 @@
         <translation> の準備ができていません：</translation>
     </message>
     <message>
+        <source>"{0}" is an edge of {1} panels: name the face too, as in {2}.</source>
+        <translation>「{0}」は {1} 枚のパネルの辺です。{2} のように面も書いてください。</translation>
+    </message>
+    <message>
         <source>"{0}" is no choice for a pattern larger than the bed: choose {1}.</source>
         <translation>大きすぎる型紙の扱い方「{0}」はありません。{1} から選んでください。</translation>
     </message>
     <message>
         <source>"{0}" is no colour: give one such as "#cc294d".</source>
         <translation>「{0}」は色ではありません。「#cc294d」のように入力してください。</translation>
+    </message>
+    <message>
+        <source>"{0}" is no edge of a panel: write it as in {1}.0, or give the number of a seam, 1 to {2}. There are the panels {3}{4}.</source>
+        <translation>「{0}」はパネルの辺ではありません。{1}.0 のように書くか、継ぎ目の番号 1～{2} を指定してください。パネルは {3}{4} です。</translation>
     </message>
     <message>
         <source>"{0}" is no sum of L, W, S, A and millimetres, such as "0.5 W + 2".</source>
@@ -675,12 +883,40 @@
         <translation>「{0}」を読めません（{1}）。名前とアクセス権を確かめてください。</translation>
     </message>
     <message>
+        <source>'{0}' has its own panels: leave out what you give of gores or of a side band.</source>
+        <translation>「{0}」には独自のパネルがあります。ゴアや側面の帯の指定を外してください。</translation>
+    </message>
+    <message>
+        <source>'{0}' has its panels as they are to be cut: use inflate instead of design.</source>
+        <translation>「{0}」のパネルは切る形そのものです。design の代わりに inflate を使ってください。</translation>
+    </message>
+    <message>
+        <source>'{0}' has no panels of its own: give gores, or the width of a side band.</source>
+        <translation>「{0}」には独自のパネルがありません。ゴアの数か側面の帯の幅を指定してください。</translation>
+    </message>
+    <message>
+        <source>'{0}' has no profile: give half the outline of the body as an SVG, a DXF or JSON.</source>
+        <translation>「{0}」には断面がありません。立体の輪郭の半分を SVG、DXF、JSON で渡してください。</translation>
+    </message>
+    <message>
+        <source>'{0}' has the size of its panels, so the balloon cannot be scaled to fit: leave out --oversize scale.</source>
+        <translation>「{0}」の大きさはパネルで決まるため、風船を縮小できません。--oversize scale を外してください。</translation>
+    </message>
+    <message>
+        <source>'{0}' has the size of its panels: leave out the width and the height.</source>
+        <translation>「{0}」の大きさはパネルで決まります。幅と高さを外してください。</translation>
+    </message>
+    <message>
         <source>'{0}' has {1} x {2} pixels, more than {3} million. Make it smaller; 2000 pixels across are plenty.</source>
         <translation>「{0}」は {1} x {2} ピクセルで、{3} 百万を超えています。小さくしてください。幅 2000 ピクセルあれば十分です。</translation>
     </message>
     <message>
         <source>'{0}' is a pipe or a device: save what comes from it, and name that file.</source>
         <translation>「{0}」はパイプかデバイスです。そこから来る内容をファイルに保存し、そのファイルを指定してください。</translation>
+    </message>
+    <message>
+        <source>'{0}' is a profile, which has no side band: give a drawing for that.</source>
+        <translation>「{0}」は断面で、側面の帯はありません。帯には図を渡してください。</translation>
     </message>
     <message>
         <source>'{0}' is colder than anything; write a temperature as 20C, 68F or 293K.</source>
@@ -751,6 +987,14 @@
         <translation>、推定値：フィルムが静止しませんでした</translation>
     </message>
     <message>
+        <source>, one edge must turn</source>
+        <translation>（辺を折り返す継ぎ目が 1 本）</translation>
+    </message>
+    <message>
+        <source>, {0} of them mirrored</source>
+        <translation>（うち反転 {0} 枚）</translation>
+    </message>
+    <message>
         <source>--oversize scale makes the balloon smaller until it fits, --oversize write writes the file anyway, --bed tells how large the bed is.</source>
         <translation>--oversize scale は収まるまで風船を小さくし、--oversize write はそのままファイルを書き出し、--bed は加工台の大きさを指定します。</translation>
     </message>
@@ -767,12 +1011,24 @@
         <translation>風船に「{0}」という値はありません。使えるもの：{1}。</translation>
     </message>
     <message>
+        <source>A balloon with a side band has no welds inside: its front and back are apart. Leave them out, or make it of two panels.</source>
+        <translation>側面の帯のある風船には内側の溶着がありません。表と裏が離れているためです。溶着を外すか、2 枚のパネルで作ってください。</translation>
+    </message>
+    <message>
         <source>A bed is that of a machine: give --machine too.</source>
         <translation>加工台は機械のものです。--machine も指定してください。</translation>
     </message>
     <message>
         <source>A bed is {0} mm to {1} mm wide and high: write 600mmx400mm, 600mm for a roll, or {2}.</source>
         <translation>加工台の幅と高さは {0} mm～{1} mm です。600mmx400mm、ロールなら 600mm、または {2} と書いてください。</translation>
+    </message>
+    <message>
+        <source>A body cannot be made of {0} gores. Take {1} to {2}.</source>
+        <translation>立体は {0} 枚のゴアでは作れません。{1}～{2} 枚にしてください。</translation>
+    </message>
+    <message>
+        <source>A body of gores has no side band: leave out what you give of the one or of the other.</source>
+        <translation>ゴアの立体に側面の帯はありません。どちらかの指定を外してください。</translation>
     </message>
     <message>
         <source>A corner relief of {0} would cut into the weld: choose a smaller radius or a wider allowance.</source>
@@ -823,6 +1079,10 @@
         <translation>{1} の形に {0} のメッシュでは節点が 100 万を超えます。{2} 以上にしてください。</translation>
     </message>
     <message>
+        <source>A mesh of {0} would need more than a million vertices for these panels: use at least {1}.</source>
+        <translation>メッシュ {0} ではこのパネルに 100 万を超える節点が必要です。{1} 以上にしてください。</translation>
+    </message>
+    <message>
         <source>A new Sketcher sketch of lines and arcs, to go on with in FreeCAD</source>
         <translation>FreeCAD で作業を続けるための、直線と円弧の新しいスケッチ</translation>
     </message>
@@ -849,6 +1109,10 @@
     <message>
         <source>A piece of {0} x {1} does not fit on film of {2}{3}: take film at least {4} wide, or let the grain lie in another direction.</source>
         <translation>{0} x {1} の部品は {2}{3} のフィルムに収まりません。幅 {4} 以上のフィルムを使うか、流れ方向を変えてください。</translation>
+    </message>
+    <message>
+        <source>A pillow box cannot be deeper than wide. Choose a smaller depth.</source>
+        <translation>枕箱の奥行きは幅より大きくできません。奥行きを小さくしてください。</translation>
     </message>
     <message>
         <source>A seam closes an edge of a triangle to a point. Check which runs it joins.</source>
@@ -903,6 +1167,10 @@
         <translation>{0} {1} は作れません。1 mm～100 m にしてください。</translation>
     </message>
     <message>
+        <source>About {} thick</source>
+        <translation>厚さ約 {}</translation>
+    </message>
+    <message>
         <source>Across</source>
         <translation>直角</translation>
     </message>
@@ -915,12 +1183,24 @@
         <translation>助言（{0}）、{1}：{2}</translation>
     </message>
     <message>
+        <source>Advice on many panels is measured on the balloon: inflate it first.</source>
+        <translation>複数パネルの助言は風船で測ります。先にふくらませてください。</translation>
+    </message>
+    <message>
         <source>Air intake</source>
         <translation>注入口</translation>
     </message>
     <message>
+        <source>Airship</source>
+        <translation>飛行船</translation>
+    </message>
+    <message>
         <source>All packages are installed.</source>
         <translation>必要なパッケージはすべてそろっています。</translation>
+    </message>
+    <message>
+        <source>All panels are on the sheet once: none is drawn a second time, mirrored.</source>
+        <translation>すべてのパネルはシートに 1 回だけ載ります。反転してもう一度描かれるものはありません。</translation>
     </message>
     <message>
         <source>Allowance</source>
@@ -1007,6 +1287,14 @@
         <translation>裏</translation>
     </message>
     <message>
+        <source>Bag</source>
+        <translation>袋</translation>
+    </message>
+    <message>
+        <source>Bag of panels</source>
+        <translation>パネルの袋</translation>
+    </message>
+    <message>
         <source>Balloon</source>
         <translation>風船</translation>
     </message>
@@ -1067,6 +1355,10 @@
         <translation>シートには 2 枚とも並んでいます。ノズルの穴は表側だけなので、1 回だけ切ってください。</translation>
     </message>
     <message>
+        <source>Both sides of a seam must be equally long</source>
+        <translation>継ぎ目の両側は同じ長さでなければなりません</translation>
+    </message>
+    <message>
         <source>Brush</source>
         <translation>ブラシ</translation>
     </message>
@@ -1119,6 +1411,14 @@
         <translation>画像かスケッチを選んでください。</translation>
     </message>
     <message>
+        <source>Choose a sketch or a file with half the outline.</source>
+        <translation>輪郭の半分のスケッチかファイルを選んでください。</translation>
+    </message>
+    <message>
+        <source>Choose sketches, a file or a ready body.</source>
+        <translation>スケッチ、ファイル、または既製の立体を選んでください。</translation>
+    </message>
+    <message>
         <source>Choose the balloon that it belongs to.</source>
         <translation>対応する風船を選んでください。</translation>
     </message>
@@ -1167,6 +1467,14 @@
         <translation>カスタム</translation>
     </message>
     <message>
+        <source>Cut all panels from {film}, as they are drawn: so they are seen from outside, with the sealing side below.</source>
+        <translation>すべてのパネルを {film} から図のとおりに切ります。図は外から見た向きで、シール面が下です。</translation>
+    </message>
+    <message>
+        <source>Cut all panels from {film}. As they are drawn they are seen from outside.</source>
+        <translation>すべてのパネルを {film} から切ります。図は外から見た向きです。</translation>
+    </message>
+    <message>
         <source>Cut each page along its left and lower crosses, lay it on the crosses of its neighbours, tape.</source>
         <translation>各ページを左と下の十字に沿って切り、隣のページの十字に重ねてテープで留めます。</translation>
     </message>
@@ -1203,8 +1511,16 @@
         <translation>DXF ファイルには Python パッケージ ezdxf が必要です。「pip install ezdxf」で入れるか、図を SVG で保存してください。</translation>
     </message>
     <message>
+        <source>Diameter {}, height {}, gores {} long</source>
+        <translation>直径 {}、高さ {}、ゴアの長さ {}</translation>
+    </message>
+    <message>
         <source>Direction</source>
         <translation>向き</translation>
+    </message>
+    <message>
+        <source>Disc</source>
+        <translation>円板</translation>
     </message>
     <message>
         <source>Distance</source>
@@ -1221,6 +1537,10 @@
     <message>
         <source>Draw a closed line, or paint an area: it becomes a balloon.</source>
         <translation>閉じた線を描くか、面を塗ってください。風船になります。</translation>
+    </message>
+    <message>
+        <source>Draw half of the outline, and its axis as a straight upright line on its left.</source>
+        <translation>輪郭の半分を描き、その左に軸をまっすぐ縦の線で描いてください。</translation>
     </message>
     <message>
         <source>Draw lines. A closed line becomes a balloon.</source>
@@ -1467,6 +1787,10 @@
         <translation>表と裏を PNG と PDF で、さらに同じ印の付いたカッター用の DXF と SVG で</translation>
     </message>
     <message>
+        <source>Front, back and a band between them: change its width</source>
+        <translation>表と裏、その間の帯：幅を変えてみてください</translation>
+    </message>
+    <message>
         <source>Gaps of up to {0} between lines were closed.</source>
         <translation>線の間の {0} までのすき間を閉じました。</translation>
     </message>
@@ -1523,6 +1847,10 @@
         <translation>接着の継ぎ目</translation>
     </message>
     <message>
+        <source>Gores</source>
+        <translation>ゴア</translation>
+    </message>
+    <message>
         <source>Grain</source>
         <translation>流れ方向</translation>
     </message>
@@ -1541,6 +1869,10 @@
     <message>
         <source>HPGL plotter or vinyl cutter</source>
         <translation>HPGL プロッター、カッティングマシン</translation>
+    </message>
+    <message>
+        <source>Half the outline and its axis; a copy of it travels in the document</source>
+        <translation>輪郭の半分と軸。写しが文書に入ります</translation>
     </message>
     <message>
         <source>Heart from a spreadsheet</source>
@@ -1567,8 +1899,28 @@
         <translation>高周波</translation>
     </message>
     <message>
+        <source>Hole {0} of panel '{1}'</source>
+        <translation>パネル「{1}」の穴 {0}</translation>
+    </message>
+    <message>
+        <source>Hole {0} of panel '{1}' lies outside its film. Move it, or take it out.</source>
+        <translation>パネル「{1}」の穴 {0} がフィルムの外にあります。動かすか、取り除いてください。</translation>
+    </message>
+    <message>
+        <source>Hole {0} of panel '{1}' runs counter-clockwise. Turn the order of its points round.</source>
+        <translation>パネル「{1}」の穴 {0} が反時計回りです。点の順を逆にしてください。</translation>
+    </message>
+    <message>
         <source>How a balloon follows its pattern can be worked out for an elastic weld alone: choose that one.</source>
         <translation>型紙の変化に風船がどう従うかを計算できるのは、弾性の溶着線だけです。それを選んでください。</translation>
+    </message>
+    <message>
+        <source>How far along it</source>
+        <translation>それに沿った位置</translation>
+    </message>
+    <message>
+        <source>How far along its seam the opening is must be from 0 to 1.</source>
+        <translation>継ぎ目に沿った開口の位置は 0～1 でなければなりません。</translation>
     </message>
     <message>
         <source>How far the outline moves if the weld creases could not be simulated. {0}</source>
@@ -1593,6 +1945,10 @@
     <message>
         <source>If the weld creases: {0} on average, at most {1}</source>
         <translation>溶着線にしわが寄る場合：平均 {0}、最大 {1}</translation>
+    </message>
+    <message>
+        <source>In no seam yet: {}</source>
+        <translation>まだ継ぎ目のない辺：{}</translation>
     </message>
     <message>
         <source>Inflate as drawn</source>
@@ -1659,6 +2015,10 @@
         <translation>広くしました。Ctrl+Z で元に戻せます。</translation>
     </message>
     <message>
+        <source>JSON</source>
+        <translation>JSON</translation>
+    </message>
+    <message>
         <source>Join the panels along the dashed line, {seal} wide, all the way round.</source>
         <translation>破線に沿って幅 {seal} で、ぐるりと 1 周接合します。</translation>
     </message>
@@ -1707,12 +2067,20 @@
         <translation>弁の帯 2 本を、線を合わせて重ねます。VALVE, INK の帯の印の枠に、耐熱インクを塗るか、帯の間にクッキングシートの小片をはさみます。2 本の長い線に沿って溶着します。</translation>
     </message>
     <message>
+        <source>Lay edges of the same number on each other, inner sides together: arrows the same way, the lines across the weld and the notches on each other. Tape outside the cut.</source>
+        <translation>同じ番号の辺を内側どうし重ねます。矢印の向きをそろえ、溶着線を横切る線とノッチを合わせます。切り線の外をテープで留めます。</translation>
+    </message>
+    <message>
         <source>Lay out</source>
         <translation>並べる</translation>
     </message>
     <message>
         <source>Lay out on film</source>
         <translation>フィルムに並べる</translation>
+    </message>
+    <message>
+        <source>Lay the grain of all panels along the line with two arrowheads.</source>
+        <translation>すべてのパネルのフィルムの目を、両端に矢印のある線に合わせます。</translation>
     </message>
     <message>
         <source>Lay the grain of both panels the same way.</source>
@@ -1747,6 +2115,10 @@
         <translation>長さ</translation>
     </message>
     <message>
+        <source>Length of a gore</source>
+        <translation>ゴア 1 枚の長さ</translation>
+    </message>
+    <message>
         <source>Letter</source>
         <translation>文字の風船</translation>
     </message>
@@ -1755,12 +2127,20 @@
         <translation>文字の高さ</translation>
     </message>
     <message>
+        <source>Letter with a side band</source>
+        <translation>側面の帯のある文字</translation>
+    </message>
+    <message>
         <source>Lift</source>
         <translation>浮力</translation>
     </message>
     <message>
         <source>Lift in g</source>
         <translation>浮力（g）</translation>
+    </message>
+    <message>
+        <source>Lift needs vertices of the balloon that hold it. Give those of its lower end.</source>
+        <translation>浮力には、それを支える風船の節点が必要です。下端の節点を指定してください。</translation>
     </message>
     <message>
         <source>LightBurn (laser)</source>
@@ -1787,6 +2167,10 @@
         <translation>ライブ</translation>
     </message>
     <message>
+        <source>Longest piece of the band</source>
+        <translation>帯 1 本の最大長さ</translation>
+    </message>
+    <message>
         <source>Look for the closest layout; Esc takes the best one so far</source>
         <translation>最も詰まった並べ方を探す（Esc でそれまでの最良を採用）</translation>
     </message>
@@ -1801,6 +2185,10 @@
     <message>
         <source>Low</source>
         <translation>低い所</translation>
+    </message>
+    <message>
+        <source>Lower end</source>
+        <translation>下端</translation>
     </message>
     <message>
         <source>Machine</source>
@@ -1871,6 +2259,10 @@
         <translation>モデル</translation>
     </message>
     <message>
+        <source>More gores hardly help: change the profile.</source>
+        <translation>ゴアを増やしてもほとんど変わりません。断面を変えてください。</translation>
+    </message>
+    <message>
         <source>Move</source>
         <translation>移動</translation>
     </message>
@@ -1881,6 +2273,10 @@
     <message>
         <source>Native</source>
         <translation>ネイティブ</translation>
+    </message>
+    <message>
+        <source>Natural shape</source>
+        <translation>自然形</translation>
     </message>
     <message>
         <source>Near {0} the inflated outline stays up to {1} from the drawing, over a length of {2}: film cannot follow it there. Round it off or widen it.</source>
@@ -1911,6 +2307,10 @@
         <translation>このフィルムは絶対にレーザーで切らないでください。</translation>
     </message>
     <message>
+        <source>New bag of panels</source>
+        <translation>新しいパネルの袋</translation>
+    </message>
+    <message>
         <source>New balloon from picture</source>
         <translation>画像から新しい風船</translation>
     </message>
@@ -1921,6 +2321,10 @@
     <message>
         <source>New balloons</source>
         <translation>新しい風船</translation>
+    </message>
+    <message>
+        <source>New body of gores</source>
+        <translation>新しいゴアの立体</translation>
     </message>
     <message>
         <source>Newmark</source>
@@ -1941,6 +2345,14 @@
     <message>
         <source>No limit</source>
         <translation>制限なし</translation>
+    </message>
+    <message>
+        <source>No panel has an edge "{0}": choose one of an outline or face of this bag.</source>
+        <translation>「{0}」という辺のあるパネルはありません。この袋の輪郭か面の辺を選んでください。</translation>
+    </message>
+    <message>
+        <source>No panel of the balloon is cut: make at least one of film.</source>
+        <translation>切り出すパネルがありません。少なくとも 1 枚をフィルムにしてください。</translation>
     </message>
     <message>
         <source>No pattern can be drawn anew without it; documents keep theirs.</source>
@@ -2007,6 +2419,10 @@
         <translation>直すところはありません。</translation>
     </message>
     <message>
+        <source>Now pick the partner of {}.</source>
+        <translation>{} の相手の辺を選んでください。</translation>
+    </message>
+    <message>
         <source>Nowhere on the seam is room for an intake of {0}: choose a narrower one, or a place for it.</source>
         <translation>幅 {0} の注入口を付ける場所が外周のどこにもありません。細い注入口にするか、位置を指定してください。</translation>
     </message>
@@ -2043,6 +2459,14 @@
         <translation>図からのずれ：平均 {0}、最大 {1}</translation>
     </message>
     <message>
+        <source>Off the profile</source>
+        <translation>断面からのずれ</translation>
+    </message>
+    <message>
+        <source>Off the {0}: {1} on average, at most {2}</source>
+        <translation>{0}からのずれ：平均 {1}、最大 {2}</translation>
+    </message>
+    <message>
         <source>Offer the native solver where it is missing</source>
         <translation>ネイティブソルバーがないときに取得するか尋ねる</translation>
     </message>
@@ -2075,16 +2499,20 @@
         <translation>溶着線の中心だけです。閉じた線は始点を少し越えて重なり、継ぎ目の漏れを防ぎます。</translation>
     </message>
     <message>
-        <source>Only two equal panels are blown up in time. Use another solver for this balloon.</source>
-        <translation>時間を追ってふくらませるのは同じ2枚のパネルだけです。この風船には別のソルバーを使ってください。</translation>
-    </message>
-    <message>
         <source>Only {0} of film stay between two cuts near {1}; {2} wants {3}. It may tear or melt there.</source>
         <translation>{1} 付近で 2 本の切り線の間が {0} しかありません。{2} には {3} 必要です。破れたり溶けたりするおそれがあります。</translation>
     </message>
     <message>
+        <source>Open</source>
+        <translation>開いたまま</translation>
+    </message>
+    <message>
         <source>Open it, do not import it. Outline, holes and notches are on cut layers, without speed and power: take them from your material library. Welds (T1) and all that is drawn (T2) are on tool layers, which LightBurn never burns.</source>
         <translation>読み込み（インポート）ではなく、開いてください。輪郭、穴、合印は切断レイヤーにあり、速度と出力は入っていません。自分の材料ライブラリーから設定してください。溶着線（T1）と描く線（T2）はツールレイヤーにあり、LightBurn が焼くことはありません。</translation>
+    </message>
+    <message>
+        <source>Opening</source>
+        <translation>開口</translation>
     </message>
     <message>
         <source>Opposite the intake</source>
@@ -2093,6 +2521,10 @@
     <message>
         <source>Orange</source>
         <translation>オレンジ</translation>
+    </message>
+    <message>
+        <source>Order of the seams</source>
+        <translation>継ぎ目の順序</translation>
     </message>
     <message>
         <source>Outline</source>
@@ -2143,6 +2575,26 @@
         <translation>描いた魚</translation>
     </message>
     <message>
+        <source>Panel</source>
+        <translation>パネル</translation>
+    </message>
+    <message>
+        <source>Panel '{0}' crosses or nearly touches itself: separate the parts that meet there.</source>
+        <translation>パネル「{0}」が自分と交わるか、ほとんど接しています。そこで出会う部分を離してください。</translation>
+    </message>
+    <message>
+        <source>Panel '{0}' is folded over: {1} crosses or touches another edge at {2}. Separate them.</source>
+        <translation>パネル「{0}」が折り重なっています。{1} が {2} で別の辺と交わるか接しています。離してください。</translation>
+    </message>
+    <message>
+        <source>Panel '{0}' is only {1} wide at {2}, too narrow for welds of {3} along both of its sides. Make it wider, or the welds narrower.</source>
+        <translation>パネル「{0}」の幅は {2} で {1} しかなく、両側の幅 {3} の溶着には狭すぎます。広くするか、溶着を細くしてください。</translation>
+    </message>
+    <message>
+        <source>Panel '{0}' is seen from inside: its points run clockwise. Mirror it, or turn their order round.</source>
+        <translation>パネル「{0}」が内側から見た向きです。点が時計回りです。反転するか、点の順を逆にしてください。</translation>
+    </message>
+    <message>
         <source>Panel {0} has a triangle with a vertex that is not there. Mesh it anew.</source>
         <translation>パネル{0}に存在しない頂点をもつ三角形があります。メッシュを作り直してください。</translation>
     </message>
@@ -2155,16 +2607,60 @@
         <translation>パネル{0}に3つ以上の三角形をもつ辺があります。メッシュを作り直してください。</translation>
     </message>
     <message>
+        <source>Panel {0} has no edge {1} for the opening: say another one of its outer loop.</source>
+        <translation>パネル {0} には開口に使う辺 {1} がありません。外側の境界の別の辺を指定してください。</translation>
+    </message>
+    <message>
+        <source>Panel {0} is not cut: say another one for the opening.</source>
+        <translation>パネル {0} は切り出されません。開口を別のパネルにしてください。</translation>
+    </message>
+    <message>
+        <source>Panel {0} is nowhere wider than {1}, and its welds are {2} wide: it hardly bulges. Make the balloon larger, the panel wider or the seal narrower.</source>
+        <translation>パネル {0} の幅は最大でも {1} で、溶着の幅は {2} です。ほとんどふくらみません。風船を大きく、パネルを広く、または溶着を細くしてください。</translation>
+    </message>
+    <message>
         <source>Panel {0} is open between its vertices {1} and {2}: the boundary is in no seam there. Seal it to another.</source>
         <translation>パネル{0}は頂点{1}と{2}の間が開いています。そこの縁はどの継ぎ目にも入っていません。ほかの縁と接合してください。</translation>
+    </message>
+    <message>
+        <source>Panel {0} leans by {1} between front and back. Make the side band narrower there, or the parts of the drawing wider.</source>
+        <translation>パネル {0} が表と裏の間で {1} 傾いています。そこの側面の帯を狭くするか、図の部分を広くしてください。</translation>
+    </message>
+    <message>
+        <source>Panel {0} of the JSON file has no name or no 'outer' loop. {1}</source>
+        <translation>JSON ファイルのパネル {0} に名前か 'outer' の境界がありません。{1}</translation>
+    </message>
+    <message>
+        <source>Panel {0}: an intake of this kind leads through a seam. Say which one, or an edge of the panel such as {1}.0, or choose a nozzle.</source>
+        <translation>パネル {0}：この種類の注入口は継ぎ目を通ります。どの継ぎ目か、{1}.0 のような辺を指定するか、ノズルを選んでください。</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>パネル</translation>
+    </message>
+    <message>
+        <source>Panels and seams; a copy of them travels in the document</source>
+        <translation>パネルと継ぎ目。写しが文書に入ります</translation>
     </message>
     <message>
         <source>Panels are laid on the film in rows instead of closely; nothing else changes.</source>
         <translation>フィルム片は詰めずに列に並べられます。ほかは変わりません。</translation>
     </message>
     <message>
+        <source>Panels with gussets, whose sizes come from a spreadsheet</source>
+        <translation>マチ付きのパネル。寸法は表計算シートから</translation>
+    </message>
+    <message>
+        <source>Panels: {0}, of different shapes: {1}</source>
+        <translation>パネル：{0} 枚、形の種類：{1}</translation>
+    </message>
+    <message>
         <source>Paper</source>
         <translation>用紙</translation>
+    </message>
+    <message>
+        <source>Parts of the balloon may lean to one side or the other: the inflated outline is {0} to {1} from the drawing. Another width of the side band may hold them.</source>
+        <translation>風船の一部がどちらかに傾くことがあります。ふくらんだ輪郭は図から {0}～{1} ずれます。側面の帯の幅を変えると安定することがあります。</translation>
     </message>
     <message>
         <source>Pattern</source>
@@ -2195,6 +2691,10 @@
         <translation>型紙（2 枚切り、1 枚は反転）</translation>
     </message>
     <message>
+        <source>Pattern, {0} panels</source>
+        <translation>型紙、パネル {0} 枚</translation>
+    </message>
+    <message>
         <source>Patterns</source>
         <translation>型紙</translation>
     </message>
@@ -2215,6 +2715,18 @@
         <translation>線画</translation>
     </message>
     <message>
+        <source>Pick an edge to see its partner.</source>
+        <translation>辺を選ぶと相手の辺が示されます。</translation>
+    </message>
+    <message>
+        <source>Pick an edge, then its partner, here or in the 3D view. Free edges: {}</source>
+        <translation>辺を選び、次に相手の辺を選びます（ここか 3D ビュー）。空いている辺：{}</translation>
+    </message>
+    <message>
+        <source>Pick the edge at which it is filled.</source>
+        <translation>空気を入れる辺を選んでください。</translation>
+    </message>
+    <message>
         <source>Picture, SVG, DXF or JSON</source>
         <translation>画像、SVG、DXF、JSON</translation>
     </message>
@@ -2233,6 +2745,14 @@
     <message>
         <source>Pictures need OpenCV, which is missing or does not work here. Install the package python3-opencv (or opencv-python-headless), or open the picture inside FreeCAD.</source>
         <translation>画像には OpenCV が必要ですが、ないか動きません。python3-opencv（または opencv-python-headless）を入れるか、FreeCAD の中で画像を開いてください。</translation>
+    </message>
+    <message>
+        <source>Pieces of the side band cannot be {0} long. Give 0 or more.</source>
+        <translation>側面の帯の 1 本を {0} にはできません。0 以上にしてください。</translation>
+    </message>
+    <message>
+        <source>Pieces of {0} are too short for a side band of {1}. Allow longer ones.</source>
+        <translation>{0} の帯は幅 {1} の側面の帯には短すぎます。長くしてください。</translation>
     </message>
     <message>
         <source>Pieces: {}, on {}, {} used</source>
@@ -2275,6 +2795,14 @@
         <translation>プロッター単位は 0.025 mm です。ペン 1 は確認用の棒を描き、ペン 2 は合印、ペン 3 は残りを切ります。切ってはいけない線はファイルに入っていません。回転刃ではオフセットを設定してください（普通 0.25 mm）。切り線は始点を 1 mm 越えます。カッターが自分で越えて切るなら overcut_mm を 0 にしてください。</translation>
     </message>
     <message>
+        <source>Point</source>
+        <translation>点</translation>
+    </message>
+    <message>
+        <source>Point {0} of the JSON file's 'profile' is not a pair of numbers. {1}</source>
+        <translation>JSON ファイルの 'profile' の点 {0} が 2 つの数ではありません。{1}</translation>
+    </message>
+    <message>
         <source>Point {0} of the JSON file's {1} is not a pair of numbers. {2}</source>
         <translation>JSON ファイルの {1} の点 {0} は数の組ではありません。{2}</translation>
     </message>
@@ -2295,12 +2823,20 @@
         <translation>ミリメートルのポリライン。役割ごとのレイヤーで、どのプログラムでも読めます。CUT、CUT_INNER、NOTCH は切り、SEAL と WELD は溶着し、ほかはすべて描きます。</translation>
     </message>
     <message>
+        <source>Pouch</source>
+        <translation>マチ付き袋</translation>
+    </message>
+    <message>
         <source>Predicted from the outline; not inflated yet.</source>
         <translation>輪郭からの予測です。まだふくらませていません。</translation>
     </message>
     <message>
         <source>Pressure</source>
         <translation>圧力</translation>
+    </message>
+    <message>
+        <source>Pressure rises with height</source>
+        <translation>圧力は高いほど大きい</translation>
     </message>
     <message>
         <source>Pressure: {0}</source>
@@ -2311,8 +2847,16 @@
         <translation>100 %（「実際のサイズ」）で印刷してください。下の棒は 100 mm でなければなりません。</translation>
     </message>
     <message>
+        <source>Print {0} at {1} dpi, all panels</source>
+        <translation>印刷 {0}、{1} dpi、全パネル</translation>
+    </message>
+    <message>
         <source>Print {0} at {1} dpi, front and back</source>
         <translation>印刷 {0}、{1} dpi、表と裏</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>断面</translation>
     </message>
     <message>
         <source>Pull a line; then move the pointer to bend it, and click. A right click keeps it straight.</source>
@@ -2345,6 +2889,10 @@
     <message>
         <source>RDWorks (Ruida laser)</source>
         <translation>RDWorks（Ruida レーザー）</translation>
+    </message>
+    <message>
+        <source>Ready body</source>
+        <translation>既製の立体</translation>
     </message>
     <message>
         <source>Ready to make. Paint on, or press Make it!</source>
@@ -2427,6 +2975,10 @@
         <translation>SVG ファイルには Python パッケージ svgelements が必要です。「pip install svgelements」で入れるか、図を DXF で保存してください。</translation>
     </message>
     <message>
+        <source>SVG, DXF or JSON</source>
+        <translation>SVG、DXF、JSON</translation>
+    </message>
+    <message>
         <source>Safe pressure</source>
         <translation>安全な圧力</translation>
     </message>
@@ -2467,6 +3019,18 @@
         <translation>代わりに SciPy がメッシュを作ります。少し遅くなります。</translation>
     </message>
     <message>
+        <source>Seal a disc on each point where four panels or more meet.</source>
+        <translation>4 枚以上のパネルが集まる点には、それぞれ円板を溶着します。</translation>
+    </message>
+    <message>
+        <source>Seal the seams in the order of the pictures along the dashed line, {seal} wide, from end to end.</source>
+        <translation>図の順に、破線に沿って幅 {seal} で端から端まで継ぎ目を溶着します。</translation>
+    </message>
+    <message>
+        <source>Seal the seams in the order of the pictures along the dashed line, {seal} wide, from end to end. Leave the mouth of the neck open.</source>
+        <translation>図の順に、破線に沿って幅 {seal} で端から端まで継ぎ目を溶着します。注入口の口は開けておきます。</translation>
+    </message>
+    <message>
         <source>Seal width</source>
         <translation>溶着幅</translation>
     </message>
@@ -2487,12 +3051,40 @@
         <translation>継ぎ目の長さ：{0}</translation>
     </message>
     <message>
+        <source>Seam or edge</source>
+        <translation>継ぎ目または辺</translation>
+    </message>
+    <message>
+        <source>Seam {0} has no length: it begins and ends where {1} begins. Give two points; a whole loop is written as two seams.</source>
+        <translation>継ぎ目 {0} に長さがありません。{1} の始まる所で始まり、終わっています。2 つの点を指定してください。境界全体は 2 つの継ぎ目として書きます。</translation>
+    </message>
+    <message>
         <source>Seam {0} is along a panel {1}, but there are {2}.</source>
         <translation>継ぎ目{0}はパネル{1}に沿っていますが、パネルは{2}枚です。</translation>
     </message>
     <message>
         <source>Seam {0} is along vertices that panel {1} does not have.</source>
         <translation>継ぎ目{0}はパネル{1}にない頂点に沿っています。</translation>
+    </message>
+    <message>
+        <source>Seam {0} is at an end that stays open: say another one for the opening.</source>
+        <translation>継ぎ目 {0} は開いたままの端にあります。開口を別の継ぎ目にしてください。</translation>
+    </message>
+    <message>
+        <source>Seam {0} is on hole {1} of panel '{2}', which has {3}. Check its sides.</source>
+        <translation>継ぎ目 {0} がパネル「{2}」の穴 {1} にありますが、穴の数は {3} です。両側を確かめてください。</translation>
+    </message>
+    <message>
+        <source>Seam {0} is on panel {1}, but there are {2}. Check its sides.</source>
+        <translation>継ぎ目 {0} がパネル {1} にありますが、パネルは {2} 枚です。両側を確かめてください。</translation>
+    </message>
+    <message>
+        <source>Seam {0} is on point {1} of panel '{2}', whose points there are 0 to {3}. Check its sides.</source>
+        <translation>継ぎ目 {0} がパネル「{2}」の点 {1} にありますが、点の番号は 0～{3} です。両側を確かめてください。</translation>
+    </message>
+    <message>
+        <source>Seam {0} joins holes of panels {1} and {2}, where no intake can be: say another seam.</source>
+        <translation>継ぎ目 {0} はパネル {1} と {2} の穴をつないでいて、注入口を置けません。別の継ぎ目にしてください。</translation>
     </message>
     <message>
         <source>Seam {0} joins the outside of the film to its inside, as in a Moebius strip. Turn one of its sides round.</source>
@@ -2507,12 +3099,68 @@
         <translation>継ぎ目{0}がパネル{1}の縁から外れています。縁に沿って順に頂点を指定してください。</translation>
     </message>
     <message>
+        <source>Seam {0} of panels {1} is {2} long, and the intake takes {3} with its welds: make it narrower, or say another edge for the opening.</source>
+        <translation>パネル {1} の継ぎ目 {0} の長さは {2} で、注入口は溶着を含めて {3} 必要です。注入口を細くするか、開口を別の辺にしてください。</translation>
+    </message>
+    <message>
+        <source>Seam {0} of the JSON file has no two sides 'a' and 'b'. {1}</source>
+        <translation>JSON ファイルの継ぎ目 {0} に 2 つの側 'a' と 'b' がありません。{1}</translation>
+    </message>
+    <message>
+        <source>Seam {0}: {1} to {2}, last, with the opening.</source>
+        <translation>継ぎ目 {0}：{1} と {2}、最後に、開口とともに。</translation>
+    </message>
+    <message>
+        <source>Seam {0}: {1} to {2}, last.</source>
+        <translation>継ぎ目 {0}：{1} と {2}、最後に。</translation>
+    </message>
+    <message>
+        <source>Seam {0}: {1} to {2}, lying flat.</source>
+        <translation>継ぎ目 {0}：{1} と {2}、平らに。</translation>
+    </message>
+    <message>
+        <source>Seam {0}: {1} to {2}, one edge turned round the other.</source>
+        <translation>継ぎ目 {0}：{1} と {2}、片方の辺を折り返して。</translation>
+    </message>
+    <message>
+        <source>Seam {}: {}</source>
+        <translation>継ぎ目 {}：{}</translation>
+    </message>
+    <message>
+        <source>Seams</source>
+        <translation>継ぎ目</translation>
+    </message>
+    <message>
+        <source>Seams and centres apart</source>
+        <translation>継ぎ目と中央の差</translation>
+    </message>
+    <message>
+        <source>Seams and middles of gores: {0} apart at most</source>
+        <translation>継ぎ目とゴアの中央の差：最大 {0}</translation>
+    </message>
+    <message>
+        <source>Seams that do not lie flat: {0}. Seal them bit by bit.</source>
+        <translation>平らに重ならない継ぎ目：{0}。少しずつ溶着してください。</translation>
+    </message>
+    <message>
+        <source>Seams that do not lie flat: {0}. Their allowance is cut into tabs that turn.</source>
+        <translation>平らに重ならない継ぎ目：{0}。縫い代はタブに切ってあり、折り返します。</translation>
+    </message>
+    <message>
         <source>Seams {0} and {1} hold the same piece of the boundary of panel {2}. Seal each piece once.</source>
         <translation>継ぎ目{0}と{1}がパネル{2}の縁の同じ部分を使っています。各部分は一度だけ接合してください。</translation>
     </message>
     <message>
+        <source>Seams: {0}, where an edge must turn: {1}</source>
+        <translation>継ぎ目：{0}、うち辺を折り返すもの：{1}</translation>
+    </message>
+    <message>
         <source>Second panel, mirrored</source>
         <translation>2 枚目（反転）</translation>
+    </message>
+    <message>
+        <source>Select a sketch of half the outline, or choose where the profile comes from.</source>
+        <translation>輪郭の半分のスケッチか、断面の出どころを選んでください。</translation>
     </message>
     <message>
         <source>Select a sketch, a wire or a face in the tree or the 3D view.</source>
@@ -2523,8 +3171,20 @@
         <translation>選び直す</translation>
     </message>
     <message>
+        <source>Select sketches or flat faces, or take a ready body or a file.</source>
+        <translation>スケッチか平らな面を選ぶか、既製の立体かファイルを使ってください。</translation>
+    </message>
+    <message>
+        <source>Select sketches, wires or flat faces first.</source>
+        <translation>先にスケッチ、ワイヤー、平らな面を選んでください。</translation>
+    </message>
+    <message>
         <source>Self-sealing film valve</source>
         <translation>自動で閉じるフィルム弁</translation>
+    </message>
+    <message>
+        <source>Set the opening</source>
+        <translation>開口を決める</translation>
     </message>
     <message>
         <source>Shape that stays flat</source>
@@ -2555,6 +3215,22 @@
         <translation>表示する面</translation>
     </message>
     <message>
+        <source>Side '{0}' of seam {1} is not the name of a panel and two points. {2}</source>
+        <translation>継ぎ目 {1} の側 '{0}' がパネル名と 2 つの点ではありません。{2}</translation>
+    </message>
+    <message>
+        <source>Side '{0}' of seam {1} is on a panel '{2}' that is not there. {3}</source>
+        <translation>継ぎ目 {1} の側 '{0}' が、存在しないパネル「{2}」にあります。{3}</translation>
+    </message>
+    <message>
+        <source>Side band</source>
+        <translation>側面の帯</translation>
+    </message>
+    <message>
+        <source>Side {0} of seam {1} runs the wrong way at {2}, which would seal the outside of the film to its inside, as in a Moebius strip: it goes {3} its loop. Swap the two points of {4}.</source>
+        <translation>継ぎ目 {1} の側 {0} が {2} で逆向きです。このままではメビウスの帯のようにフィルムの表と裏が溶着されます。境界に対して{3}に進んでいます。{4} の 2 つの点を入れ替えてください。</translation>
+    </message>
+    <message>
         <source>Silhouette Studio (vinyl cutter)</source>
         <translation>Silhouette Studio（カッティングマシン）</translation>
     </message>
@@ -2569,6 +3245,10 @@
     <message>
         <source>Simulations use NumPy. "What works here" in the menu fetches the native solver later.</source>
         <translation>シミュレーションには NumPy を使います。ネイティブソルバーは、後でメニューの「この環境で使えるもの」から取得できます。</translation>
+    </message>
+    <message>
+        <source>Six gores from half an outline in a sketch: change their number</source>
+        <translation>スケッチの輪郭の半分から 6 枚のゴア：数を変えてみてください</translation>
     </message>
     <message>
         <source>Size</source>
@@ -2667,12 +3347,24 @@
         <translation>絵の具を消す</translation>
     </message>
     <message>
+        <source>Take seam apart</source>
+        <translation>継ぎ目を外す</translation>
+    </message>
+    <message>
         <source>Take the numbers of one of FreeCAD's material cards</source>
         <translation>FreeCAD の材料カードの数値を使う</translation>
     </message>
     <message>
         <source>Take the picture away</source>
         <translation>画像を外す</translation>
+    </message>
+    <message>
+        <source>Take what is selected</source>
+        <translation>選んだものを使う</translation>
+    </message>
+    <message>
+        <source>Take {0} gores.</source>
+        <translation>ゴアを {0} 枚にしてください。</translation>
     </message>
     <message>
         <source>Tape</source>
@@ -2711,12 +3403,40 @@
         <translation>{0} ページになってしまいます。大きな用紙か小さな風船にしてください。</translation>
     </message>
     <message>
+        <source>The 'cut' of panel '{0}' is neither true nor false. Write one of them.</source>
+        <translation>パネル「{0}」の 'cut' が true でも false でもありません。どちらかを書いてください。</translation>
+    </message>
+    <message>
+        <source>The 'ease' of the JSON file is no part of a length. Give a number from 0 to 1.</source>
+        <translation>JSON ファイルの 'ease' が長さの割合ではありません。0～1 の数にしてください。</translation>
+    </message>
+    <message>
+        <source>The 'holes' of panel '{0}' are not a list of loops. {1}</source>
+        <translation>パネル「{0}」の 'holes' が境界のリストではありません。{1}</translation>
+    </message>
+    <message>
+        <source>The 'natural_shape' of the JSON file is no length. Give the length of its gores.</source>
+        <translation>JSON ファイルの 'natural_shape' が長さではありません。ゴアの長さを書いてください。</translation>
+    </message>
+    <message>
+        <source>The 'opening' of the JSON file has no panel and point. {0}</source>
+        <translation>JSON ファイルの 'opening' にパネルと点がありません。{0}</translation>
+    </message>
+    <message>
         <source>The 'parts' of the JSON file are not a list of shapes. {0}</source>
         <translation>JSON ファイルの 'parts' が形の一覧ではありません。{0}</translation>
     </message>
     <message>
+        <source>The 'profile' of the JSON file needs at least two points. {0}</source>
+        <translation>JSON ファイルの 'profile' には 2 点以上が必要です。{0}</translation>
+    </message>
+    <message>
         <source>The '{0}' of the JSON file are not a list of {1}. {2}</source>
         <translation>JSON ファイルの '{0}' が {1} の一覧ではありません。{2}</translation>
+    </message>
+    <message>
+        <source>The '{0}' of the body '{1}' is out of range. Choose {2}.</source>
+        <translation>立体「{1}」の '{0}' が範囲の外です。{2} にしてください。</translation>
     </message>
     <message>
         <source>The DXF file has errors; what could be read was taken from it.</source>
@@ -2737,6 +3457,14 @@
     <message>
         <source>The JSON file has no 'outer' loop. {0}</source>
         <translation>JSON ファイルに 'outer' がありません。{0}</translation>
+    </message>
+    <message>
+        <source>The JSON file has no list of 'panels'. {0}</source>
+        <translation>JSON ファイルに 'panels' のリストがありません。{0}</translation>
+    </message>
+    <message>
+        <source>The JSON file has no list of 'seams'. {0}</source>
+        <translation>JSON ファイルに 'seams' のリストがありません。{0}</translation>
     </message>
     <message>
         <source>The JSON file has the unknown unit {0}. Use one of {1}.</source>
@@ -2783,8 +3511,24 @@
         <translation>流れに直角のヤング率 {0} は、流れ方向の {1} に対して大きすぎます。流れ方向を 90 度回し、二つを入れ替えてください。</translation>
     </message>
     <message>
+        <source>The accuracy must be above 0 and below 1: 0.01 is within 1 % of the profile.</source>
+        <translation>精度は 0 より大きく 1 より小さい数です。0.01 は断面の 1 % 以内です。</translation>
+    </message>
+    <message>
         <source>The altitude {0} m is out of range: give one up to 11000 m.</source>
         <translation>高度 {0} m は範囲外です。11000 m までにしてください。</translation>
+    </message>
+    <message>
+        <source>The bag has no opening through which it is filled. Name the edge at which it stays open, such as edge 1 of panel '{0}', or make it without an intake.</source>
+        <translation>袋に空気を入れる開口がありません。開けておく辺（例：パネル「{0}」の辺 1）を指定するか、注入口なしで作ってください。</translation>
+    </message>
+    <message>
+        <source>The bag has {0} panels, more than {1}. Make it of fewer, larger ones.</source>
+        <translation>袋のパネルが {0} 枚で、{1} 枚を超えています。大きなパネルを少なくして作ってください。</translation>
+    </message>
+    <message>
+        <source>The balloon has no opening: say at which edge it is filled, or choose no intake.</source>
+        <translation>風船に開口がありません。空気を入れる辺を指定するか、注入口なしを選んでください。</translation>
     </message>
     <message>
         <source>The balloon is not near rest. Inflate it anew.</source>
@@ -2793,6 +3537,14 @@
     <message>
         <source>The balloon is nowhere {0} wide behind its intake: choose another intake angle or a narrower intake, else air enters slowly.</source>
         <translation>注入口の奥に幅 {0} の所がありません。別の向きか細い注入口にしないと、空気がゆっくりしか入りません。</translation>
+    </message>
+    <message>
+        <source>The balloon must be thicker than 0, not {0}. Give its thickness.</source>
+        <translation>風船の厚さは 0 より大きくなければなりません（今は {0}）。厚さを指定してください。</translation>
+    </message>
+    <message>
+        <source>The balloon of {0} gores is {1} of its diagonal away from the profile on average, and {2} was asked for: its seams stand out by up to {3} over the middle of the gores. {4}</source>
+        <translation>ゴア {0} 枚の風船は断面から平均で対角線の {1} ずれています。求められたのは {2} です。継ぎ目がゴアの中央より最大 {3} 外に出ます。{4}</translation>
     </message>
     <message>
         <source>The balloon whose weld creases did not come to rest; what is told of it is its last good state.</source>
@@ -2805,6 +3557,14 @@
     <message>
         <source>The bleed must be from 0 to {0}, not {1}.</source>
         <translation>塗り足しは 0 から {0} までです（指定は {1}）。</translation>
+    </message>
+    <message>
+        <source>The body '{0}' has no '{1}'. It has {2}.</source>
+        <translation>立体「{0}」に '{1}' はありません。あるのは {2} です。</translation>
+    </message>
+    <message>
+        <source>The caps are too large for the ball. Choose a smaller diameter for them.</source>
+        <translation>ボールに対してキャップが大きすぎます。直径を小さくしてください。</translation>
     </message>
     <message>
         <source>The colour would run out: close the line around this place first.</source>
@@ -2843,12 +3603,20 @@
         <translation>図に閉じた線がありません。閉じた線を描き、文字やグループはパスに変換してください。</translation>
     </message>
     <message>
+        <source>The drawing has no line. {0}</source>
+        <translation>図に線がありません。{0}</translation>
+    </message>
+    <message>
         <source>The drawing has points more than {0} km from its origin. Move it there, and give it a size between 1 mm and 100 m.</source>
         <translation>図に原点から {0} km 以上離れた点があります。原点へ移し、大きさを 1 mm～100 m にしてください。</translation>
     </message>
     <message>
         <source>The drawing has too much text in its styles and transforms. Save it as plain SVG once more.</source>
         <translation>図のスタイルと変形の記述が多すぎます。プレーン SVG で保存し直してください。</translation>
+    </message>
+    <message>
+        <source>The drawing has {0} lines beside the axis, not one. {1}</source>
+        <translation>図には軸の横に線が 1 本ではなく {0} 本あります。{1}</translation>
     </message>
     <message>
         <source>The drawing has {0} shape and no number {1}: choose another Part, or delete this balloon.</source>
@@ -2877,6 +3645,10 @@
     <message>
         <source>The drawing; a copy of it travels in the document</source>
         <translation>図（コピーが文書に入ります）</translation>
+    </message>
+    <message>
+        <source>The edges of the chosen seam are free again</source>
+        <translation>選んだ継ぎ目の辺が自由になりました</translation>
     </message>
     <message>
         <source>The file is XML but no SVG drawing. Choose a drawing.</source>
@@ -2931,12 +3703,24 @@
         <translation>市販の風船のフィルムです。アルミ蒸着した 15 µm の延伸ナイロン 6 と、内側の 15 µm のポリエチレン。PE どうしを溶着します。ナイロンは湿気を吸うと柔らかくなります。</translation>
     </message>
     <message>
+        <source>The film passes through itself near {0}, which the simulation does not feel: the balloon will look otherwise there. Move those parts away from each other.</source>
+        <translation>フィルムが {0} の近くで自分自身を通り抜けています。シミュレーションはそれを感じないため、実物はそこで違う形になります。その部分を互いに離してください。</translation>
+    </message>
+    <message>
+        <source>The film stays up to {0} away from the profile, even half way between the seams and the middle of the gores: it cannot take this shape. Round the profile where it is flat, hollow or sharp.</source>
+        <translation>フィルムは継ぎ目とゴアの中央の中間でも断面から最大 {0} 離れたままで、この形になれません。断面の平ら、くぼみ、とがった所を丸くしてください。</translation>
+    </message>
+    <message>
         <source>The free edition opens DXF, not SVG. Choose "as is" for the size in the import preferences. Silhouette makes its own registration marks, and adds the knife's offset and overcut. Nothing is in the file that may not be cut.</source>
         <translation>無料版が開けるのは DXF で、SVG ではありません。読み込み設定の大きさは「そのまま」にしてください。トンボは Silhouette が自分で作り、刃のオフセットと切り越しも自分で加えます。切ってはいけない線はファイルに入っていません。</translation>
     </message>
     <message>
         <source>The grain's angle {0} is no number: give degrees from the x axis.</source>
         <translation>流れ方向の角度 {0} は数ではありません。x 軸からの度数で指定してください。</translation>
+    </message>
+    <message>
+        <source>The gussets are deeper than the pouch is high. Choose a smaller depth.</source>
+        <translation>マチが袋の高さより深くなっています。小さくしてください。</translation>
     </message>
     <message>
         <source>The hand beside the shape is as large as a grown-up's</source>
@@ -2971,6 +3755,10 @@
         <translation>ふくらんだ輪郭は図から平均 {0} 離れます。風船が穴か溶着した点を横切って折れています。</translation>
     </message>
     <message>
+        <source>The intake cannot lead into a hole of panel {0}: say another edge for the opening.</source>
+        <translation>注入口をパネル {0} の穴に向けることはできません。開口を別の辺にしてください。</translation>
+    </message>
+    <message>
         <source>The intake file {0} calls itself "{1}": give both the same name.</source>
         <translation>注入口のファイル {0} の中の名前は「{1}」です。同じ名前にしてください。</translation>
     </message>
@@ -2997,6 +3785,10 @@
     <message>
         <source>The intake's angle must be a number.</source>
         <translation>注入口の角度は数で指定してください。</translation>
+    </message>
+    <message>
+        <source>The intake's direction is of two equal panels: of many, say a seam and how far along it.</source>
+        <translation>注入口の向きは同じ 2 枚のパネルだけのものです。複数パネルでは継ぎ目とその上の位置を指定してください。</translation>
     </message>
     <message>
         <source>The intake's length must be above 0, up to 100 m: give it about 30 mm.</source>
@@ -3111,12 +3903,28 @@
         <translation>ノズルのフランジは穴より広くしてください。</translation>
     </message>
     <message>
+        <source>The opening is at point {0} of panel '{1}', whose points are 0 to {2}. Choose one of them.</source>
+        <translation>開口がパネル「{1}」の点 {0} にありますが、点の番号は 0～{2} です。その中から選んでください。</translation>
+    </message>
+    <message>
+        <source>The opening is on a panel '{0}' that is not there. {1}</source>
+        <translation>開口が、存在しないパネル「{0}」にあります。{1}</translation>
+    </message>
+    <message>
+        <source>The opening is on panel {0}, but there are {1}. Choose one of them.</source>
+        <translation>開口がパネル {0} にありますが、パネルは {1} 枚です。その中から選んでください。</translation>
+    </message>
+    <message>
         <source>The options cannot be used ({0}). See --help.</source>
         <translation>オプションが使えません（{0}）。--help を見てください。</translation>
     </message>
     <message>
         <source>The outline cannot be mirrored about its axis: draw it symmetric, or leave that.</source>
         <translation>輪郭を軸で反転できません。対称に描くか、そのままにしてください。</translation>
+    </message>
+    <message>
+        <source>The outline comes to its axis more than once. {0}</source>
+        <translation>輪郭が軸に 2 回以上来ています。{0}</translation>
     </message>
     <message>
         <source>The outline crosses or nearly touches itself near {0}: separate the parts that meet there.</source>
@@ -3139,6 +3947,10 @@
         <translation>輪郭に数ではない座標があります。図を直してください。</translation>
     </message>
     <message>
+        <source>The outline has no straight upright side on its left, so its axis is missing. {0}</source>
+        <translation>輪郭の左にまっすぐ縦の辺がなく、軸がわかりません。{0}</translation>
+    </message>
+    <message>
         <source>The outline's {0} of {1} cannot be made; bring it to a size between 1 mm and 100 m.</source>
         <translation>輪郭の{0} {1} は作れません。1 mm～100 m の大きさにしてください。</translation>
     </message>
@@ -3153,6 +3965,22 @@
     <message>
         <source>The panels are sealed to {0} bodies. Inflate each by itself.</source>
         <translation>パネルは{0}個の立体に接合されています。それぞれ別にふくらませてください。</translation>
+    </message>
+    <message>
+        <source>The panels are sealed to {0} bodies: panel '{1}' does not hang together with panel '{2}'. Make a bag of each body.</source>
+        <translation>パネルが {0} 個の立体に分かれています。パネル「{1}」がパネル「{2}」とつながっていません。立体ごとに袋を作ってください。</translation>
+    </message>
+    <message>
+        <source>The panels have no names. {0}</source>
+        <translation>パネルに名前がありません。{0}</translation>
+    </message>
+    <message>
+        <source>The panels have other points than those that were meshed. Mesh the bag anew.</source>
+        <translation>パネルの点がメッシュを作ったときと違います。袋のメッシュを作り直してください。</translation>
+    </message>
+    <message>
+        <source>The panels have {0} points, more than {1}. Simplify them in the program that they come from.</source>
+        <translation>パネルの点が {0} 個で、{1} 個を超えています。元のプログラムで簡単にしてください。</translation>
     </message>
     <message>
         <source>The part round {0} has no rim for an intake: leave a gap in the welds round it.</source>
@@ -3195,6 +4023,10 @@
         <translation>画像が小さすぎて形が分かりません。{0} ピクセル以上にしてください。</translation>
     </message>
     <message>
+        <source>The picture of a body of gores goes all round: leave out --artwork-back.</source>
+        <translation>ゴアの立体の絵は全周に回ります。--artwork-back を外してください。</translation>
+    </message>
+    <message>
         <source>The picture was read as a pen drawing: the inside of its lines is filled.</source>
         <translation>線画として読み込み、線の内側を塗りました。</translation>
     </message>
@@ -3207,12 +4039,56 @@
         <translation>注入口「{0}」の部品は {1} で、{2} とは溶着しません。別の注入口か、それと溶着できるフィルムを選んでください：{3}。</translation>
     </message>
     <message>
+        <source>The pressure at the lower end must be 0 or more.</source>
+        <translation>下端の圧力は 0 以上でなければなりません。</translation>
+    </message>
+    <message>
         <source>The pressure must be positive and at most {0}, not {1}. A party balloon has about 2 kPa.</source>
         <translation>圧力は 0 より大きく {0} 以下にしてください（指定は {1}）。パーティー用の風船は約 2 kPa です。</translation>
     </message>
     <message>
+        <source>The pressure must grow upwards: give a gradient of 0 or more.</source>
+        <translation>圧力は上に向かって大きくならなければなりません。0 以上の勾配にしてください。</translation>
+    </message>
+    <message>
         <source>The print on film</source>
         <translation>フィルムへの印刷</translation>
+    </message>
+    <message>
+        <source>The profile crosses or touches itself at {0}. Draw a simple line.</source>
+        <translation>断面が {0} で自分と交わるか接しています。単純な線を描いてください。</translation>
+    </message>
+    <message>
+        <source>The profile goes to the other side of its axis at the height {0}: the radius is {1}. Draw one half only.</source>
+        <translation>断面が高さ {0} で軸の反対側に出ています（半径 {1}）。片側だけを描いてください。</translation>
+    </message>
+    <message>
+        <source>The profile has more than {0} points. Simplify it.</source>
+        <translation>断面の点が {0} 個を超えています。簡単にしてください。</translation>
+    </message>
+    <message>
+        <source>The profile is a closed line that does not run along its axis. Draw one half of the section, from the lower to the upper end.</source>
+        <translation>断面が軸に沿わない閉じた線です。下端から上端まで、断面の半分を描いてください。</translation>
+    </message>
+    <message>
+        <source>The profile is too slender for a disc of {0} at its {1} end. Let the gores meet in a point there.</source>
+        <translation>断面が細すぎて、端（{1}）に {0} の円板が付きません。そこではゴアを 1 点に集めてください。</translation>
+    </message>
+    <message>
+        <source>The profile is {0} large. Give it a size between {1} and {2}, and check its unit.</source>
+        <translation>断面の大きさが {0} です。{1}～{2} にして、単位を確かめてください。</translation>
+    </message>
+    <message>
+        <source>The profile lies on its axis. Draw the half outline at a distance from it.</source>
+        <translation>断面が軸の上にあります。輪郭の半分を軸から離して描いてください。</translation>
+    </message>
+    <message>
+        <source>The profile needs at least two points, each a pair of numbers: radius and height.</source>
+        <translation>断面には 2 点以上が必要です。各点は半径と高さの 2 つの数です。</translation>
+    </message>
+    <message>
+        <source>The profile touches its axis at the height {0}, which parts the balloon in two. Keep it away from the axis there.</source>
+        <translation>断面が高さ {0} で軸に接し、風船が 2 つに分かれます。そこを軸から離してください。</translation>
     </message>
     <message>
         <source>The radius of the corner relief must be 0 or above.</source>
@@ -3231,6 +4107,14 @@
         <translation>溶着幅は 0.01 mm～1 m、余白は 0～1 m にしてください。</translation>
     </message>
     <message>
+        <source>The seams of {0} gores stand out by up to {1} over their middles. More gores make the body rounder.</source>
+        <translation>ゴア {0} 枚の継ぎ目は中央より最大 {1} 外に出ます。ゴアを増やすと丸くなります。</translation>
+    </message>
+    <message>
+        <source>The selected sketches, wires and flat faces become the panels</source>
+        <translation>選んだスケッチ、ワイヤー、平らな面がパネルになります</translation>
+    </message>
+    <message>
         <source>The shape in the picture is too frayed to trace. Use a clearer picture.</source>
         <translation>画像の形の縁が荒れすぎてなぞれません。もっとはっきりした画像を使ってください。</translation>
     </message>
@@ -3241,6 +4125,26 @@
     <message>
         <source>The shape touches the {0} border of the picture; if it was cut off there, leave more margin.</source>
         <translation>形が画像の{0}端に触れています。切れているなら余白を増やしてください。</translation>
+    </message>
+    <message>
+        <source>The side band has no width: give its width, or the thickness of the balloon.</source>
+        <translation>側面の帯に幅がありません。幅か風船の厚さを指定してください。</translation>
+    </message>
+    <message>
+        <source>The side band is too wide for this drawing, whose parts are about {0} wide: give it at most {1}.</source>
+        <translation>図の部分の幅は約 {0} で、側面の帯が広すぎます。{1} 以下にしてください。</translation>
+    </message>
+    <message>
+        <source>The side band must be wider than 0, not {0}. Give it 20 mm or so.</source>
+        <translation>側面の帯の幅は 0 より大きくなければなりません（今は {0}）。20 mm ほどにしてください。</translation>
+    </message>
+    <message>
+        <source>The side band of {0} leaves nothing of the front, whose widest part is {1} wide: give it at most {2}.</source>
+        <translation>側面の帯 {0} では、最も広い部分が {1} の表が残りません。{2} 以下にしてください。</translation>
+    </message>
+    <message>
+        <source>The sides of seam {0} are not equally long: {1}, {2}. Make them equally long, or allow them ease.</source>
+        <translation>継ぎ目 {0} の両側の長さが違います：{1}、{2}。同じ長さにするか、ゆとりを認めてください。</translation>
     </message>
     <message>
         <source>The sides of seam {0} are {1} and {2} long. Make them equally long.</source>
@@ -3267,6 +4171,10 @@
         <translation>シミュレーションを停止しました。</translation>
     </message>
     <message>
+        <source>The size comes from {0}: make it smaller there, or of more and narrower panels.</source>
+        <translation>大きさは {0} で決まっています。そちらで小さくするか、細いパネルを増やしてください。</translation>
+    </message>
+    <message>
         <source>The size comes from {0}: make it smaller there.</source>
         <translation>大きさは {0} で決まります。そちらで小さくしてください。</translation>
     </message>
@@ -3277,6 +4185,10 @@
     <message>
         <source>The size of {0} is set by an expression: change the value that it uses.</source>
         <translation>{0} の大きさは式で決まります。式が参照する値を変えてください。</translation>
+    </message>
+    <message>
+        <source>The slant of a cone is longer than its radius. Choose a longer slant.</source>
+        <translation>円錐の母線は半径より長くなければなりません。長くしてください。</translation>
     </message>
     <message>
         <source>The smallest radius is {0}, near {1}; {2} follows {3}. It will come out rounder there.</source>
@@ -3299,6 +4211,10 @@
         <translation>温度（{0}）{1} ℃ は範囲外です。20C のように指定してください。</translation>
     </message>
     <message>
+        <source>The thickness of the balloon decides the width of its side band: give one of them.</source>
+        <translation>側面の帯の幅は風船の厚さで決まります。どちらか一方を指定してください。</translation>
+    </message>
+    <message>
         <source>The tie tab at {0} degrees would run into another part: choose another angle.</source>
         <translation>{0} 度の耳は別の部分にぶつかります。角度を変えてください。</translation>
     </message>
@@ -3319,6 +4235,10 @@
         <translation>注入口から風船への通路が {0} に狭まります（注入口の幅は {1}）。もっと広い所に付けないと、空気がゆっくりしか入りません。</translation>
     </message>
     <message>
+        <source>The width and the height must be more than 0.</source>
+        <translation>幅と高さは 0 より大きくなければなりません。</translation>
+    </message>
+    <message>
         <source>The width of the passages must be 0 or above.</source>
         <translation>通路の幅は 0 以上にしてください。</translation>
     </message>
@@ -3327,12 +4247,24 @@
         <translation>材料カード {2} の {0}「{1}」を読めません。カードを直してください。</translation>
     </message>
     <message>
+        <source>The {0} bears {1} here with a margin of {2}, and the pressure is {3}. Inflate it to less, or take a stronger film.</source>
+        <translation>{0}：ここでは余裕 {2} で {1} に耐え、圧力は {3} です。圧力を下げるか、強いフィルムを使ってください。</translation>
+    </message>
+    <message>
         <source>The {0} crosses or touches itself at {1}; part the lines there.</source>
         <translation>{1} で線が交わるか触れています（{0}）。離してください。</translation>
     </message>
     <message>
         <source>The {0} encloses no area; draw a closed shape with at least three corners.</source>
         <translation>面を囲んでいません（{0}）。角が三つ以上の閉じた形を描いてください。</translation>
+    </message>
+    <message>
+        <source>The {0} end of the profile is '{1}'. Use one of {2}.</source>
+        <translation>断面の端（{0}）が「{1}」です。{2} のどれかにしてください。</translation>
+    </message>
+    <message>
+        <source>The {0} end of the profile is {1} away from the axis, so no gores can meet there in a point. Close it with a disc, or leave it open.</source>
+        <translation>断面の端（{0}）は軸から {1} 離れているため、ゴアを 1 点に集められません。円板で閉じるか、開けておいてください。</translation>
     </message>
     <message>
         <source>The {0} is {1} mm: give one above 0, for example 300 mm.</source>
@@ -3363,6 +4295,10 @@
         <translation>切り込みの深さ</translation>
     </message>
     <message>
+        <source>There are no panels: choose sketches or flat faces.</source>
+        <translation>パネルがありません。スケッチか平らな面を選んでください。</translation>
+    </message>
+    <message>
         <source>There can be 0 to {0} notches, not {1}, with a depth above 0.</source>
         <translation>合印は 0～{0} 個（指定は {1}）、深さは 0 より大きくしてください。</translation>
     </message>
@@ -3371,12 +4307,20 @@
         <translation>枚数は 1～{0} です（指定は {1}）。</translation>
     </message>
     <message>
+        <source>There is advice about two equal panels only: of many, the warnings tell.</source>
+        <translation>助言は同じ 2 枚のパネルだけのものです。複数パネルでは警告が知らせます。</translation>
+    </message>
+    <message>
         <source>There is no "{0}" to repair in {1}: see its advice.</source>
         <translation>{1} には直すべき「{0}」がありません。助言を確かめてください。</translation>
     </message>
     <message>
         <source>There is no file '{0}'. Check the name and the folder.</source>
         <translation>ファイル「{0}」がありません。名前とフォルダーを確かめてください。</translation>
+    </message>
+    <message>
+        <source>There is no file {0}, and no such ready body: check the name and the folder.</source>
+        <translation>ファイル {0} も、その名前の既製の立体もありません。名前とフォルダーを確かめてください。</translation>
     </message>
     <message>
         <source>There is no file {0}: check the name and the folder.</source>
@@ -3439,12 +4383,28 @@
         <translation>「{0}」という用紙はありません。A4、A3、レターから選んでください。</translation>
     </message>
     <message>
+        <source>There is no picture to print: choose one, as the balloon has none of its own.</source>
+        <translation>印刷する絵がありません。風船に絵がないので、選んでください。</translation>
+    </message>
+    <message>
         <source>There is no picture to print: choose one, as the outline has none of its own.</source>
         <translation>印刷する画像がありません。輪郭には画像がないので、選んでください。</translation>
     </message>
     <message>
+        <source>There is no ready body '{0}'. Choose one of {1}.</source>
+        <translation>既製の立体「{0}」はありません。{1} から選んでください。</translation>
+    </message>
+    <message>
+        <source>There is no room for a flange of {0} in its middle: choose another panel or a smaller one.</source>
+        <translation>中央に {0} のフランジを置く場所がありません。別のパネルか小さなものを選んでください。</translation>
+    </message>
+    <message>
         <source>There is no room for a flange of {0} there: choose another place or a smaller one.</source>
         <translation>そこに {0} のフランジは入りません。別の場所か小さなフランジにしてください。</translation>
+    </message>
+    <message>
+        <source>There is no seam {0} for the opening: the seams are 1 to {1}.</source>
+        <translation>開口に使う継ぎ目 {0} はありません。継ぎ目は 1～{1} です。</translation>
     </message>
     <message>
         <source>There is no sheet {0}: give a number from 1 to {1}.</source>
@@ -3579,8 +4539,28 @@
         <translation>端切れ 2 枚で温度と時間を試します。溶着したところが、はがれる前に伸びるか破れれば合格です。</translation>
     </message>
     <message>
+        <source>Turns</source>
+        <translation>折り返し</translation>
+    </message>
+    <message>
         <source>Two circles: change their diameters in the sketch</source>
         <translation>二つの円：スケッチで直径を変えられます</translation>
+    </message>
+    <message>
+        <source>Two equal panels have one seam: what is said of the seam or edge of the opening has no effect. Say the direction of the intake, or its place along the seam.</source>
+        <translation>同じ 2 枚のパネルの継ぎ目は 1 本です。開口の継ぎ目や辺の指定は効きません。注入口の向きか、継ぎ目に沿った位置を指定してください。</translation>
+    </message>
+    <message>
+        <source>Two equal panels lie flat and have no lower end. Give lift to a standing body.</source>
+        <translation>同じ 2 枚のパネルは平らで下端がありません。浮力は立っている立体に指定してください。</translation>
+    </message>
+    <message>
+        <source>Two panels</source>
+        <translation>2 枚のパネル</translation>
+    </message>
+    <message>
+        <source>Two panels of the JSON file are called '{0}'. Give each a name of its own.</source>
+        <translation>JSON ファイルに「{0}」というパネルが 2 つあります。別々の名前にしてください。</translation>
     </message>
     <message>
         <source>Two panels with a grain aslant are no mirror images. Turn the grain along x or y.</source>
@@ -3605,6 +4585,10 @@
     <message>
         <source>Upload the SVG as a cut image and compare the control bar: some versions read the size at 72 dpi. Nothing is in the file that may not be cut. It adds the knife's offset and overcut itself.</source>
         <translation>SVG をカット画像としてアップロードし、確認用の棒を比べてください。大きさを 72 dpi で読む版があります。切ってはいけない線はファイルに入っていません。刃のオフセットと切り越しは自分で加えます。</translation>
+    </message>
+    <message>
+        <source>Upper end</source>
+        <translation>上端</translation>
     </message>
     <message>
         <source>Used</source>
@@ -3641,10 +4625,6 @@
     <message>
         <source>Weakest place: {0} at {1}, estimated: the film did not come to rest</source>
         <translation>最も弱い所：{0}（位置 {1}）、推定値：フィルムが静止しませんでした</translation>
-    </message>
-    <message>
-        <source>Weighing {0}</source>
-        <translation>{0} の重さを求めています</translation>
     </message>
     <message>
         <source>Weight</source>
@@ -3723,12 +4703,20 @@
         <translation>{0} から届いたものは、SHA-256 が違うので、この版のネイティブソルバーではありません。保存しませんでした。{1}</translation>
     </message>
     <message>
+        <source>Where an edge is cut into tabs, turn it round the other one tab by tab while you seal.</source>
+        <translation>辺がタブに切られている所は、溶着しながらタブを 1 つずつもう一方の辺に折り返します。</translation>
+    </message>
+    <message>
         <source>Where the film wrinkles</source>
         <translation>しわが寄る所</translation>
     </message>
     <message>
         <source>Whether the {0} of the intake's pieces welds to {1} is not known: try it on a scrap first.</source>
         <translation>注入口の部品の {0} が {1} と溶着するかどうかは不明です。先に端切れで試してください。</translation>
+    </message>
+    <message>
+        <source>While this is pressed, the edge that you pick is where it is filled</source>
+        <translation>押している間は、選んだ辺が空気を入れる辺になります</translation>
     </message>
     <message>
         <source>While this is pressed, the ring in the 3D view moves the intake</source>
@@ -3763,8 +4751,16 @@
         <translation>浮く？{0}</translation>
     </message>
     <message>
+        <source>With a side band the balloon of this drawing becomes {0} to {1} thick, not {2}. Choose a thickness between, or draw its parts wider or narrower.</source>
+        <translation>側面の帯を付けるとこの図の風船の厚さは {0}～{1} になり、{2} にはなりません。その間の厚さを選ぶか、図の部分の幅を変えてください。</translation>
+    </message>
+    <message>
         <source>With the fonts of this computer {0} cannot be drawn, letter by letter from left to right: leave that out of the label, or install a font that has it and start again.</source>
         <translation>このコンピューターのフォントでは {0} を左から右へ 1 字ずつ描けません。文字から除くか、それのあるフォントを入れて起動し直してください。</translation>
+    </message>
+    <message>
+        <source>Within</source>
+        <translation>許容範囲</translation>
     </message>
     <message>
         <source>Write all results for ParaView (.vtu) or NumPy (.npz), or the shape alone (.stl)</source>
@@ -3783,8 +4779,24 @@
         <translation>加工台より大きくてもファイルを書き出します</translation>
     </message>
     <message>
+        <source>Write {"a": ["top", 0, 1], "b": ["side", 3, 2]}.</source>
+        <translation>{"a": ["top", 0, 1], "b": ["side", 3, 2]} と書いてください。</translation>
+    </message>
+    <message>
+        <source>Write {"name": "top", "outer": [[0, 0], [300, 0], [150, 200]]}.</source>
+        <translation>{"name": "top", "outer": [[0, 0], [300, 0], [150, 200]]} と書いてください。</translation>
+    </message>
+    <message>
+        <source>Write {"panel": "side", "at": 2}.</source>
+        <translation>{"panel": "side", "at": 2} と書いてください。</translation>
+    </message>
+    <message>
         <source>Write {"unit": "mm", "outer": [[0, 0], [300, 0], [150, 200]]}.</source>
         <translation>{"unit": "mm", "outer": [[0, 0], [300, 0], [150, 200]]} のように書いてください。</translation>
+    </message>
+    <message>
+        <source>Write {"unit": "mm", "profile": [[0, 0], [150, 200], [0, 400]]}.</source>
+        <translation>{"unit": "mm", "profile": [[0, 0], [150, 200], [0, 400]]} と書いてください。</translation>
     </message>
     <message>
         <source>Writing DXF needs ezdxf: install it with pip install ezdxf, or use the SVG file.</source>
@@ -3915,6 +4927,14 @@
         <translation>描いた印</translation>
     </message>
     <message>
+        <source>edge {0} of {1}panel '{2}'</source>
+        <translation>{1}パネル「{2}」の辺 {0}</translation>
+    </message>
+    <message>
+        <source>edges {0} to {1}</source>
+        <translation>辺 {0}～{1}</translation>
+    </message>
+    <message>
         <source>empty: </source>
         <translation>空：</translation>
     </message>
@@ -3975,12 +4995,24 @@
         <translation>穴</translation>
     </message>
     <message>
+        <source>hole {0} of panel '{1}'</source>
+        <translation>パネル「{1}」の穴 {0}</translation>
+    </message>
+    <message>
         <source>hydrogen</source>
         <translation>水素</translation>
     </message>
     <message>
         <source>if the weld creases: {0}</source>
         <translation>溶着線にしわが寄る場合：{0}</translation>
+    </message>
+    <message>
+        <source>in both sides of seam {0}</source>
+        <translation>継ぎ目 {0} の両側にあります</translation>
+    </message>
+    <message>
+        <source>in seams {0} and {1}</source>
+        <translation>継ぎ目 {0} と {1} にあります</translation>
     </message>
     <message>
         <source>in the mean {}</source>
@@ -4015,12 +5047,20 @@
         <translation>ファイルではありません</translation>
     </message>
     <message>
+        <source>it is thinner than any film. Make it wider.</source>
+        <translation>どのフィルムより細くなっています。広くしてください。</translation>
+    </message>
+    <message>
         <source>it is too large</source>
         <translation>大きすぎます</translation>
     </message>
     <message>
         <source>it would grow together with another part</source>
         <translation>別の部分とつながってしまう</translation>
+    </message>
+    <message>
+        <source>known of two equal panels alone</source>
+        <translation>同じ 2 枚のパネルでだけわかります</translation>
     </message>
     <message>
         <source>laying out, {0} so far</source>
@@ -4069,6 +5109,14 @@
     <message>
         <source>names the unit {0}, which is not a usual one</source>
         <translation>単位 {0} は一般的ではありません</translation>
+    </message>
+    <message>
+        <source>near {0} two of its edges are closer than {1}, and their welds run into each other: make the balloon larger or the seal narrower.</source>
+        <translation>{0} の近くで 2 つの辺の間が {1} より狭く、溶着が重なります。風船を大きくするか、溶着を細くしてください。</translation>
+    </message>
+    <message>
+        <source>no drawing to compare with</source>
+        <translation>比べる図がありません</translation>
     </message>
     <message>
         <source>no file was written</source>
@@ -4351,12 +5399,24 @@
         <translation>線の間のすき間を {0} か所閉じました。最大で図の幅の {1} です。</translation>
     </message>
     <message>
+        <source>{0} has a point that is no number or farther away than {1}. Check its coordinates and the unit.</source>
+        <translation>{0} に数でない点か、{1} より遠い点があります。座標と単位を確かめてください。</translation>
+    </message>
+    <message>
+        <source>{0} has fewer than three points. Give all of its corners.</source>
+        <translation>{0} の点が 3 つ未満です。角をすべて指定してください。</translation>
+    </message>
+    <message>
         <source>{0} has interface {1}, but {2} is needed.</source>
         <translation>{0} のインターフェースは {1} ですが、{2} が必要です。</translation>
     </message>
     <message>
         <source>{0} has no "{1}": it has {2}.</source>
         <translation>{0} に「{1}」はありません。使えるもの：{2}。</translation>
+    </message>
+    <message>
+        <source>{0} has no area: all of its points lie on a line. Check its coordinates.</source>
+        <translation>{0} に面積がありません。点がすべて一直線上にあります。座標を確かめてください。</translation>
     </message>
     <message>
         <source>{0} has no pattern: choose a balloon.</source>
@@ -4379,6 +5439,14 @@
         <translation>{0} には面が複数あります。一つを選んでください。</translation>
     </message>
     <message>
+        <source>{0} has several faces: select those that are panels.</source>
+        <translation>{0} には複数の面があります。パネルになる面を選んでください。</translation>
+    </message>
+    <message>
+        <source>{0} has {1} construction lines: leave one of them, which is the axis.</source>
+        <translation>{0} には補助線が {1} 本あります。軸になる 1 本だけを残してください。</translation>
+    </message>
+    <message>
         <source>{0} hole with a thin line round it was filled, as a pen's: choose Drawn as filled shape to keep it.</source>
         <translation>細い線で囲まれた穴を {0} 個、線画とみなして塗りました。残すには「描き方」を「塗った形」にしてください。</translation>
     </message>
@@ -4393,6 +5461,10 @@
     <message>
         <source>{0} is a folder</source>
         <translation>{0} はフォルダーです</translation>
+    </message>
+    <message>
+        <source>{0} is an edge of a hole: choose one of an outer loop as the opening.</source>
+        <translation>{0} は穴の辺です。開口には外側の境界の辺を選んでください。</translation>
     </message>
     <message>
         <source>{0} is damaged or incomplete ({1}). Install the workbench anew.</source>
@@ -4411,6 +5483,22 @@
         <translation>{0} は空です。閉じた線を描いてください。</translation>
     </message>
     <message>
+        <source>{0} is empty: draw half an outline in it, beside the vertical axis.</source>
+        <translation>{0} は空です。縦の軸の横に輪郭の半分を描いてください。</translation>
+    </message>
+    <message>
+        <source>{0} is in no seam. Seal it to another edge.</source>
+        <translation>{0} はどの継ぎ目にもありません。別の辺と溶着してください。</translation>
+    </message>
+    <message>
+        <source>{0} is in no seam: join it to another edge.</source>
+        <translation>{0} はどの継ぎ目にもありません。別の辺とつないでください。</translation>
+    </message>
+    <message>
+        <source>{0} is in two seams: take one of them away.</source>
+        <translation>{0} は 2 つの継ぎ目にあります。どちらかを外してください。</translation>
+    </message>
+    <message>
         <source>{0} is neither DXF nor SVG: let the name end in .dxf or .svg.</source>
         <translation>{0} は DXF でも SVG でもありません。名前の末尾を .dxf か .svg にしてください。</translation>
     </message>
@@ -4425,6 +5513,10 @@
     <message>
         <source>{0} is not flat: a balloon is cut from flat film, so draw it in one plane.</source>
         <translation>{0} は平らではありません。風船は平らなフィルムから切るので、一つの平面に描いてください。</translation>
+    </message>
+    <message>
+        <source>{0} is not flat: draw half the outline in a sketch.</source>
+        <translation>{0} は平らではありません。輪郭の半分をスケッチに描いてください。</translation>
     </message>
     <message>
         <source>{0} is not joined by heat: {1} is not made for it.</source>
@@ -4443,8 +5535,20 @@
         <translation>{0} は最新ではありません。{1} それを直し、再計算してから書き出してください。</translation>
     </message>
     <message>
+        <source>{0} is open: close its line.</source>
+        <translation>{0} は開いています。線を閉じてください。</translation>
+    </message>
+    <message>
         <source>{0} is too large a number, or none</source>
         <translation>{0} は大きすぎるか、数ではありません</translation>
+    </message>
+    <message>
+        <source>{0} is {1} long, {2} {3}: make them equally long.</source>
+        <translation>{0} の長さは {1}、{2} は {3} です。同じ長さにしてください。</translation>
+    </message>
+    <message>
+        <source>{0} is {1}. Seal each edge once: side a goes along its loop from its first point to its second, b against it.</source>
+        <translation>{0} は{1}。各辺は 1 回だけ溶着します。側 a は境界に沿って最初の点から次の点へ、b は逆向きに進みます。</translation>
     </message>
     <message>
         <source>{0} is {1}: give a number from {2} to {3}.</source>
@@ -4457,6 +5561,10 @@
     <message>
         <source>{0} left out ({1}).</source>
         <translation>{0} を除きました（{1}）。</translation>
+    </message>
+    <message>
+        <source>{0} lies on both sides of its axis: draw half the outline, on one side.</source>
+        <translation>{0} は軸の両側にあります。輪郭の半分を片側に描いてください。</translation>
     </message>
     <message>
         <source>{0} lifts {1}, {2}: no, at no size.</source>
@@ -4499,8 +5607,16 @@
         <translation>閉じていない線を {0} 本除きました。</translation>
     </message>
     <message>
+        <source>{0} panels meet at one point, which no weld closes: seal the cap from the sheet over it, or tape it.</source>
+        <translation>{0} 枚のパネルが 1 点に集まり、溶着では閉じません。シートのキャップを上から溶着するか、テープで留めてください。</translation>
+    </message>
+    <message>
         <source>{0} reads {1}, which has no pages: choose paper.</source>
         <translation>{0} が読むのは {1} で、ページがありません。用紙を選んでください。</translation>
+    </message>
+    <message>
+        <source>{0} seams cannot be sealed lying flat, least of all seam {1} of panels {2}: one edge turns by {3} in all to follow the other. Seal them bit by bit, or round the corners.</source>
+        <translation>継ぎ目 {0} 本は平らに溶着できません。最も難しいのはパネル {2} の継ぎ目 {1} で、片方の辺がもう一方に沿うのに全部で {3} 回ります。少しずつ溶着するか、角を丸くしてください。</translation>
     </message>
     <message>
         <source>{0} small speck was dropped.</source>
@@ -4579,12 +5695,24 @@
         <translation>{0}表示は最後の良い状態です。圧力を下げるか、メッシュの大きさを変えてください。</translation>
     </message>
     <message>
+        <source>{0}{1} has no length. Take one of its points out.</source>
+        <translation>{0}{1} に長さがありません。点を 1 つ取り除いてください。</translation>
+    </message>
+    <message>
         <source>{} MB from {}; the file is checked before it is used, and nothing is sent.</source>
         <translation>{1} から {0} MB を取得します。ファイルは使う前に確かめます。こちらから送るデータはありません。</translation>
     </message>
     <message>
         <source>{} at ({})</source>
         <translation>{}（位置 {}）</translation>
+    </message>
+    <message>
+        <source>{} gores are enough for {} of the profile's diagonal</source>
+        <translation>断面の対角線の {1} にはゴア {0} 枚で足ります</translation>
+    </message>
+    <message>
+        <source>{} gores, as many as {} of the profile's diagonal need</source>
+        <translation>ゴア {0} 枚（断面の対角線の {1} に必要な数）</translation>
     </message>
     <message>
         <source>{} is in the tree</source>
@@ -4605,6 +5733,10 @@
     <message>
         <source>{} of it wrinkles, {} is loose</source>
         <translation>しわ {}、たるみ {}</translation>
+    </message>
+    <message>
+        <source>{} of the profile's diagonal take {} gores</source>
+        <translation>断面の対角線の {0} にはゴア {1} 枚が必要です</translation>
     </message>
     <message>
         <source>{} of {}</source>
@@ -4641,6 +5773,10 @@
     <message>
         <source>{}: film {}, seam and neck {}, valve {}</source>
         <translation>{}：フィルム {}、継ぎ目と首 {}、弁 {}</translation>
+    </message>
+    <message>
+        <source>{}: they differ by {}</source>
+        <translation>{}：差は {}</translation>
     </message>
     <message>
         <source>{}: {}</source>
@@ -4736,6 +5872,17 @@
     </message>
 </context>
 <context>
+    <name>BalloonWorkbench_FromPanels</name>
+    <message>
+        <source>New bag of panels</source>
+        <translation>新しいパネルの袋</translation>
+    </message>
+    <message>
+        <source>Seal flat panels along their edges: selected sketches and faces, a ready body or a file</source>
+        <translation>平らなパネルを辺でつなぎます：選んだスケッチと面、既製の立体、またはファイル</translation>
+    </message>
+</context>
+<context>
     <name>BalloonWorkbench_FromPicture</name>
     <message>
         <source>New balloon from picture</source>
@@ -4744,6 +5891,17 @@
     <message>
         <source>Trace a picture, SVG, DXF or JSON file and design the balloon that looks like it</source>
         <translation>画像、SVG、DXF、JSON をなぞり、それと同じ形に見える風船を設計する</translation>
+    </message>
+</context>
+<context>
+    <name>BalloonWorkbench_FromProfile</name>
+    <message>
+        <source>Design the gores of a ball, an airship or another round body from half its outline</source>
+        <translation>輪郭の半分から、ボールや飛行船などの丸い立体のゴアを設計します</translation>
+    </message>
+    <message>
+        <source>New body of gores</source>
+        <translation>新しいゴアの立体</translation>
     </message>
 </context>
 <context>

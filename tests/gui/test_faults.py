@@ -253,7 +253,7 @@ FIRST = {
     nesting: "core.nesting.nest.nest",
     assembly: "core.assembly_sheet.page.assembly_pdf",
     advice: "core.advice.advise.advise",
-    recompute: "core.report.build",
+    recompute: "core.reports.report.build",
     colours: "core.results.film_state.film_state",
     animation: "core.solver.dynamics.animation.inflate_in_time",
 }

@@ -15,6 +15,8 @@ _KEYS = {
     "Paint": "B, D",
     "FromPicture": "B, I",
     "FromSketch": "B, K",
+    "FromProfile": "B, O",
+    "FromPanels": "B, N",
     "Advice": "B, A",
     "ColourMap": "B, M",
     "Animate": "B, V",

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""New balloons: painted, from a picture or another drawing file, from a sketch."""
+"""New balloons: painted, from a picture or another drawing file, from a sketch, of gores, of panels."""
 
 from __future__ import annotations
 
@@ -88,3 +88,65 @@ class FromSketch(Command):
                 if source[0].isDerivedFrom("Sketcher::SketchObject"):
                     source[0].ViewObject.Visibility = False  # the outline shows it
             show(BalloonPanel(parts, sketch=True, edit=edit))
+
+
+class FromProfile(Command):
+    """Makes the objects of a body of gores, links the selected sketch and opens their panel."""
+
+    drawing = "from_profile"
+    menu_text = QT_TRANSLATE_NOOP("BalloonWorkbench_FromProfile", "New body of gores")
+    tool_tip = QT_TRANSLATE_NOOP(
+        "BalloonWorkbench_FromProfile",
+        "Design the gores of a ball, an airship or another round body from half its outline",
+    )
+
+    def Activated(self):
+        from BalloonWorkbench.app.group import GORED_BODY, name_group
+        from BalloonWorkbench.gui.window.selection import selected_source
+
+        source = selected_source() if App.ActiveDocument is not None else None
+
+        def take(parts):
+            if source is not None:
+                parts.outline.Source = source
+                name_group(parts.balloon.getParentGroup(), f"{source[0].Label} body")
+
+        _begin(translate("New body of gores"), GORED_BODY, take)
+
+
+class FromPanels(Command):
+    """Makes the objects of a bag of the selected sketches and faces, and opens their panel."""
+
+    drawing = "from_panels"
+    menu_text = QT_TRANSLATE_NOOP("BalloonWorkbench_FromPanels", "New bag of panels")
+    tool_tip = QT_TRANSLATE_NOOP(
+        "BalloonWorkbench_FromPanels",
+        "Seal flat panels along their edges: selected sketches and faces, a ready body or a file",
+    )
+
+    def Activated(self):
+        from BalloonWorkbench.app.bag import set_panels
+        from BalloonWorkbench.app.group import BAG
+        from BalloonWorkbench.gui.window.selection import selected_panels
+
+        chosen = selected_panels() if App.ActiveDocument is not None else []
+
+        def take(parts):
+            if chosen:
+                set_panels(parts.outline, chosen)
+
+        _begin(translate("New bag of panels"), BAG, take)
+
+
+def _begin(title: str, kind: str, take) -> None:
+    """The objects of a new balloon of this kind, with what `take` gives them, and their panel."""
+    from BalloonWorkbench.gui.panels import show
+    from BalloonWorkbench.gui.panels.balloon.balloon_panel import BalloonPanel
+    from BalloonWorkbench.gui.window import macro_recorder
+
+    fresh = App.ActiveDocument is None
+    doc = App.newDocument("Balloon") if fresh else App.ActiveDocument
+    with undo_step(doc, title):
+        parts, edit = macro_recorder.begin(doc, title, kind)
+        take(parts)
+        show(BalloonPanel(parts, new_document=fresh, edit=edit))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a balloon's view provider can show: film, colour maps, its painting, the drawing over it.
+"""What a balloon's view provider can show: film, colour maps, its painting, its panels, the drawing over it.
 
 State is in properties of the view provider: ColourMap chooses a result, and the display mode goes along; when
 it is off again, the mode that was before comes back.
@@ -15,6 +15,7 @@ from BalloonWorkbench.app.host import COLOUR_PROPERTIES, is_replaying
 from BalloonWorkbench.app.properties.property_table import QT_TRANSLATE_NOOP
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.results.colour_map import TENSION
+from BalloonWorkbench.gui.bags.panel_display import PANELS, PanelDisplay
 from BalloonWorkbench.gui.paint.preview.painting_display import MODE as PAINTED
 from BalloonWorkbench.gui.paint.preview.painting_display import PaintedFilm
 from BalloonWorkbench.gui.qt import QtCore, translate
@@ -24,7 +25,7 @@ from BalloonWorkbench.gui.view3d.film_map import CHOICES
 from BalloonWorkbench.gui.view3d.legend_row import OFF, arrange
 from BalloonWorkbench.gui.window.borders import undo_step
 
-MODES = [FILM, MAP, PAINTED]
+MODES = [FILM, MAP, PAINTED, PANELS]
 #: The result and all that is shown beside it: a change of one of them changes the view.
 _RESULTS = ("SolvedFor", "Status", "Mesh", "FilmPoints", "PanelPoints")
 _GROUP = "Film Balloon"
@@ -65,7 +66,7 @@ class BalloonDisplay:
 
         self.vobj = vobj
         self._document, self._name = vobj.Object.Document.Name, vobj.Object.Name
-        self._film, self._painted = FilmDisplay(vobj), PaintedFilm(vobj)
+        self._film, self._painted, self._panels = FilmDisplay(vobj), PaintedFilm(vobj), PanelDisplay(vobj)
         self._curves = coin.SoSwitch()
         self._curves.whichChild.setValue(coin.SO_SWITCH_NONE)
         vobj.RootNode.addChild(self._curves)
@@ -110,6 +111,8 @@ class BalloonDisplay:
         mode = self.vobj.DisplayMode
         if mode == PAINTED:
             self._painted.follow(self.vobj.Object)
+        elif mode == PANELS:
+            self._panels.follow(self.vobj.Object)
         else:
             self._film.follow(self.vobj, mode)
         self._show_curves()

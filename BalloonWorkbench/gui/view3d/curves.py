@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from BalloonWorkbench.app.document.kinds import is_outline
 from BalloonWorkbench.app.engine import film_result
 from BalloonWorkbench.core.geometry.polyline import ring
 from BalloonWorkbench.core.results.colour_map import distances
@@ -24,7 +25,8 @@ _SHORT = 0.05  # of the largest distance, below which a hair would be a dot
 
 def curve_nodes(obj) -> list:
     """Nodes for a balloon object; none where there is no result. Raises BalloonError."""
-    if not film_result.is_known(obj) or not obj.Outline or not obj.Outline.LoopCounts:
+    drawn = obj.Outline is not None and is_outline(obj.Outline) and bool(obj.Outline.LoopCounts)
+    if not film_result.is_known(obj) or not drawn:
         return []
     inflation, _ = film_result.stored(obj)
     drawing = film_result.drawing(obj)

@@ -8,12 +8,13 @@ from dataclasses import replace
 import numpy as np
 
 from BalloonWorkbench.app.border import status
+from BalloonWorkbench.app.document.kinds import is_outline
 from BalloonWorkbench.app.engine import film_result, maker
 from BalloonWorkbench.app.properties.property_table import QT_TRANSLATE_NOOP
 from BalloonWorkbench.core.geometry.polyline import ring
 from BalloonWorkbench.core.results import colour_map
 from BalloonWorkbench.core.results.film_state import FilmState, State, film_state
-from BalloonWorkbench.core.results.result_files import results
+from BalloonWorkbench.core.results.result_files import Results, results
 from BalloonWorkbench.core.units import number_text, percent_text, to_mm
 from BalloonWorkbench.gui.qt import translate
 from BalloonWorkbench.gui.view3d.legend import TOP, Legend, label_node
@@ -41,15 +42,31 @@ def choice_title(choice: str) -> str:
     return translate(_TITLES[choice]) if choice in _TITLES else translated(choice)
 
 
+def choices_of(obj) -> list[str]:
+    """Those of CHOICES that say something of a balloon object."""
+    if not film_result.is_known(obj):
+        return CHOICES
+    kinds = colour_map.kinds_of(film_result.stored(obj)[0])
+    return [choice for choice in CHOICES if choice == OFF or choice in kinds]
+
+
 def map_nodes(obj, kind: str) -> list:
-    """Nodes that show one kind of result of a balloon object; none where there is no result.
+    """Nodes that show one kind of result of a balloon object; none where there is no such result.
 
     Raises BalloonError.
     """
+    from pivy import coin
+
     if not film_result.is_known(obj):
         return []
     inflation, film = film_result.stored(obj)
+    if kind not in colour_map.kinds_of(inflation):
+        return []  # it says nothing of many panels
     skin, film_results = skin_from(inflation, film), results(inflation, film)
+    missing = _missing(obj, film_results, kind)
+    if missing:
+        legend = Legend(_title(obj, kind, ""), notes=(missing,), warnings=warnings_of(obj))
+        return [_film(SkinNodes(skin), [_matt(coin, _GREY)]), legend_node(obj, legend, TOP)]
     if kind == colour_map.RESIDUAL:
         return _residual_nodes(obj, inflation, skin)
     drawn_map = colour_map.film_map(film_results, kind)
@@ -69,6 +86,15 @@ def map_nodes(obj, kind: str) -> list:
         name = f"{translated(safe.weakest)} " if safe is not None and safe.weakest else ""
         nodes.append(label_node(drawn_map.place, f"{name}{number_text(drawn_map.largest * factor)} {unit}"))
     return nodes
+
+
+def _missing(obj, film_results: Results, kind: str) -> str:
+    """Why this kind of result is not known of this balloon; empty where it is."""
+    if kind == colour_map.RESIDUAL and not is_outline(obj.Outline):
+        return translate("no drawing to compare with")
+    if kind == colour_map.THICKNESS and "thickness_mm" not in film_results.of_vertices:
+        return translate("known of two equal panels alone")
+    return ""
 
 
 def _film(skin: SkinNodes, before):

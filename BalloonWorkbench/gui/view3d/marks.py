@@ -25,7 +25,8 @@ class PlaceMarks:
     def mark(self, finding, placement, size: float, height: float) -> None:
         """Mark a finding of the core instead of the last one.
 
-        placement  of the outline; size of the shape and height over its plane [mm]
+        placement  of the outline, or of a balloon of many panels; size of the shape and height over its plane
+                   [mm]
         """
         from pivy import coin
 
@@ -33,12 +34,12 @@ class PlaceMarks:
         material.rgb.setValue(*COLOURS[finding.severity.value])
         style = coin.SoDrawStyle()
         style.lineWidth.setValue(4.0)
-        x, y = (to_mm(value) for value in finding.place)
+        x, y, *z = (to_mm(value) for value in finding.place)
         radius = _RING * size
         turn = [2.0 * math.pi * k / 48 for k in range(49)]
         ring = [(x + radius * math.cos(angle), y + radius * math.sin(angle)) for angle in turn]
         lines = [ring, *(to_mm(line).tolist() for line in finding.extent)]
-        above = height + _ABOVE * size
+        above = height + _ABOVE * size + sum(z)
         self._show("mark", [material, style, *(_line(coin, line, placement, above) for line in lines)])
 
     def map(self, thickness_map, placement, height: float) -> None:

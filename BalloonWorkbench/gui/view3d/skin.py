@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The film of a balloon as nodes of the 3D view: both panels smooth, a sharp seam between them."""
+"""The film of a balloon as nodes of the 3D view: each panel smooth, a sharp seam between them."""
 
 from __future__ import annotations
 
@@ -15,18 +15,20 @@ _CREASE = 0.7  # rad between facets that are shaded as one surface, where normal
 
 @dataclass(frozen=True)
 class Skin:
-    """Both panels in the object's coordinates.
+    """All panels in the object's coordinates.
 
     positions  (n, 3) mm
     triangles  (m, 3), counter-clockwise seen from outside
     normals    (n, 3), None where only FreeCAD's mesh is known
-    lines      vertices along each seam, the first one repeated, and along each weld
+    lines      vertices along each seam, and along each weld
+    panels     (m,) the panel of each triangle, None where only FreeCAD's mesh is known
     """
 
     positions: np.ndarray
     triangles: np.ndarray
     normals: np.ndarray | None = None
     lines: tuple[np.ndarray, ...] = ()
+    panels: np.ndarray | None = None
 
 
 def skin_of(obj) -> Skin | None:
@@ -39,9 +41,27 @@ def skin_of(obj) -> Skin | None:
 
 def skin_from(inflation, film) -> Skin:
     """The film of a balloon of the core."""
-    state, panel = results(inflation, film), inflation.panel
-    lines = (*(np.append(seam, seam[:1]) for seam in panel.loops), *panel.welds)
-    return Skin(state.positions, state.triangles, normals(state.positions, state.triangles), lines)
+    state, assembly = results(inflation, film), inflation.assembly
+    panels = np.repeat(np.arange(len(assembly.panels)), [len(panel.triangles) for panel in assembly.panels])
+    if assembly.mirror:
+        panels = np.repeat([0, 1], len(inflation.panel.triangles))
+    return Skin(
+        state.positions,
+        state.triangles,
+        normals(state.positions, state.triangles),
+        _lines(assembly),
+        panels,
+    )
+
+
+def _lines(assembly) -> tuple[np.ndarray, ...]:
+    """Vertices along each seam and each weld; of a rim that is closed the first one twice."""
+    if assembly.mirror:
+        (panel,) = assembly.panels
+        return (*(np.append(loop, loop[:1]) for loop in panel.loops), *panel.welds)
+    return tuple(
+        seam.first.vertices + assembly.offsets[seam.first.panel] for seam in assembly.seams + assembly.welds
+    )
 
 
 def normals(positions: np.ndarray, triangles: np.ndarray) -> np.ndarray:

@@ -18,6 +18,11 @@ def ask_for_drawing(parent) -> str | None:
     return _ask(parent, translate("Choose a drawing"), kinds)
 
 
+def ask_for_lines(parent, *endings: str) -> str | None:
+    """The path of a file of lines, SVG, DXF or JSON where no endings are given; None for none."""
+    return _ask(parent, translate("Choose a drawing"), _kind(translate("Drawings"), endings or _LINES))
+
+
 def ask_for_picture(parent, *more: str) -> str | None:
     """The path of a picture, also with more endings; None where the user does not choose one."""
     return _ask(parent, translate("Choose a picture"), _kind(translate("Pictures"), _PICTURES + more))

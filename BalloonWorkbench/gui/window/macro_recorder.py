@@ -13,8 +13,12 @@ import FreeCADGui as Gui
 
 from BalloonWorkbench.app import api
 from BalloonWorkbench.app.document import create
+from BalloonWorkbench.app.document.kinds import is_bag, is_gored_body
+from BalloonWorkbench.app.group import OUTLINE
 from BalloonWorkbench.app.properties import preferences, values
 
+#: Properties of files, and what the Python API calls them.
+_FILES = {"Drawing": "drawing", "ProfileFile": "profile_file", "PanelFile": "panel_file"}
 _drawings: dict[str, str] = {}  # where drawings came from, by their place in a document
 
 
@@ -39,14 +43,17 @@ def obj(document_object) -> str:
     return f'App.ActiveDocument.getObject("{document_object.Name}")'
 
 
-def came_from(outline, path) -> None:
-    """Remember the file of a drawing: the document has a copy without its path."""
-    _drawings[outline.Drawing] = str(path)
+def came_from(source, path, name: str = "Drawing") -> None:
+    """Remember the file that a property holds: the document has a copy without its path."""
+    _drawings[getattr(source, name)] = str(path)
 
 
-def begin(doc, label: str = "Film balloon"):
-    """The objects of a new balloon with the user's preferences, and the edit that begins with them."""
-    parts = create.make(doc, label)
+def begin(doc, label: str = "Film balloon", source: str = OUTLINE):
+    """The objects of a new balloon with the user's preferences, and the edit that begins with them.
+
+    source  what it is made from, of create.SOURCES
+    """
+    parts = create.make(doc, label, source)
     edit = Edit(parts, values.texts(parts))
     preferences.begin(parts)
     return parts, edit
@@ -79,22 +86,43 @@ class Edit:
             name: value for name, value in values.texts(self.parts).items() if self._before.get(name) != value
         }
         outline = self.parts.outline
-        if "drawing" in changed:
-            changed["drawing"] = text(_drawings.get(outline.Drawing, outline.Drawing))
+        for name, key in _FILES.items():
+            if key in changed:
+                held = getattr(outline, name)
+                changed[key] = text(_drawings.get(held, held))
         if not self.is_new:
             if changed:
                 call("change", f"BalloonWorkbench.parts({obj(self.parts.balloon)})", **changed)
+        elif is_gored_body(outline):
+            self._write_from_profile(changed)
+        elif is_bag(outline):
+            self._write_from_panels(changed)
         elif outline.Source:
             self._write_from_sketch(changed)
         elif outline.Drawing:
             self._write_from_picture(changed)
 
-    def _write_from_sketch(self, changed: dict[str, str]) -> None:
+    def _write_from_profile(self, changed: dict[str, str]) -> None:
+        path = changed.pop("profile_file", "None")
+        changed.pop("profile_from", None)
+        arguments = self._source_of(changed) if self.parts.outline.Source else [path]
+        call("from_profile", "App.ActiveDocument", *arguments, result=self.parts, name="balloon", **changed)
+
+    def _write_from_panels(self, changed: dict[str, str]) -> None:
+        sources = [changed.pop(key) for key in ("panels", "ready", "panel_file") if key in changed]
+        if sources:
+            call(
+                "from_panels", "App.ActiveDocument", sources[0], result=self.parts, name="balloon", **changed
+            )
+
+    def _source_of(self, changed: dict[str, str]) -> list[str]:
+        """The sketch, wire or face that is followed, as arguments."""
         changed.pop("source")
         source, elements = self.parts.outline.Source
-        arguments = [obj(source)]
-        if any(elements):
-            arguments.append(json.dumps(list(elements)))
+        return [obj(source), json.dumps(list(elements))] if any(elements) else [obj(source)]
+
+    def _write_from_sketch(self, changed: dict[str, str]) -> None:
+        arguments = self._source_of(changed)
         call("from_sketch", "App.ActiveDocument", *arguments, result=self.parts, name="balloon", **changed)
 
     def _write_from_picture(self, changed: dict[str, str]) -> None:

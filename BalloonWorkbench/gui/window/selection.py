@@ -21,6 +21,19 @@ def selected_source():
     return None
 
 
+def selected_panels() -> list:
+    """(object, names of faces) of all that is selected and may be panels of a bag; ("",) is the whole."""
+    panels = []
+    for picked in Gui.Selection.getSelectionEx():
+        obj = picked.Object
+        if getattr(obj, "Shape", None) is not None and parts_of(obj) is None:
+            faces = [name for name in picked.SubElementNames if name.startswith("Face")]
+            if not faces and len(obj.Shape.Faces) > 1:  # a body: all its faces
+                faces = [f"Face{number + 1}" for number in range(len(obj.Shape.Faces))]
+            panels.append((obj, tuple(faces) or ("",)))
+    return panels
+
+
 class SelectionWatch(Guarded):
     """Calls `changed` whenever the selection has changed, until removed."""
 

@@ -25,7 +25,7 @@ def test_it_opens_from_the_menu(example):
     for obj in doc.Objects:
         obj.touch()
     doc.recompute()
-    assert [obj.Status for obj in (doc.Outline, doc.Balloon, doc.Pattern)] == [status.READY] * 3
+    assert [obj.Status for obj in (doc.Balloon.Outline, doc.Balloon, doc.Pattern)] == [status.READY] * 3
     image = hands.screenshot(f"example-{example.name}")
     left, right = image.width() // 4, image.width() - 40
     colours = {image.pixel(x, y) for x in range(left, right, 6) for y in range(200, image.height() - 200, 6)}

@@ -7,12 +7,14 @@ import hands
 import pytest
 from PySide import QtSvg
 
-COMMANDS = ("FromPicture", "FromSketch", "Advice", "ColourMap", "Animate")
+COMMANDS = ("FromPicture", "FromSketch", "FromProfile", "FromPanels", "Advice", "ColourMap", "Animate")
 COMMANDS += ("Artwork", "Nest", "ExportPattern", "AssemblySheet")
 TEXTS = [
     "Paint a balloon",
     "New balloon from picture",
     "New balloon from sketch",
+    "New body of gores",
+    "New bag of panels",
     "Advice",
     "Colour map",
     "Animate inflation",
@@ -56,6 +58,8 @@ def test_commands_are_offered_when_they_make_sense():
     assert {name: is_active() for name, is_active in active.items()} == {
         "FromPicture": True,
         "FromSketch": False,
+        "FromProfile": True,
+        "FromPanels": True,
         "Advice": False,
         "ColourMap": False,
         "Animate": False,

@@ -79,6 +79,22 @@ def test_panel_of_a_picture(small, speak, doc, language):
     assert not told, "\n".join(told)
 
 
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize(("command", "entry"), [("FromProfile", 1), ("FromPanels", 6)])
+def test_panels_of_many_panels(small, speak, doc, language, command, entry):
+    """A natural shape, and a pouch with its seams."""
+    speak(language)
+    Gui.runCommand(f"BalloonWorkbench_{command}")
+    hands.wait_until(hands.panel_is_seen)
+    doc.Balloon.Live = False
+    told = look(f"{command}-empty-{language}")
+    combo = hands.find("ProfileFrom" if command == "FromProfile" else "Ready")
+    hands.choose(combo, combo.itemText(entry))
+    told += look(f"{command}-{language}")
+    hands.press("Cancel")
+    assert not told, "\n".join(told)
+
+
 @pytest.fixture
 def tiny_bed():
     """The machine of the export panel has one: its panel has the most to say then."""

@@ -43,7 +43,7 @@ def remarks(findings, frame, side: float) -> tuple[Remark, ...]:
     """
     marks: list[Remark] = []
     for finding in findings:
-        x, y = frame.places([finding.place])[0].tolist()
+        x, y = frame.places([finding.place[:2]])[0].tolist()
         step, question = None, ""
         repair = finding.repair
         if repair is not None and repair.kind is RepairKind.WIDEN and finding.rule in _QUESTIONS:

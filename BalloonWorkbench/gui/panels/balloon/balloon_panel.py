@@ -17,9 +17,11 @@ import FreeCADGui as Gui
 from BalloonWorkbench.app import balloon as balloon_object
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.document import create
-from BalloonWorkbench.app.document.kinds import leader
+from BalloonWorkbench.app.document.kinds import is_bag, is_gored_body, leader
 from BalloonWorkbench.app.document.parts import Parts, companions
+from BalloonWorkbench.app.engine.solve import Request
 from BalloonWorkbench.app.group import name_group
+from BalloonWorkbench.app.properties.property_table import QT_TRANSLATE_NOOP
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.gui.long_work.blocking import breathe
 from BalloonWorkbench.gui.long_work.worker import Worker
@@ -27,9 +29,11 @@ from BalloonWorkbench.gui.panels.balloon.draft import DraftView
 from BalloonWorkbench.gui.panels.balloon.file_box import FileBox
 from BalloonWorkbench.gui.panels.balloon.film_box import FilmBox
 from BalloonWorkbench.gui.panels.balloon.pattern_box import PatternBox
-from BalloonWorkbench.gui.panels.balloon.result_box import ResultBox
+from BalloonWorkbench.gui.panels.balloon.result_box import ResultBox, file_of, has_source
 from BalloonWorkbench.gui.panels.balloon.simulation_box import SimulationBox
 from BalloonWorkbench.gui.panels.balloon.sketch_box import SketchBox
+from BalloonWorkbench.gui.panels.bodies.bag_box import BagBox
+from BalloonWorkbench.gui.panels.bodies.gored_box import GoredBox
 from BalloonWorkbench.gui.panels.widgets.pages import Pages
 from BalloonWorkbench.gui.panels.widgets.watch import Watch
 from BalloonWorkbench.gui.qt import QtCore, drawn_icon, translate
@@ -37,6 +41,13 @@ from BalloonWorkbench.gui.view3d.fit_view import fit_all, is_whole
 from BalloonWorkbench.gui.window.borders import TaskPanel
 from BalloonWorkbench.gui.window.macro_recorder import Edit
 
+#: The page about what the balloon is to be, and its title.
+_SOURCES = {
+    FileBox: QT_TRANSLATE_NOOP("BalloonWorkbench", "Outline"),
+    SketchBox: QT_TRANSLATE_NOOP("BalloonWorkbench", "Outline"),
+    GoredBox: QT_TRANSLATE_NOOP("BalloonWorkbench", "Profile"),
+    BagBox: QT_TRANSLATE_NOOP("BalloonWorkbench", "Panels"),
+}
 _REST = 400  # ms without an edit, then a live balloon follows
 _AGAIN = 50  # ms until a result is offered once more to a document that was busy
 
@@ -71,11 +82,11 @@ class BalloonPanel(TaskPanel):
         self.was_whole = False  # all was in the view before a change
         self.then = ""
         outline = leader(parts.outline)
-        drawing = SketchBox if sketch or outline.Source else FileBox
+        drawing = _page_of(outline, sketch)
         self.result = ResultBox(parts.balloon)
         self.pages = Pages(
             (
-                (translate("Outline"), partial(self._box, drawing, outline, self.drawing_changed)),
+                (translate(_SOURCES[drawing]), partial(self._box, drawing, outline, self.drawing_changed)),
                 (translate("Film"), partial(self._box, FilmBox, parts.balloon, self.values_changed)),
                 (translate("Pattern"), partial(self._box, PatternBox, parts.pattern, self.pattern_changed)),
                 # four tabs in a narrow panel: a short word
@@ -98,7 +109,7 @@ class BalloonPanel(TaskPanel):
         self.watch = Watch(parts, self.abandon)
         self.pages.setCurrentIndex(parts.index(start) if start in parts else 0)
         self.show_state()
-        if parts.outline.Source and self.is_new:
+        if self.is_new and has_source(parts.outline) and not getattr(parts.outline, "Drawing", ""):
             QtCore.QTimer.singleShot(0, self.apply)
 
     def _box(self, kind, obj, changed):
@@ -164,14 +175,16 @@ class BalloonPanel(TaskPanel):
 
     def trace(self) -> bool:
         """Find the outline anew where something changed; True when there is one."""
-        if self.is_new and self.parts.outline.Drawing:
-            name_group(self.parts.balloon.getParentGroup(), Path(self.parts.outline.Drawing).stem)
+        if self.is_new and file_of(self.parts.outline):
+            name_group(self.parts.balloon.getParentGroup(), Path(file_of(self.parts.outline)).stem)
         self.was_whole = self.was_whole or is_whole(Gui.getDocument(self.doc.Name))
         with self._doing():
             for outline in (leader(self.parts.outline), self.parts.outline):
                 if "Touched" in outline.State or not status.is_ready(outline):
                     self.doc.recompute([outline])
         self.show_state()
+        if self.is_new and is_bag(self.parts.outline) and not self.was_whole:
+            fit_all(Gui.getDocument(self.doc.Name))  # its seams may be picked in the view
         return status.is_ready(self.parts.outline)
 
     def drawing_changed(self):
@@ -235,7 +248,7 @@ class BalloonPanel(TaskPanel):
         self.worker.ended.connect(self.work_done)
         self.result.start()
         self.worker.start()
-        if not self.parts.balloon.SolvedFor:
+        if not self.parts.balloon.SolvedFor and isinstance(current, Request):
             self.draft.begin(current)
         return False
 
@@ -284,7 +297,7 @@ class BalloonPanel(TaskPanel):
         return done
 
     def _follow_document(self):
-        if self.was_new and not self.parts.outline.Leader:
+        if self.was_new and leader(self.parts.outline) == self.parts.outline:
             create.match_companions(self.parts)  # the other shapes of the drawing
         for other in companions(self.parts):  # Apply is meant for all of them
             other.outline.recompute()
@@ -325,6 +338,15 @@ class BalloonPanel(TaskPanel):
         for box in self.pages.boxes:
             box.refresh()
         self.result.show_result(self.parts)
+
+
+def _page_of(outline, sketch: bool) -> type:
+    """The page about what the balloon is to be."""
+    if is_gored_body(outline):
+        return GoredBox
+    if is_bag(outline):
+        return BagBox
+    return SketchBox if sketch or outline.Source else FileBox
 
 
 def _run(command: str, document_name: str, balloon_name: str) -> None:

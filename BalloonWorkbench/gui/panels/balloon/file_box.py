@@ -10,7 +10,8 @@ from BalloonWorkbench.app.drawings.drawing_file import place_in_picture
 from BalloonWorkbench.app.outline import DRAWN_AS, PROPERTIES, read_all, set_drawing
 from BalloonWorkbench.core.units import to_mm
 from BalloonWorkbench.gui.panels.widgets.drawing_preview import Preview, notes_of
-from BalloonWorkbench.gui.panels.widgets.fields import PropertyPage, ReturnKey
+from BalloonWorkbench.gui.panels.widgets.fields import PropertyPage
+from BalloonWorkbench.gui.panels.widgets.file_row import FileRow
 from BalloonWorkbench.gui.qt import QtWidgets, translate
 from BalloonWorkbench.gui.window import file_dialogs as choose
 from BalloonWorkbench.gui.window import macro_recorder
@@ -23,31 +24,25 @@ class FileBox(PropertyPage):
         super().__init__(outline)
         self._placed = "", ""  # the drawing, and how it is read, for which _place holds
         self._place = None
-        self.path = QtWidgets.QLineEdit(os.path.basename(outline.Drawing))
-        self.path.setObjectName("Drawing")
-        self.path.setMinimumWidth(60)
-        self.path.setPlaceholderText(translate("Picture, SVG, DXF or JSON"))
-        self.path.setToolTip(translate("The drawing; a copy of it travels in the document"))
-        browse = QtWidgets.QToolButton()
-        browse.setText("…")
-        browse.setToolTip(translate("Choose a file"))
-        row = QtWidgets.QHBoxLayout()
-        row.addWidget(self.path)
-        row.addWidget(browse)
+        self.file = FileRow(
+            "Drawing",
+            translate("Picture, SVG, DXF or JSON"),
+            translate("The drawing; a copy of it travels in the document"),
+            choose.ask_for_drawing,
+        )
+        self.file.show_name(os.path.basename(outline.Drawing))
         self.preview = Preview()
         self.notes = QtWidgets.QLabel()
         self.notes.setWordWrap(True)
         form, sizes = self.form, {"Width": lambda: self._size()[0], "Height": lambda: self._size()[1]}
         form.addRow(QtWidgets.QLabel(translate("File")))
-        form.addRow(row)
+        form.addRow(self.file)
         for item in PROPERTIES:
             if item.label:
                 form.add(item, sizes.get(item.name))
         form.addRow(self.preview)
         form.addRow(self.notes)
-        browse.clicked.connect(self._browse)
-        self.path.editingFinished.connect(self._take_path)
-        ReturnKey(self.path, self._take_path)
+        self.file.chosen.connect(self.choose)
 
     def choose(self, path: str) -> None:
         """Take a file as the drawing."""
@@ -57,13 +52,12 @@ class FileBox(PropertyPage):
             self.refused.emit(translate("There is no file {}: check the name and the folder.").format(path))
             return
         macro_recorder.came_from(self.obj, path)
-        self.path.setText(os.path.basename(path))
-        self.path.setModified(False)
+        self.file.show_name(os.path.basename(path))
         self.changed.emit()
 
     def finish_typing(self) -> None:
         super().finish_typing()
-        self._take_path()
+        self.file.take()
 
     def refresh(self) -> None:
         super().refresh()
@@ -75,7 +69,7 @@ class FileBox(PropertyPage):
         self.notes.setText(notes_of(self.obj))
 
     def release(self) -> None:
-        self.path.setModified(False)
+        self.file.release()
         super().release()
 
     def _size(self) -> tuple[float, float]:
@@ -99,13 +93,3 @@ class FileBox(PropertyPage):
             width, height = self._size()
             outline.Width, outline.Height = outline.Width.Value or width, outline.Height.Value or height
         super().edited(name)
-
-    def _browse(self) -> None:
-        path = choose.ask_for_drawing(self)
-        if path:
-            self.choose(path)
-
-    def _take_path(self) -> None:
-        if self.path.isModified() and self.path.text().strip():
-            self.path.setModified(False)
-            self.choose(self.path.text().strip())

@@ -6,14 +6,17 @@ from __future__ import annotations
 from BalloonWorkbench.app.balloon import PROPERTIES
 from BalloonWorkbench.app.properties import film as film_values
 from BalloonWorkbench.app.properties.film import CUSTOM
+from BalloonWorkbench.app.properties.property_table import properties_of
+from BalloonWorkbench.core.options.body import BandOptions
 from BalloonWorkbench.gui.panels.balloon.card_box import CardBox
+from BalloonWorkbench.gui.panels.bodies.band_choice import BandChoice
 from BalloonWorkbench.gui.panels.widgets.fields import PropertyPage
 from BalloonWorkbench.gui.qt import QtCore, QtWidgets, translate
 from BalloonWorkbench.gui.window.sentences import translated
 
 
 class FilmBox(PropertyPage):
-    """Edits a balloon's film, pressure and size."""
+    """Edits whether a balloon has a side band, its film, pressure and size."""
 
     def __init__(self, balloon):
         super().__init__(balloon)
@@ -21,8 +24,11 @@ class FilmBox(PropertyPage):
         self.card = CardBox(balloon)
         self.card.changed.connect(self.changed)
         self.card.refused.connect(self.refused)
+        self.band = BandChoice(self.form, balloon)
+        self.band.changed.connect(self.changed)
+        banded = {item.name for item in properties_of(BandOptions)}
         for item in PROPERTIES:
-            if item.label and item.page != "Solver":
+            if item.label and item.page != "Solver" and item.name not in banded:
                 self.form.add(item)
             if item.name == "Film":
                 _describe(self.fields.widget(item.name))
@@ -31,11 +37,13 @@ class FilmBox(PropertyPage):
 
     def release(self) -> None:
         self.card.release()
+        self.band.release()
         super().release()
 
     def refresh(self) -> None:
         super().refresh()
         self.card.refresh()
+        self.band.refresh()
         if self.obj.Film != CUSTOM:  # the library's films have no grain, and welds of their own
             for name in ("YoungModulusAcross", "GrainAngle", "WeldRigidity"):
                 self.form.show_row(name, False)

@@ -6,8 +6,10 @@ from __future__ import annotations
 import FreeCADGui as Gui
 import numpy as np
 
+from BalloonWorkbench.app import bag, gored_body
 from BalloonWorkbench.app.balloon import VOLUME
 from BalloonWorkbench.app.border import status
+from BalloonWorkbench.app.document.kinds import is_bag, is_gored_body
 from BalloonWorkbench.app.properties.quantities import cubic_millimetres, pascals
 from BalloonWorkbench.core.units import from_grams, mass_text, percent_text, to_mm
 from BalloonWorkbench.gui.panels.making.maker_rows import MakerRows, value_label
@@ -166,7 +168,7 @@ class ResultBox(QtWidgets.QWidget):
         for obj in parts:
             if obj.Status and not status.is_ready(obj):
                 self.show_message(
-                    status.problem(obj), warning=bool(status.problem(outline)) and _has_source(outline)
+                    status.problem(obj), warning=bool(status.problem(outline)) and has_source(outline)
                 )
                 break
         else:
@@ -185,8 +187,19 @@ def _menu_text(command: str) -> str:
     return Gui.Command.get(f"BalloonWorkbench_{command}").getInfo()["menuText"].replace("&", "")
 
 
-def _has_source(outline) -> bool:
+def has_source(outline) -> bool:
+    """What the balloon is to be is drawn, chosen or in a file."""
+    if is_gored_body(outline):
+        return gored_body.has_profile(outline)
+    if is_bag(outline):
+        return bag.has_panels(outline)
     return bool(outline.Source or outline.Drawing)
+
+
+def file_of(outline) -> str:
+    """The file that it comes from; empty where it is none."""
+    names = (name for name in ("Drawing", "ProfileFile", "PanelFile") if hasattr(outline, name))
+    return "" if getattr(outline, "Source", None) else getattr(outline, next(names))
 
 
 def measures(balloon, pattern) -> list[tuple[str, str]]:
@@ -197,7 +210,7 @@ def measures(balloon, pattern) -> list[tuple[str, str]]:
         (translate("Size"), size_text(balloon.InflatedWidth.Value, balloon.InflatedHeight.Value)),
         (translate("Thickness"), length_text(balloon.InflatedThickness.Value)),
         (translate("Volume"), volume_text(balloon.Volume.Value)),
-        (translate("Off the drawing"), translate("{}, at most {}").format(mean, largest)),
+        *_off(balloon, translate("{}, at most {}").format(mean, largest)),
         *_creased(balloon),
         (translate("Pattern"), cut if pattern.Roles else NOTHING),
         (translate("Weight"), _weight(balloon) if balloon.Weight else NOTHING),
@@ -207,6 +220,20 @@ def measures(balloon, pattern) -> list[tuple[str, str]]:
     if balloon.Load == VOLUME:
         rows.append((translate("Pressure"), pressure_text(pascals(balloon.ActivePressure))))
     return rows
+
+
+def _off(balloon, text: str) -> list[tuple[str, str]]:
+    """How far it is off what was wanted, and its seams off the centres of its gores."""
+    if is_bag(balloon.Outline):
+        return []
+    if not is_gored_body(balloon.Outline):
+        return [(translate("Off the drawing"), text)]
+    apart = length_text(balloon.Apart.Value)
+    return [
+        (translate("Off the profile"), text),
+        (translate("Gores"), str(balloon.PanelCount)),
+        (translate("Seams and centres apart"), apart),
+    ]
 
 
 def _creased(balloon) -> list[tuple[str, str]]:

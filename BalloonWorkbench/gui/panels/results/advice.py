@@ -9,6 +9,7 @@ from __future__ import annotations
 import FreeCAD as App
 import FreeCADGui as Gui
 
+from BalloonWorkbench.app.balloon import asks_for_many_panels
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.border.guard import Guarded
 from BalloonWorkbench.app.engine import advice, repairs
@@ -57,6 +58,7 @@ class AdvicePanel(TaskPanel):
         for widget in (self.source, self.list, self.repair, self.map, self.legend, self.message):
             column.addWidget(widget)
         self.list.currentRowChanged.connect(self.choose)
+        self.map.setVisible(not asks_for_many_panels(parts.balloon))
         self.map.toggled.connect(lambda _checked: self.show_map())
         self.repair.clicked.connect(lambda _checked=False: self.make_repair())
         self.watch = Watch(parts, self.close)
@@ -115,8 +117,8 @@ class AdvicePanel(TaskPanel):
             self.list.addItem(item)
         self.list.blockSignals(False)
         self.list.fit()
-        for widget in (self.list, self.repair):
-            widget.setVisible(bool(self.listed))
+        self.list.setVisible(bool(self.listed))
+        self.repair.setVisible(bool(self.listed) and not asks_for_many_panels(self.parts.balloon))
         if not self.listed and not self.message.text():
             problem = status.problem(self.parts.outline)
             self.message.setText(translated(problem) or translate("Nothing to improve."))
@@ -166,6 +168,10 @@ class AdvicePanel(TaskPanel):
         self.repair.setText(translate("Repair") if repair is None else translated(repair_text(repair)))
         if finding is None:
             self.overlay.clear("mark")
+            return
+        if asks_for_many_panels(self.parts.balloon):
+            balloon = self.parts.balloon
+            self.overlay.mark(finding, balloon.Placement, 0.5 * balloon.Mesh.BoundBox.DiagonalLength, 0.0)
             return
         outline = self.parts.outline
         size = max(outline.SizeX.Value, outline.SizeY.Value)

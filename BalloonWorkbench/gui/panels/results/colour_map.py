@@ -8,6 +8,7 @@ from pathlib import Path
 import FreeCADGui as Gui
 
 from BalloonWorkbench.app.border import status
+from BalloonWorkbench.app.engine.bag_result import has_many_panels
 from BalloonWorkbench.app.engine.export import export_results
 from BalloonWorkbench.app.properties import preferences
 from BalloonWorkbench.core.errors import BalloonError
@@ -16,7 +17,7 @@ from BalloonWorkbench.gui.panels.widgets.narrow import ElidedCombo, WrappedLabel
 from BalloonWorkbench.gui.panels.widgets.target_file import name_of
 from BalloonWorkbench.gui.panels.widgets.watch import Watch
 from BalloonWorkbench.gui.qt import QtWidgets, drawn_icon, translate
-from BalloonWorkbench.gui.view3d.film_map import CHOICES, choice_title
+from BalloonWorkbench.gui.view3d.film_map import choice_title, choices_of
 from BalloonWorkbench.gui.view3d.legend_row import OFF
 from BalloonWorkbench.gui.window import macro_recorder
 from BalloonWorkbench.gui.window.borders import TaskPanel
@@ -43,7 +44,7 @@ class ColourMapPanel(TaskPanel):
         self.choice.setMinimumContentsLength(8)
         self.choice.setObjectName("ColourMap")
         self.choice.setToolTip(translate("Result that is shown as colours, with a legend"))
-        for entry in CHOICES:
+        for entry in choices_of(parts.balloon):
             self.choice.addItem(choice_title(entry), entry)
         self.curves = QtWidgets.QCheckBox(translate("Drawing over silhouette"))
         self.curves.setObjectName("CompareOutlines")
@@ -62,6 +63,7 @@ class ColourMapPanel(TaskPanel):
             self.view.ColourMap = TENSION
         self.choice.setCurrentIndex(self.choice.findData(self.view.ColourMap))
         self.curves.setChecked(self.view.CompareOutlines)
+        self.curves.setVisible(not has_many_panels(parts.balloon))
         self.choice.currentIndexChanged.connect(self.choose)
         self.curves.toggled.connect(self.compare)
         self.save.clicked.connect(lambda _checked=False: self.message.setText(save_results(parts.balloon)))

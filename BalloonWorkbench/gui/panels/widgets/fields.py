@@ -15,6 +15,7 @@ from BalloonWorkbench.gui.qt import QtCore, QtGui, QtWidgets, translate
 from BalloonWorkbench.gui.window.sentences import translated
 
 _SEEN = 0.01  # mm, between what is shown and its rounded text
+_MOST = 1000  # of a whole number that is no option
 _MIN_WIDTH, _MAX_WIDTH = 120, 170  # px; a task panel may be 190 px wide
 _BESIDE = 64  # px of a number box for its arrows, the sign of its expression and its frame
 
@@ -68,11 +69,13 @@ class Fields(QtCore.QObject):
         option = item.option
         if item.type in UNITS:
             unit, step = UNITS[item.type]
-            return self.quantity(item.name, unit, option.step or step, free)
+            own = option.step if option is not None else None
+            return self.quantity(item.name, unit, own or step, free)
         if item.type in ("Float", "FloatConstraint"):
             return self.number(item.name, option.step, option.decimals, option.most)
         if item.type == "Integer":
-            return self.whole(item.name, int(option.least), int(option.most))
+            least, most = (option.least, option.most) if option is not None else (0, _MOST)
+            return self.whole(item.name, int(least), int(most))
         if item.type == "Bool":
             return self.check(item.name, translate(item.label))
         return self.choice(item.name) if item.type == "Enumeration" else self.text(item.name)

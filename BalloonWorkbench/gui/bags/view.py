@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How bodies of gores and bags of panels look in the tree and in the 3D view."""
+
+from __future__ import annotations
+
+from BalloonWorkbench.gui.bags.seam_colours import FREE, WRONG, panel_tint, seam_colour
+from BalloonWorkbench.gui.view import OutlineView, _View
+
+
+class GoredBodyView(OutlineView):
+    """A thin line: the section through the body."""
+
+    icon = "gored_body"
+
+    def doubleClicked(self, vobj):
+        return _View.doubleClicked(self, vobj)
+
+
+class BagView(_View):
+    """Flat panels, each in its tint, each seam in its colour on both edges."""
+
+    icon = "bag"
+
+    def style(self, vobj):
+        vobj.DisplayMode = "Flat Lines"
+        vobj.LineWidth = 3.0
+        vobj.PointSize = 1.0
+
+    def updateData(self, obj, name):
+        super().updateData(obj, name)
+        if name in ("BagText", "Problems", "Roles"):
+            self.colour(obj)
+
+    def restored(self, vobj):
+        self.colour(vobj.Object)
+
+    def colour(self, obj):
+        """The colours of faces and edges, in the order in which the shape has them."""
+        from BalloonWorkbench.gui.bags.bag_edges import edge_seams, edges_of
+
+        shown = edges_of(obj)
+        if shown is None or not obj.Shape.Edges:
+            return
+        obj.ViewObject.DiffuseColor = [(*panel_tint(number), 0.0) for number in range(len(shown.loops))]
+        obj.ViewObject.LineColorArray = [
+            FREE if seam is None else WRONG if seam in shown.wrong else seam_colour(seam)
+            for seam in edge_seams(obj, shown)
+        ]

@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""New body of gores: from a selected sketch to the balloon, one undo step, edited and cancelled."""
+
+import math
+from itertools import pairwise
+
+import FreeCADGui as Gui
+import hands
+import pytest
+import sketches
+
+from BalloonWorkbench.app.border import status
+
+
+@pytest.fixture
+def half(doc):
+    """Half the outline of a ball of 200 mm, as a polyline of twelve lines."""
+    turns = [math.pi * (k / 12 - 0.5) for k in range(13)]
+    points = [(100 * math.cos(turn), 100 * math.sin(turn)) for turn in turns]
+    points[0], points[-1] = (0.0, -100.0), (0.0, 100.0)
+    lines = [sketches.line(*pair) for pair in pairwise(points)]
+    return sketches.sketch(doc, *lines, name="Half")
+
+
+def solved(doc):
+    return lambda: doc.getObject("Balloon").SolvedFor != "" and hands.find("Apply").isVisible()
+
+
+def test_selected_sketch_becomes_a_ball(half):
+    doc = half.Document
+    Gui.Selection.addSelection(half)
+    Gui.runCommand("BalloonWorkbench_FromProfile")
+    hands.wait_until(solved(doc), 120)
+    body, balloon = doc.GoredBody, doc.Balloon
+    assert body.Status == balloon.Status == status.READY
+    assert balloon.PanelCount == body.Gores == 6
+    assert balloon.InflatedHeight.Value == pytest.approx(200, rel=0.1)
+    assert doc.Pattern.Roles
+    hands.screenshot("gored-body")
+    hands.press("Ok")
+    hands.wait_until(hands.panel_is_closed)
+    assert doc.UndoNames[0] == "New body of gores"
+    assert balloon.getParentGroup().Label == "Half body"
+    doc.undo()
+    assert [obj.Name for obj in doc.Objects] == ["Half"]
+
+
+def test_the_law_is_told_before_anything_is_inflated(doc):
+    Gui.runCommand("BalloonWorkbench_FromProfile")
+    hands.wait_until(hands.panel_is_seen)
+    doc.Balloon.Live = False
+    hands.choose(hands.find("ProfileFrom"), "Natural shape")
+    hands.type_into(hands.find("Gores"), "0")
+    needed = doc.GoredBody.GoresNeeded
+    assert needed > 3
+    assert hands.find("GoresNeeded").text().startswith(f"{needed} gores")
+    assert not doc.Balloon.SolvedFor
+    hands.press("Cancel")
+    hands.wait_until(hands.panel_is_closed)
+    assert not doc.Objects
