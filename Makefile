@@ -72,15 +72,16 @@ pictures: native ## Take the pictures of the tutorial anew, in docs/images
 	@cp build/pictures/tutorial-*.png docs/images
 
 # Files, outlines, options, kills: as many as it takes a night to try. The last lines put faults into the engine.
-fuzz: native readers ## Inflate 2 000 outlines, read 10 000 broken files, kill writers everywhere, inject 200 faults
+fuzz: native readers ## Inflate 2 000 outlines and 300 bags, read 10 000 broken files, kill writers everywhere, inject 200 faults
 	@BALLOON_OUTLINES=2000 BALLOON_FILES=10000 BALLOON_VALUES=1000 BALLOON_KILLS=100000 BALLOON_CUTS=300 \
 	    BALLOON_COACHED=300 BALLOON_INTAKES=24 BALLOON_LAYER_SHAPES=40 BALLOON_DRAFTS=25 \
-	    BALLOON_TRIANGULATED=1500 \
+	    BALLOON_TRIANGULATED=1500 BALLOON_BAGS=300 \
 	    BALLOON_WORD_SIZES="3mm 30mm 5m 30m" BALLOON_WORD_SHAPES="star fish heart" \
 	    $(PYTHON) -m pytest -q -o faulthandler_timeout=0 --log-cli-level=INFO \
 	    tests/core/outline/test_random_outlines.py tests/core/readers/test_broken_files.py tests/core/test_value_limits.py \
 	    tests/core/files/test_interrupted_writing.py tests/core/machines/test_export_cuts.py tests/core/advice/test_coach_shapes.py \
-	    tests/core/pattern/intake/test_intake_places.py tests/core/results/test_layers.py tests/core/design/test_draft.py tests/core/test_words.py tests/core/mesh/test_mesh_delaunay.py
+	    tests/core/pattern/intake/test_intake_places.py tests/core/results/test_layers.py tests/core/design/test_draft.py tests/core/test_words.py tests/core/mesh/test_mesh_delaunay.py \
+	    tests/core/bags/test_random_bags.py
 	@BALLOON_ARRANGE_STORIES=200 BALLOON_TESTS="tests/app/document/test_arrange.py -k story" tools/test.sh app
 	@BALLOON_FAULTS=200 BALLOON_TESTS=tests/app/border/test_faults.py tools/test.sh app
 	@BALLOON_FAULTS=200 BALLOON_TESTS=tests/gui/test_faults.py tools/test.sh gui

@@ -102,9 +102,25 @@ def heart_sketch(doc):
 
 def letter_s(doc):
     """Nothing but arcs: two bowls, broad strokes, round ends."""
-    import Part
-
     from BalloonWorkbench.app.document import create
+
+    parts = create.balloon_from_sketch(doc, s_sketch(doc), mesh_size=MESH)
+    doc.LetterS.ViewObject.Visibility = False
+    return parts
+
+
+def banded_letter(doc):
+    """The same letter with a band between front and back."""
+    from BalloonWorkbench.app.document import create
+
+    parts = create.balloon_from_sketch(doc, s_sketch(doc), mesh_size=12.0, band=40.0)
+    doc.LetterS.ViewObject.Visibility = False
+    return parts
+
+
+def s_sketch(doc):
+    """The letter S."""
+    import Part
 
     bowl, stroke, end = 62.0, 60.0, math.radians(10)
 
@@ -126,8 +142,42 @@ def letter_s(doc):
     sketch.Label = "Letter S"
     sketch.addGeometry(geometry, False)
     doc.recompute()
-    parts = create.balloon_from_sketch(doc, sketch, mesh_size=MESH)
+    return sketch
+
+
+def airship(doc):
+    """Half an ellipse over its axis, a construction line: 2.1 m long, 0.73 m thick, six gores."""
+    import Part
+
+    from BalloonWorkbench.app.document import create
+
+    long, thick = 1050.0, 365.0
+    sketch = doc.addObject("Sketcher::SketchObject", "HalfOutline")
+    sketch.Label = "Half outline"
+    ellipse = Part.Ellipse(App.Vector(long, 0, 0), App.Vector(0, thick, 0), App.Vector())
+    sketch.addGeometry([Part.ArcOfEllipse(ellipse, 0.0, math.pi)], False)
+    sketch.addGeometry([Part.LineSegment(App.Vector(-long, 0, 0), App.Vector(long, 0, 0))], True)
+    doc.recompute()
+    parts = create.balloon_from_profile(doc, sketch, gores=6, pressure=0.5, mesh_size=55.0)
     sketch.ViewObject.Visibility = False
+    return parts
+
+
+def pouch(doc):
+    """A ready body whose sizes come from a spreadsheet."""
+    from BalloonWorkbench.app.document import create
+
+    sheet = doc.addObject("Spreadsheet::Sheet", "Sizes")
+    rows = (("Width", "width", 200), ("Height", "height", 300), ("Depth", "depth", 100))
+    for row, (title, alias, value) in enumerate(rows, 1):
+        sheet.set(f"A{row}", title)
+        sheet.set(f"B{row}", f"={value} mm")
+        sheet.setAlias(f"B{row}", alias)
+    doc.recompute()
+    parts = create.balloon_from_panels(doc, "Pouch", mesh_size=12.0)
+    for title, alias, _ in rows:
+        parts.outline.setExpression(title, f"Sizes.{alias}")
+    doc.recompute()
     return parts
 
 
@@ -155,6 +205,9 @@ EXAMPLES = {
     "parametric-heart": parametric_heart,
     "letter": letter_s,
     "ring": ring,
+    "airship": airship,
+    "banded-letter": banded_letter,
+    "pouch": pouch,
 }
 
 

@@ -9,7 +9,7 @@ cd "$(dirname "$(realpath "$0")")/.."
 
 list=tools/requirements-pythons.txt
 mapfile -t tests < <(grep -v '^#' tools/engine-tests.txt)
-declare -A processor=([3.10]=Prescott [3.12]=Haswell) # names of OpenBLAS
+declare -A processor=([3.10]=Prescott [3.12]=SandyBridge) # names of OpenBLAS
 versions=("$@")
 [ ${#versions[@]} -gt 0 ] || versions=(3.10 3.12)
 
