@@ -15,7 +15,6 @@ from BalloonWorkbench.app.properties.property_table import (
     results,
     show_in_editor,
 )
-from BalloonWorkbench.core.geometry.polyline import length
 
 PROPERTIES = (
     Property(
@@ -176,6 +175,7 @@ def _named(made_of):
 
 
 def _length(panels, side, *, against: bool) -> float:
+    from BalloonWorkbench.core.geometry.polyline import length
 
     line = panels[side.panel].loops[side.loop][side.points(panels, against=against)]
     return length(line)

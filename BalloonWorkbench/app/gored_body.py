@@ -15,7 +15,6 @@ from BalloonWorkbench.app.properties.property_table import (
     results,
     show_in_editor,
 )
-from BalloonWorkbench.core.geometry.polyline import length
 from BalloonWorkbench.core.options.body import ACCURACY, BodyOptions
 
 #: What the profile comes from where it does not follow a sketch.
@@ -173,6 +172,7 @@ def show(obj, read_profile, kind: str) -> None:
     import Part
 
     from BalloonWorkbench.core.bag_design.gore_count import gores_needed
+    from BalloonWorkbench.core.geometry.polyline import length
     from BalloonWorkbench.core.units import to_mm
 
     points = to_mm(read_profile.points)

@@ -3,34 +3,30 @@
 
 from __future__ import annotations
 
-import os
-
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.drawings.drawing_file import place_in_picture
 from BalloonWorkbench.app.outline import DRAWN_AS, PROPERTIES, read_all, set_drawing
 from BalloonWorkbench.core.units import to_mm
 from BalloonWorkbench.gui.panels.widgets.drawing_preview import Preview, notes_of
-from BalloonWorkbench.gui.panels.widgets.fields import PropertyPage
+from BalloonWorkbench.gui.panels.widgets.file_page import FilePage
 from BalloonWorkbench.gui.panels.widgets.file_row import FileRow
 from BalloonWorkbench.gui.qt import QtWidgets, translate
 from BalloonWorkbench.gui.window import file_dialogs as choose
-from BalloonWorkbench.gui.window import macro_recorder
 
 
-class FileBox(PropertyPage):
+class FileBox(FilePage):
     """Chooses the drawing of an outline."""
 
     def __init__(self, outline):
-        super().__init__(outline)
-        self._placed = "", ""  # the drawing, and how it is read, for which _place holds
-        self._place = None
-        self.file = FileRow(
+        file = FileRow(
             "Drawing",
             translate("Picture, SVG, DXF or JSON"),
             translate("The drawing; a copy of it travels in the document"),
             choose.ask_for_drawing,
         )
-        self.file.show_name(os.path.basename(outline.Drawing))
+        super().__init__(outline, file, "Drawing", set_drawing)
+        self._placed = "", ""  # the drawing, and how it is read, for which _place holds
+        self._place = None
         self.preview = Preview()
         self.notes = QtWidgets.QLabel()
         self.notes.setWordWrap(True)
@@ -42,22 +38,6 @@ class FileBox(PropertyPage):
                 form.add(item, sizes.get(item.name))
         form.addRow(self.preview)
         form.addRow(self.notes)
-        self.file.chosen.connect(self.choose)
-
-    def choose(self, path: str) -> None:
-        """Take a file as the drawing."""
-        try:
-            set_drawing(self.obj, path)
-        except OSError:
-            self.refused.emit(translate("There is no file {}: check the name and the folder.").format(path))
-            return
-        macro_recorder.came_from(self.obj, path)
-        self.file.show_name(os.path.basename(path))
-        self.changed.emit()
-
-    def finish_typing(self) -> None:
-        super().finish_typing()
-        self.file.take()
 
     def refresh(self) -> None:
         super().refresh()
@@ -67,10 +47,6 @@ class FileBox(PropertyPage):
             self._place = place_in_picture(*asked) if self.obj.Drawing else None
         self.preview.show(self.obj, self._place)
         self.notes.setText(notes_of(self.obj))
-
-    def release(self) -> None:
-        self.file.release()
-        super().release()
 
     def _size(self) -> tuple[float, float]:
         """Width and height of the whole drawing in mm; 0 while there is none."""

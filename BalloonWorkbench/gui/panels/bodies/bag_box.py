@@ -3,41 +3,38 @@
 
 from __future__ import annotations
 
-import os
-
 from BalloonWorkbench.app.bag import PROPERTIES, set_file, set_panels
 from BalloonWorkbench.app.document.parts import parts_of
 from BalloonWorkbench.app.properties.ready_bodies import NONE
 from BalloonWorkbench.gui.panels.bodies.seam_editor import SeamEditor
-from BalloonWorkbench.gui.panels.widgets.fields import PropertyPage
+from BalloonWorkbench.gui.panels.widgets.file_page import FilePage
 from BalloonWorkbench.gui.panels.widgets.file_row import FileRow
 from BalloonWorkbench.gui.panels.widgets.narrow import WrappedLabel
 from BalloonWorkbench.gui.qt import QtWidgets, translate
-from BalloonWorkbench.gui.window import file_dialogs, macro_recorder
+from BalloonWorkbench.gui.window import file_dialogs
 from BalloonWorkbench.gui.window.selection import selected_panels
 from BalloonWorkbench.gui.window.sentences import translated
 
 _MOST_PROBLEMS = 3  # of what does not fit: a bag without seams has many free edges
 
 
-class BagBox(PropertyPage):
+class BagBox(FilePage):
     """Edits a bag."""
 
     def __init__(self, bag_obj):
-        super().__init__(bag_obj)
+        file = FileRow(
+            "PanelFile",
+            translate("JSON"),
+            translate("Panels and seams; a copy of them travels in the document"),
+            lambda parent: file_dialogs.ask_for_lines(parent, "json"),
+        )
+        super().__init__(bag_obj, file, "PanelFile", set_file)
         self.panels, self.notes = WrappedLabel(), WrappedLabel()
         self.panels.setObjectName("PanelSources")
         self.notes.setObjectName("BagNotes")
         self.take = QtWidgets.QPushButton(translate("Take what is selected"))
         self.take.setObjectName("TakePanels")
         self.take.setToolTip(translate("The selected sketches, wires and flat faces become the panels"))
-        self.file = FileRow(
-            "PanelFile",
-            translate("JSON"),
-            translate("Panels and seams; a copy of them travels in the document"),
-            lambda parent: file_dialogs.ask_for_lines(parent, "json"),
-        )
-        self.file.show_name(os.path.basename(bag_obj.PanelFile))
         parts = parts_of(bag_obj)
         self.seams = SeamEditor(bag_obj, parts.balloon if parts is not None else None)
         form = self.form
@@ -51,23 +48,7 @@ class BagBox(PropertyPage):
         form.addRow(self.seams)
         form.addRow(self.notes)
         self.take.clicked.connect(self._take)
-        self.file.chosen.connect(self.choose)
         self.seams.changed.connect(self.changed)
-
-    def choose(self, path: str) -> None:
-        """Take a file as the panels."""
-        try:
-            set_file(self.obj, path)
-        except OSError:
-            self.refused.emit(translate("There is no file {}: check the name and the folder.").format(path))
-            return
-        macro_recorder.came_from(self.obj, path, "PanelFile")
-        self.file.show_name(os.path.basename(path))
-        self.changed.emit()
-
-    def finish_typing(self) -> None:
-        super().finish_typing()
-        self.file.take()
 
     def refresh(self) -> None:
         super().refresh()
@@ -83,7 +64,6 @@ class BagBox(PropertyPage):
         self.notes.setVisible(bool(remarks))
 
     def release(self) -> None:
-        self.file.release()
         self.seams.release()
         super().release()
 

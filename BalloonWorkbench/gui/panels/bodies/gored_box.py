@@ -3,39 +3,36 @@
 
 from __future__ import annotations
 
-import os
-
 import numpy as np
 
 from BalloonWorkbench.app.border import status
 from BalloonWorkbench.app.gored_body import FROM_FILE, PROPERTIES, set_profile
 from BalloonWorkbench.core.units import percent_text
 from BalloonWorkbench.gui.panels.bodies.profile_preview import ProfilePreview
-from BalloonWorkbench.gui.panels.widgets.fields import PropertyPage
+from BalloonWorkbench.gui.panels.widgets.file_page import FilePage
 from BalloonWorkbench.gui.panels.widgets.file_row import FileRow
 from BalloonWorkbench.gui.panels.widgets.narrow import WrappedLabel
 from BalloonWorkbench.gui.panels.widgets.source_row import SourceRow
 from BalloonWorkbench.gui.qt import translate
-from BalloonWorkbench.gui.window import file_dialogs, macro_recorder
+from BalloonWorkbench.gui.window import file_dialogs
 from BalloonWorkbench.gui.window.sentences import translated
 from BalloonWorkbench.gui.window.user_units import length_text
 
 
-class GoredBox(PropertyPage):
+class GoredBox(FilePage):
     """Edits a body of gores."""
 
     def __init__(self, body):
-        super().__init__(body)
-        self.source = SourceRow(
-            body, translate("Select a sketch of half the outline, or choose where the profile comes from.")
-        )
-        self.file = FileRow(
+        file = FileRow(
             "ProfileFile",
             translate("SVG, DXF or JSON"),
             translate("Half the outline and its axis; a copy of it travels in the document"),
             file_dialogs.ask_for_lines,
         )
-        self.file.show_name(os.path.basename(body.ProfileFile))
+        super().__init__(body, file, "ProfileFile", set_profile)
+        self.source = SourceRow(
+            body, translate("Select a sketch of half the outline, or choose where the profile comes from.")
+        )
         self.needed, self.notes = WrappedLabel(), WrappedLabel()
         self.needed.setObjectName("GoresNeeded")
         self.preview = ProfilePreview()
@@ -51,22 +48,6 @@ class GoredBox(PropertyPage):
         form.addRow(self.preview)
         form.addRow(self.notes)
         self.source.picked.connect(self.changed)
-        self.file.chosen.connect(self.choose)
-
-    def choose(self, path: str) -> None:
-        """Take a file as the profile."""
-        try:
-            set_profile(self.obj, path)
-        except OSError:
-            self.refused.emit(translate("There is no file {}: check the name and the folder.").format(path))
-            return
-        macro_recorder.came_from(self.obj, path, "ProfileFile")
-        self.file.show_name(os.path.basename(path))
-        self.changed.emit()
-
-    def finish_typing(self) -> None:
-        super().finish_typing()
-        self.file.take()
 
     def refresh(self) -> None:
         super().refresh()
@@ -82,7 +63,6 @@ class GoredBox(PropertyPage):
 
     def release(self) -> None:
         self.source.release()
-        self.file.release()
         super().release()
 
 
