@@ -82,6 +82,7 @@ def problem_of(split: SplitFilm, film: Film, pressure: float, model: Model) -> F
         grain=grain,
         tension_field=model.tension_field,
         tied=split.tied,
+        in_space=not assembly.mirror and not assembly.is_pair,
     )
     banded = film.seal_width > 0.0 and model.weld == ELASTIC
     return _with_bands(problem, split, film, pressure) if banded else problem
@@ -107,7 +108,7 @@ def _with_bands(problem: FilmProblem, split: SplitFilm, film: Film, pressure: fl
     Without bending nothing turns the directors, by which the band in space knows the plane of the film.
     """
     assembly = split.assembly
-    if not assembly.mirror and not assembly.is_pair:
+    if problem.in_space:
         return problem if problem.fixed[:, 3:].all() else _with_space_bands(problem, split, film, pressure)
     panel, films = split.panels[0], 1.0 if assembly.mirror else 2.0
     hinges = seam_hinges(panel.loops, panel.welds[::2])  # of the two sides of each weld
@@ -125,7 +126,7 @@ def _with_space_bands(problem: FilmProblem, split: SplitFilm, film: Film, pressu
     at_poles = np.isin(surface.by_seams, surface.poles)[split.origin]
     hinges = hinges[~at_poles[hinges[:, 1]]]
     rigidities = np.full(len(hinges), band_rigidity(film) / (pressure * split.assembly.size**4))
-    return replace(problem, hinges=hinges, hinge_rigidities=rigidities, in_space=True)
+    return replace(problem, hinges=hinges, hinge_rigidities=rigidities)
 
 
 def band_rigidity(film: Film) -> float:

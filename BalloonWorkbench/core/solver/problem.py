@@ -10,6 +10,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from BalloonWorkbench.core.solver.element.membrane import (
     MembraneResponse,
     plane_stress,
@@ -26,7 +28,7 @@ class FilmProblem:
 
     rest_positions (n, 2), triangles (m, 3); fixed (n, 5) True where x, y, z or one of the two turns of the
     director is held; loads (n, 3) or None; hinges (h, 3) of the sealed band, see seam_band.py, with its E I
-    at each of them; in_space: they do not stay in one plane, see space_band.py. A grain makes the film
+    at each of them; in_space: the seams do not stay in one plane, see space_band.py. A grain makes the film
     orthotropic; tension_field False makes it a plain shell, which carries compression. tied (n,): the vertex,
     itself or one before it, whose position a vertex shares; each keeps its own director, so that the film can
     fold there. The pressure at z is pressure + gradient z.
@@ -50,14 +52,19 @@ class FilmProblem:
 
     def membrane(self, strain: Floats) -> MembraneResponse:
         """Response of the film to Green strains (m, 3)."""
-        if self.tension_field:
-            if self.grain is None:
-                return tension_field(strain, self.poisson_ratio)
-            return orthotropic_tension_field(strain, self.grain)
+        if not self.tension_field:
+            return without_wrinkles(strain, self.taut_stiffness)
         if self.grain is None:
-            return without_wrinkles(strain, plane_stress(self.poisson_ratio))
+            return tension_field(strain, self.poisson_ratio)
+        return orthotropic_tension_field(strain, self.grain)
+
+    @property
+    def taut_stiffness(self) -> Floats:
+        """Stiffness (3, 3) of taut film from E11, E22, 2 E12 to S11, S22, S12, in units of E t."""
+        if self.grain is None:
+            return plane_stress(self.poisson_ratio)
         turn = self.grain.turn
-        return without_wrinkles(strain, turn.T @ self.grain.stiffness @ turn)
+        return np.asarray(turn.T @ self.grain.stiffness @ turn)
 
 
 @dataclass(frozen=True)

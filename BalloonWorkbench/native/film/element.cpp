@@ -53,16 +53,17 @@ struct Tangent {
     Vec4 moment[3][2];      // by the rotations at each corner
 };
 
-SIMD_INLINE void add_membrane(const Kinematics& k, const FilmLaw& law, double stiffness, Tangent& tangent) {
+SIMD_INLINE void add_membrane(const Kinematics& k, const FilmLaw& law, const FilmScales& scales,
+                              Tangent& tangent) {
     FourResponses response;
     law.respond<true>(k.strain, response);
-    const Vec4 scale = k.area * stiffness;
+    const Vec4 scale = k.area * scales.membrane_stiffness;
     const Vec4(&f)[2][3] = k.f;
     Vec4 s[3], c[3][3];
     for (int i = 0; i < 3; ++i) {
         s[i] = scale * response.stress[i];
         for (int j = 0; j < 3; ++j)
-            c[i][j] = scale * response.tangent[i][j];
+            c[i][j] = scale * (response.tangent[i][j] + scales.slack_stiffness * law.taut_stiffness(i, j));
     }
     for (int i = 0; i < 3; ++i) {
         tangent.pull[0][i] = s[0] * f[0][i] + s[2] * f[1][i];
@@ -190,7 +191,7 @@ SIMD_INLINE void derivatives_body(const FourTriangles& film, const FilmLaw& law,
     Kinematics k;
     compute_kinematics(film, k);
     Tangent tangent;
-    add_membrane(k, law, scales.membrane_stiffness, tangent);
+    add_membrane(k, law, scales, tangent);
     add_bending(film, k, scales, tangent);
     if (scales.exact)
         add_second_rotations(film, k, tangent);

@@ -31,9 +31,10 @@ struct FourElements {
 
 struct FilmScales {
     double membrane_stiffness, flexural_rigidity, poisson_ratio, pressure;
-    double gradient = 0.0; // of the pressure along z
-    double tension = 0.0;  // added to the film's own in the Hessian
-    bool exact = false;    // with the second derivatives of the rotations in the Hessian
+    double gradient = 0.0;        // of the pressure along z
+    double tension = 0.0;         // added to the film's own in the Hessian
+    double slack_stiffness = 0.0; // so much of taut film's, added in the Hessian
+    bool exact = false;           // with the second derivatives of the rotations in the Hessian
 };
 
 struct FilmKernels {

@@ -20,6 +20,9 @@ public:
             lane_by_lane(strain, response);
     }
 
+    // Of taut film, from E11, E22, 2 E12.
+    double taut_stiffness(int i, int j) const { return stiffness_(i, j); }
+
 private:
     MembraneResponse response(const Eigen::Vector3d& strain) const;
     void lane_by_lane(const Vec4 (&strain)[3], FourResponses& response) const;
@@ -28,7 +31,7 @@ private:
     bool orthotropic_, tension_field_;
     Grain grain_;
     DirectionSearch search_;
-    Eigen::Matrix3d stiffness_; // of the plain shell
+    Eigen::Matrix3d stiffness_; // of taut film
 };
 
 } // namespace film

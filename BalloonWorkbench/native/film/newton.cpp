@@ -27,6 +27,7 @@ public:
           factorisation_(hessian_.pattern(), shell.blocks(), cholesky::default_threads()),
           shift_(constants.shift * shell.masses(constants.director_shift)),
           convergence_(shell, settings.tolerance, constants) {
+        shell.set_slack_stiffness(shell.in_space() ? constants.slack_stiffness : 0.0);
         factorisation_.set_interrupt([this] { return progress_(done_); });
     }
 

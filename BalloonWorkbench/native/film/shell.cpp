@@ -60,7 +60,8 @@ Shell::Shell(int vertices, const double* rest_positions, int triangles, const in
              const film_constants& constants)
     : scales_{material.membrane_stiffness, material.flexural_rigidity, material.poisson_ratio,
               material.pressure, material.gradient},
-      law_(material, constants), kernels_(film_kernels()), triangles_(triangles), number_(vertices) {
+      in_space_(material.in_space != 0), law_(material, constants), kernels_(film_kernels()),
+      triangles_(triangles), number_(vertices) {
     if (loads != nullptr)
         loads_ = Eigen::Map<const Vectors>(loads, vertices, 3);
     for (int vertex = 0; vertex < vertices; ++vertex)
@@ -81,7 +82,7 @@ Shell::Shell(int vertices, const double* rest_positions, int triangles, const in
     });
     for (int h = 0; h < hinges; ++h) {
         const int32_t* const vertex = seam_hinges + 3 * h;
-        if (material.in_space != 0)
+        if (in_space_)
             space_hinges_.emplace_back(
                 std::array<int, 3>{vertex[0], vertex[1], vertex[2]},
                 std::array<Eigen::Vector2d, 3>{rest(vertex[0]), rest(vertex[1]), rest(vertex[2])},

@@ -45,6 +45,12 @@ public:
     // Adds the stiffness of so much tension in all directions to the Hessian.
     void set_tension(double tension) { scales_.tension = tension; }
 
+    // Adds so much of the stiffness of taut film to the Hessian, whatever state it is in.
+    void set_slack_stiffness(double part) { scales_.slack_stiffness = part; }
+
+    // Whether the seams do not stay in one plane.
+    bool in_space() const { return in_space_; }
+
     // Adds the second derivatives of the rotations to the Hessian, too.
     void set_exact(bool exact) { scales_.exact = exact; }
 
@@ -94,6 +100,7 @@ private:
                         Eigen::VectorXd& gradient, BlockMatrix& hessian) const;
 
     FilmScales scales_;
+    bool in_space_;
     FilmLaw law_;
     const FilmKernels& kernels_;
     std::vector<std::array<int, 3>> triangles_; // their corners

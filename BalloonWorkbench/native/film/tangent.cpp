@@ -21,6 +21,7 @@ bool tangent_solve(Shell shell, const State& state, const film_constants& consta
         shell.derivatives(state, frames, gradient, hessian);
         return factorisation.factorise(hessian.values().data(), shift.data());
     };
+    shell.set_slack_stiffness(0.0);
     const bool exact = is_definite(true, 0.0);
     double tension = 0.0;
     while (!exact && !is_definite(false, tension)) {

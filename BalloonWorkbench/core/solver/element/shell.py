@@ -11,7 +11,7 @@ W is the tension field (membrane.py), V the volume between the film and the plan
 that grows with z by g, the integral of z over the inside of a closed film. The Hessian is
 exact but for the second derivatives of beta, whose omission (Gauss-Newton) keeps the bending part positive
 semi-definite; `exact` adds them. `tension` adds the stiffness of so much tension in all directions to the
-Hessian.
+Hessian, and `slack_stiffness` that part of the stiffness of taut film, whatever state it is in.
 """
 
 from __future__ import annotations
@@ -62,7 +62,7 @@ class ElasticElements:
     gradient   (m, 3, 2) F
     membrane   (m, 15) forces of the stretched film, those in the turns 0
     rotation   (m, 6) beta
-    jacobian   (m, 6, 15) d beta
+    jacobian   (m, 6, 15) d beta; 0 without bending
     moments    (m, 6) by which the bent film turns the rotations
     stiffness  (m, 15, 15)
     """
@@ -93,7 +93,7 @@ class Shell:
         self._membrane = problem.membrane
         self.flexural_rigidity = problem.flexural_rigidity
         self.pressure, self.gradient = problem.pressure, problem.gradient
-        self.tension = 0.0
+        self.tension = self.slack_stiffness = 0.0
         self.exact = False
         self.loads = np.zeros((len(rest_positions), 3)) if problem.loads is None else problem.loads
         self.shape, self.areas = dkt.gradients(corners)  # (m, 3, 2), (m,)
@@ -129,8 +129,10 @@ class Shell:
         """The parts of the energy at positions (n, 3) and directors (n, 3)."""
         gradient = deformation_gradients(positions, self.triangles, self.shape)
         membrane = float(self.areas @ self._membrane(green_strains(gradient)).energy)
-        rotation = _rotations(gradient, directors[self.triangles])
-        bending = float(np.einsum("mi,mij,mj->", rotation, self._rotation_stiffness, rotation))
+        bending = 0.0
+        if self.flexural_rigidity:
+            rotation = _rotations(gradient, directors[self.triangles])
+            bending = float(np.einsum("mi,mij,mj->", rotation, self._rotation_stiffness, rotation))
         return Energies(
             self.membrane_stiffness * membrane,
             0.5 * self.flexural_rigidity * bending,
@@ -187,7 +189,10 @@ class Shell:
         force = np.zeros((len(d), 15))
         force[:, :9] = np.einsum("mik,mi->mk", strain_operator, membrane.stress * scale[:, None])
         stiffness = np.zeros((len(d), 15, 15))
-        weighted = np.matmul(membrane.tangent * scale[:, None, None], strain_operator)
+        tangent = membrane.tangent
+        if self.slack_stiffness:
+            tangent = tangent + self.slack_stiffness * self.problem.taut_stiffness
+        weighted = np.matmul(tangent * scale[:, None, None], strain_operator)
         stiffness[:, :9, :9] = np.matmul(np.swapaxes(strain_operator, 1, 2), weighted)
         s11, s22, s12 = (membrane.stress * scale[:, None]).T
         stress = np.stack([np.stack([s11, s12], 1), np.stack([s12, s22], 1)], 1)
@@ -198,6 +203,9 @@ class Shell:
             blocks[:, :, axis, :, axis] += geometric
 
         rotation = _rotations(gradient, d)
+        if not self.flexural_rigidity:  # much of the work is for nothing then
+            idle = np.zeros((len(d), 6, 15))
+            return ElasticElements(gradient, force, rotation, idle, np.zeros_like(rotation), stiffness)
         jacobian = _rotation_operator(gradient, d, self.shape, frames)  # (m, 6, 15)
         bending = self.flexural_rigidity * self._rotation_stiffness
         stiffness += np.matmul(np.swapaxes(jacobian, 1, 2), np.matmul(bending, jacobian))

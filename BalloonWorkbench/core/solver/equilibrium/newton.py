@@ -5,18 +5,22 @@ Stiffness continuation: a film that is too soft finds its shape in a few steps; 
 from the softer one. Only the pressure makes the Hessian indefinite, where the film is slack; the stiffness of
 an even tension restores definiteness and shortens steps that would go too far. It calms folds of the size of
 the mesh and lets the balloon move as a whole, so that as much of it serves on every mesh.
+
+Bodies with seams in space crumple more than two panels do. Film that hangs slack has no stiffness, and a step
+carries it so far that it is torn: most of the step is then given up. A small part of the stiffness that it
+has when it is taut, in the Hessian alone, lets a step see that it will be.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from BalloonWorkbench.core.errors import Cancelled, SolverError
 from BalloonWorkbench.core.solver.element.shell import Shell, tangent_frames, turned
 from BalloonWorkbench.core.solver.equilibrium.convergence import Convergence, film_tolerance
+from BalloonWorkbench.core.solver.equilibrium.direct import Factor, Factorisations
 from BalloonWorkbench.core.solver.problem import (
     Energies,
     Equilibrium,
@@ -27,13 +31,10 @@ from BalloonWorkbench.core.solver.problem import (
 )
 from BalloonWorkbench.core.types import Floats, Progress, no_progress
 
-if TYPE_CHECKING:
-    from scipy.sparse import csc_matrix
-    from scipy.sparse.linalg import SuperLU
-
 # The native solver is given these numbers (c_interface.py): both must take the same steps.
 LEVEL_TOLERANCE = 0.02  # a softer level is good enough at this relative decrement
 SHIFT = 1e-6  # of the area of each vertex, on the diagonal: holds what moves in the plane as a whole
+SLACK_STIFFNESS = 0.002  # of taut film's, in the Hessian of a body in space; more holds crumpled tips back
 DIRECTOR_SHIFT = 0.1  # of the flexural rigidity, for a unit of shift
 FIRST_TENSION = 0.03  # in p L, tried when the Hessian is indefinite
 LEAST_TENSION = 0.1 * FIRST_TENSION  # after a short step
@@ -83,9 +84,10 @@ class _Iteration:
     """The state of the iteration, moved on step by step."""
 
     def __init__(self, problem: FilmProblem, start: Start, settings: NewtonSettings) -> None:
-        self._shell = Shell(problem)
+        self._shell, self._direct = Shell(problem), Factorisations()
         self._shift = SHIFT * _masses(self._shell)
         self._shell.tension = self._needed = 0.0
+        self._shell.slack_stiffness = SLACK_STIFFNESS if problem.in_space else 0.0
         self._exact = film_tolerance(settings.tolerance, problem.membrane_stiffness)
         self._convergence = Convergence(problem.fixed, self._exact, problem.membrane_stiffness)
         self._positions, self._directors = start.positions, start.directors
@@ -109,7 +111,7 @@ class _Iteration:
         shell = self._shell
         frames = tangent_frames(self._directors)
         gradient, factor, tries = _definite_factor(
-            shell, self._positions, self._directors, frames, self._shift
+            shell, self._direct, self._positions, self._directors, frames, self._shift
         )
         self._factorisations += tries
         if tries > 1:
@@ -186,8 +188,8 @@ def _next_tension(tension: float, length: float) -> float:
 
 
 def _definite_factor(
-    shell: Shell, positions: Floats, directors: Floats, frames: Floats, shift: Floats
-) -> tuple[Floats, SuperLU | None, int]:
+    shell: Shell, direct: Factorisations, positions: Floats, directors: Floats, frames: Floats, shift: Floats
+) -> tuple[Floats, Factor | None, int]:
     """Gradient and factor of the Hessian, with the least tried tension that makes it positive definite.
 
     None for the factor when there is none.
@@ -195,26 +197,11 @@ def _definite_factor(
     tries = 0
     while True:
         gradient, hessian = shell.derivatives(positions, directors, frames)
-        factor = _cholesky_like(shell.scatter.shifted(hessian, shift))
+        factor = direct.factor(shell.scatter.shifted(hessian, shift))
         tries += 1
         if factor is not None or shell.tension >= LARGEST_TENSION:
             return gradient, factor, tries
         shell.tension = max(TENSION_GROWTH * shell.tension, FIRST_TENSION)
-
-
-def _cholesky_like(matrix: csc_matrix) -> SuperLU | None:
-    """A factorisation without row exchanges, or None when the matrix is not positive definite."""
-    from scipy.sparse.linalg import splu
-
-    try:
-        factor = splu(
-            matrix, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True}
-        )
-    except RuntimeError:  # exactly singular
-        return None
-    # without row exchanges the signs of the pivots are those of the eigenvalues
-    definite = bool(np.all(factor.U.diagonal() > 0.0)) and np.array_equal(factor.perm_r, factor.perm_c)
-    return factor if definite else None
 
 
 def energies(problem: FilmProblem, positions: Floats, directors: Floats) -> Energies:
@@ -235,11 +222,12 @@ def tangent_solve(
     shift = SHIFT * _masses(shell)
     shell.exact = True
     _, hessian = shell.derivatives(positions, directors, frames)
-    factor = _cholesky_like(shell.scatter.shifted(hessian, shift))
+    direct = Factorisations()
+    factor = direct.factor(shell.scatter.shifted(hessian, shift))
     exact = factor is not None
     if factor is None:
         shell.exact = False
-        _, factor, _ = _definite_factor(shell, positions, directors, frames, shift)
+        _, factor, _ = _definite_factor(shell, direct, positions, directors, frames, shift)
     if factor is None:
         raise SolverError("The balloon is not near rest. Inflate it anew.")
     moves, _ = shell.spread(factor.solve(shell.gathered(loads)))

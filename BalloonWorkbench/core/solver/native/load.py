@@ -21,7 +21,7 @@ from BalloonWorkbench.core.solver.native.library import (
 if TYPE_CHECKING:
     import ctypes
 
-ABI_VERSION = 7
+ABI_VERSION = 8
 _FOLDER = FOLDER
 
 

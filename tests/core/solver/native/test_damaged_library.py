@@ -23,10 +23,14 @@ BUILT = load._FOLDER / file_name()
 PROGRAM = """
 import sys
 from pathlib import Path
-from BalloonWorkbench.cli import command_line as cli
+from BalloonWorkbench.core.solver import backend
 from BalloonWorkbench.core.solver.native import load
+sys.modules["FreeCAD"] = None  # no document
 load._FOLDER = Path(sys.argv.pop(1))
 print(load.problem_with_library())
+if len(sys.argv) == 1:
+    sys.exit(print(backend.active_backend()))
+from BalloonWorkbench.cli import command_line as cli
 sys.exit(cli.main(sys.argv[1:]))
 """
 
@@ -47,14 +51,20 @@ def library(folder: Path) -> Path:
     return folder / file_name()
 
 
+def started(folder: Path, *words: str) -> subprocess.CompletedProcess[str]:
+    """A process with the library of a folder: the command line, or without words what solves there."""
+    return subprocess.run(
+        [sys.executable, "-c", PROGRAM, str(folder), *words],
+        cwd=ROOT, capture_output=True, text=True, check=False,
+    )  # fmt: skip
+
+
 def run(folder: Path, *words: str) -> subprocess.CompletedProcess[str]:
     drawing = folder / "box.json"
     drawing.write_text(json.dumps({"unit": "mm", "outer": [[0, 0], [99, 0], [99, 99], [0, 99]]}))
-    command = ["inflate", str(drawing), "--mesh-size", "30mm", "--out", str(folder / "out"), *words]
-    return subprocess.run(
-        [sys.executable, "-c", PROGRAM, str(folder), *command],
-        cwd=ROOT, capture_output=True, text=True, check=False,
-    )  # fmt: skip
+    return started(
+        folder, "inflate", str(drawing), "--mesh-size", "30mm", "--out", str(folder / "out"), *words
+    )
 
 
 @needs_native
@@ -62,6 +72,16 @@ def run(folder: Path, *words: str) -> subprocess.CompletedProcess[str]:
 def test_damaged_on_its_way(case: str, tmp_path: Path) -> None:
     path = library(tmp_path)
     path.write_bytes(DAMAGE[case](path.read_bytes()))
+    ended = started(tmp_path)
+    assert ended.returncode == 0, ended.stderr
+    assert f"{file_name()} is damaged" in ended.stdout
+    assert ended.stdout.endswith("\nnumpy\n")
+
+
+@needs_native
+def test_the_command_line_does_without_it(tmp_path: Path) -> None:
+    path = library(tmp_path)
+    path.write_bytes(DAMAGE["half"](path.read_bytes()))
     ended = run(tmp_path)
     assert ended.returncode == 0, ended.stderr
     told = ended.stdout + ended.stderr
