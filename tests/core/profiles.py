@@ -73,6 +73,17 @@ def cone(radius: float = 0.25, height: float = 0.5) -> Profile:
     return checked_profile(np.array([(radius, 0.0), (0.0, height)]))
 
 
+def drum(radius: float = 0.15, height: float = 0.4) -> Profile:
+    return checked_profile(np.array([(radius, 0.0), (radius, height)]))
+
+
+def capsule(opening: float = 0.35) -> Profile:
+    """A ball drawn long, its ends cut off at this angle from the axis."""
+    turn = np.linspace(opening - 0.5 * np.pi, 0.5 * np.pi - opening, 241)
+    points = 0.2 * np.column_stack([np.cos(turn), np.sin(turn) + 2.0 * (turn > 0.0)])
+    return checked_profile(points, DISC, DISC)
+
+
 def envelope(gore: float = 3.0) -> Profile:
     return natural_shape(gore)
 
@@ -94,5 +105,7 @@ PROFILES = {
     "bottle": bottle,
     "bell": bell,
     "cone": cone,
+    "drum": drum,
+    "capsule": capsule,
     "envelope": envelope,
 }

@@ -9,6 +9,7 @@ seams: the distance from silhouette to drawing is what the seam is moved by.
 from __future__ import annotations
 
 import time
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -19,26 +20,29 @@ from BalloonWorkbench.core.bag_design.band_iterate import (
     BandSimulation,
     make_band_iterate,
     missing,
+    smooth_moves,
 )
 from BalloonWorkbench.core.bag_design.band_start import first_pattern
 from BalloonWorkbench.core.bags.mesh_bag import default_size
-from BalloonWorkbench.core.bodies.banded import SideBand, band_joints, banded_bag
+from BalloonWorkbench.core.bodies.banded import SideBand, band_joints, banded_bag, evenly_joined
 from BalloonWorkbench.core.correction.clearance import CUT_CLEARANCE
 from BalloonWorkbench.core.correction.mixing import AndersonMixing
 from BalloonWorkbench.core.correction.seam_map import SeamMap
 from BalloonWorkbench.core.correction.stages import COARSENING
-from BalloonWorkbench.core.correction.step import CLAMP, TIP
+from BalloonWorkbench.core.correction.step import CLAMP
 from BalloonWorkbench.core.correction.summary import MOST_SENTENCES, NOT_AT_REST, REACHED, far_sentence
 from BalloonWorkbench.core.correction.symmetric_pattern import NO_SYMMETRY, PatternSymmetry, pattern_symmetry
-from BalloonWorkbench.core.design.compare import far_stretches
+from BalloonWorkbench.core.design.compare import far_stretches, misfit
 from BalloonWorkbench.core.errors import InputError, MeshError
 from BalloonWorkbench.core.film.film import Film
+from BalloonWorkbench.core.geometry.normals import corners
+from BalloonWorkbench.core.geometry.polyline import point_at
 from BalloonWorkbench.core.outline.outline import Outline
-from BalloonWorkbench.core.outline.symmetry import exact_mirror, mirrored
+from BalloonWorkbench.core.outline.symmetry import find_mirror, mirrored
 from BalloonWorkbench.core.outline.validity import check
 from BalloonWorkbench.core.packages import shapely
 from BalloonWorkbench.core.solver.model import Model
-from BalloonWorkbench.core.types import Progress, no_progress
+from BalloonWorkbench.core.types import Ints, Progress, no_progress
 from BalloonWorkbench.core.units import length_text
 
 VERTICES = 2500  # of an automatic mesh, all panels together
@@ -52,6 +56,7 @@ PROOF_MESHES = (0.9, 0.83)  # mesh sizes of the proofs, of that of the correctio
 SAME, PROMISED = 1.5, 2e-3  # the proof is another balloon when its error is more than both say
 PIECE = 0.96  # of the longest piece of the band at first: the correction may make it longer
 HALVINGS = 6  # of a step that leads to a pattern without a mesh
+SYMMETRIC = 5e-4  # of its size, a drawing and its mirrored or turned image are apart at most to be the same
 WIDE = 1.1  # of the mean width of the drawing: a wider band leaves little of the faces of its arms
 
 
@@ -148,12 +153,18 @@ class BandCorrection:
         Arms may lean to one side or the other. Where they do so on the other mesh, the correction goes on
         from there, once.
         """
-        proof = make_band_iterate(self.next_simulation(), best.seam_map, PROOF_MESHES[0] * self.edge)
+        proof = self._as_cut(best, PROOF_MESHES[0])
         if self.same(proof, best):
             return proof, best
         better = self.run(PROOF_MESHES[0], FINE, proof)
-        anew = make_band_iterate(self.next_simulation(), better.seam_map, PROOF_MESHES[1] * self.edge)
+        anew = self._as_cut(better, PROOF_MESHES[1])
         return (anew, better) if anew.error < proof.error else (proof, best)
+
+    def _as_cut(self, best: BandIterate, share: float) -> BandIterate:
+        """The balloon of the pattern with equal pieces of its band, on a mesh of this share of the size."""
+        seam_map, joints = evenly_pieced(best.seam_map, self.simulation.joints)
+        self.simulation = replace(self.simulation, joints=joints)
+        return make_band_iterate(self.next_simulation(), seam_map, share * self.edge)
 
     def same(self, one: BandIterate, other: BandIterate) -> bool:
         """Whether two balloons of a pattern are about as near to the drawing."""
@@ -176,25 +187,46 @@ class BandCorrection:
         step = rule.mixed(point.ravel(), np.concatenate(fields).ravel()).reshape(-1, 2)
         step *= min(1.0, CLAMP * self.size / max(float(np.linalg.norm(step, axis=1).max()), 1e-300))
         stops = np.cumsum([len(loop) for loop in current.seam_map.pattern])[:-1]
-        return current.seam_map.moved(tuple(np.split(step, stops)), TIP * edge, self.clearance)
+        return current.seam_map.moved(tuple(np.split(step, stops)), 0.0, self.clearance)
+
+
+def evenly_pieced(seam_map: SeamMap, joints: Sequence[Ints]) -> tuple[SeamMap, tuple[Ints, ...]]:
+    """The map with the points where pieces of the band meet moved along its loops, and their numbers.
+
+    The pieces of the pattern are then equally long wherever no corner decides.
+    """
+    drawing, pattern, numbers = list(seam_map.drawing), list(seam_map.pattern), []
+    for number, own in enumerate(joints):
+        places, nearest = evenly_joined(pattern[number], own, corners(drawing[number]))
+        counter = np.arange(len(pattern[number]) + 1, dtype=np.float64)
+        for loops in (drawing, pattern):
+            moved = loops[number].copy()
+            moved[nearest] = point_at(moved, counter, places)
+            loops[number] = moved
+        numbers.append(nearest)
+    return replace(seam_map, drawing=tuple(drawing), pattern=tuple(pattern)), tuple(numbers)
 
 
 def begun(
     target: Outline, band: SideBand, film: Film, pressure: float, mesh_size: float | None
 ) -> BandCorrection:
     """The correction of a checked target, before its first iterate: the pattern is the drawing."""
-    mirror = exact_mirror(target) if film.young_modulus_across is None else None
+    mirror = find_mirror(target) if film.young_modulus_across is None else None
+    if mirror is not None and mirror.error > SYMMETRIC:
+        mirror = None
     if mirror is not None:
         target = mirrored(target, mirror)
     drawn, symmetry = SeamMap.identity(target, max(target.size) / SAMPLES), NO_SYMMETRY
     if film.young_modulus_across is None:
-        drawn, symmetry = pattern_symmetry(drawn, mirror)
+        drawn, symmetry = pattern_symmetry(drawn, mirror, SYMMETRIC)
     clearance = 2.0 * film.seal_width + CUT_CLEARANCE
     first = symmetry.symmetrised(first_pattern(drawn, target, band.width, clearance))
     joints = band_joints(first.pattern, PIECE * band.piece)
     edge = mesh_size or default_size(banded_bag(first.outline, band.width, joints=joints), VERTICES)
+    moves = [there - here for there, here in zip(first.pattern, drawn.drawing, strict=True)]
+    first = drawn.moved(smooth_moves(drawn.drawing, moves, edge), 0.0, clearance)
     simulation = BandSimulation(target, film, pressure, band.width, joints)
-    return BandCorrection(simulation, symmetry, drawn, first, edge, clearance)
+    return BandCorrection(simulation, symmetry, drawn, symmetry.symmetrised(first), edge, clearance)
 
 
 def _part(progress: Progress, number: int) -> Progress:
@@ -210,7 +242,7 @@ def _design(
     outline: Outline, correction: BandCorrection, proof: BandIterate, other: BandIterate, seconds: float
 ) -> BagDesign:
     """The design, with what is to be said about it: its error is that of the proof."""
-    error = proof.misfit.residual
+    error = misfit(outline, proof.silhouette).residual
     reached = error.mean <= REACHED * correction.size
     return BagDesign(
         outline,

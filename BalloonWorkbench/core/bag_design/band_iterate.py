@@ -11,8 +11,8 @@ import numpy as np
 from BalloonWorkbench.core.bags.bag import Bag
 from BalloonWorkbench.core.bags.mesh_bag import MeshedBag, mesh_bag
 from BalloonWorkbench.core.bodies.banded import BACK, FRONT, band_pieces, band_places, banded_bag
-from BalloonWorkbench.core.correction.seam_map import SeamMap
-from BalloonWorkbench.core.correction.step import DRIFT, DRIFT_ROUND, OVERHANG
+from BalloonWorkbench.core.correction.seam_map import SeamMap, bridged
+from BalloonWorkbench.core.correction.step import DRIFT, DRIFT_ROUND, OVERHANG, TIP
 from BalloonWorkbench.core.design.compare import Misfit, laid_on, misfit
 from BalloonWorkbench.core.design.correspondence import goals
 from BalloonWorkbench.core.design.silhouette import silhouette
@@ -20,6 +20,7 @@ from BalloonWorkbench.core.design.visible_seam import visible_places
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.geometry.normals import corners, left_normals
 from BalloonWorkbench.core.geometry.polyline import arc_lengths, gaps, point_at, point_weights
+from BalloonWorkbench.core.geometry.splines import loop_splines, nearest_spline
 from BalloonWorkbench.core.geometry.triangulation import interpolated
 from BalloonWorkbench.core.geometry.vectors import cross
 from BalloonWorkbench.core.mesh.reuse import stays_good
@@ -32,6 +33,7 @@ from BalloonWorkbench.core.solver.start import dome
 from BalloonWorkbench.core.types import Floats, Ints, Progress, no_progress
 
 COLUMN = 9  # places across the band at which it is looked for where it reaches out farthest
+KNOTS, CORNER_KNOTS = 4.0, 1.5  # mesh sizes between the knots of the pattern's moves; beside corners
 _HAIR = 1e-6  # of a length, by which a place is inside of the mesh
 
 
@@ -122,8 +124,25 @@ def missing(iterate: BandIterate, joints: Sequence[Ints], edge: float, width: fl
         notches = _notches(loop, 0.5 * edge)
         reach = np.full(len(loop), min(DRIFT * edge, DRIFT_ROUND * float(along[-1])))
         goal = goals(loop, places, along[:-1], notches, along[notches], reach)
-        fields.append(smoothed(loop, goal - places, width))
-    return tuple(fields)
+        smooth = smoothed(loop, goal - places, width)
+        fields.append(smooth)
+    drawing = iterate.seam_map.drawing
+    fields = [bridged(loop, field, TIP * edge) for loop, field in zip(drawing, fields, strict=True)]
+    return smooth_moves(drawing, fields, edge)
+
+
+def smooth_moves(drawing: Sequence[Floats], moves: Sequence[Floats], edge: float) -> tuple[Floats, ...]:
+    """Moves (n, 2) m of each loop of a drawing (n, 2) m without waves as short as those of crumpled film.
+
+    edge [m] of the mesh. Film crumples along a curved rim, in waves that no pattern takes away. What is left
+    is smooth between the corners of the drawing, and may have a kink at each.
+    """
+    smooth = []
+    for loop, move in zip(drawing, moves, strict=True):
+        sharp = corners(loop, reach=0.5 * edge)
+        splines = loop_splines(loop, sharp, KNOTS * edge, CORNER_KNOTS * edge)
+        smooth.append(nearest_spline(loop, splines, move))
+    return tuple(smooth)
 
 
 def band_columns(iterate: BandIterate, joints: Sequence[Ints]) -> list[Floats]:

@@ -14,7 +14,6 @@ from __future__ import annotations
 
 import time
 from dataclasses import dataclass, field, replace
-from functools import cached_property
 
 import numpy as np
 
@@ -26,13 +25,16 @@ from BalloonWorkbench.core.bag_design.gore_sections import (
     film_residual,
     moves_off,
     off_profile,
+    profile_ends,
 )
 from BalloonWorkbench.core.bag_design.gore_start import lower_end, on_profile
 from BalloonWorkbench.core.bag_design.gore_unknowns import GoreUnknowns
+from BalloonWorkbench.core.bag_design.inflate_bag import within_open_ends
 from BalloonWorkbench.core.bags.mesh_bag import MeshedBag, default_size, mesh_bag
 from BalloonWorkbench.core.bodies.gores import Gores, plain_gores
-from BalloonWorkbench.core.bodies.profile import POINT, Profile
+from BalloonWorkbench.core.bodies.profile import Profile
 from BalloonWorkbench.core.correction.summary import NOT_AT_REST
+from BalloonWorkbench.core.errors import AssemblyError
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.solver.inflate import inflate
 from BalloonWorkbench.core.solver.inflation import Inflation
@@ -52,7 +54,7 @@ STALLED = 0.95  # a step that leaves more than this part of the error brings not
 #: Weights of the bends of the factor of the width, in parts of the size, of changes, in parts of the error;
 #: and the largest change of a factor in one step.
 BENDS, DAMPING, LARGEST = 1e-3, 1.5, 0.3
-DRAWN_IN = 0.5  # so far, in its radii, a disc draws in the gores beside it
+RIM = 2.0  # what a rim that is not at the profile's end counts beside a place along the gores
 
 
 @dataclass(frozen=True)
@@ -106,7 +108,8 @@ def inflate_gores(
 class GoreIterate:
     """A pattern and its balloon.
 
-    away   distances [m] from the profile half way between middle lines and seams, along the gores
+    away   [m], how far the film half way between middle lines and seams is from the profile, along the gores;
+           then how far rims of discs are from its ends along it, times RIM
     apart  how far middle lines and seams are apart at most [m]
     """
 
@@ -114,13 +117,12 @@ class GoreIterate:
     meshed: MeshedBag
     inflation: Inflation
     away: Floats
-    weights: Floats
     apart: float
 
     @property
     def error(self) -> float:
         """Distance from the profile half way between middle lines and seams, root of its mean square [m]."""
-        return float(np.linalg.norm(self.weights * self.away) / np.linalg.norm(self.weights))
+        return float(np.linalg.norm(self.away) / np.sqrt(STATIONS))
 
 
 @dataclass
@@ -156,24 +158,13 @@ class GoreCorrection:
         """The diagonal of the body's box [m]."""
         return body_size(self.unknowns.profile)
 
-    @cached_property
-    def weights(self) -> Floats:
-        """Of the places along a gore (m,): less beside a disc, whose rim is drawn in as it bulges."""
-        profile, length = self.unknowns.profile, self.unknowns.plain.along[-1]
-        at, weights = np.linspace(0.0, length, STATIONS), np.ones(STATIONS)
-        for away, end, kind in ((at, 0, profile.lower), (at[::-1], -1, profile.upper)):
-            if kind != POINT:
-                weights = weights * np.minimum(1.0, (away / (DRAWN_IN * profile.points[end, 0])) ** 2)
-        return weights
-
     def run(self) -> GoreIterate:
         """The best of the corrected patterns."""
         best = self.begun()
         step = self._step(best)
         for _ in range(STEPS):
-            values = best.values + step
-            current = self._inflated(values, best.meshed.with_bag(self.unknowns.bag(values)), best.inflation)
-            if current.error >= best.error:
+            current = self._stepped(best, step)
+            if current is None or current.error >= best.error:
                 step = 0.5 * step
                 continue
             stalled = current.error > STALLED * best.error
@@ -182,6 +173,15 @@ class GoreCorrection:
                 break
             step = self._step(best)
         return best
+
+    def _stepped(self, best: GoreIterate, step: Floats) -> GoreIterate | None:
+        """The balloon after a step from the best one; None where that folds its mesh over."""
+        values = best.values + step
+        try:
+            meshed = best.meshed.with_bag(self.unknowns.bag(values))
+        except AssemblyError:
+            return None
+        return self._inflated(values, meshed, best.inflation)
 
     def begun(self) -> GoreIterate:
         """The balloon of plain gores."""
@@ -212,21 +212,40 @@ class GoreCorrection:
         )
         if lift is None:
             inflation = replace(inflation, positions=self._at_height(meshed, gores, inflation.positions))
-        away, _ = off_profile(profile, beside_axis(inflation.positions))
-        middle, between, seam = across_gores(meshed, gores, count, away[:, None])[:, :, 0]
-        return GoreIterate(
-            values, meshed, inflation, between, self.weights, float(np.abs(middle - seam).max())
-        )
+        away, apart, _ = self._off(meshed, gores, inflation.positions)
+        return GoreIterate(values, meshed, inflation, away, apart)
+
+    def _off(
+        self, meshed: MeshedBag, gores: Gores, positions: Floats, changes: Floats | None = None
+    ) -> tuple[Floats, float, Floats]:
+        """GoreIterate.away and apart of a balloon, and how `away` (m,) follows changes (n, 3, k): (m, k).
+
+        changes  None: of its height alone
+        """
+        profile, points = self.unknowns.profile, beside_axis(positions)
+        if changes is None:
+            changes = np.broadcast_to([[[0.0], [0.0], [1.0]]], (len(positions), 3, 1))
+        away, normals = off_profile(profile, points)
+        fields = [np.column_stack([away, moves_off(positions, normals, changes)])]
+        for _, place, ahead in profile_ends(profile):
+            along = np.broadcast_to(ahead, points.shape)
+            fields.append(
+                RIM * np.column_stack([(points - place) @ ahead, moves_off(positions, along, changes)])
+            )
+        lines = across_gores(meshed, gores, self.unknowns.count, np.concatenate(fields, axis=1))
+        width = fields[0].shape[1]
+        between = [lines[1, :, :width]]
+        for number, (station, _, _) in enumerate(profile_ends(profile), start=1):
+            between.append(lines[1, [station], number * width : (number + 1) * width])
+        rows = np.concatenate(between)
+        return rows[:, 0], float(np.abs(lines[0, :, 0] - lines[2, :, 0]).max()), rows[:, 1:]
 
     def _at_height(self, meshed: MeshedBag, gores: Gores, positions: Floats) -> Floats:
         """The balloon moved up or down to where its gores are nearest to the profile half way."""
-        profile, count, heights = self.unknowns.profile, self.unknowns.count, np.zeros(3)
+        heights = np.zeros(3)
         for _ in range(3):
-            away, normals = off_profile(profile, beside_axis(positions + heights))
-            field = np.column_stack([away, normals[:, 1]])
-            off, upwards = (self.weights[:, None] * across_gores(meshed, gores, count, field)[1]).T
-            share = np.dot(off, upwards) / max(float(np.dot(upwards, upwards)), 1e-12)
-            heights[2] -= float(share)
+            off, _, upwards = self._off(meshed, gores, positions + heights)
+            heights[2] -= float(off @ upwards[:, 0]) / max(float(np.sum(upwards**2)), 1e-12)
         return positions + heights
 
     def _step(self, current: GoreIterate) -> Floats:
@@ -237,14 +256,12 @@ class GoreCorrection:
         free = float(current.inflation.report.lift is None)  # to move up as a whole
         upwards = np.broadcast_to([[[0.0], [0.0], [free]]], (len(positions), 3, 1))
         changes = np.concatenate([changes, upwards], axis=2)
-        _, normals = off_profile(unknowns.profile, beside_axis(positions))
-        field = moves_off(positions, normals, changes)
-        _, matrix, _ = across_gores(meshed, unknowns.gores(current.values), unknowns.count, field)
+        _, _, matrix = self._off(meshed, unknowns.gores(current.values), positions, changes)
         per_part = np.sqrt(STATIONS)
         bends = BENDS * self.size * per_part * unknowns.bends
         small = DAMPING * current.error * per_part * np.eye(unknowns.size)
-        rows = [self.weights[:, None] * matrix, *(np.pad(part, ((0, 0), (0, 1))) for part in (bends, small))]
-        goals = [-self.weights * current.away, -bends @ current.values, np.zeros(len(small))]
+        rows = [matrix, *(np.pad(part, ((0, 0), (0, 1))) for part in (bends, small))]
+        goals = [-current.away, -bends @ current.values, np.zeros(len(small))]
         step = np.linalg.lstsq(np.concatenate(rows), np.concatenate(goals), rcond=None)[0][:-1]
         return np.asarray(step * min(1.0, LARGEST / max(float(np.abs(step).max()), 1e-12)))
 
@@ -264,8 +281,9 @@ def _design(correction: GoreCorrection, proof: GoreIterate, asked: float = REACH
     if not proof.inflation.report.converged:
         warnings.append(NOT_AT_REST)
     if not (reached := proof.error <= asked * size):
+        most = float(np.abs(proof.away[:STATIONS]).max())
         warnings.append(
-            f"The film stays up to {length_text(float(np.abs(proof.away).max()), 3)} away from the profile,"
+            f"The film stays up to {length_text(most, 3)} away from the profile,"
             " even half way between the seams and the middle of the gores: it cannot take this shape. Round"
             " the profile where it is flat, hollow or sharp."
         )
@@ -273,7 +291,7 @@ def _design(correction: GoreCorrection, proof: GoreIterate, asked: float = REACH
         profile,
         proof.meshed.bag,
         proof.meshed,
-        proof.inflation,
+        within_open_ends(proof.meshed, proof.inflation),
         size,
         residual,
         proof.apart,

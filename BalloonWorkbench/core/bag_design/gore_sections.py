@@ -7,7 +7,7 @@ import numpy as np
 
 from BalloonWorkbench.core.bags.mesh_bag import MeshedBag
 from BalloonWorkbench.core.bodies.gores import Gores, laid_along
-from BalloonWorkbench.core.bodies.profile import Profile
+from BalloonWorkbench.core.bodies.profile import POINT, Profile
 from BalloonWorkbench.core.design.design import Residual
 from BalloonWorkbench.core.geometry.nearest import nearest_on_line
 from BalloonWorkbench.core.geometry.polyline import line_lengths, point_on
@@ -33,6 +33,13 @@ def off_profile(profile: Profile, points: Floats) -> tuple[Floats, Floats]:
     normals = -perpendicular(unit(ahead))[edge]
     off = points - (line[edge] + share[:, None] * ahead[edge])
     return np.einsum("kd,kd->k", off, normals), normals
+
+
+def profile_ends(profile: Profile) -> list[tuple[int, Floats, Floats]]:
+    """For each end that is no point, lower first: its station, its place (2,) r, z [m], the way upwards."""
+    line = profile.points
+    kinds = ((0, profile.lower, line[1] - line[0]), (-1, profile.upper, line[-1] - line[-2]))
+    return [(end, line[end], unit(ahead)) for end, kind, ahead in kinds if kind != POINT]
 
 
 def moves_off(positions: Floats, normals: Floats, changes: Floats) -> Floats:

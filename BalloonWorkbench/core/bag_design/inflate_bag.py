@@ -11,11 +11,12 @@ import numpy as np
 
 from BalloonWorkbench.core.bag_design.bag_design import BagDesign
 from BalloonWorkbench.core.bags.bag import Bag
-from BalloonWorkbench.core.bags.mesh_bag import default_size, mesh_bag
+from BalloonWorkbench.core.bags.mesh_bag import MeshedBag, default_size, mesh_bag
 from BalloonWorkbench.core.correction.summary import NOT_AT_REST
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.geometry.polyline import extent
 from BalloonWorkbench.core.geometry.rigid import turn_onto
+from BalloonWorkbench.core.solver.element.kinematics import facet_volume
 from BalloonWorkbench.core.solver.inflate import inflate
 from BalloonWorkbench.core.solver.inflation import Inflation
 from BalloonWorkbench.core.solver.model import Model
@@ -58,11 +59,25 @@ def inflate_bag(
         bag,
         bag,
         meshed,
-        inflation,
+        within_open_ends(meshed, inflation),
         extent(inflation.positions),
         seconds=time.perf_counter() - began,
         warnings=(*bag.notes, *(() if inflation.report.converged else (NOT_AT_REST,))),
     )
+
+
+def within_open_ends(meshed: MeshedBag, inflation: Inflation) -> Inflation:
+    """The balloon with its volume up to its open ends: the solver's is that with what panels not cut hold."""
+    assembly, beyond = meshed.assembly, 0.0
+    for number, panel in enumerate(meshed.bag.panels):
+        if not panel.cut:
+            own = inflation.positions[assembly.offsets[number] : assembly.offsets[number + 1]]
+            middle = own[assembly.panels[number].loops[0]].mean(axis=0)
+            triangles = assembly.surface.triangles
+            first, last = assembly.offsets[number], assembly.offsets[number + 1]
+            sheet = triangles[((triangles >= first) & (triangles < last)).all(axis=1)] - first
+            beyond += facet_volume(own - middle, sheet)
+    return inflation if beyond == 0.0 else replace(inflation, volume=inflation.volume - float(beyond))
 
 
 def _with_first_up(inflation: Inflation) -> Inflation:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a balloon of many panels is made for: a profile, an outline between two faces, or a bag."""
+"""What a balloon of many panels is made for: a profile, an outline between two faces, a body, or a bag."""
 
 from __future__ import annotations
 
@@ -14,24 +14,34 @@ from BalloonWorkbench.core.bodies.profile import Profile
 from BalloonWorkbench.core.bodies.read_profile import read_profile
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.geometry.polyline import extent
-from BalloonWorkbench.core.options.body import BodyOptions
+from BalloonWorkbench.core.options.body import PANELS as PANELS_OF_MESH
+from BalloonWorkbench.core.options.body import BandOptions, BodyOptions, TargetOptions
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.readers.vector import read_bytes, vector_kind
+from BalloonWorkbench.core.segmentation.divide import divide
+from BalloonWorkbench.core.targets.read_target import is_mesh, read_target
+from BalloonWorkbench.core.targets.target import Division
 
-Source = Profile | Outline | Bag
+Source = Profile | Outline | Bag | Division
 
 #: What a JSON file of panels, or of a profile, has instead of the loops of an outline.
 PANELS = "panels"
+#: A file with a closed body.
+MESH = "mesh"
 _MOST_BYTES = 8 << 20
 _KEYS = (PANELS, "profile", "natural_shape")
 
 
 def form_of(path: str | Path) -> str | None:
-    """PANELS or another of the words by which a JSON file of many panels is known; None for any other file.
+    """PANELS or another of the words by which a JSON file of many panels is known; MESH; None for any other
+    file.
 
-    One that cannot be read is left to the readers, which say why.
+    One that cannot be read is left to the readers of what it speaks of, which say why.
     """
     path = Path(path)
+    if is_mesh(path):
+        return MESH
+    named: list[str] = []
     try:
         with path.open("rb") as file:
             if vector_kind(path, file.read(4096)) != "json":
@@ -41,9 +51,42 @@ def form_of(path: str | Path) -> str | None:
         if not named or len(data) > _MOST_BYTES:  # most outlines are not unpacked twice
             return named[0] if named else None
         text = json.loads(data)
-    except (OSError, ValueError, RecursionError, InputError):
+    except (OSError, InputError):
         return None
+    except (ValueError, RecursionError):
+        return named[0] if named else None
     return next((key for key in _KEYS if isinstance(text, dict) and key in text), None)
+
+
+def check_together(
+    path: str | Path,
+    form: str | None,
+    body: BodyOptions,
+    band: BandOptions,
+    target: TargetOptions,
+    *,
+    sized: bool,
+) -> None:
+    """Raise InputError for what does not go together; sized: a width or a height is asked for."""
+    name, gored, banded = Path(path).name, body != BodyOptions(), band != BandOptions()
+    if gored and banded:
+        raise InputError(
+            "A body of gores has no side band: leave out what you give of the one or of the other."
+        )
+    if form == PANELS and (gored or banded):
+        raise InputError(f"'{name}' has its own panels: leave out what you give of gores or of a side band.")
+    if form == PANELS and sized:
+        raise InputError(f"'{name}' has the size of its panels: leave out the width and the height.")
+    if form == MESH and (gored or banded):
+        raise InputError(f"'{name}' is a body: leave out what you give of gores or of a side band.")
+    if form != MESH and target != TargetOptions():
+        raise InputError(f"'{name}' is no closed body: leave out --panels, or give an STL, OBJ, PLY or 3MF.")
+    if form and banded:
+        raise InputError(f"'{name}' is a profile, which has no side band: give a drawing for that.")
+    if band.band > 0.0 and band.body_thickness > 0.0:
+        raise InputError("The thickness of the balloon decides the width of its side band: give one of them.")
+    if banded and not (band.band > 0.0 or band.body_thickness > 0.0):
+        raise InputError("The side band has no width: give its width, or the thickness of the balloon.")
 
 
 def profile_of_size(
@@ -62,12 +105,21 @@ def profile_of_size(
     return replace(profile, points=profile.points * min(scales, default=1.0))
 
 
+def division_of_size(
+    path: str | Path, options: TargetOptions, width: float | None = None, height: float | None = None
+) -> Division:
+    """The body in a mesh file, so wide or high [m], in as many panels as wanted."""
+    return divide(read_target(path, width, height), options.panels or PANELS_OF_MESH)
+
+
 def size_of(source: Source) -> float:
     """The larger dimension of what is wanted [m]: of the drawing, of the body, of the largest panel."""
     if isinstance(source, Outline):
         return max(source.size)
     if isinstance(source, Profile):
         return float(max(2.0 * source.points[:, 0].max(), np.ptp(source.points[:, 1])))
+    if isinstance(source, Division):
+        return extent(source.target.points)
     return max(extent(panel.outer) for panel in source.panels)
 
 
@@ -77,6 +129,8 @@ def scaled(source: Source, scale: float) -> Source:
         return source.map(lambda loop: loop * scale)
     if isinstance(source, Profile):
         return replace(source, points=source.points * scale)
+    if isinstance(source, Division):
+        return replace(source, target=replace(source.target, points=source.target.points * scale))
     panels = [
         replace(panel, outer=panel.outer * scale, holes=tuple(hole * scale for hole in panel.holes))
         for panel in source.panels

@@ -81,7 +81,8 @@ class Bag:
     """Panels and seams; each edge of each loop is in exactly one seam.
 
     opening  None: the bag has no opening
-    ease     how much longer one side of a seam may be than the other, as a part of its length; 0 as usual
+    ease     how much longer one side of a seam may be than the other, as a part of its length; 0 as usual;
+             beside a panel that is not cut it does not matter
     notes    one sentence each, for the user
     """
 
@@ -90,3 +91,7 @@ class Bag:
     opening: Opening | None = None
     ease: float = 0.0
     notes: tuple[str, ...] = ()
+
+    def ease_of(self, seam: BagSeam) -> float:
+        """That of a seam, as a part of its length."""
+        return self.ease if all(self.panels[side.panel].cut for side in seam.sides) else 1.0

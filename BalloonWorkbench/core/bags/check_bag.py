@@ -104,20 +104,20 @@ def _edges(bag: Bag, side: Side, *, against: bool) -> Iterator[int]:
     yield from (points[1:] if against else points[:-1]).tolist()
 
 
-def _allowed(bag: Bag, one: float, other: float) -> float:
+def _allowed(bag: Bag, seam: BagSeam, one: float, other: float) -> float:
     """How far the lengths of both sides may differ [m]."""
-    return max(max(RELATIVE_EASE, bag.ease) * max(one, other), EASE)
+    return max(max(RELATIVE_EASE, bag.ease_of(seam)) * max(one, other), EASE)
 
 
 def _check_direction(bag: Bag, seam: BagSeam, number: int) -> None:
     """Sides that would fit the other way round alone: as in a Moebius strip, or by mistake."""
     one, other = _lengths(bag, seam)
-    if abs(one - other) <= _allowed(bag, one, other):
+    if abs(one - other) <= _allowed(bag, seam, one, other):
         return
     turned = [_side_length(bag, seam.a, against=True), _side_length(bag, seam.b, against=False)]
     choices = [(turned[0], other, "a", seam.a, "along"), (turned[1], one, "b", seam.b, "against")]
     for length, fixed, key, side, way in sorted(choices, key=lambda choice: choice[0]):
-        if abs(length - fixed) <= _allowed(bag, length, fixed):
+        if abs(length - fixed) <= _allowed(bag, seam, length, fixed):
             edge = next(_edges(bag, side, against=key == "a"))
             raise AssemblyError(
                 f"Side {key} of seam {number} runs the wrong way at"
@@ -160,7 +160,7 @@ def _sentence(name: str) -> str:
 
 def _check_lengths(bag: Bag, seam: BagSeam, number: int) -> None:
     one, other = _lengths(bag, seam)
-    if abs(one - other) > _allowed(bag, one, other):
+    if abs(one - other) > _allowed(bag, seam, one, other):
         names = [
             f"{length_text(length)} at {_part_name(bag, side, against=against)}"
             for length, side, against in ((one, seam.a, False), (other, seam.b, True))

@@ -114,7 +114,7 @@ class MeshedBag:
             for panel, weights, piece in zip(self.assembly.panels, self.weights, bag.panels)
         ]
         seams = [
-            replace(seam, ease=bag.ease + _cut_off(bag, number, seam.runs, panels))
+            replace(seam, ease=bag.ease_of(bag.seams[number]) + _cut_off(bag, number, seam.runs, panels))
             for number, seam in enumerate(self.assembly.seams)
         ]
         assembly = replace(self.assembly, panels=tuple(panels), seams=tuple(seams))
@@ -186,7 +186,8 @@ def mesh_bag(bag: Bag, size: float) -> MeshedBag:
     panels = _meshed(rims, places, sizes)
     panels = _uncollapsed(panels, runs)
     seams = tuple(
-        Seam(*both, bag.ease + _cut_off(bag, number, both, panels)) for number, both in enumerate(runs)
+        Seam(*both, bag.ease_of(bag.seams[number]) + _cut_off(bag, number, both, panels))
+        for number, both in enumerate(runs)
     )
     return MeshedBag(bag, Assembly(panels, seams), tuple(rims), panels)
 

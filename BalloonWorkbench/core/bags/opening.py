@@ -5,11 +5,61 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from BalloonWorkbench.core.bags.bag import Bag, Opening
+import numpy as np
+
+from BalloonWorkbench.core.bags.bag import Bag, BagPanel, BagSeam, Opening
 from BalloonWorkbench.core.errors import InputError
+from BalloonWorkbench.core.geometry.polyline import line_lengths
+from BalloonWorkbench.core.geometry.vectors import perpendicular, unit
+from BalloonWorkbench.core.types import Floats, Ints
 
 #: Names of panels in a sentence, at most.
 _MOST_NAMES = 12
+#: A seam for the opening is at least this part of the longest one; its middle, from and to these shares.
+_LONG_ENOUGH = 0.5
+_MIDDLE = (0.3, 0.7)
+
+
+def free_opening(panels: tuple[BagPanel, ...], seams: tuple[BagSeam, ...]) -> Opening | None:
+    """The edge with the most room outside both panels for an intake, in the middle of a long seam.
+
+    None where no seam joins outer loops.
+    """
+    sides = [
+        [side.points(panels, against=against) for side, against in ((seam.a, False), (seam.b, True))]
+        for seam in seams
+    ]
+    lengths = [
+        0.0 if seam.a.loop or seam.b.loop else float(line_lengths(panels[seam.a.panel].outer[numbers[0]])[-1])
+        for seam, numbers in zip(seams, sides)
+    ]
+    best, least = None, np.inf
+    for seam, numbers, length in zip(seams, sides, lengths):
+        if not length > 0.0 or length < _LONG_ENOUGH * max(lengths):
+            continue
+        edges = len(numbers[0]) - 1
+        low, high = int(_MIDDLE[0] * edges), max(int(_MIDDLE[1] * edges), int(_MIDDLE[0] * edges) + 1)
+        inside = [
+            _hidden(panels[side.panel].outer, numbers[k][low : high + 1], sense)
+            for k, (side, sense) in enumerate(((seam.a, 1.0), (seam.b, -1.0)))
+        ]
+        hidden = np.maximum(*inside) / length
+        if hidden.min() < least - 1e-6:
+            least = float(hidden.min())
+            best = Opening(seam.a.panel, int(numbers[0][low + int(np.argmin(hidden))]))
+    return best
+
+
+def _hidden(loop: Floats, numbers: Ints, sense: float) -> Floats:
+    """How far a panel reaches out beyond each edge between points (k,) of its loop: (k - 1,) m.
+
+    sense  1 along the loop, which is counter-clockwise, -1 against it
+    """
+    line = loop[numbers]
+    outward = -sense * perpendicular(unit(np.diff(line, axis=0)))
+    middles = 0.5 * (line[:-1] + line[1:])
+    beyond = outward @ loop.T - np.einsum("kd,kd->k", outward, middles)[:, None]
+    return np.asarray(beyond.max(axis=1))
 
 
 def bag_with_opening(bag: Bag, text: str) -> Bag:

@@ -12,6 +12,7 @@ from BalloonWorkbench.core.bags.bag import Bag, BagPanel, BagSeam, Opening, Side
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.geometry.normals import corners
 from BalloonWorkbench.core.geometry.polyline import arc_lengths, edge_lengths, edge_vectors, perimeter
+from BalloonWorkbench.core.geometry.sampling import with_points_at
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.types import Floats, Ints
 from BalloonWorkbench.core.units import length_text
@@ -20,6 +21,7 @@ FRONT, BACK = 0, 1
 #: More pieces of a loop are surely a slip of the unit.
 MOST_PIECES = 100
 _FINE = 0.1  # of a piece, between points at which it may end
+_HAIR = 1e-9  # of a loop: places so near to each other are one
 
 
 @dataclass(frozen=True)
@@ -85,8 +87,20 @@ def banded_bag(outline: Outline, band: float, piece: float = 0.0, joints: Sequen
 
 
 def divided(outline: Outline, piece: float) -> Outline:
-    """The outline with its long edges divided, so that pieces no longer than that [m] can meet anywhere."""
-    return outline if piece <= 0.0 else outline.with_loops([_divided(loop, piece) for loop in outline.loops])
+    """The outline with its long edges divided, so that pieces no longer than that [m] can meet anywhere.
+
+    Points are added where pieces meet that are to be equally long.
+    """
+    if piece <= 0.0:
+        return outline
+    loops = []
+    for loop in (_divided(loop, piece) for loop in outline.loops):
+        places, _ = evenly_joined(loop, _joints(loop, piece), corners(loop))
+        lengths = arc_lengths(loop)
+        at = np.interp(places, np.arange(len(lengths), dtype=np.float64), lengths)
+        added = at[np.abs(at[:, None] - lengths).min(axis=1) > _HAIR * lengths[-1]]
+        loops.append(with_points_at(loop, lengths, added)[0])
+    return outline.with_loops(loops)
 
 
 def band_joints(loops: Sequence[Floats], piece: float = 0.0) -> tuple[Ints, ...]:
@@ -97,6 +111,30 @@ def band_joints(loops: Sequence[Floats], piece: float = 0.0) -> tuple[Ints, ...]
     laid.
     """
     return tuple(_joints(loop, piece) for loop in loops)
+
+
+def evenly_joined(loop: Floats, joints: Ints, sharp: Ints) -> tuple[Floats, Ints]:
+    """Where on a loop (n, 2) m pieces meet so that they are equally long where no corner decides.
+
+    joints  numbers of the points where they meet now; sharp: of the loop's corners
+    The first joint and those at corners stay where they are, the others are spread evenly between them. For
+    each joint its place along the loop's points, counted from 0 to n, and the number of the point nearest to
+    that, to be moved there.
+    """
+    lengths, count = arc_lengths(loop), len(loop)
+    around = float(lengths[-1])
+    fixed = np.isin(joints, sharp)
+    fixed[0] = True
+    along = np.append(np.mod(lengths[joints] - lengths[joints[0]], around), around)
+    order = np.arange(len(joints) + 1)
+    stay = np.append(np.flatnonzero(fixed), len(joints))
+    even = np.mod(np.interp(order, order[stay], along[stay])[:-1] + lengths[joints[0]], around)
+    places = np.interp(even, lengths, np.arange(count + 1, dtype=np.float64))
+    places[fixed] = joints[fixed]
+    below = np.floor(places).astype(int)
+    up = places - below > 0.5
+    up ^= np.isin((below + up) % count, sharp) & ~fixed
+    return places, np.asarray((below + up) % count, dtype=np.int32)
 
 
 def band_pieces(joints: Sequence[Ints]) -> tuple[BandPiece, ...]:

@@ -20,6 +20,7 @@ CAP_RADIUS = 3.0 * FilmOptions.seal_width
 _SAME = 1e-6
 #: Smaller and larger balloons are surely a slip of the unit [m].
 _LEAST, _MOST = 1e-3, 100.0
+_FLATTEST = 1e-2  # part of the radius that a body is high at least
 _ENDS = (AUTOMATIC, POINT, DISC, OPEN)
 
 
@@ -129,6 +130,12 @@ def _check(line: Floats) -> None:
     """InputError for a line of which no body can be made."""
     if len(line) < 2 or length(line) <= 0.0 or not line[:, 0].max() > 0.0:
         raise InputError("The profile lies on its axis. Draw the half outline at a distance from it.")
+    radius, height = float(line[:, 0].max()), float(np.ptp(line[:, 1]))
+    if height < _FLATTEST * radius:
+        raise InputError(
+            f"The body of the profile is {length_text(height)} high and {length_text(2.0 * radius)} wide: no"
+            " balloon is so flat. Draw its profile higher, or make it of two panels."
+        )
     waist = np.flatnonzero(line[1:-1, 0] == 0.0)
     if len(waist):
         height = float(line[1 + waist[0], 1])

@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from bag_volumes import KNOWN, box, cone
-from solver_cases import PRESSURE, both_backends, film
+from solver_cases import PRESSURE, film, needs_native
 
 from BalloonWorkbench.core.bags.bag import Bag
 from BalloonWorkbench.core.bags.mesh_bag import default_size, mesh_bag
@@ -20,7 +20,7 @@ from BalloonWorkbench.core.solver.problem import NewtonSettings
 
 #: The volume is then known to 0.03 %; what still moves are crumples.
 ENOUGH = NewtonSettings(1e-4)
-MOST_STEPS, STIFF = 20, 1e4
+MOST_STEPS = 20
 
 
 def blown(bag: Bag, k: float, backend: str | None = None, size: float | None = None) -> Inflation:
@@ -32,15 +32,20 @@ def blown(bag: Bag, k: float, backend: str | None = None, size: float | None = N
     return result
 
 
-@pytest.mark.parametrize("name", KNOWN)
-@both_backends
+@pytest.mark.parametrize(
+    ("name", "backend"),
+    [
+        *(pytest.param(name, "native", marks=needs_native) for name in KNOWN),
+        *((name, "numpy") for name in ("cube", "drum", "cone")),
+    ],
+)
 def test_known_volumes(name: str, backend: str) -> None:
+    """All of them with both solvers: benchmarks/validation/bags.py."""
     case = KNOWN[name]
     result = blown(case.bag(), case.k, backend)
     assert 1800 < len(result.positions) < 2200
     assert result.volume == pytest.approx(case.volume, rel=0.003)
-    if case.k < STIFF:
-        assert result.report.newton_steps <= MOST_STEPS
+    assert result.report.newton_steps <= MOST_STEPS
 
 
 def test_a_long_prism_is_a_cylinder() -> None:
@@ -66,7 +71,7 @@ def test_a_cube_is_rounded_as_known() -> None:
             [(x, y) for x in half for y in half],
         )
     )
-    middle = middles.mean(axis=0)
+    middle = corners.mean(axis=0)  # a vertex lies in each, and only near the middles
     for points, distance in ((middles, 0.6077), (edges, 0.4611 * 2.0**0.5), (corners, 0.4914 * 3.0**0.5)):
         away = np.linalg.norm(points - middle, axis=1)
         np.testing.assert_allclose(away, distance, rtol=0.03)  # crumples follow the mesh
@@ -88,4 +93,4 @@ def test_a_cone_is_as_high_and_wide_as_known() -> None:
     # crumples along the rim of the disc reach in and out of the widest circle
     widest = heights[np.argsort(radii)[-50:]]
     band = np.abs(heights - np.median(widest)) < 0.02
-    assert np.median(radii[band]) == pytest.approx(0.872010, rel=0.01)
+    assert radii[band].mean() == pytest.approx(0.872010, rel=0.01)

@@ -74,6 +74,8 @@ def test_a_disc_cuts_off_a_point() -> None:
         ([(0.1, 0.1), (0.1, 0.1)], (), "Give it a size"),
         ([(0.1, 0.0), (0.1, 4e5)], (), "Give it a size"),
         ([(0.0, 0.0), (0.0, 0.4)], (), "lies on its axis"),
+        ([(0.0, 0.0), (0.2, 0.0)], (), "no balloon is so flat"),
+        ([(0.0, 0.0), (0.2, 0.0005), (0.0, 0.001)], (), "no balloon is so flat"),
         ([(0.0, 0.0), (0.2, 0.2), (0.0, 0.3), (0.2, 0.5), (0.0, 0.7)], (), "touches its axis"),
         ([(0.0, 0.0), (0.3, 0.1), (0.3, 0.4), (0.1, 0.0), (0.0, 0.6)], (), "crosses or touches itself"),
         ([(0.1, 0.0), (0.1, 0.4)], (POINT,), "away from the axis"),
