@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Panels of a body of revolution: gores from pole to pole; of a ring, strips round it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from BalloonWorkbench.core.segmentation.proposal import Proposal
+from BalloonWorkbench.core.targets.refine import cut_where_zero
+from BalloonWorkbench.core.types import Floats, Ints
+
+
+def in_gores(points: Floats, triangles: Ints, axis: tuple[Floats, Floats], count: int) -> Proposal:
+    """A body cut by half planes through its axis into so many equal sectors.
+
+    axis  a point (3,) and a direction (3,) of it
+    """
+    return _in_sectors(points, triangles, lambda places: _across(places, axis), count)
+
+
+def in_strips(points: Floats, triangles: Ints, axis: tuple[Floats, Floats], count: int) -> Proposal:
+    """A ring cut into so many strips round it, each of two halves that are one panel."""
+    first = _in_sectors(points, triangles, lambda places: _across(places, axis), 2)
+    whole = _out_and_up(points, axis)
+    core = 0.5 * (whole.min(axis=0) + whole.max(axis=0))
+    turn = np.pi / count  # the first strip lies round the outside
+    frame = np.array([[np.cos(turn), np.sin(turn)], [-np.sin(turn), np.cos(turn)]])
+    draft = _in_sectors(
+        first.points, first.triangles, lambda places: (_out_and_up(places, axis) - core) @ frame.T, count
+    )
+    halves = _sectors(_across(draft.points[draft.triangles].mean(axis=1), axis), 2)
+    return draft._replace(pieces=draft.pieces + count * halves, owners=np.tile(np.arange(count), 2))
+
+
+def _in_sectors(points: Floats, triangles: Ints, flat: Callable[[Floats], Floats], count: int) -> Proposal:
+    """A surface cut into equal sectors of a plane; flat: where places (k, 3) are in it, (k, 2)."""
+    lines = count // 2 if count % 2 == 0 else count
+    for line in range(lines):
+        angle = 2.0 * np.pi * line / count
+        values = flat(points) @ (-np.sin(angle), np.cos(angle))
+        points, triangles, _ = cut_where_zero(points, triangles, values)
+    sectors = _sectors(flat(points[triangles].mean(axis=1)), count)
+    return Proposal(points, triangles, sectors, np.arange(count))
+
+
+def _sectors(flat: Floats, count: int) -> Ints:
+    """Number (k,) of the sector in which places (k, 2) of a plane lie."""
+    turn = np.arctan2(flat[:, 1], flat[:, 0]) % (2.0 * np.pi)
+    return np.minimum(turn / (2.0 * np.pi) * count, count - 1).astype(np.int32)
+
+
+def _across(places: Floats, axis: tuple[Floats, Floats]) -> Floats:
+    """Places (k, 2) seen along an axis."""
+    middle, along = axis
+    first = np.eye(3)[int(np.argmin(np.abs(along) + 1e-6 * np.arange(3)))]
+    first = first - (first @ along) * along
+    first /= np.linalg.norm(first)
+    return np.asarray((places - middle) @ np.column_stack([first, np.cross(along, first)]))
+
+
+def _out_and_up(places: Floats, axis: tuple[Floats, Floats]) -> Floats:
+    """How far places (k, 3) are from an axis, and how high along it: (k, 2)."""
+    out = np.linalg.norm(_across(places, axis), axis=1)
+    return np.column_stack([out, (places - axis[0]) @ axis[1]])

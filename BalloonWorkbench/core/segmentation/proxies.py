@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How far regions of a surface are from developable: from a cylinder or a cone, by their normals.
+
+The normals of a developable strip lie on a circle of the unit sphere: a great one for a cylinder, a smaller
+one for a cone (Julius, Kraevoy, Sheffer, D-Charts, 2005).
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from BalloonWorkbench.core.geometry.vectors import unit
+from BalloonWorkbench.core.types import Floats, Ints
+
+#: What a normal away from the mean one costs beside what one away from the circle costs: it keeps regions
+#: compact. A ball in strips by these costs has strips some five times as long as wide.
+_COMPACT = 0.04
+#: The same beside how far normals are off the circle, where regions are judged.
+_BENT = 0.002
+#: Length of the mean of normals round a circle that do not go all round it, in radii.
+_ARC = 0.5
+#: Mean distance of an arc from the line nearest to it, beside how much its direction and its places spread.
+_BULGE = 0.385
+
+
+class Faces(NamedTuple):
+    """Triangles as the regions see them.
+
+    normals  (m, 3) of length 1; areas (m,) with the sum 1; centres (m, 3) in parts of the body's size
+    """
+
+    normals: Floats
+    areas: Floats
+    centres: Floats
+
+
+class Moments(NamedTuple):
+    """Sums over each of p regions, weighted with the areas.
+
+    areas             (p,)
+    normals, centres  (p, 3); turns, spreads: the products of their coordinates (p, 3, 3)
+    """
+
+    areas: Floats
+    normals: Floats
+    turns: Floats
+    centres: Floats
+    spreads: Floats
+
+    def of(self, chosen: Ints) -> Moments:
+        """Of groups of regions: chosen (k, j), each j together."""
+        return Moments(*(each[chosen].sum(axis=1) for each in self))
+
+
+class Proxies(NamedTuple):
+    """The circle of each of p regions.
+
+    axes   (p, 3) of length 1; cosines (p,) of the circle's angle to them
+    means  (p, 3) directions of the mean normals
+    off    (p,) by how much the normals are off the circle [rad]
+    """
+
+    axes: Floats
+    cosines: Floats
+    means: Floats
+    off: Floats
+
+
+def moments(faces: Faces, labels: Ints, count: int) -> Moments:
+    """Of the regions of triangles; labels (m,) 0 to count - 1."""
+    sums: list[Any] = [np.bincount(labels, faces.areas, count)]
+    for vectors in (faces.normals, faces.centres):
+        outer = np.einsum("ij,ik->ijk", vectors, vectors).reshape(-1, 9)
+        values = np.column_stack([vectors, outer]) * faces.areas[:, None]
+        total = np.stack([np.bincount(labels, column, count) for column in values.T], axis=1)
+        sums += [total[:, :3], total[:, 3:].reshape(-1, 3, 3)]
+    return Moments(*sums)
+
+
+def fit_proxies(regions: Moments) -> Proxies:
+    """The best circle for the normals of each region."""
+    mean = regions.normals / regions.areas[:, None]
+    second = regions.turns / regions.areas[:, None, None]
+    straight, cylinders = np.linalg.eigh(second)
+    conical, cones = np.linalg.eigh(second - np.einsum("ij,ik->ijk", mean, mean))
+    cosines = np.clip(np.einsum("ij,ij->i", cones[:, :, 0], mean), -1.0, 1.0)
+    # the angle to a small circle is the distance along its axis over the sine of its angle
+    sines = 1.0 - cosines**2
+    conical = conical[:, 0] / np.maximum(sines, 1e-12)
+    # a cone whose point is inside the region cannot be laid flat: its normals go all round the axis
+    around = np.einsum("ij,ij->i", mean, mean) - cosines**2 < _ARC**2 * sines
+    better = (conical < straight[:, 0]) & ~around
+    axes = np.where(better[:, None], cones[:, :, 0], cylinders[:, :, 0])
+    # of panels that film can follow equally well those that bend less
+    bent = _BENT * (2.0 - 2.0 * np.linalg.norm(mean, axis=1))
+    off = np.sqrt(np.maximum(np.where(better, conical, straight[:, 0]) + bent, 0.0))
+    return Proxies(axes, np.where(better, cosines, 0.0), unit(mean), off)
+
+
+def costs(faces: Faces, proxies: Proxies) -> Floats:
+    """What each triangle costs in each region, (m, p)."""
+    along = faces.normals @ proxies.axes.T - proxies.cosines
+    circle = along**2 / np.maximum(1.0 - proxies.cosines**2, 1e-12)
+    spread = 2.0 - 2.0 * faces.normals @ proxies.means.T
+    return np.asarray(circle + _COMPACT * spread)
+
+
+def distances(regions: Moments, proxies: Proxies) -> Floats:
+    """How far film over each region stays away from it, times its area (p,), in parts of the body's size.
+
+    A strip that is bent across by some angle is so far from a straight one as that angle times its width.
+    """
+    middle = regions.centres / regions.areas[:, None]
+    spread = regions.spreads / regions.areas[:, None, None] - np.einsum("ij,ik->ijk", middle, middle)
+    # along a line of the cone, which leans against its axis
+    width = np.einsum("pi,pij,pj->p", proxies.axes, spread, proxies.axes) / (1.0 - proxies.cosines**2)
+    return np.asarray(_BULGE * regions.areas * proxies.off * np.sqrt(np.maximum(width, 0.0)))

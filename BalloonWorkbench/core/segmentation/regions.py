@@ -1,0 +1,202 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Regions of triangles that grow from seeds over the surface until they meet."""
+
+from __future__ import annotations
+
+import heapq
+from typing import NamedTuple
+
+import numpy as np
+
+from BalloonWorkbench.core.checkpoint import checkpoint
+from BalloonWorkbench.core.segmentation.proxies import (
+    Faces,
+    Moments,
+    Proxies,
+    costs,
+    distances,
+    fit_proxies,
+    moments,
+)
+from BalloonWorkbench.core.targets.half_edges import Indices, connected_parts
+from BalloonWorkbench.core.types import Bools, Floats, Ints
+
+#: Passes from the first seeds, and after a region has moved.
+_PASSES, _AFTERWARDS = 12, 4
+#: What counts as one distance between seeds: this turn of the normal [rad], and this part of the size.
+_TURN, _LENGTH = 3.0, 0.5
+#: Cosine of the angle between triangles that makes a sharp edge.
+_SHARP = np.cos(np.radians(30.0))
+#: Area of a region that is too small, and of one that is large enough to be made two, of the mean one; and
+#: what area is worth where film follows all regions.
+_SMALL, _LARGE, _BY_AREA = 0.15, 0.6, 1e-6
+
+
+class Regions(NamedTuple):
+    """Regions of a surface: labels (m,) from 0, and about how far film over each stays away from it (p,)."""
+
+    labels: Ints
+    distances: Floats
+
+    @property
+    def total(self) -> float:
+        """Of all regions."""
+        return float(self.distances.sum())
+
+
+def between_creases(faces: Faces, beside: Indices) -> Ints:
+    """The parts (m,) of a surface between its sharp edges, from 0; beside (m, 3) as in near_developable."""
+    own, other = np.repeat(np.arange(len(beside)), 3), beside.ravel()
+    flat = (other >= 0) & (np.einsum("ij,ij->i", faces.normals[own], faces.normals[other]) > _SHARP)
+    return connected_parts(len(beside), own[flat], other[flat])
+
+
+def near_developable(faces: Faces, beside: Indices, count: int) -> Regions:
+    """So many regions that are nearly developable (Lloyd's iteration, the best of its passes).
+
+    beside  (m, 3) the triangles beside each one, -1 for none; the surface hangs together
+    """
+    seeds = _first_seeds(faces, count)
+    normals = faces.normals[seeds]
+    proxies = Proxies(_across(normals), np.zeros(count), normals, np.zeros(count))
+    best, seeds, proxies = _settled(faces, beside, seeds, proxies, _PASSES)
+    for _ in range(count):
+        moved = _moved(faces, beside, best)
+        if moved is None:
+            break
+        after = _settled(faces, beside, *moved, _AFTERWARDS)[0]
+        if after.total >= best.total:
+            break
+        best = after
+    return _even(faces, beside, best)
+
+
+def _even(faces: Faces, beside: Indices, regions: Regions) -> Regions:
+    """Without regions that are very small: each joins one beside it, and the worst one is made two."""
+    labels, count = regions.labels, len(regions.distances)
+    for _ in range(count):
+        sums = moments(faces, labels, count)
+        small = int(np.argmin(sums.areas))
+        if sums.areas[small] * count > _SMALL:
+            break
+        own = distances(sums, fit_proxies(sums))
+        pairs = neighbours(labels, beside)
+        one, other = _least_loss(sums, own, pairs[(pairs == small).any(axis=1)])
+        kept = one if other == small else other
+        large = sums.areas * count > _LARGE
+        worst = int(np.argmax(np.where(large, own + _BY_AREA * sums.areas**1.5, -1.0)))
+        labels = np.where(labels == small, kept, labels)
+        labels[in_halves(faces, beside, labels == worst) == 1] = small
+    sums = moments(faces, labels, count)
+    return Regions(labels, distances(sums, fit_proxies(sums)))
+
+
+def _least_loss(sums: Moments, own: Floats, pairs: Ints) -> tuple[int, int]:
+    """Of pairs (k, 2) of regions the one that loses least when it becomes one region; own (p,): distances."""
+    both = sums.of(pairs)
+    loss = distances(both, fit_proxies(both)) - own[pairs].sum(axis=1)
+    one, other = pairs[np.argmin(loss)].tolist()
+    return one, other
+
+
+def _first_seeds(faces: Faces, count: int) -> Indices:
+    """Triangles (count,) far from each other, in place and in direction."""
+    places = np.column_stack([faces.normals / _TURN, faces.centres / _LENGTH])
+    nearest = ((places - faces.areas @ places) ** 2).sum(axis=1)
+    seeds = [int(np.argmax(nearest))]
+    nearest[:] = np.inf
+    while len(seeds) < count:
+        nearest = np.minimum(nearest, ((places - places[seeds[-1]]) ** 2).sum(axis=1))
+        seeds.append(int(np.argmax(nearest)))
+    return np.array(seeds, dtype=np.intp)
+
+
+def _across(normals: Floats) -> Floats:
+    """A direction (p, 3) square to each normal."""
+    other = np.eye(3)[np.argmin(np.abs(normals), axis=1)]
+    across = np.cross(normals, other)
+    return across / np.linalg.norm(across, axis=1, keepdims=True)
+
+
+def _settled(
+    faces: Faces, beside: Indices, seeds: Indices, proxies: Proxies, passes: int
+) -> tuple[Regions, Indices, Proxies]:
+    """The best regions of some passes from these seeds and proxies."""
+    count, best = len(seeds), None
+    weights = np.ones(count)
+    for _ in range(passes):
+        checkpoint()
+        labels = grown(costs(faces, proxies) * weights, seeds, beside)
+        regions = moments(faces, labels, count)
+        proxies = fit_proxies(regions)
+        made = Regions(labels, distances(regions, proxies))
+        if best is None or made.total < best.total:
+            best = made
+        # an angle costs more on a wide region
+        weights = np.sqrt(regions.areas * count)
+        seeds = _middles(faces, proxies, labels)
+    assert best is not None
+    return best, seeds, proxies
+
+
+def grown(cost: Floats, seeds: Indices, beside: Indices) -> Ints:
+    """The region (m,) of each triangle: each time the cheapest triangle beside a region joins it.
+
+    cost    (m, p) of each triangle in each region
+    seeds   (p,) a triangle of each region
+    beside  (m, 3) the triangles beside each one, -1 for none
+    """
+    price, around = cost.T.tolist(), beside.tolist()
+    label = [-1] * len(cost)
+    waiting = [(-1.0, int(seed), region) for region, seed in enumerate(seeds)]
+    while waiting:
+        _, triangle, region = heapq.heappop(waiting)
+        if label[triangle] >= 0:
+            continue
+        label[triangle] = region
+        for other in around[triangle]:
+            if other >= 0 and label[other] < 0:
+                heapq.heappush(waiting, (price[region][other], other, region))
+    return np.array(label, dtype=np.int32)
+
+
+def _middles(faces: Faces, proxies: Proxies, labels: Ints) -> Indices:
+    """Of each region the triangle (p,) that is most like all of it."""
+    own = costs(faces, proxies)[np.arange(len(labels)), labels]
+    order = np.lexsort([own, labels])
+    return order[np.searchsorted(labels[order], np.arange(len(proxies.axes)))]
+
+
+def _moved(faces: Faces, beside: Indices, regions: Regions) -> tuple[Indices, Proxies] | None:
+    """Seeds and proxies after the two regions are made one that lose least, and the worst one is made two."""
+    count, labels = len(regions.distances), regions.labels
+    pairs = neighbours(labels, beside)
+    worst = int(np.argmax(regions.distances))
+    pairs = pairs[(pairs != worst).all(axis=1)]
+    if not len(pairs) or np.count_nonzero(labels == worst) < 2:
+        return None
+    sums = moments(faces, labels, count)
+    one, other = _least_loss(sums, regions.distances, pairs)
+    halves = in_halves(faces, beside, labels == worst)
+    labels = np.where(labels == other, one, labels)
+    labels[halves == 1] = other
+    proxies = fit_proxies(moments(faces, labels, count))
+    return _middles(faces, proxies, labels), proxies
+
+
+def in_halves(faces: Faces, beside: Indices, own: Bools) -> Ints:
+    """Half 0 or 1 (m,) of each triangle of a region that hangs together, own (m,); -1 for the others."""
+    places = np.column_stack([faces.normals, faces.centres / _LENGTH])
+    there = np.flatnonzero(own)
+    far = there[np.argmax(((places[there] - places[there].mean(axis=0)) ** 2).sum(axis=1))]
+    near = there[np.argmax(((places[there] - places[far]) ** 2).sum(axis=1))]
+    cost = np.stack([((places - places[seed]) ** 2).sum(axis=1) for seed in (near, far)], axis=1)
+    return grown(cost, np.array([near, far]), np.where(own[beside] & own[:, None], beside, -1))
+
+
+def neighbours(labels: Ints, beside: Indices) -> Ints:
+    """Pairs (k, 2) of regions that share a border, the lower number first."""
+    there = beside >= 0
+    pairs = np.stack([np.repeat(labels, 3)[there.ravel()], labels[beside[there]]], axis=1)
+    pairs = np.sort(pairs[pairs[:, 0] != pairs[:, 1]], axis=1)
+    return np.unique(pairs, axis=0)
