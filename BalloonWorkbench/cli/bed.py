@@ -8,6 +8,7 @@ from collections.abc import Callable, Sequence
 from typing import TypeVar
 
 from BalloonWorkbench.core.bag_job import FinishedBags
+from BalloonWorkbench.core.bags.bag import Bag
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.job import Balloon
 from BalloonWorkbench.core.machines.bed import SCALE, fits, scale_to_fit
@@ -34,11 +35,12 @@ def machines_of(options: argparse.Namespace) -> list[Machine]:
 
 
 def scaled_to_fit(
-    first: Made, machines: Sequence[Machine], size: Size, design: Callable[[Size], Made]
+    first: Made, machines: Sequence[Machine], size: Size, design: Callable[[Size, float], Made]
 ) -> tuple[Made, Size, list[str]]:
     """A balloon that fits the beds, the size of its drawing, and a line for the user where it is smaller.
 
-    size, design  width and height that were asked for, and what makes a balloon of others
+    size, design  width and height that were asked for, and what makes a balloon of others, so many times as
+                  large
     """
     if size == (None, None):
         size = first.width, None
@@ -48,13 +50,15 @@ def scaled_to_fit(
         nonlocal balloon, used
         width, height = size
         used = width and scale * width, height and scale * height
-        balloon = design(used)
+        balloon = design(used, scale)
         return balloon.sheet
 
     scale = scale_to_fit(first.sheet, machines, make)
     if scale == 1.0:
         return first, size, []
     before, after = (length_text(each.width) for each in (first, balloon))
+    if isinstance(balloon.sources[0] if isinstance(balloon, FinishedBags) else None, Bag):
+        return balloon, used, [f"Scaled to fit: the balloon is {after} wide instead of {before}."]
     return balloon, used, [f"Scaled to fit: the drawing is {after} wide instead of {before}."]
 
 

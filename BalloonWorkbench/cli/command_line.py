@@ -19,6 +19,7 @@ from BalloonWorkbench.cli import document as cli_document
 from BalloonWorkbench.cli.home import home
 from BalloonWorkbench.cli.options import FETCH, language_of, parser, typed
 from BalloonWorkbench.cli.summary import bag_summary, summary
+from BalloonWorkbench.core.bag_design.source import PANELS, form_of
 from BalloonWorkbench.core.bag_job import FinishedBags, bag_makers, has_many_panels, make_bags
 from BalloonWorkbench.core.design.size_goal import SizeGoal
 from BalloonWorkbench.core.errors import (
@@ -46,7 +47,7 @@ from BalloonWorkbench.core.language.speech import speech
 from BalloonWorkbench.core.machines.bed import SCALE
 from BalloonWorkbench.core.machines.machine import Machine, left_out
 from BalloonWorkbench.core.machines.machine_file import checked_files, machines_for
-from BalloonWorkbench.core.options.body import BandOptions, BodyOptions
+from BalloonWorkbench.core.options.body import BandOptions, BodyOptions, TargetOptions
 from BalloonWorkbench.core.options.drawing import FillingOptions, ReadingOptions
 from BalloonWorkbench.core.options.film import DEFAULT_FILM
 from BalloonWorkbench.core.options.pattern import PatternOptions
@@ -126,16 +127,13 @@ class _Run:
         line = console.StatusLine(sys.stderr)
         progress = self._progress(line)
 
-        def design(size: bed.Size) -> Balloon | FinishedBags:
-            return (make_bags if many else make_balloon)(
-                options.input,
-                settings,
-                width=size[0],
-                height=size[1],
-                decode=_decode(),
-                progress=progress,
-                attempt=self._attempt,
-            )
+        def design(size: bed.Size, scale: float = 1.0) -> Balloon | FinishedBags:
+            known: dict[str, Any] = {"decode": _decode(), "progress": progress, "attempt": self._attempt}
+            if form_of(options.input) == PANELS:  # it has its own size; another one is refused
+                asked = {"width": options.width, "height": options.height}
+                return make_bags(options.input, settings, scale=scale, **asked, **known)
+            making_of = make_bags if many else make_balloon
+            return making_of(options.input, settings, width=size[0], height=size[1], **known)
 
         smaller: list[str] = []
         try:
@@ -146,7 +144,10 @@ class _Run:
                 )
             if settings.goal is not None:
                 width = balloon.width
-            with cli_document.document(options.input, settings, balloon.designs, width, height) as document:
+            with (
+                many_panels.file_of(options.input, balloon) as file,
+                cli_document.document(file, settings, balloon.designs, width, height) as document,
+            ):
                 contents, lines = self._contents(balloon, chosen, options, make, progress)
                 made = document and self._attempt(cli_document.NAME, document.content)
             if made:
@@ -288,6 +289,7 @@ def _settings(options: argparse.Namespace) -> Settings:
         pattern=typed(options, PatternOptions),
         body=typed(options, BodyOptions),
         side_band=typed(options, BandOptions),
+        target=typed(options, TargetOptions),
     )
 
 

@@ -1,13 +1,19 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Balloons of many panels from the command line: which options make sense for them."""
+"""Balloons of many panels from the command line: which options make sense for them, and their file."""
 
 from __future__ import annotations
 
 import argparse
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
 
 from BalloonWorkbench.core.bag_design.source import PANELS, form_of
+from BalloonWorkbench.core.bag_job import FinishedBags
+from BalloonWorkbench.core.bags.bag import Bag
+from BalloonWorkbench.core.bags.read_bag import bag_json
 from BalloonWorkbench.core.errors import InputError
-from BalloonWorkbench.core.machines.bed import SCALE
 
 
 def check(options: argparse.Namespace) -> None:
@@ -21,8 +27,16 @@ def check(options: argparse.Namespace) -> None:
         raise InputError(
             f"'{options.input}' has its panels as they are to be cut: use inflate instead of design."
         )
-    if options.oversize == SCALE:
-        raise InputError(
-            f"'{options.input}' has the size of its panels, so the balloon cannot be scaled to fit: leave out"
-            " --oversize scale."
-        )
+
+
+@contextmanager
+def file_of(path: str, made: object) -> Iterator[str]:
+    """The file of what was made: panels that were made at another size are written into one of that name."""
+    source = made.sources[0] if isinstance(made, FinishedBags) else None
+    if not isinstance(source, Bag):
+        yield path
+        return
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / Path(path).name
+        file.write_bytes(bag_json(source))
+        yield str(file)

@@ -105,7 +105,9 @@ def parser() -> argparse.ArgumentParser:
         _add_parser(commands, "inflate", "inflate the outline as it is; it is the pattern"),
     ):
         command.add_argument(
-            "input", metavar="INPUT", help="PNG, JPEG or BMP picture, or SVG, DXF or JSON outline"
+            "input",
+            metavar="INPUT",
+            help="PNG, JPEG or BMP picture, SVG, DXF or JSON outline, or STL, OBJ, PLY or 3MF body",
         )
         command.add_argument("--out", metavar="DIR", required=True, help="folder for the files")
         _add_language(command)

@@ -15,6 +15,7 @@ from BalloonWorkbench.core.units import (
     from_mm,
     length_text,
     number_text,
+    percent_text,
     place_text,
     pressure_text,
     size_text,
@@ -75,9 +76,13 @@ def _bag(part: dict[str, Any], report: dict[str, Any], corrected: bool, say: Say
     if report["load"]["kind"] == "volume":
         lines.append(say(f"Pressure: {pressure_text(part['pressure_Pa'])}"))
     if corrected and design["error_mm"] is not None:
-        mean, largest = (length_text(from_mm(design["error_mm"][key]), 2) for key in ("mean", "max"))
-        whose = "profile" if part["target"]["kind"] == "profile" else "drawing"
-        lines.append(say(f"Off the {whose}: {mean} on average, at most {largest}"))
+        error = design["error_mm"]
+        mean, most, largest = (
+            f"{length_text(from_mm(error[key]), 2)} ({percent_text(error[key] / design['size_mm'])})"
+            for key in ("mean", "p95", "max")
+        )
+        whose = {"profile": "profile", "body": "body"}.get(part["target"]["kind"], "drawing")
+        lines.append(say(f"Off the {whose}: {mean} on average, 95 % below {most}, at most {largest}"))
     if design["apart_mm"] > 0.0:
         apart = length_text(from_mm(design["apart_mm"]), 2)
         lines.append(say(f"Seams and middles of gores: {apart} apart at most"))

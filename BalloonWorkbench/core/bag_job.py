@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The job for balloons of many panels: a profile, a letter with a side band or a bag in, its panels out.
+"""The job for balloons of many panels: a profile, a letter, a closed body or a bag in, its panels out.
 
 1. read what is wanted                              bag_design/source.py, readers/read.py, bags/read_bag.py
-2. its panels, inflated and corrected               bag_design/gore_fit.py, band_fit.py, inflate_bag.py
+2. its panels, inflated and corrected               bag_design/gore_fit.py, band_fit.py, inflate_bag.py,
+                                                    target_design/fit_target.py
 3. weld, cut, marks that match, order of assembly   bag_pattern/make.py
 4. say what it takes to make it                     making/bag_numbers.py
 5. report and files                                 reports/bag_report.py
@@ -26,16 +27,28 @@ from BalloonWorkbench.core.bag_design.band_width import band_for_thickness
 from BalloonWorkbench.core.bag_design.gore_count import fit_to_accuracy, gores_needed, judged
 from BalloonWorkbench.core.bag_design.gore_fit import RisingPressure, fit_gores, inflate_gores
 from BalloonWorkbench.core.bag_design.inflate_bag import inflate_bag
-from BalloonWorkbench.core.bag_design.source import PANELS, Source, form_of, profile_of_size, scaled, size_of
+from BalloonWorkbench.core.bag_design.source import (
+    MESH,
+    PANELS,
+    Source,
+    check_together,
+    division_of_size,
+    form_of,
+    profile_of_size,
+    scaled,
+    size_of,
+)
 from BalloonWorkbench.core.bag_pattern.bag_patterns import BagPatterns
 from BalloonWorkbench.core.bag_pattern.make import make_bag_patterns
 from BalloonWorkbench.core.bags.check_bag import check_bag
 from BalloonWorkbench.core.bags.read_bag import read_bag
 from BalloonWorkbench.core.bodies.banded import SideBand, band_joints, band_places, banded_bag, divided
+from BalloonWorkbench.core.bodies.gores import folds_at
 from BalloonWorkbench.core.bodies.profile import Profile
 from BalloonWorkbench.core.design.size_goal import START_WIDTH, Buoyancy, Scaling, tried_sizes
 from BalloonWorkbench.core.errors import InputError
 from BalloonWorkbench.core.film.filling import GRAVITY
+from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.job import Settings, numbered, read_shapes, share_of, sheet_makers
 from BalloonWorkbench.core.making.bag_numbers import bag_numbers, inner_film, width_of
 from BalloonWorkbench.core.making.numbers import Numbers, numbers_report
@@ -49,11 +62,14 @@ from BalloonWorkbench.core.pattern.pattern import Pattern
 from BalloonWorkbench.core.pictures.bag_preview import bag_preview_png
 from BalloonWorkbench.core.readers.vector import read_bytes
 from BalloonWorkbench.core.reports.bag_report import build_bag, together_bags
+from BalloonWorkbench.core.results.off_target import off_target
 from BalloonWorkbench.core.results.result_files import results_bytes
 from BalloonWorkbench.core.results.self_contact import self_contact, through_itself
 from BalloonWorkbench.core.results.stl import stl_bytes
 from BalloonWorkbench.core.rounded import rounded
 from BalloonWorkbench.core.solver.volume_load import search_pressure
+from BalloonWorkbench.core.target_design.fit_target import TargetMode, fit_target, inflate_target
+from BalloonWorkbench.core.targets.target import Division
 from BalloonWorkbench.core.tracing.picture import Decode
 from BalloonWorkbench.core.types import Attempt, Progress, insist, no_progress, part_of, rising
 
@@ -81,49 +97,21 @@ def read_sources(
     the readers raise.
     """
     form = form_of(path)
-    _check_together(path, form, settings, sized=width is not None or height is not None)
+    asked = settings.body, settings.side_band, settings.target
+    check_together(path, form, *asked, sized=width is not None or height is not None)
     if form == PANELS:
         bag, seal = read_bag(read_bytes(Path(path)), Budget()), settings.pattern.seal_width
         width_of_weld = settings.film.seal_width if seal is None else seal
         needed = settings.pattern.intake and not settings.pattern.opening
         check_bag(bag, width_of_weld, opening_needed=needed)
         return (bag,)
+    if form == MESH:
+        return (division_of_size(path, settings.target, width, height),)
     if form or settings.body != BodyOptions():
         return (profile_of_size(path, settings.body, width, height),)
     if settings.side_band == BandOptions():
         return ()
     return read_shapes(path, settings, width, height, decode)[0].parts
-
-
-def _check_together(path: str | Path, form: str | None, settings: Settings, *, sized: bool) -> None:
-    """Raise InputError for what does not go together; sized: a width or a height is asked for."""
-    name, own = Path(path).name, settings.side_band
-    body, band = settings.body != BodyOptions(), own != BandOptions()
-    if body and band:
-        raise InputError(
-            "A body of gores has no side band: leave out what you give of the one or of the other."
-        )
-    if form == PANELS and (body or band):
-        raise InputError(f"'{name}' has its own panels: leave out what you give of gores or of a side band.")
-    if form == PANELS and sized:
-        raise InputError(f"'{name}' has the size of its panels: leave out the width and the height.")
-    if form and band:
-        raise InputError(f"'{name}' is a profile, which has no side band: give a drawing for that.")
-    if own.band > 0.0 and own.body_thickness > 0.0:
-        raise InputError("The thickness of the balloon decides the width of its side band: give one of them.")
-    if band and not (own.band > 0.0 or own.body_thickness > 0.0):
-        raise InputError("The side band has no width: give its width, or the thickness of the balloon.")
-
-
-def read_source(
-    path: str | Path,
-    settings: Settings,
-    width: float | None = None,
-    height: float | None = None,
-    decode: Decode | None = None,
-) -> Source | None:
-    """The largest of `read_sources`; None for two equal panels."""
-    return next(iter(read_sources(path, settings, width, height, decode)), None)
 
 
 def design_bag(source: Source, settings: Settings, progress: Progress = no_progress) -> BagDesign:
@@ -148,10 +136,10 @@ def design_bag(source: Source, settings: Settings, progress: Progress = no_progr
 
 def _with_contact(design: BagDesign) -> BagDesign:
     """With a warning where the film passes through itself."""
-    contact = self_contact(design.inflation)
-    if contact.place is None:
+    place, source = self_contact(design.inflation).place, design.source
+    if place is None or (isinstance(source, Profile) and folds_at(source, place)):
         return design
-    return replace(design, warnings=(*design.warnings, through_itself(contact.place)))
+    return replace(design, warnings=(*design.warnings, through_itself(place)))
 
 
 def _designed(source: Source, settings: Settings, pressure: float, progress: Progress) -> BagDesign:
@@ -159,6 +147,8 @@ def _designed(source: Source, settings: Settings, pressure: float, progress: Pro
         return _gored(source, settings, pressure, progress)
     if isinstance(source, Outline):
         return _banded(source, settings, pressure, progress)
+    if isinstance(source, Division):
+        return _divided(source, settings, pressure, progress)
     return inflate_bag(
         source,
         settings.film,
@@ -188,6 +178,20 @@ def _gored(profile: Profile, settings: Settings, pressure: float, progress: Prog
     make = fit_gores if settings.correct else inflate_gores
     design = make(profile, body.gores or gores_needed(profile, accuracy), film, load, **own)
     return judged(design, accuracy) if settings.correct and body.accuracy is not None else design
+
+
+def _divided(division: Division, settings: Settings, pressure: float, progress: Progress) -> BagDesign:
+    """The panels of a body, corrected until the balloon lies on it, or as they are laid flat."""
+    film, target = settings.film, settings.target
+    own: dict[str, Any] = {
+        "mesh_size": settings.mesh_size,
+        "backend": settings.backend,
+        "model": settings.model,
+        "progress": progress,
+    }
+    if not settings.correct:
+        return inflate_target(division, film, pressure, **own)
+    return fit_target(division, film, pressure, mode=TargetMode(target.lies, target.margin), **own)
 
 
 def _banded(outline: Outline, settings: Settings, pressure: float, progress: Progress) -> BagDesign:
@@ -260,12 +264,14 @@ def make_bags(
     *,
     width: float | None = None,
     height: float | None = None,
+    scale: float = 1.0,
     decode: Decode | None = None,
     progress: Progress = no_progress,
     attempt: Attempt = insist,
 ) -> FinishedBags:
     """Make what a file and the settings ask for in many panels; width and height [m] as in `read_sources`.
 
+    scale  how many times as large as it was read; panels have no other size
     With a goal, the largest is brought to the size that meets it, and the others with it. Raises BalloonError
     of some kind for anything a user can mend.
     """
@@ -279,6 +285,7 @@ def make_bags(
         raise InputError(
             f"'{Path(path).name}' has no panels of its own: give gores, or the width of a side band."
         )
+    sources = tuple(scaled(source, scale) for source in sources)
     count = len(sources)
     first, grown = design_at_goal(sources[0], settings, share_of(progress, 0, count))
     designs = [first]
@@ -357,5 +364,9 @@ def bag_makers(bags: FinishedBags, results: str | None = None) -> dict[str, Call
         named[f"{numbered('preview', number)}.png"] = partial(bag_preview_png, part.design, part.patterns)
         if results is not None:
             name = f"{numbered('results', number)}.{results}"
-            named[name] = partial(results_bytes, part.design.inflation, film, results)
+            named[name] = partial(_results, part.design, film, results)
     return named
+
+
+def _results(design: BagDesign, film: Film, kind: str) -> bytes:
+    return results_bytes(design.inflation, film, kind, off_target(design))

@@ -36,7 +36,7 @@ from BalloonWorkbench.core.machines.machine import ANY, machines
 from BalloonWorkbench.core.machines.machine_file import file_of_stock, machine_file
 from BalloonWorkbench.core.making.numbers import Numbers, maker_numbers, numbers_report
 from BalloonWorkbench.core.making.weight import film_and_valve
-from BalloonWorkbench.core.options.body import BandOptions, BodyOptions
+from BalloonWorkbench.core.options.body import BandOptions, BodyOptions, TargetOptions
 from BalloonWorkbench.core.options.drawing import ReadingOptions
 from BalloonWorkbench.core.options.film import DEFAULT_FILM
 from BalloonWorkbench.core.options.option import unusual
@@ -71,7 +71,8 @@ class Settings(ReadingOptions, InflationOptions):
     """How a balloon is made: how its drawing is read, to what it is inflated, and
 
     film: of what; model: what is simulated; goal: what the size has to give; filling: what lifts;
-    pattern: how the pattern is made; body: of a profile; side_band: between front and back of an outline.
+    pattern: how the pattern is made; body: of a profile; side_band: between front and back of an outline;
+    target: into what a closed body is divided.
     """
 
     film: Film = field(default_factory=lambda: film(DEFAULT_FILM))
@@ -81,6 +82,7 @@ class Settings(ReadingOptions, InflationOptions):
     pattern: PatternOptions = field(default_factory=PatternOptions)
     body: BodyOptions = field(default_factory=BodyOptions)
     side_band: BandOptions = field(default_factory=BandOptions)
+    target: TargetOptions = field(default_factory=TargetOptions)
 
     @property
     def intake(self) -> bool:

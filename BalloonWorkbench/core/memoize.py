@@ -24,7 +24,7 @@ _Result = TypeVar("_Result")
 
 #: Arguments that watch the work, or end it, and do not change what comes of it.
 _WATCHING = ("progress", "budget")
-_memories: list[dict[bytes, Any]] = []
+_memories: list[Memoized[..., Any]] = []
 
 
 class Memoized(Generic[_Arguments, _Result]):
@@ -34,7 +34,7 @@ class Memoized(Generic[_Arguments, _Result]):
         self._function, self._most = function, most
         self._signature = signature(function)
         self._results: dict[bytes, _Result] = {}
-        _memories.append(self._results)
+        _memories.append(self)
         update_wrapper(self, function)
 
     def __call__(self, *args: _Arguments.args, **kwargs: _Arguments.kwargs) -> _Result:
@@ -74,7 +74,7 @@ def memoized(
 def forget() -> None:
     """Forget all results: the next ones are worked out."""
     for memory in _memories:
-        memory.clear()
+        memory._results.clear()
 
 
 def _parts(value: Any) -> Iterator[bytes]:

@@ -6,9 +6,8 @@ from __future__ import annotations
 import importlib.util
 import json
 import struct
-import sys
 import zipfile
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -17,8 +16,12 @@ import numpy as np
 import pytest
 from drawn_pictures import coloured, drawn, png, ring
 
-from BalloonWorkbench.cli import main
+from BalloonWorkbench.cli import main, many_panels
+from BalloonWorkbench.core.bag_job import make_bags
+from BalloonWorkbench.core.bags.read_bag import read_bag
+from BalloonWorkbench.core.job import Settings
 from BalloonWorkbench.core.nesting import nest as nesting
+from BalloonWorkbench.core.outline.budget import Budget
 
 ROOT = Path(__file__).parents[2]
 BAGS, PROFILES = ROOT / "resources" / "examples" / "bags", ROOT / "resources" / "examples" / "profiles"
@@ -40,14 +43,6 @@ def stl_volume(path: Path) -> float:
     assert len(facets) == struct.unpack("<I", data[80:84])[0]
     corners = 1e-3 * facets["v"].astype(float)
     return float(np.einsum("ij,ij->", corners[:, 0], np.cross(corners[:, 1], corners[:, 2]))) / 6.0
-
-
-@pytest.fixture(autouse=True, scope="module")
-def no_document() -> Iterator[None]:
-    """FreeCAD's document is made in another process, and takes seconds; see test_a_document_is_made."""
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setitem(sys.modules, "FreeCAD", None)
-        yield
 
 
 @pytest.fixture(scope="module")
@@ -125,16 +120,16 @@ def test_gores_by_number(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> 
 
 
 def test_gores_by_accuracy(tmp_path: Path) -> None:
-    report = run(
-        "design", PROFILES / "sphere.json", tmp_path / "out", "--accuracy", "0.004", "--pressure", "500Pa"
-    )
-    assert report["design"]["relative_error"] <= 0.004
-    assert 6 <= len(report["panels"]) <= 8
+    words = ["--accuracy", "0.02", "--pressure", "500Pa", "--mesh-size", "50mm"]
+    report = run("design", PROFILES / "sphere.json", tmp_path / "out", *words)
+    assert report["design"]["relative_error"] <= 0.02
+    assert 3 <= len(report["panels"]) <= 4
 
 
 def test_a_profile_as_wide_as_asked_for(tmp_path: Path) -> None:
     """Plain gores of a body whose width is given; a disc at its lower end; its size in the report."""
-    report = run("inflate", PROFILES / "bell.json", tmp_path / "out", "--gores", "8", "--width", "260mm")
+    words = ["--gores", "8", "--width", "260mm", "--mesh-size", "30mm"]
+    report = run("inflate", PROFILES / "bell.json", tmp_path / "out", *words)
     assert report["target"]["width_mm"] == pytest.approx(260.0)
     assert report["target"]["lower"] == "disc"
     assert report["design"]["passes"] <= 1
@@ -144,8 +139,8 @@ def test_a_profile_as_wide_as_asked_for(tmp_path: Path) -> None:
 def test_hydrostatic_pressure_makes_the_top_round(tmp_path: Path) -> None:
     """The envelope without weight, filled with warm air: about 0.126 of the cube of its gores' length."""
     report = run(
-        "inflate", PROFILES / "envelope.json", tmp_path / "out", "--gores", "16", "--hydrostatic",
-        "--pressure", "0.01Pa", "--gas", "warm-air", "--material", "pe", "--mesh-size", "150mm",
+        "inflate", PROFILES / "envelope.json", tmp_path / "out", "--gores", "12", "--hydrostatic",
+        "--pressure", "0.01Pa", "--gas", "warm-air", "--material", "pe", "--mesh-size", "250mm",
     )  # fmt: skip
     assert report["inflated"]["volume_m3"] == pytest.approx(0.126055 * 27.0, rel=0.03)
 
@@ -154,7 +149,7 @@ def test_a_picture_with_a_side_band(tmp_path: Path, capsys: pytest.CaptureFixtur
     picture = tmp_path / "ring.png"
     picture.write_bytes(png(coloured(drawn(ring(100.0, 100.0, 90.0, 40.0), 200, 200))))
     report = run(
-        "design", picture, tmp_path / "out", "--width", "200mm", "--band", "30mm", "--mesh-size", "9mm"
+        "design", picture, tmp_path / "out", "--width", "200mm", "--band", "30mm", "--mesh-size", "13mm"
     )
     assert report["input"]["kind"] == "outline"
     assert report["design"]["relative_error"] <= 0.01
@@ -196,9 +191,9 @@ def test_everything_that_is_made_of_a_bag(
     assert "at 40 dpi, all panels" in text
 
 
-def test_a_document_is_made(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.usefixtures("with_freecad")
+def test_a_document_is_made(tmp_path: Path) -> None:
     """By FreeCAD, where it is installed; the panels' corners lie on half micrometres."""
-    monkeypatch.delitem(sys.modules, "FreeCAD")
     if importlib.util.find_spec("FreeCAD") is None:
         pytest.skip("FreeCAD is not there")
     run("inflate", BAGS / "pouch.json", tmp_path / "out", "--mesh-size", "20mm")
@@ -284,7 +279,6 @@ CUBE, SPHERE, DRAWING = str(BAGS / "cube.json"), str(PROFILES / "sphere.json"), 
         (["inflate", CUBE, "--gores", "6"], "has its own panels"),
         (["inflate", CUBE, "--band", "30mm"], "has its own panels"),
         (["inflate", CUBE, "--width", "300mm"], "has the size of its panels"),
-        (["inflate", CUBE, "--machine", "any-dxf", "--oversize", "scale"], "cannot be scaled to fit"),
         (["design", SPHERE, "--band", "30mm"], "has no side band"),
         (["design", SPHERE, "--gores", "6", "--band", "30mm"], "has no side band"),
         (["design", SPHERE, "--gores", "2"], "cannot be made of 2 gores"),
@@ -321,11 +315,55 @@ def test_the_same_bag_writes_the_same_bytes(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    "path", [*sorted(BAGS.glob("*.json")), *sorted(PROFILES.glob("*.json"))], ids=lambda p: p.stem
+    "path", [BAGS / "pouch.json", PROFILES / "airship.json", PROFILES / "envelope.json"], ids=lambda p: p.stem
 )
 def test_examples_come_to_rest(path: Path, tmp_path: Path) -> None:
-    size = {"airship": "80mm", "envelope": "160mm"}.get(path.stem, "20mm")
-    words = [] if path.parent == BAGS else ["--gores", "8", "--pressure", "300Pa"]
+    """Those that no other test here inflates as they are."""
+    size = {"airship": "80mm", "envelope": "250mm"}.get(path.stem, "20mm")
+    words = [] if path.parent == BAGS else ["--gores", "6", "--pressure", "300Pa"]
     report = run("inflate", path, tmp_path / "out", *words, "--mesh-size", size)
     assert report["solve"]["converged"]
     assert report["solve"]["newton_steps"] <= 60
+
+
+def test_a_body_is_as_high_as_its_profile(tmp_path: Path) -> None:
+    """Width, height and depth: the height is that along the axis, as of the profile."""
+    source = tmp_path / "airship.json"
+    source.write_text('{"unit": "mm", "profile": [[0, 0], [90, 100], [100, 250], [90, 400], [0, 500]]}')
+    report = run("inflate", source, tmp_path / "out", "--gores", "6", "--mesh-size", "40mm")
+    inflated = report["inflated"]
+    assert inflated["height_mm"] == pytest.approx(500.0, rel=0.1)
+    assert inflated["width_mm"] == pytest.approx(inflated["thickness_mm"], rel=0.2)
+    assert inflated["width_mm"] < 0.6 * inflated["height_mm"]
+
+
+@pytest.mark.parametrize(
+    ("broken", "example"),
+    [
+        ('{"unit": "mm", "panels": [{"name": "top", "outer": [[0, 0], [1, 0]', '"name": "top"'),
+        ('{"unit": "mm", "profile": [[0, 0], [1, 0], ', '"profile": [[0, 0]'),
+    ],
+)
+def test_a_broken_file_is_told_with_an_example_of_its_kind(
+    broken: str, example: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    source = tmp_path / "broken.json"
+    source.write_text(broken)
+    assert main(["inflate", str(source), "--out", str(tmp_path / "out"), "--language", "en"]) != 0
+    told = capsys.readouterr().err
+    assert example in told.split("Write")[1]
+
+
+def test_panels_are_scaled_until_they_fit_a_bed(tmp_path: Path) -> None:
+    """The pattern fits, the document gets the panels at that size, and all are smaller by the same."""
+    words = ("--machine", "inkscape", "--bed", "200x1200mm", "--oversize", "scale", "--mesh-size", "60mm")
+    report = run("inflate", CUBE, tmp_path / "out", *words)
+    sides = report["pattern"]["width_mm"], report["pattern"]["height_mm"]
+    assert min(sides) <= 200.0
+    made = make_bags(CUBE, Settings(mesh_size=0.06), scale=0.5)
+    with many_panels.file_of(CUBE, made) as file:
+        again = read_bag(Path(file).read_bytes(), Budget())
+    before = read_bag(Path(CUBE).read_bytes(), Budget())
+    for one, other in zip(again.panels, before.panels, strict=True):
+        assert np.allclose(one.outer, 0.5 * other.outer, atol=1e-9)
+    assert made.sheet.seal_width == Settings().film.seal_width

@@ -45,11 +45,6 @@ def box(tmp_path: Path) -> Path:
     return path
 
 
-@pytest.fixture
-def without_freecad(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setitem(sys.modules, "FreeCAD", None)
-
-
 def command(box: Path, out: str | bytes = "out") -> list[str | bytes]:
     return ["inflate", str(box), "--mesh-size", "33mm", "--out", out]
 
@@ -268,7 +263,6 @@ def test_freecad_that_does_not_work_is_a_note(
     assert "\n" not in str(error.value)
 
 
-@pytest.mark.usefixtures("without_freecad")
 def test_a_thread_may_run_it(box: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """Signals are the main thread's."""
     ended: list[int] = []
@@ -281,7 +275,6 @@ def test_a_thread_may_run_it(box: Path, capsys: pytest.CaptureFixture[str]) -> N
     assert written(box.parent / "out") == FILES
 
 
-@pytest.mark.usefixtures("without_freecad")
 def test_the_folder_is_gone_when_the_files_are_written(
     box: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

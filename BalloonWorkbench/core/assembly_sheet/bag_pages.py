@@ -57,7 +57,7 @@ def bag_assembly_pdf(subject: BagSubject, paper: str = "A4", say: Say = in_engli
     matplotlib_pdf()
     say = readable(say, "Assembly sheet")
     name, film, patterns = drawable(subject.title), written(subject.film), subject.patterns
-    across, up, over = np.ptp(upright(subject.design), axis=0).tolist()
+    across, up, over = np.ptp(upright(subject.design)[subject.design.film], axis=0).tolist()
     colour = film.look.colour
     count = len(patterns.patterns)
     first = FirstPage(

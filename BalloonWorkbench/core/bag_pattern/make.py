@@ -43,7 +43,7 @@ def bag_patterns(bag: Bag, film: Film, options: PatternOptions) -> BagPatterns:
     seal_width = film.seal_width if options.seal_width is None else options.seal_width
     _check(bag, options, seal_width)
     bag = opened_bag(bag, options)
-    remarks = pieces_remarks(options, film)
+    remarks = [*pieces_remarks(options, film)]
     intake = bag_intake(bag, options, seal_width)
     seams, tabs = _with_tabs(bag, seam_marks(bag), seal_width + options.allowance)
     copies = panel_copies(bag)
@@ -51,7 +51,8 @@ def bag_patterns(bag: Bag, film: Film, options: PatternOptions) -> BagPatterns:
     patterns, names = [], []
     for place, number in enumerate(cut, 1):
         pattern = _panel_pattern(bag, number, seams, tabs, intake, options, seal_width)
-        marks = _marks(bag, number, pattern, (seams, tabs, intake), options, film)
+        marks, left_out = _marks(bag, number, pattern, (seams, tabs, intake), options, film)
+        remarks += _without_room(bag.panels[number].name, left_out)
         name = f"{bag.panels[number].name}{' mirrored' if _is_mirrored(copies, number) else ''}"
         names.append(name)
         marked = replace(pattern, contours=(*marks, *pattern.contours))
@@ -132,8 +133,8 @@ def _marks(
     joined: tuple[Sequence[SeamMark], list[tuple[Floats, Floats]], BagIntake | None],
     options: PatternOptions,
     film: Film,
-) -> list[Contour]:
-    """What is marked on one panel."""
+) -> tuple[list[Contour], list[int]]:
+    """What is marked on one panel, and the numbers of the seams for which it has no room."""
     seams, tabs, intake = joined
     sides = []
     for seam, shares, each in zip(seams, tabs, bag.seams, strict=True):
@@ -147,6 +148,16 @@ def _marks(
             mouth, free = (here.share, here.free) if here is not None else (None, 0.0)
             sides.append(MarkedSide(seam.number, line, forward, ends, own, mouth, free))
     return seam_marks_on(bag.panels[number], pattern, sides, options, film.lies)
+
+
+def _without_room(name: str, seams: Sequence[int]) -> list[str]:
+    """What is to be said of numbers that are not on a panel."""
+    if not seams:
+        return []
+    numbers = ", ".join(map(str, seams))
+    return [
+        f"Panel {name} has no room for numbers and arrows of seams: {numbers}. Its notches tell them apart."
+    ]
 
 
 def _piece(lines: list[Contour], seal_width: float) -> Pattern:

@@ -90,26 +90,32 @@ def groups_of(length: float, count: int) -> list[tuple[float, int]]:
     return [((k + 1.0) / (count + 1.0), k % 3 + 1) for k in range(count)]
 
 
-def numbers_and_arrows(sides: Sequence[MarkedSide], film: Any) -> list[Contour]:
-    """On each edge the number of its seam and an arrow in its direction; film an area of shapely."""
+def numbers_and_arrows(sides: Sequence[MarkedSide], film: Any) -> tuple[list[Contour], list[int]]:
+    """On each edge the number of its seam and an arrow in its direction; film an area of shapely.
+
+    And the numbers of the seams for which an edge has no room.
+    """
     package = shapely()
     package.prepare(film)
     lines: list[Contour] = []
     taken: list[Any] = []
+    left_out: list[int] = []
     for side in sides:
         height = _height(side, film)
-        places = [(share, height * part) for part in _PARTS for share in _SHARES if side.is_free(share)]
+        heights = dict.fromkeys(max(height * part, _SMALLEST) for part in _PARTS)
+        places = [(share, high) for high in heights for share in _SHARES if side.is_free(share)]
         places.sort(key=lambda place: not side.is_straight(place[0], 2.0 * place[1]))
         tried = [_number_at(side, *place) for place in places]
         hulls = [package.MultiPoint(np.concatenate(strokes)).convex_hull for strokes in tried]
         fitting = [k for k, hull in enumerate(hulls) if film.contains(hull)]
         alone = [k for k in fitting if not any(hulls[k].intersects(other) for other in taken)]
-        if not tried:  # a neck takes the whole edge
+        if not alone:  # or a neck takes the whole edge
+            left_out += [side.number] if tried else []
             continue
-        best = (alone or fitting or [0])[0]
+        best = alone[0]
         taken.append(hulls[best])
         lines += [Contour(Role.PEN, line, False) for line in tried[best]]
-    return lines
+    return lines, left_out
 
 
 def _height(side: MarkedSide, film: Any) -> float:

@@ -30,4 +30,5 @@ def named(pattern: Pattern, label: str, name: str, piece: str, height: float) ->
                 continue
             except MissingPackageError as error:
                 return replace(pattern, warnings=(*pattern.warnings, f"The panels have no names. {error}"))
-    return pattern
+    said = f"Panel {name} has no room for its name: write it beside the cut when you lay it out."
+    return replace(pattern, warnings=(*pattern.warnings, said))

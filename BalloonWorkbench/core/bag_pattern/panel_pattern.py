@@ -80,10 +80,11 @@ def seam_marks_on(
     sides: Sequence[MarkedSide],
     options: PatternOptions,
     grain: float | None,
-) -> list[Contour]:
+) -> tuple[list[Contour], list[int]]:
     """What is drawn and cut on a panel so that its edges find their partners.
 
     grain  direction of the film's grain [rad], None without one
+    And the numbers of the seams for which there is no room.
     """
     package = shapely()
     film = film_of(Outline(panel.outer, panel.holes))
@@ -92,7 +93,7 @@ def seam_marks_on(
     edges = package.MultiLineString(
         [cut.line for role in (Role.CUT, Role.CUT_INNER) for cut in pattern.of(role)]
     )
-    drawn = numbers_and_arrows(sides, film)
+    drawn, left_out = numbers_and_arrows(sides, film)
     drawn += [] if grain is None else grain_line(film, drawn, grain)
     welds = package.MultiLineString([seal.line for seal in pattern.of(Role.SEAL)])
     cuts = [
@@ -101,11 +102,8 @@ def seam_marks_on(
         for notch in notches(side, edges, options.notch_depth, options.allowance, options.notches)
         if package.LineString(notch.points).distance(welds) > 0.5 * pattern.seal_width - TOLERANCE
     ]
-    return [
-        *drawn,
-        *end_lines(panel.loops, {end for side in sides for end in side.ends}, pattern.seal_width),
-        *cuts,
-    ]
+    ends = end_lines(panel.loops, {end for side in sides for end in side.ends}, pattern.seal_width)
+    return [*drawn, *ends, *cuts], left_out
 
 
 def _unsealed(contours: list[Contour], left_open: Sequence[Floats], seal_width: float) -> list[Contour]:

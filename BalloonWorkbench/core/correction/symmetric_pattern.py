@@ -94,22 +94,25 @@ class PatternSymmetry:
 NO_SYMMETRY = PatternSymmetry(None)
 
 
-def pattern_symmetry(seam_map: SeamMap, mirror: Mirror | None) -> tuple[SeamMap, PatternSymmetry]:
+def pattern_symmetry(
+    seam_map: SeamMap, mirror: Mirror | None, exact: float = EXACT
+) -> tuple[SeamMap, PatternSymmetry]:
     """The map of a drawing sampled so that every point has a counterpart, and the symmetry of its pattern.
 
     mirror  its axis, where it has one
+    exact   mean distance, of its size, up to which a drawing that was turned is the same
     """
     drawn, symmetry = _mirror_pairs(seam_map, mirror)
-    return drawn, replace(symmetry, turns=_turns(drawn.drawing))
+    return drawn, replace(symmetry, turns=_turns(drawn.drawing, exact))
 
 
-def _turns(drawing: tuple[Floats, ...]) -> tuple[Turn, ...]:
+def _turns(drawing: tuple[Floats, ...], exact: float) -> tuple[Turn, ...]:
     """The turns by whole parts of a round, most of them first tried, that bring loops onto themselves."""
     centre, points = centroid(drawing), np.concatenate(drawing)
     some = points[:: max(1, len(points) // _TRIED)] - centre
     for count in range(_MOST_TURNS, 1, -1):
         away = nearest_on_loops(drawing, some @ rotation(2.0 * np.pi / count) + centre).distance
-        if away.mean() <= EXACT * extent(drawing[0]):
+        if away.mean() <= exact * extent(drawing[0]):
             return tuple(_turn(drawing, centre, 2.0 * np.pi * k / count) for k in range(1, count))
     return ()
 

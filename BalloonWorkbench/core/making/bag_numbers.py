@@ -64,7 +64,7 @@ def width_of(design: BagDesign) -> float:
         return 2.0 * float(design.source.points[:, 0].max())
     if isinstance(design.source, Outline):
         return float(design.source.size[0])
-    return float(np.ptp(design.inflation.positions[:, 0]))
+    return float(np.ptp(design.inflation.positions[design.film, 0]))
 
 
 def bag_pieces(patterns: BagPatterns, balloons: int, grain: float | None) -> list[Piece]:

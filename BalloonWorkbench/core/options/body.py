@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Balloons of many panels: bodies of gores, letters with a side band."""
+"""Balloons of many panels: bodies of gores, letters with a side band, solids and meshes."""
 
 from __future__ import annotations
 
@@ -8,10 +8,16 @@ from dataclasses import dataclass
 from BalloonWorkbench.core.options.option import Kind, Section
 
 BODY, BAND = Section("Body", topic="Body of gores"), Section("Band", topic="Side band")
+SOLID = Section("Solid", topic="Mesh of a body")
 #: How an end of a profile is closed.
 AUTOMATIC, POINT, DISC, OPEN = "auto", "point", "disc", "open"
 #: How far a body of gores may be from its profile where nothing is said, in parts of the profile's diagonal.
 ACCURACY = 0.01
+#: Into how many panels a mesh is divided where nothing is said.
+PANELS = 16
+#: What a balloon shall do with the body that it is made for.
+FOLLOW, ENCLOSE, INSIDE = "follow", "enclose", "inside"
+_LIES = {FOLLOW: "Follows the body", ENCLOSE: "Encloses it", INSIDE: "Lines it inside"}
 _ENDS = {AUTOMATIC: "Automatic", POINT: "Point", DISC: "Disc", OPEN: "Open"}
 
 
@@ -45,3 +51,16 @@ class BandOptions:
         label="Thickness", step=5.0)
     band_piece: float = BAND(Kind.LENGTH, 0.0, "Longest piece of the side band; 0 is the width of the film",
         label="Longest piece of the band", step=50.0)
+
+
+@dataclass(frozen=True)
+class TargetOptions:
+    """Into what a closed body is divided, and how the balloon lies on it."""
+
+    panels: int | None = SOLID(Kind.COUNT, None,
+        "Into how many panels the body is divided; 0 takes the faces of a solid, 16 panels of a mesh",
+        label="Panels", most=200)
+    lies: str = SOLID(Kind.CHOICE, FOLLOW, "Whether the balloon follows the body, encloses or lines it",
+        label="The balloon", choices=_LIES)
+    margin: float = SOLID(Kind.LENGTH, 0.0, "So far outside of the body, or inside, the film lies at least",
+        label="By at least", step=1.0)

@@ -61,7 +61,9 @@ class PatternOptions:
     opening_share: float | None = INTAKE(Kind.NUMBER, None,
         "How far along that seam, from 0 to 1 of its length; 0 takes its middle, or that of the edge",
         label="How far along it", most=1.0, step=0.05, needs="Intake")
-    notches: int = MARKS(Kind.COUNT, 0, "Notches to lay both films on each other by, evenly along the cut",
+    notches: int = MARKS(Kind.COUNT, 0,
+        "Notches to lay both films on each other by, evenly along the cut; of many panels, groups of them on"
+        " each seam, 0 as many as its length needs",
         label="Notches", most=MOST_NOTCHES, weighs=False)
     notch_depth: float = MARKS(Kind.LENGTH, 0.0015, "Length of a notch; at most the allowance",
         label="Their depth", step=0.5, needs="Notches", weighs=False)

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from BalloonWorkbench.core.options.body import BandOptions, BodyOptions
+from BalloonWorkbench.core.options.body import BandOptions, BodyOptions, TargetOptions
 from BalloonWorkbench.core.options.drawing import FillingOptions, GoalOptions, ReadingOptions, SizeOptions
 from BalloonWorkbench.core.options.film import FilmOptions, MaterialOptions
 from BalloonWorkbench.core.options.making import (
@@ -24,6 +24,7 @@ DECLARED: tuple[type, ...] = (
     GoalOptions,
     BodyOptions,
     BandOptions,
+    TargetOptions,
     FillingOptions,
     MaterialOptions,
     FilmOptions,

@@ -14,6 +14,7 @@ from BalloonWorkbench.core.geometry.polyline import extent
 from BalloonWorkbench.core.geometry.vectors import unit
 from BalloonWorkbench.core.panels.seam import Run
 from BalloonWorkbench.core.pictures.render import FILM_COLOUR, Coloured, normals_of, rgb, surface_picture
+from BalloonWorkbench.core.targets.target import Division
 from BalloonWorkbench.core.types import Floats, Ints
 
 #: Width of a seam's colour on each side of it, and how far it lies over the film; of the balloon's size.
@@ -35,7 +36,7 @@ def bag_picture(
     design: BagDesign,
     width: int,
     height: int,
-    colour: str = FILM_COLOUR,
+    colour: str | Floats = FILM_COLOUR,
     *,
     seams: Mapping[int, str] | None = None,
     panels: Collection[int] | None = None,
@@ -43,7 +44,7 @@ def bag_picture(
 ) -> Floats:
     """RGBA (height, width, 4) of the balloon.
 
-    colour  of the film
+    colour  of the film; or those of all vertices (n, 3), 0 to 1
     seams   colours by number of those that are seen, from 1; None for all in their own
     panels  numbers of those that are seen, from 0; None for all that are cut
     facing  the seam that is turned toward the eye; None shows the front
@@ -55,7 +56,8 @@ def bag_picture(
     places = upright(design)
     if facing is not None:
         places = _turned(design, places, facing)
-    parts = [_film(design, places, panel, rgb(colour), inside=len(shown) < len(cut)) for panel in shown]
+    colours = np.tile(rgb(colour), (len(places), 1)) if isinstance(colour, str) else colour
+    parts = [_film(design, places, panel, colours, inside=len(shown) < len(cut)) for panel in shown]
     for number, of_seam in sorted(seams.items()):
         for run in _runs(design, number):
             if run.panel in shown:
@@ -66,7 +68,7 @@ def bag_picture(
 def upright(design: BagDesign) -> Floats:
     """Places (n, 3) m of all vertices, y up and z to the front: a gored body stands on its axis."""
     places = design.inflation.positions
-    if isinstance(design.source, Profile):
+    if isinstance(design.source, Profile | Division):
         return np.ascontiguousarray(places[:, [0, 2, 1]] * (1.0, 1.0, -1.0))
     return places
 
@@ -101,12 +103,13 @@ def _panel(design: BagDesign, places: Floats, number: int) -> tuple[Floats, Ints
 
 
 def _film(design: BagDesign, places: Floats, number: int, film: Floats, *, inside: bool) -> Coloured:
-    """The film of a panel; inside: its other side is seen as well."""
+    """The film of a panel in the colours of all vertices; inside: its other side is seen as well."""
     own, triangles, normals = _panel(design, places, number)
-    outer = own, triangles, normals, np.tile(film, (len(own), 1))
+    start = design.inflation.assembly.offsets[number]
+    film = film[start : start + len(own)]
     if not inside:
-        return outer
-    return _together([outer, (own, triangles[:, ::-1], -normals, np.tile(_INNER * film, (len(own), 1)))])
+        return own, triangles, normals, film
+    return _together([(own, triangles, normals, film), (own, triangles[:, ::-1], -normals, _INNER * film)])
 
 
 def _ribbon(design: BagDesign, places: Floats, run: Run, colour: Floats) -> Coloured:

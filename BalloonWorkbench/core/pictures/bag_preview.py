@@ -11,6 +11,7 @@ import numpy as np
 from BalloonWorkbench.core.bag_design.bag_design import BagDesign
 from BalloonWorkbench.core.bag_pattern.bag_patterns import BagPatterns
 from BalloonWorkbench.core.bag_pattern.seams import side_lines
+from BalloonWorkbench.core.bodies.profile import Profile
 from BalloonWorkbench.core.geometry.polyline import bounds
 from BalloonWorkbench.core.machines.layers import LAYERS
 from BalloonWorkbench.core.pattern.pattern import Role
@@ -18,6 +19,7 @@ from BalloonWorkbench.core.pictures.bag_picture import bag_picture, seam_colour,
 from BalloonWorkbench.core.pictures.cards import (
     CARD,
     HEIGHT,
+    SOFT,
     WIDTH,
     CardFrame,
     box_inside,
@@ -28,10 +30,14 @@ from BalloonWorkbench.core.pictures.cards import (
     scale_bar,
 )
 from BalloonWorkbench.core.pictures.render import FILM_COLOUR
+from BalloonWorkbench.core.results.colour_map import colours
+from BalloonWorkbench.core.results.off_target import off_target
+from BalloonWorkbench.core.types import Floats
 from BalloonWorkbench.core.units import from_mm, length_text, percent_text, size_text, to_mm, volume_text
 
 _MARGIN, _GAP, _FLAT = 26, 20, 1000
 _FILM = "#fbeef0"
+_NOTHING = 1e-12  # m; a scale needs an end
 #: Lines that are drawn beside the seams' own.
 _SHOWN = (Role.CUT, Role.CUT_INNER, Role.SEAL, Role.ENGRAVE, Role.NOTCH)
 
@@ -45,9 +51,15 @@ def bag_preview_png(
     """A PNG of 1800 x 1000 pixels; same bytes for same input. MissingPackageError without matplotlib."""
 
     def draw_cards(figure: Any) -> None:
-        tall = HEIGHT - 2 * _MARGIN
-        left = WIDTH - 2 * _MARGIN - _GAP - _FLAT
-        _balloon(card(figure, _MARGIN, _MARGIN, left, tall, "Balloon"), design, seam_colour, colour)
+        left, tall = WIDTH - 2 * _MARGIN - _GAP - _FLAT, HEIGHT - 2 * _MARGIN
+        distances = off_target(design)
+        map_tall = 0 if distances is None else (tall - _GAP) // 2
+        if distances is not None:
+            title = f"Off the {'profile' if isinstance(design.source, Profile) else 'drawing'}"
+            _map(card(figure, _MARGIN, _MARGIN, left, map_tall, title), design, distances)
+        low = _MARGIN + (map_tall + _GAP if map_tall else 0)
+        place = card(figure, _MARGIN, low, left, HEIGHT - _MARGIN - low, "Balloon")
+        _balloon(place, design, seam_colour, colour)
         count = len(patterns.patterns)
         title = "1 panel" if count == 1 else f"{count} panels"
         _panels(
@@ -60,15 +72,36 @@ def bag_preview_png(
 def _balloon(axes: Any, design: BagDesign, seam_colour: SeamColour, colour: str) -> None:
     width, height = axes.get_xlim()[1], axes.get_ylim()[1]
     box = (14, 56, width - 14, height - 64)
-    colours = {number: seam_colour(number) for number in range(1, len(design.bag.seams) + 1)}
-    image = bag_picture(design, int(box[2] - box[0]), int(box[3] - box[1]), colour, seams=colours)
+    seams = {number: seam_colour(number) for number in range(1, len(design.bag.seams) + 1)}
+    image = bag_picture(design, int(box[2] - box[0]), int(box[3] - box[1]), colour, seams=seams)
     axes.imshow(image, extent=(box[0], box[2], box[1], box[3]), interpolation="nearest", zorder=2)
     axes.set_xlim(0, width)
     axes.set_ylim(0, height)
-    size = size_text(*np.ptp(upright(design), axis=0).tolist())
-    text = f"{size}, {volume_text(design.inflation.volume)}"
-    off = design.residual
-    caption(axes, text if off is None else f"{text}, {percent_text(off.mean / design.size)} off")
+    size = size_text(*np.ptp(upright(design)[design.film], axis=0).tolist())
+    caption(axes, f"{size}, {volume_text(design.inflation.volume)}")
+
+
+def _map(axes: Any, design: BagDesign, distances: Floats) -> None:
+    """The balloon by its distances (n,) m from what was wanted, with the scale and what they are in all."""
+    width, height = (int(limits[1]) for limits in (axes.get_xlim(), axes.get_ylim()))
+    away, error = np.abs(distances), design.residual
+    top = max(_NOTHING, float(away.max()) if error is None else min(error.max, 2.0 * error.p95))
+    shown = colours(np.clip(away / top, 0.0, 1.0)) / 255.0
+    box = (14, 96, width - 14, height - 64)
+    image = bag_picture(design, box[2] - box[0], box[3] - box[1], shown, seams={})
+    axes.imshow(image, extent=(box[0], box[2], box[1], box[3]), interpolation="nearest", zorder=2)
+    scale = colours(np.linspace(0.0, 1.0, 256))[None]
+    axes.imshow(scale, extent=(120, width - 120, 66, 80), aspect="auto", zorder=2)
+    for x, text in ((110, "0"), (width - 110, length_text(top, 2))):
+        axes.text(x, 73, text, ha="right" if x == 110 else "left", va="center", color=SOFT, fontsize=11)
+    axes.set_xlim(0, width)
+    axes.set_ylim(0, height)
+    if error is not None:
+        mean, most, largest = (
+            f"{length_text(part, 2)} ({percent_text(part / design.size)})"
+            for part in (error.mean, error.p95, error.max)
+        )
+        caption(axes, f"mean {mean}, 95 % below {most}, at most {largest}")
 
 
 def _panels(axes: Any, design: BagDesign, patterns: BagPatterns, seam_colour: SeamColour) -> None:

@@ -57,8 +57,10 @@ def card(figure: Any, x: int, y: int, width: int, height: int, title: str) -> An
 
 
 def caption(axes: Any, text: str, color: str = SOFT) -> None:
-    """A line at the foot of a card."""
-    axes.text(24, 30, text, color=color, fontsize=11, va="center")
+    """A line at the foot of a card, smaller where the card is too narrow for it."""
+    line = axes.text(24, 30, text, color=color, fontsize=11, va="center")
+    width = line.get_window_extent(axes.figure.canvas.get_renderer()).width
+    line.set_fontsize(11.0 * min(1.0, (axes.get_xlim()[1] - 48.0) / max(width, 1.0)))
 
 
 class CardFrame:

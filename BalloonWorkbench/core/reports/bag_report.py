@@ -23,6 +23,7 @@ from BalloonWorkbench.core.making.bag_numbers import inner_film
 from BalloonWorkbench.core.mesh.quality import min_angles
 from BalloonWorkbench.core.outline.outline import Outline
 from BalloonWorkbench.core.pattern.pattern import Pattern
+from BalloonWorkbench.core.pictures.bag_picture import upright
 from BalloonWorkbench.core.reports.report import (
     SCHEMA,
     goal_data,
@@ -32,10 +33,11 @@ from BalloonWorkbench.core.reports.report import (
     solve_data,
 )
 from BalloonWorkbench.core.results.panel_states import panel_states
+from BalloonWorkbench.core.targets.target import Division
 from BalloonWorkbench.core.units import to_mm
 
 #: Kinds of sources.
-PROFILE, BANDED, BAG = "profile", "outline", "bag"
+PROFILE, BANDED, BODY, BAG = "profile", "outline", "body", "bag"
 #: What the report tells of each balloon.
 _OF_A_PART = (
     *("pressure_Pa", "mesh", "solve", "design", "target", "inflated", "panels", "seams", "assembly"),
@@ -105,7 +107,8 @@ def together_bags(parts: Sequence[dict[str, Any]], sheet: Pattern) -> dict[str, 
 def kind_of(design: BagDesign) -> str:
     """What the balloon was made from."""
     source = design.source
-    return PROFILE if isinstance(source, Profile) else BANDED if isinstance(source, Outline) else BAG
+    kinds = {Profile: PROFILE, Outline: BANDED, Division: BODY}
+    return kinds.get(type(source), BAG)
 
 
 def _design(design: BagDesign) -> dict[str, Any]:
@@ -147,6 +150,16 @@ def _target(design: BagDesign) -> dict[str, Any] | None:
             "holes": len(outline.holes),
             "points_mm": _rounded(outline.outer),
         }
+    if isinstance(design.source, Division):
+        target = design.source.target
+        across, deep, up = (float(size) for size in np.ptp(target.points, axis=0))
+        return {
+            "kind": BODY,
+            "width_mm": to_mm(across),
+            "height_mm": to_mm(up),
+            "depth_mm": to_mm(deep),
+            "volume_m3": target.volume,
+        }
     return None
 
 
@@ -156,7 +169,7 @@ def _rounded(points: Any) -> list[list[float]]:
 
 def _inflated(design: BagDesign) -> dict[str, Any]:
     inflation = design.inflation
-    across, up, high = (float(size) for size in np.ptp(inflation.positions, axis=0))
+    across, up, high = (float(size) for size in np.ptp(upright(design)[design.film], axis=0))
     return {
         "volume_m3": inflation.volume,
         "width_mm": to_mm(across),

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from BalloonWorkbench.core.design.design import Residual
 from BalloonWorkbench.core.design.silhouette import silhouette
 from BalloonWorkbench.core.design.visible_seam import trimmed
 from BalloonWorkbench.core.geometry.nearest import nearest_places
@@ -32,9 +33,17 @@ SCALE = (
     *("#1f9e89", "#35b779", "#6ece58", "#b5de2b", "#fde725"),
 )
 TENSION, WRINKLES, STATE = "Tension", "Wrinkles", "Film state"
-THICKNESS, STRAIN, RESIDUAL = "Thickness", "Strain", "Residual"
-KINDS = (TENSION, WRINKLES, STATE, THICKNESS, STRAIN, RESIDUAL)
-UNITS = {TENSION: "N/m", WRINKLES: "%", STATE: "", THICKNESS: "mm", STRAIN: "%", RESIDUAL: "mm"}
+THICKNESS, STRAIN, RESIDUAL, DISTANCE = "Thickness", "Strain", "Residual", "Distance"
+KINDS = (TENSION, WRINKLES, STATE, THICKNESS, STRAIN, RESIDUAL, DISTANCE)
+UNITS = {
+    TENSION: "N/m",
+    WRINKLES: "%",
+    STATE: "",
+    THICKNESS: "mm",
+    STRAIN: "%",
+    RESIDUAL: "mm",
+    DISTANCE: "mm",
+}
 STATES = ("slack", "wrinkled", "taut")
 _ODD = 0.005  # part of the area that may lie beyond the end of the scale: a few triangles in sharp tips
 _SAMPLES = 600  # along the longest loop of the silhouette
@@ -96,13 +105,16 @@ def colours(shares: Floats) -> NDArray[np.uint8]:
     return np.stack([np.rint(np.interp(shares, at, stops[:, k])) for k in range(3)], axis=-1).astype(np.uint8)
 
 
-def kinds_of(inflation: Inflation) -> tuple[str, ...]:
-    """What can be shown: of many panels neither their distance nor that of a silhouette from a drawing."""
-    return KINDS if inflation.assembly.mirror else tuple(k for k in KINDS if k not in (THICKNESS, RESIDUAL))
+def kinds_of(inflation: Inflation, *, compared: bool = False) -> tuple[str, ...]:
+    """What can be shown; compared: many panels were made for a profile or a drawing."""
+    if inflation.assembly.mirror:
+        return tuple(kind for kind in KINDS if kind != DISTANCE)
+    hidden = (THICKNESS, RESIDUAL) if compared else (THICKNESS, RESIDUAL, DISTANCE)
+    return tuple(kind for kind in KINDS if kind not in hidden)
 
 
 def film_map(results: Results, kind: str) -> ColourMap:
-    """One of the results on the film: any kind but RESIDUAL, for which there is `distances`.
+    """One of the results on the film: any kind but RESIDUAL and DISTANCE, see `distances`, `distance_map`.
 
     Values of triangles are averaged over those around a vertex, in the same panel, by area.
     """
@@ -128,6 +140,19 @@ def film_map(results: Results, kind: str) -> ColourMap:
         place = results.positions[faces[int(np.argmax(own))]].mean(axis=0)
     shares = np.clip(values / top, 0.0, 1.0)[faces]
     return ColourMap(kind, shares, top, largest, None if kind == WRINKLES else place)
+
+
+def distance_map(results: Results, error: Residual | None) -> ColourMap:
+    """How far the film is from what it was made for, the same colours inside and outside.
+
+    error  of the design, by which the scale ends: discs of gores bulge farther, and folds in a few triangles
+    """
+    values = np.abs(results.of_vertices["distance_mm"])
+    largest = float(values.max()) if error is None else to_mm(error.max)
+    top = max(largest if error is None else min(largest, 2.0 * to_mm(error.p95)), _NOTHING)
+    return ColourMap(
+        DISTANCE, np.clip(values / top, 0.0, 1.0)[results.triangles], top, max(largest, _NOTHING)
+    )
 
 
 def distances(inflation: Inflation, drawing: Outline) -> Distances:

@@ -8,6 +8,7 @@ order; else of all panels in their order. So the vertices of a seam are there tw
 |---|---|
 | flat_mm | where it lies in the flat panel; many panels lie side by side |
 | thickness_mm | of a balloon of two equal panels there |
+| distance_mm | of many panels from what they were made for, as off_target gives it |
 
 | of each triangle | |
 |---|---|
@@ -53,10 +54,10 @@ class Results:
     of_triangles: dict[str, NDArray[Any]]
 
 
-def results(inflation: Inflation, film: Film) -> Results:
-    """Results of a balloon made of this film."""
+def results(inflation: Inflation, film: Film, distances: Floats | None = None) -> Results:
+    """Results of a balloon made of this film; distances: of the vertices (n,) m, as off_target gives them."""
     if not inflation.assembly.mirror:
-        return _of_panels(inflation, film)
+        return _of_panels(inflation, film, distances)
     panel = inflation.panel
     count = len(inflation.positions)
     upper = _of_triangles(inflation, film)
@@ -78,23 +79,26 @@ def results(inflation: Inflation, film: Film) -> Results:
     )
 
 
-def _of_panels(inflation: Inflation, film: Film) -> Results:
+def _of_panels(inflation: Inflation, film: Film, distances: Floats | None) -> Results:
     assembly = inflation.assembly
     rest = assembly.surface.rest_positions
     number = np.repeat(
         np.arange(len(assembly.panels), dtype=np.int32), [len(panel.triangles) for panel in assembly.panels]
     )
+    of_vertices = {"flat_mm": to_mm(np.column_stack([rest, np.zeros(len(rest))]))}
+    if distances is not None:
+        of_vertices["distance_mm"] = to_mm(distances)
     return Results(
         to_mm(inflation.positions),
         assembly.surface.triangles,
-        {"flat_mm": to_mm(np.column_stack([rest, np.zeros(len(rest))]))},
+        of_vertices,
         {**_of_triangles(inflation, film), "panel": number},
     )
 
 
-def results_bytes(inflation: Inflation, film: Film, kind: str) -> bytes:
-    """A file of a balloon's results, "vtu" or "npz"; InputError for another format."""
-    computed = results(inflation, film)
+def results_bytes(inflation: Inflation, film: Film, kind: str, distances: Floats | None = None) -> bytes:
+    """A file of the `results` of a balloon, "vtu" or "npz"; InputError for another format."""
+    computed = results(inflation, film, distances)
     if kind == "vtu":
         return vtu_bytes(computed.positions, computed.triangles, computed.of_vertices, computed.of_triangles)
     if kind != "npz":

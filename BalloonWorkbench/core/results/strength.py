@@ -13,6 +13,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from BalloonWorkbench.core.checkpoint import checkpoint
 from BalloonWorkbench.core.errors import BalloonError
 from BalloonWorkbench.core.film.film import Film
 from BalloonWorkbench.core.geometry.polyline import edge_lengths
@@ -87,6 +88,7 @@ def settled_loads(inflation: Inflation, film: Film) -> tuple[Loads, bool]:
     now = loads(inflation, film)
     before = now
     for tolerance in _TOLERANCES:
+        checkpoint()
         before = now
         try:
             inflation = inflate(
